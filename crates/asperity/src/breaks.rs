@@ -1,0 +1,22 @@
+//! Where a law is not smooth: what a quadrature over it must not step across.
+
+/// A kink or a jump of a law, at one value of its variable (an interference in m, or a pressure in Pa).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Break {
+    /// The value of the law's variable.
+    pub at: f64,
+    /// What happens there, in the law's own words.
+    pub what: &'static str,
+    /// Relative step of the law's result, value above over value below minus one; zero where the law only bends.
+    pub step: f64,
+}
+
+impl Break {
+    pub(crate) fn kink(at: f64, what: &'static str) -> Self {
+        Break { at, what, step: 0.0 }
+    }
+
+    pub(crate) fn jump(at: f64, what: &'static str, below: f64, above: f64) -> Self {
+        Break { at, what, step: above / below - 1.0 }
+    }
+}

@@ -1,0 +1,249 @@
+//! The elastic-plastic sphere of Jackson & Green: 2005, J. Tribol. 127:343; 2006, Tribol. Int. 39:906.
+
+use std::f64::consts::PI;
+
+use crate::{Break, Hertz, MaterialPair};
+
+/// w/w_c up to which the law is Hertz's; its force jumps there (see [`JacksonGreen::breaks`]).
+pub const YIELD_INTERFERENCE_RATIO: f64 = 1.9;
+/// Largest contact radius over sphere radius in the finite-element results the law was fitted to (about).
+pub const FITTED_CONTACT_RADIUS_OVER_RADIUS: f64 = 0.41;
+/// Largest Sy/E* in the finite-element results the law was fitted to (about).
+pub const FITTED_STRENGTH_OVER_MODULUS: f64 = 0.01;
+
+/// How the mean pressure at full plasticity falls as the contact grows, H_G/Sy against a/R.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum Hardness {
+    /// 2.84 [1 - exp(-0.82 (a/R)^-0.7)] (Jackson & Green 2005).
+    #[default]
+    #[serde(rename = "2005")]
+    JacksonGreen2005,
+    /// 2.84 - 0.92 [1 - cos(pi a/R)].
+    #[serde(rename = "cosine")]
+    Cosine,
+}
+
+impl Hardness {
+    fn over_strength(self, contact_radius_over_radius: f64) -> f64 {
+        match self {
+            Hardness::JacksonGreen2005 => 2.84 * -(-0.82 * contact_radius_over_radius.powf(-0.7)).exp_m1(),
+            Hardness::Cosine => 2.84 - 0.92 * (1.0 - (PI * contact_radius_over_radius).cos()),
+        }
+    }
+}
+
+/// A sphere that yields, pressed by a flat to an interference.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JacksonGreen {
+    hertz: Hertz,
+    hardness: Hardness,
+    radius_m: f64,
+    /// C Sy \[Pa\]: the largest pressure at first yield.
+    yield_pressure_pa: f64,
+    yield_strength_pa: f64,
+    strength_over_modulus: f64,
+    critical_interference_m: f64,
+    area_exponent: f64,
+}
+
+impl JacksonGreen {
+    /// A sphere of radius R > 0 \[m\] and yield strength Sy > 0 \[Pa\]. An infinite strength is a Hertzian sphere.
+    pub fn new(pair: &MaterialPair, radius_m: f64, yield_strength_pa: f64, hardness: Hardness) -> Self {
+        debug_assert!(radius_m > 0.0 && yield_strength_pa > 0.0);
+        let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
+        let strength_over_modulus = yield_strength_pa / pair.composite_modulus_pa();
+        let critical_slope = PI * yield_pressure_pa / (2.0 * pair.composite_modulus_pa());
+        JacksonGreen {
+            hertz: Hertz::new(pair, radius_m),
+            hardness,
+            radius_m,
+            yield_pressure_pa,
+            yield_strength_pa,
+            strength_over_modulus,
+            critical_interference_m: critical_slope * critical_slope * radius_m,
+            area_exponent: 0.14 * (23.0 * strength_over_modulus).exp(),
+        }
+    }
+
+    /// Interference at first yield, w_c = (pi C Sy/(2 E*))^2 R \[m\].
+    pub fn critical_interference_m(&self) -> f64 {
+        self.critical_interference_m
+    }
+
+    /// Interference from which the law departs from Hertz's, 1.9 w_c \[m\].
+    pub fn plastic_onset_m(&self) -> f64 {
+        YIELD_INTERFERENCE_RATIO * self.critical_interference_m
+    }
+
+    /// Force F \[N\] at the interference w >= 0 \[m\]. It jumps at 1.9 w_c, for nu > 0.35 or so downwards.
+    pub fn force_n(&self, interference_m: f64) -> f64 {
+        if self.is_elastic(interference_m) {
+            self.hertz.force_n(interference_m)
+        } else {
+            self.plastic_force_n(interference_m)
+        }
+    }
+
+    /// Contact area A = A_c w' (w'/1.9)^b \[m^2\] at the interference w >= 0 \[m\], Hertz's below 1.9 w_c, and never more
+    /// than the sphere's cross-section pi R^2 (Jackson & Jacobs), on Hertz's branch too. Continuous.
+    pub fn area_m2(&self, interference_m: f64) -> f64 {
+        let area_m2 = self.hertz.area_m2(interference_m) * self.area_over_hertz(interference_m);
+        area_m2.min(PI * self.radius_m * self.radius_m)
+    }
+
+    /// Whether the contact at this interference lies within the results the law was fitted to:
+    /// a/R <= 0.41 and Sy/E* <= 0.01. Hertz's branch, which is no fit, always does.
+    pub fn in_fitted_range(&self, interference_m: f64) -> bool {
+        self.is_elastic(interference_m)
+            || (self.strength_over_modulus <= FITTED_STRENGTH_OVER_MODULUS
+                && self.contact_radius_over_radius(interference_m) <= FITTED_CONTACT_RADIUS_OVER_RADIUS)
+    }
+
+    /// The interferences \[m\] at which the force or the area is not smooth, in rising order: the departure
+    /// from Hertz's law, where the force jumps, and the cap of the area at pi R^2.
+    pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
+        let onset = self.plastic_onset_m();
+        let departure = onset.is_finite().then(|| {
+            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset));
+            Break::jump(onset, "departure from Hertz at 1.9 w_c", below, above)
+        });
+        let cap = Some(Break::kink(self.cap_interference_m(), "area reaches pi R^2"));
+        let in_order = if self.cap_interference_m() < onset { [cap, departure] } else { [departure, cap] };
+        in_order.into_iter().flatten()
+    }
+
+    /// Interference \[m\] at which the area reaches pi R^2: w = R while Hertzian, else (w/R)(w'/1.9)^b = 1 in logarithms.
+    pub fn cap_interference_m(&self) -> f64 {
+        let onset = self.plastic_onset_m();
+        if onset >= self.radius_m {
+            return self.radius_m;
+        }
+        // ln(onset/R) is the room left at the onset; it is used up at the rate 1 + b in ln w.
+        let log_room = (self.radius_m / onset).ln();
+        onset * (log_room / (1.0 + self.area_exponent)).exp()
+    }
+
+    fn is_elastic(&self, interference_m: f64) -> bool {
+        interference_m < self.plastic_onset_m()
+    }
+
+    /// (w'/1.9)^b, 1 below the onset; through the logarithm, since b reaches thousands when Sy nears E*.
+    fn area_over_hertz(&self, interference_m: f64) -> f64 {
+        if self.is_elastic(interference_m) { 1.0 } else { self.log_area_over_hertz(interference_m).exp() }
+    }
+
+    fn log_area_over_hertz(&self, interference_m: f64) -> f64 {
+        let onset = self.plastic_onset_m();
+        let log_ratio = log_of_ratio(interference_m, onset);
+        // b may be infinite: infinity times zero, at the onset itself, is zero here.
+        if log_ratio == 0.0 { 0.0 } else { self.area_exponent * log_ratio }
+    }
+
+    /// a/R = min(1, sqrt(A/(pi R^2))).
+    fn contact_radius_over_radius(&self, interference_m: f64) -> f64 {
+        ((interference_m / self.radius_m).sqrt() * (0.5 * self.log_area_over_hertz(interference_m)).exp())
+            .min(1.0)
+    }
+
+    fn plastic_force_n(&self, interference_m: f64) -> f64 {
+        let w = interference_m / self.critical_interference_m;
+        let log_w = w.ln();
+        let critical_force_n =
+            2.0 / 3.0 * self.yield_pressure_pa * PI * self.radius_m * self.critical_interference_m;
+        let hardness = self.hardness.over_strength(self.contact_radius_over_radius(interference_m));
+        let elastic_share = (-0.25 * (5.0 / 12.0 * log_w).exp()).exp() * w * w.sqrt();
+        let plastic_share = -(-(5.0 / 9.0 * log_w).exp() / 25.0).exp_m1() * w;
+        critical_force_n
+            * (elastic_share
+                + 4.0 * hardness * self.yield_strength_pa / self.yield_pressure_pa * plastic_share)
+    }
+}
+
+/// ln(a/b), keeping its digits where a and b are close.
+fn log_of_ratio(a: f64, b: f64) -> f64 {
+    let excess = (a - b) / b;
+    if excess.abs() < 0.5 { excess.ln_1p() } else { (a / b).ln() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ElasticBody;
+
+    fn sphere(poisson_ratio: f64, strength_over_modulus: f64) -> JacksonGreen {
+        let body = ElasticBody::new(1e11, poisson_ratio).unwrap();
+        let pair = MaterialPair::against_rigid(body);
+        JacksonGreen::new(
+            &pair,
+            1e-6,
+            strength_over_modulus * pair.composite_modulus_pa(),
+            Hardness::default(),
+        )
+    }
+
+    fn force_step(poisson_ratio: f64, strength_over_modulus: f64) -> f64 {
+        let law = sphere(poisson_ratio, strength_over_modulus);
+        law.breaks().find(|b| b.what.contains("Hertz")).unwrap().step
+    }
+
+    #[test]
+    fn the_force_jumps_by_the_published_law_s_own_size() {
+        for (nu, percent, within) in
+            [(0.0, 7.5, 0.05), (0.2, 2.64, 0.005), (0.3, 0.47, 0.005), (0.4, -1.5, 0.05), (0.5, -3.4, 0.05)]
+        {
+            let step = 100.0 * force_step(nu, 1e-6);
+            assert!((step - percent).abs() < within, "nu = {nu}: {step} %");
+        }
+        assert!((100.0 * force_step(0.2, 0.08) + 1.1).abs() < 0.05);
+        assert!((100.0 * force_step(0.2, 0.5) + 10.8).abs() < 0.05);
+        assert!((100.0 * force_step(0.2, 3.0) + 10.8).abs() < 0.05);
+    }
+
+    #[test]
+    fn the_announced_step_is_the_one_the_force_makes() {
+        let law = sphere(0.5, 0.002);
+        let onset = law.plastic_onset_m();
+        let made = law.force_n(onset) / law.force_n(onset * (1.0 - 1e-12)) - 1.0;
+        assert!((made - force_step(0.5, 0.002)).abs() < 1e-10);
+    }
+
+    #[test]
+    fn the_area_is_continuous_where_the_force_jumps() {
+        let law = sphere(0.2, 0.01);
+        let onset = law.plastic_onset_m();
+        assert!(
+            (law.area_m2(onset * (1.0 + 1e-12)) / law.area_m2(onset * (1.0 - 1e-12)) - 1.0).abs() < 1e-11
+        );
+    }
+
+    #[test]
+    fn the_cap_is_where_the_area_reaches_the_cross_section() {
+        for strength_over_modulus in [1e-4, 0.01, 0.1, 0.2, 1.0, 40.0] {
+            let law = sphere(0.2, strength_over_modulus);
+            let w = law.cap_interference_m();
+            let full = PI * 1e-12;
+            assert!((law.area_m2(w * (1.0 - 1e-9)) / full - 1.0).abs() < 1e-4, "{strength_over_modulus}");
+            assert!(law.area_m2(w * (1.0 - 1e-9)) < full);
+            assert!((law.area_m2(w * (1.0 + 1e-9)) / full - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn an_infinite_strength_is_hertz_and_a_huge_one_stays_finite_in_force() {
+        let pair = MaterialPair::against_rigid(ElasticBody::new(1e9, 0.3).unwrap());
+        let hard = JacksonGreen::new(&pair, 1e-6, f64::INFINITY, Hardness::default());
+        assert_eq!(hard.force_n(1e-7), Hertz::new(&pair, 1e-6).force_n(1e-7));
+        let law = sphere(0.3, 50.0);
+        assert!(law.force_n(law.plastic_onset_m() * 2.0).is_finite());
+    }
+
+    #[test]
+    fn outside_the_fitted_range_is_said_so() {
+        let metal = sphere(0.3, 0.003);
+        assert!(metal.in_fitted_range(metal.plastic_onset_m() * 10.0));
+        assert!(!metal.in_fitted_range(0.5e-6));
+        let glass = sphere(0.3, 0.05);
+        assert!(glass.in_fitted_range(glass.plastic_onset_m() * 0.5));
+        assert!(!glass.in_fitted_range(glass.plastic_onset_m() * 1.5));
+    }
+}

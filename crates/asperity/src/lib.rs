@@ -1,0 +1,47 @@
+//! Contact laws of one asperity: how much force it carries and how much of it touches.
+//!
+//! ```
+//! use asperity::{ElasticBody, ElasticPlasticSinusoid, MaterialPair};
+//!
+//! let diamond = ElasticBody::new(463e9, 0.2)?;
+//! let pair = MaterialPair::against_rigid(diamond);
+//! let (aspect_ratio, yield_strength_pa) = (0.0463, 1.8e9);
+//! let scale = ElasticPlasticSinusoid::new(&pair, aspect_ratio, yield_strength_pa);
+//! assert!(scale.area_fraction(5.4e9) < 1.0);
+//! assert_eq!(scale.area_fraction(scale.complete_contact_pressure_pa()), 1.0);
+//! # Ok::<(), asperity::AsperityError>(())
+//! ```
+//!
+//! The nouns:
+//! * [`MaterialPair`]: the body that yields and what presses on it; its composite modulus.
+//! * the laws, one file each: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`ElasticSinusoid`]
+//!   and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an interference, with its mean gap.
+//! * [`NixGao`]: the yield strength, growing where the deformation is shallow.
+//! * [`Break`]: where a law bends or jumps, for those who integrate it.
+//!
+//! Not here: populations of asperities, stacks of scales, spectra, units. All quantities are plain `f64` in SI;
+//! the material types check their values once, the laws' arguments carry their range in their documentation.
+#![deny(missing_docs)]
+
+mod breaks;
+mod elastic_plastic_sinusoid;
+mod elastic_sinusoid;
+mod error;
+mod hertz;
+mod jackson_green;
+mod material;
+mod mean_gap;
+mod nix_gao;
+mod root;
+
+pub use breaks::Break;
+pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
+pub use elastic_sinusoid::ElasticSinusoid;
+pub use error::{AsperityError, Bound};
+pub use hertz::Hertz;
+pub use jackson_green::{
+    FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, JacksonGreen,
+    YIELD_INTERFERENCE_RATIO,
+};
+pub use material::{ElasticBody, MaterialPair};
+pub use nix_gao::NixGao;

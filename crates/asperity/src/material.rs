@@ -1,0 +1,133 @@
+//! The two bodies in contact, and the numbers the laws draw from them.
+
+use std::f64::consts::{PI, SQRT_2};
+
+use crate::error::{AsperityError, Bound};
+
+/// An isotropic elastic body.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct ElasticBody {
+    youngs_modulus_pa: f64,
+    poisson_ratio: f64,
+}
+
+impl ElasticBody {
+    /// The range of Poisson's ratio in which an isotropic body is stable; 0.5 is incompressible.
+    pub const POISSON_RATIO: Bound = Bound::LeftOpen { above: -1.0, at_most: 0.5 };
+
+    /// A body of Young's modulus E \[Pa\] and Poisson's ratio nu.
+    ///
+    /// # Errors
+    /// [`AsperityError`] unless E is finite and positive and nu lies in (-1, 0.5].
+    pub fn new(youngs_modulus_pa: f64, poisson_ratio: f64) -> Result<Self, AsperityError> {
+        Ok(ElasticBody {
+            youngs_modulus_pa: Bound::Positive.check("Young's modulus in Pa", youngs_modulus_pa)?,
+            poisson_ratio: Self::POISSON_RATIO.check("Poisson's ratio", poisson_ratio)?,
+        })
+    }
+
+    /// Young's modulus E \[Pa\].
+    pub fn youngs_modulus_pa(&self) -> f64 {
+        self.youngs_modulus_pa
+    }
+
+    /// Poisson's ratio nu.
+    pub fn poisson_ratio(&self) -> f64 {
+        self.poisson_ratio
+    }
+
+    /// Plane-strain modulus E/(1 - nu^2) \[Pa\].
+    fn plane_strain_modulus_pa(&self) -> f64 {
+        self.youngs_modulus_pa / ((1.0 - self.poisson_ratio) * (1.0 + self.poisson_ratio))
+    }
+}
+
+/// The rough body, which may yield, and the counterface that presses on it.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct MaterialPair {
+    body: ElasticBody,
+    composite_modulus_pa: f64,
+    #[serde(skip)]
+    spherical_yield_coefficient: f64,
+    #[serde(skip)]
+    sinusoidal_yield_coefficient: f64,
+}
+
+impl MaterialPair {
+    /// The body against a rigid counterface, which adds nothing to the compliance.
+    pub fn against_rigid(body: ElasticBody) -> Self {
+        Self::with_composite_modulus(body, body.plane_strain_modulus_pa())
+    }
+
+    /// The body against an elastic counterface: 1/E* = sum (1 - nu^2)/E. Only the body yields.
+    pub fn against(body: ElasticBody, counterface: ElasticBody) -> Self {
+        let (first, second) = (body.plane_strain_modulus_pa(), counterface.plane_strain_modulus_pa());
+        Self::with_composite_modulus(body, 1.0 / (1.0 / first + 1.0 / second))
+    }
+
+    fn with_composite_modulus(body: ElasticBody, composite_modulus_pa: f64) -> Self {
+        let nu = body.poisson_ratio;
+        MaterialPair {
+            body,
+            composite_modulus_pa,
+            spherical_yield_coefficient: 1.295 * (0.736 * nu).exp(),
+            sinusoidal_yield_coefficient: SQRT_2 / (3.0 * PI) * (2.0 * (nu + 1.0) / 3.0).exp(),
+        }
+    }
+
+    /// The body that yields.
+    pub fn body(&self) -> ElasticBody {
+        self.body
+    }
+
+    /// Composite modulus E* \[Pa\].
+    pub fn composite_modulus_pa(&self) -> f64 {
+        self.composite_modulus_pa
+    }
+
+    /// C = 1.295 exp(0.736 nu): the largest pressure under a sphere at first yield, over the yield strength
+    /// (Jackson & Green 2005).
+    pub(crate) fn spherical_yield_coefficient(&self) -> f64 {
+        self.spherical_yield_coefficient
+    }
+
+    /// E* B_c / Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3): the aspect ratio at which a sinusoid first yields before
+    /// complete contact (Krithivasan & Jackson 2007).
+    pub(crate) fn sinusoidal_yield_coefficient(&self) -> f64 {
+        self.sinusoidal_yield_coefficient
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rigid_counterface_is_the_limit_of_a_stiff_one() {
+        let body = ElasticBody::new(463e9, 0.2).unwrap();
+        let stiff = ElasticBody::new(1e30, 0.2).unwrap();
+        let rigid = MaterialPair::against_rigid(body).composite_modulus_pa();
+        assert!((MaterialPair::against(body, stiff).composite_modulus_pa() / rigid - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn two_equal_bodies_halve_the_modulus() {
+        let body = ElasticBody::new(210e9, 0.3).unwrap();
+        let (alone, both) = (MaterialPair::against_rigid(body), MaterialPair::against(body, body));
+        assert!((both.composite_modulus_pa() * 2.0 / alone.composite_modulus_pa() - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn values_outside_their_bounds_are_named() {
+        let message = |e, nu| ElasticBody::new(e, nu).unwrap_err().to_string();
+        assert_eq!(message(-1.0, 0.3), "Young's modulus in Pa is -1e0; it must be finite and greater than 0");
+        assert_eq!(message(1e9, 0.6), "Poisson's ratio is 6e-1; it must be greater than -1 and at most 0.5");
+        assert_eq!(
+            message(1e9, f64::NAN),
+            "Poisson's ratio is NaN; it must be greater than -1 and at most 0.5"
+        );
+        assert!(ElasticBody::new(1e9, -1.0).is_err());
+        assert!(ElasticBody::new(1e9, 0.5).is_ok());
+        assert!(ElasticBody::new(f64::INFINITY, 0.3).is_err());
+    }
+}

@@ -1,0 +1,106 @@
+//! Mean gap left by a sinusoid under pressure, and its inverse: Rostami & Jackson (2013), Proc IMechE J 227:1376;
+//! Jackson & Jacobs, Eqs. (9)-(12).
+//!
+//! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits where
+//! the gap is almost the amplitude; the strength goes like h_p^(-1/2), so they show.
+
+use crate::root::newton_in_bracket;
+
+/// The exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GapExponent {
+    a1: f64,
+    a2: f64,
+}
+
+impl GapExponent {
+    /// The elastic law: g/Delta = (1 - x^(1/2))^(5/2).
+    pub const ELASTIC: GapExponent = GapExponent { a1: 0.0, a2: 0.5 };
+
+    /// A1 = -0.1 ln r, A2 = (r-1)^0.44/15 + 0.99^(0.44 (r-1)) - 1/2 for the aspect ratio r >= 1 over the critical one;
+    /// elastic at r = 1.
+    pub fn elastic_plastic(aspect_ratio_over_critical: f64) -> Self {
+        let beyond = aspect_ratio_over_critical - 1.0;
+        GapExponent {
+            a1: -0.1 * aspect_ratio_over_critical.ln(),
+            a2: beyond.powf(0.44) / 15.0 + (0.44 * 0.99f64.ln() * beyond).exp() - 0.5,
+        }
+    }
+
+    /// g/Delta at ln x <= 0.
+    pub fn gap_over_amplitude(self, log_x: f64) -> f64 {
+        let opening = -self.log_power(log_x).exp_m1();
+        opening * opening * opening.sqrt()
+    }
+
+    /// h_p/Delta = 1 - g/Delta at ln x <= 0.
+    pub fn deformation_over_amplitude(self, log_x: f64) -> f64 {
+        -(2.5 * log_one_minus_exp(self.log_power(log_x))).exp_m1()
+    }
+
+    /// ln x at which h_p/Delta has the given value in (0, 1): (A1 x + A2) ln x = ln t, t = 1 - (1 - h_p/Delta)^(2/5).
+    pub fn log_x_at(self, deformation_over_amplitude: f64) -> f64 {
+        let log_t = (-(0.4 * (-deformation_over_amplitude).ln_1p()).exp_m1()).ln();
+        let upper = log_t / self.a2;
+        if self.a1 == 0.0 {
+            return upper;
+        }
+        // A1 <= 0 makes the exponent largest at x = 0 and the left side rise with ln x, so that `upper` is an upper
+        // bound, and the exponent there yields a lower one.
+        let lower = log_t / (self.a1 * upper.exp() + self.a2);
+        newton_in_bracket(lower, upper, upper, |log_x| {
+            let x = log_x.exp();
+            let exponent = self.a1 * x + self.a2;
+            (exponent * log_x - log_t, self.a1 * x * log_x + exponent)
+        })
+    }
+
+    /// ln x^(A1 x + A2).
+    fn log_power(self, log_x: f64) -> f64 {
+        (self.a1 * log_x.exp() + self.a2) * log_x
+    }
+}
+
+/// ln(1 - e^s) for s < 0, without cancellation at either end.
+fn log_one_minus_exp(s: f64) -> f64 {
+    if s > -std::f64::consts::LN_2 { (-s.exp_m1()).ln() } else { (-s.exp()).ln_1p() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_elastic_plastic_exponent_starts_at_the_elastic_one() {
+        assert_eq!(GapExponent::elastic_plastic(1.0), GapExponent::ELASTIC);
+    }
+
+    #[test]
+    fn gap_and_deformation_make_up_the_amplitude() {
+        for r in [1.0, 1.5, 37.0, 393.0, 1e4] {
+            let law = GapExponent::elastic_plastic(r);
+            for x in [1e-12f64, 1e-3, 0.5, 0.999] {
+                let sum = law.gap_over_amplitude(x.ln()) + law.deformation_over_amplitude(x.ln());
+                assert!((sum - 1.0).abs() < 1e-15, "r = {r}, x = {x}: {sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_shallow_deformation_keeps_its_digits() {
+        // 1 - (1 - s)^2.5 = 2.5 s - 1.875 s^2 + ... with s = sqrt(x) = 1e-10
+        let shallow = GapExponent::ELASTIC.deformation_over_amplitude(1e-20f64.ln());
+        assert!((shallow / (2.5e-10 - 1.875e-20) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_pressure_at_a_deformation_inverts_the_deformation_at_a_pressure() {
+        for r in [1.0 + 1e-12, 1.01, 2.0, 37.0, 200.0, 1e4] {
+            let law = GapExponent::elastic_plastic(r);
+            for x in [1e-14, 1e-6, 0.01, 0.3, 0.9f64] {
+                let back = law.log_x_at(law.deformation_over_amplitude(x.ln()));
+                assert!((back - x.ln()).abs() < 1e-11 * x.ln().abs().max(1.0), "r = {r}, x = {x}: {back}");
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Strength that grows as the deformation gets shallower: Nix & Gao (1998); Jackson & Jacobs, Eq. (8).
+
+use crate::error::{AsperityError, Bound};
+
+/// Yield strength Sy = S0 sqrt(1 + h*/h_p), constant where no strain-gradient length is given.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct NixGao {
+    macroscopic_strength_pa: f64,
+    strain_gradient_length_m: Option<f64>,
+    cap_pa: Option<f64>,
+}
+
+impl NixGao {
+    /// The strength S0 \[Pa\] at every depth.
+    ///
+    /// # Errors
+    /// [`AsperityError`] unless S0 is finite and positive.
+    pub fn constant(macroscopic_strength_pa: f64) -> Result<Self, AsperityError> {
+        let macroscopic_strength_pa =
+            Bound::Positive.check("yield strength in Pa", macroscopic_strength_pa)?;
+        Ok(NixGao { macroscopic_strength_pa, strain_gradient_length_m: None, cap_pa: None })
+    }
+
+    /// The same, growing with the strain-gradient length h* \[m\].
+    ///
+    /// # Errors
+    /// [`AsperityError`] unless h* is finite and positive.
+    pub fn with_strain_gradient(self, length_m: f64) -> Result<Self, AsperityError> {
+        let length_m = Bound::Positive.check("strain-gradient length in m", length_m)?;
+        Ok(NixGao { strain_gradient_length_m: Some(length_m), ..self })
+    }
+
+    /// The same, never above `cap_pa` (E/10 is the usual bound). The published law has no cap.
+    ///
+    /// # Errors
+    /// [`AsperityError`] unless the cap is finite and at least S0.
+    pub fn with_cap(self, cap_pa: f64) -> Result<Self, AsperityError> {
+        let cap_pa = Bound::AtLeast(self.macroscopic_strength_pa).check("strength cap in Pa", cap_pa)?;
+        Ok(NixGao { cap_pa: Some(cap_pa), ..self })
+    }
+
+    /// S0 \[Pa\], the strength at large depth.
+    pub fn macroscopic_strength_pa(&self) -> f64 {
+        self.macroscopic_strength_pa
+    }
+
+    /// h* \[m\], where the strength depends on depth.
+    pub fn strain_gradient_length_m(&self) -> Option<f64> {
+        self.strain_gradient_length_m
+    }
+
+    /// Strength \[Pa\] at the deformation depth h_p >= 0 \[m\]. Without a cap it grows beyond all bounds as the depth
+    /// vanishes: no deformation, no plasticity.
+    pub fn at_depth_pa(&self, depth_m: f64) -> f64 {
+        let Some(length_m) = self.strain_gradient_length_m else { return self.macroscopic_strength_pa };
+        let grown = self.macroscopic_strength_pa * (1.0 + length_m / depth_m).sqrt();
+        self.cap_pa.map_or(grown, |cap| grown.min(cap))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn uncd() -> NixGao {
+        NixGao::constant(1.8e9).unwrap().with_strain_gradient(5e-6).unwrap()
+    }
+
+    #[test]
+    fn strength_is_the_macroscopic_one_at_depth_and_infinite_at_none() {
+        assert!((uncd().at_depth_pa(1e6) / 1.8e9 - 1.0).abs() < 1e-11);
+        assert_eq!(uncd().at_depth_pa(0.0), f64::INFINITY);
+        assert!((uncd().at_depth_pa(5e-6) / (1.8e9 * std::f64::consts::SQRT_2) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_cap_holds_and_may_not_undercut_the_strength_itself() {
+        let capped = uncd().with_cap(46.3e9).unwrap();
+        assert_eq!(capped.at_depth_pa(0.0), 46.3e9);
+        assert_eq!(capped.at_depth_pa(1e-3), uncd().at_depth_pa(1e-3));
+        assert_eq!(
+            uncd().with_cap(1e9).unwrap_err().to_string(),
+            "strength cap in Pa is 1e9; it must be finite and at least 1.8e9"
+        );
+    }
+
+    #[test]
+    fn diamond_hardens_to_tens_of_gigapascals_at_nanometres() {
+        // Jackson & Jacobs speak of 29 GPa at 10-40 nm and of 40-45 GPa at a few nm.
+        assert!((20e9..41e9).contains(&uncd().at_depth_pa(20e-9)));
+        assert!((39e9..90e9).contains(&uncd().at_depth_pa(5e-9)));
+    }
+}

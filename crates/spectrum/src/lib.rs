@@ -1,0 +1,55 @@
+//! Power spectra of rough surfaces: their conventions, their files, and what contact models need from them.
+//!
+//! ```
+//! use spectrum::{AsperityParameters, Normalisation, Psd, ReadOptions, cumulative_moments, read_psd};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let file = "wavelength_nm,C1D_nm3\n1000,4000\n100,30\n10,0.1\n";
+//! let psd: Psd = read_psd(file.as_bytes(), &ReadOptions::default())?.psd;
+//! let moments = cumulative_moments(&psd.profile()?, Normalisation::Parseval);
+//! let asperities = AsperityParameters::from_moments(&moments[1]).ok_or("a flat surface")?;
+//! assert!((moments[1].rms_height_m() - 0.78e-9).abs() < 0.01e-9);
+//! assert!((asperities.radius_m - 32.9e-9).abs() < 0.1e-9);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The nouns:
+//! * [`Psd`]: a sampled power spectrum with its [`Convention`], validated and sorted from long to short wavelengths;
+//! * [`ProfilePsd`]: the working type, the one-dimensional spectrum C1D in m^3, a power law between neighbouring samples;
+//! * [`Moments`]: the spectral moments m0, m2, m4 up to a short-wavelength cutoff, and [`AsperityParameters`] from them;
+//! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
+//! * [`SelfAffineFit`]: Hurst exponent and roll-off;
+//! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
+//!
+//! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does not
+//! convert between one- and two-dimensional spectra, which no sampled spectrum determines.
+
+mod amplitude;
+mod approximate;
+mod convention;
+mod header;
+mod interval;
+mod layout;
+mod mccool;
+mod moments;
+mod named;
+mod profile;
+mod psd;
+mod read;
+mod read_error;
+mod self_affine_fit;
+mod table;
+mod unit;
+
+pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
+pub use convention::{Convention, ConversionError};
+pub use header::Abscissa;
+pub use mccool::AsperityParameters;
+pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
+pub use named::UnknownName;
+pub use profile::ProfilePsd;
+pub use psd::{Psd, PsdError};
+pub use read::{PsdFile, ReadOptions, read_psd};
+pub use read_error::ReadError;
+pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};

@@ -1,0 +1,92 @@
+//! Reference tables of high-precision values, and quantiles of the deviation from them.
+
+use std::path::{Path, PathBuf};
+
+/// A table of reference values read by column name.
+pub struct ReferenceTable {
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+impl ReferenceTable {
+    /// A table committed with these tests, in `tests/reference`.
+    pub fn committed(name: &str) -> Self {
+        Self::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(name))
+    }
+
+    /// A table of the project's shared folder, which lies beside a development checkout and is no part of it. Where it
+    /// is absent this says so on stderr and yields `None`.
+    pub fn shared(name: &str) -> Option<Self> {
+        let path = shared_path(name);
+        if path.exists() {
+            return Some(Self::read(&path));
+        }
+        eprintln!("shared/{name} is absent beside the checkout: its comparison does not run here");
+        None
+    }
+
+    fn read(path: &Path) -> Self {
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .from_path(path)
+            .unwrap_or_else(|error| panic!("reading {}: {error}", path.display()));
+        let columns = reader.headers().expect("a header").iter().map(str::to_owned).collect();
+        let rows =
+            reader.records().map(|row| row.expect("a row").iter().map(str::to_owned).collect()).collect();
+        ReferenceTable { columns, rows }
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether the table has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The column as typed.
+    pub fn text(&self, column: &str) -> Vec<&str> {
+        let at = self
+            .columns
+            .iter()
+            .position(|name| name == column)
+            .unwrap_or_else(|| panic!("no column {column}"));
+        self.rows.iter().map(|row| row[at].as_str()).collect()
+    }
+
+    /// The column as numbers.
+    pub fn numbers(&self, column: &str) -> Vec<f64> {
+        self.text(column)
+            .iter()
+            .map(|cell| cell.parse().unwrap_or_else(|_| panic!("{column}: {cell:?}")))
+            .collect()
+    }
+}
+
+/// Where a file of the shared folder would lie.
+fn shared_path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared").join(name)
+}
+
+/// Relative deviations of computed values from their references.
+#[derive(Default)]
+pub struct Deviations(Vec<f64>);
+
+impl Deviations {
+    /// Notes the deviation of one value. An exact match, of zeros too, deviates by nothing.
+    pub fn note(&mut self, computed: f64, reference: f64) {
+        self.0.push(if computed == reference { 0.0 } else { (computed / reference - 1.0).abs() });
+    }
+
+    /// Asserts the largest deviation and the median, and that there was something to compare.
+    pub fn assert_within(mut self, what: &str, median: f64, max: f64) {
+        assert!(!self.0.is_empty(), "{what}: nothing was compared");
+        self.0.sort_by(f64::total_cmp);
+        let (middle, worst) = (self.0[self.0.len() / 2], self.0[self.0.len() - 1]);
+        eprintln!("{what}: median {middle:.1e}, worst {worst:.1e} of {} values", self.0.len());
+        assert!(worst <= max, "{what}: worst deviation {worst:e} above {max:e}");
+        assert!(middle <= median, "{what}: median deviation {middle:e} above {median:e}");
+    }
+}
