@@ -1,6 +1,7 @@
-//! What the cross-crate tests share: reference tables, and how far results lie from them.
+//! What the cross-crate tests share: reference tables, golden curves, and how far results lie from them.
 #![deny(missing_docs)]
 
+pub mod golden;
 mod reference;
 
-pub use reference::{Deviations, ReferenceTable};
+pub use reference::{Deviations, ReferenceTable, committed_file};

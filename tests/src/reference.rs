@@ -11,13 +11,13 @@ pub struct ReferenceTable {
 impl ReferenceTable {
     /// A table committed with these tests, in `tests/reference`.
     pub fn committed(name: &str) -> Self {
-        Self::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(name))
+        Self::read(&committed_file(&format!("tests/reference/{name}")))
     }
 
     /// A table of the project's shared folder, which lies beside a development checkout and is no part of it. Where it
     /// is absent this says so on stderr and yields `None`.
     pub fn shared(name: &str) -> Option<Self> {
-        let path = shared_path(name);
+        let path = committed_file(&format!("../shared/{name}"));
         if path.exists() {
             return Some(Self::read(&path));
         }
@@ -46,6 +46,11 @@ impl ReferenceTable {
         self.rows.is_empty()
     }
 
+    /// Whether there is such a column.
+    pub fn has(&self, column: &str) -> bool {
+        self.columns.iter().any(|name| name == column)
+    }
+
     /// The column as typed.
     pub fn text(&self, column: &str) -> Vec<&str> {
         let at = self
@@ -65,9 +70,9 @@ impl ReferenceTable {
     }
 }
 
-/// Where a file of the shared folder would lie.
-fn shared_path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared").join(name)
+/// A file of this repository, from its top.
+pub fn committed_file(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
 
 /// Relative deviations of computed values from their references.
@@ -77,7 +82,13 @@ pub struct Deviations(Vec<f64>);
 impl Deviations {
     /// Notes the deviation of one value. An exact match, of zeros too, deviates by nothing.
     pub fn note(&mut self, computed: f64, reference: f64) {
-        self.0.push(if computed == reference { 0.0 } else { (computed / reference - 1.0).abs() });
+        self.note_beyond(0.0, computed, reference);
+    }
+
+    /// Notes by how much the deviation of one value exceeds what no double-precision result could avoid.
+    pub fn note_beyond(&mut self, unavoidable: f64, computed: f64, reference: f64) {
+        let deviation = if computed == reference { 0.0 } else { (computed / reference - 1.0).abs() };
+        self.0.push((deviation - unavoidable).max(0.0));
     }
 
     /// Asserts the largest deviation and the median, and that there was something to compare.

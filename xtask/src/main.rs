@@ -1,2 +1,48 @@
-//! x
-fn main() {}
+//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`.
+
+mod golden;
+mod reproduce;
+
+use std::process::ExitCode;
+
+use lexopt::prelude::*;
+
+const HELP: &str = "\
+cargo xtask reproduce          the paper's figures as tables and SVG, under target/reproduce
+cargo xtask golden [--accept]  how far every golden curve has moved; --accept rewrites those that have
+";
+
+enum Task {
+    Reproduce,
+    Golden { accept: bool },
+}
+
+fn main() -> ExitCode {
+    match parse() {
+        Ok(Some(Task::Reproduce)) => reproduce::run(),
+        Ok(Some(Task::Golden { accept })) => golden::run(accept),
+        Ok(None) => {
+            print!("{HELP}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprint!("error: {error}\n\n{HELP}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn parse() -> Result<Option<Task>, lexopt::Error> {
+    let mut parser = lexopt::Parser::from_env();
+    let mut task = None;
+    while let Some(arg) = parser.next()? {
+        match (arg, &mut task) {
+            (Value(name), None) if name == "reproduce" => task = Some(Task::Reproduce),
+            (Value(name), None) if name == "golden" => task = Some(Task::Golden { accept: false }),
+            (Long("accept"), Some(Task::Golden { accept })) => *accept = true,
+            (Long("help") | Short('h'), _) => return Ok(None),
+            (arg, _) => return Err(arg.unexpected()),
+        }
+    }
+    Ok(task)
+}

@@ -12,6 +12,8 @@ pub enum Bound {
         /// The included upper end.
         at_most: f64,
     },
+    /// Finite.
+    Finite,
     /// Finite and at least this value.
     AtLeast(f64),
 }
@@ -22,6 +24,7 @@ impl Bound {
         value.is_finite()
             && match self {
                 Bound::Positive => value > 0.0,
+                Bound::Finite => true,
                 Bound::LeftOpen { above, at_most } => above < value && value <= at_most,
                 Bound::AtLeast(least) => value >= least,
             }
@@ -40,6 +43,7 @@ impl std::fmt::Display for Bound {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Bound::Positive => write!(f, "finite and greater than 0"),
+            Bound::Finite => write!(f, "finite"),
             Bound::LeftOpen { above, at_most } => write!(f, "greater than {above} and at most {at_most}"),
             Bound::AtLeast(least) => write!(f, "finite and at least {least:e}"),
         }

@@ -123,6 +123,13 @@ impl JacksonGreen {
         onset * (log_room / (1.0 + self.area_exponent)).exp()
     }
 
+    /// ln(A/(pi R^2)) at the interference w > 0 \[m\], the cap left aside: positive where the cap holds.
+    pub fn log_area_over_cross_section(&self, interference_m: f64) -> f64 {
+        let log_growth =
+            if self.is_elastic(interference_m) { 0.0 } else { self.log_area_over_hertz(interference_m) };
+        (interference_m / self.radius_m).ln() + log_growth
+    }
+
     fn is_elastic(&self, interference_m: f64) -> bool {
         interference_m < self.plastic_onset_m()
     }
@@ -226,6 +233,16 @@ mod tests {
             assert!(law.area_m2(w * (1.0 - 1e-9)) < full);
             assert!((law.area_m2(w * (1.0 + 1e-9)) / full - 1.0).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn the_logarithm_of_the_area_is_that_of_the_area_below_the_cap() {
+        let law = sphere(0.3, 0.05);
+        for w in [1e-9, 1e-8, 0.9 * law.cap_interference_m()] {
+            let share = law.area_m2(w) / (PI * 1e-12);
+            assert!((law.log_area_over_cross_section(w) - share.ln()).abs() < 1e-14);
+        }
+        assert!(law.log_area_over_cross_section(2e-6) > 0.0);
     }
 
     #[test]

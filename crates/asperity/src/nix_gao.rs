@@ -49,6 +49,30 @@ impl NixGao {
         self.strain_gradient_length_m
     }
 
+    /// The bound on the strength \[Pa\], where there is one.
+    pub fn cap_pa(&self) -> Option<f64> {
+        self.cap_pa
+    }
+
+    /// The depth \[m\] below which the cap holds, and at which the strength therefore bends.
+    pub fn cap_depth_m(&self) -> Option<f64> {
+        self.strain_gradient_length_m?;
+        self.depth_of_strength_m(self.cap_pa?)
+    }
+
+    /// The depth \[m\] from which on the strength is at most `strength_pa`: 0 where it is so everywhere, `None` where it
+    /// is nowhere.
+    pub fn depth_of_strength_m(&self, strength_pa: f64) -> Option<f64> {
+        if self.cap_pa.is_some_and(|cap| cap < strength_pa) {
+            return Some(0.0);
+        }
+        let ratio = strength_pa / self.macroscopic_strength_pa;
+        match self.strain_gradient_length_m {
+            None => (ratio >= 1.0).then_some(0.0),
+            Some(length_m) => (ratio > 1.0).then(|| length_m / ((ratio - 1.0) * (ratio + 1.0))),
+        }
+    }
+
     /// Strength \[Pa\] at the deformation depth h_p >= 0 \[m\]. Without a cap it grows beyond all bounds as the depth
     /// vanishes: no deformation, no plasticity.
     pub fn at_depth_pa(&self, depth_m: f64) -> f64 {
@@ -82,6 +106,22 @@ mod tests {
             uncd().with_cap(1e9).unwrap_err().to_string(),
             "strength cap in Pa is 1e9; it must be finite and at least 1.8e9"
         );
+    }
+
+    #[test]
+    fn the_depth_of_a_strength_inverts_the_strength_at_a_depth() {
+        for depth in [1e-12, 3e-8, 4e-5] {
+            let back = uncd().depth_of_strength_m(uncd().at_depth_pa(depth)).unwrap();
+            assert!((back / depth - 1.0).abs() < 1e-12, "{depth}");
+        }
+        let capped = uncd().with_cap(18e9).unwrap();
+        assert!((capped.at_depth_pa(capped.cap_depth_m().unwrap()) / 18e9 - 1.0).abs() < 1e-15);
+        assert_eq!(capped.depth_of_strength_m(20e9), Some(0.0));
+        assert_eq!(uncd().depth_of_strength_m(1.8e9), None);
+        let constant = NixGao::constant(1.8e9).unwrap();
+        assert_eq!(constant.depth_of_strength_m(1.8e9), Some(0.0));
+        assert_eq!(constant.depth_of_strength_m(1.7e9), None);
+        assert_eq!(constant.with_cap(2e9).unwrap().cap_depth_m(), None);
     }
 
     #[test]

@@ -8,22 +8,22 @@
 //! let psd: Psd = read_psd(file.as_bytes(), &ReadOptions::default())?.psd;
 //! let moments = cumulative_moments(&psd.profile()?, Normalisation::Parseval);
 //! let asperities = AsperityParameters::from_moments(&moments[1]).ok_or("a flat surface")?;
-//! assert!((moments[1].rms_height_m() - 0.78e-9).abs() < 0.01e-9);
-//! assert!((asperities.radius_m - 32.9e-9).abs() < 0.1e-9);
+//! assert!((moments[1].rms_height_m() - 2.640e-9).abs() < 0.001e-9);
+//! assert!((asperities.radius_m - 18.91e-9).abs() < 0.01e-9);
 //! # Ok(())
 //! # }
 //! ```
 //!
 //! The nouns:
-//! * [`Psd`]: a sampled power spectrum with its [`Convention`], validated and sorted from long to short wavelengths;
-//! * [`ProfilePsd`]: the working type, the one-dimensional spectrum C1D in m^3, a power law between neighbouring samples;
-//! * [`Moments`]: the spectral moments m0, m2, m4 up to a short-wavelength cutoff, and [`AsperityParameters`] from them;
+//! * [`Psd`]: a sampled power spectrum with its [`Convention`], validated and sorted from long wavelengths on;
+//! * [`ProfilePsd`]: the working type, the spectrum C1D in m^3, a power law between neighbouring samples;
+//! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
 //! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does not
-//! convert between one- and two-dimensional spectra, which no sampled spectrum determines.
+//! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does
+//! not convert between one- and two-dimensional spectra, which no sampled spectrum determines.
 
 mod amplitude;
 mod approximate;
@@ -51,5 +51,5 @@ pub use named::UnknownName;
 pub use profile::ProfilePsd;
 pub use psd::{Psd, PsdError};
 pub use read::{PsdFile, ReadOptions, read_psd};
-pub use read_error::ReadError;
+pub use read_error::{Field, ReadError};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};

@@ -40,6 +40,7 @@ mod tests {
                 real_pressure_pa: 1e6 / area_fraction,
                 area_fraction,
                 yield_strength_pa: None,
+                aspect_ratio_over_critical: None,
                 regime: Regime::Elastic,
             })
             .collect()

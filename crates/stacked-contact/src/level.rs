@@ -62,6 +62,8 @@ pub struct Level {
     pub area_fraction: f64,
     /// Yield strength \[Pa\] at this scale; absent in the elastic model, infinite where nothing was deformed above.
     pub yield_strength_pa: Option<f64>,
+    /// Aspect ratio over the critical one; absent in the elastic model.
+    pub aspect_ratio_over_critical: Option<f64>,
     /// What the scale does.
     pub regime: Regime,
 }
@@ -90,14 +92,15 @@ impl approx::RelativeEq for Level {
 
 impl Level {
     fn agrees(&self, other: &Self, close: impl Fn(f64, f64) -> bool) -> bool {
-        let strengths_agree = match (self.yield_strength_pa, other.yield_strength_pa) {
+        let optional = |pair| match pair {
             (Some(a), Some(b)) => close(a, b),
             (a, b) => a == b,
         };
         let numbers =
             |l: &Self| [l.wavelength_m, l.amplitude_m, l.pressure_in_pa, l.real_pressure_pa, l.area_fraction];
         self.regime == other.regime
-            && strengths_agree
+            && optional((self.yield_strength_pa, other.yield_strength_pa))
+            && optional((self.aspect_ratio_over_critical, other.aspect_ratio_over_critical))
             && numbers(self).into_iter().zip(numbers(other)).all(|(a, b)| close(a, b))
     }
 }
@@ -115,7 +118,8 @@ pub fn levels(
     let mut pressure_pa = nominal_pressure_pa;
     scales.into_iter().map(move |scale| {
         let pressure_in_pa = pressure_pa;
-        let Contact { area_fraction, yields, yield_strength_pa } = response.press(scale, pressure_in_pa);
+        let Contact { area_fraction, yields, yield_strength_pa, aspect_ratio_over_critical } =
+            response.press(scale, pressure_in_pa);
         pressure_pa = pressure_in_pa / area_fraction;
         Level {
             wavelength_m: scale.wavelength_m,
@@ -124,6 +128,7 @@ pub fn levels(
             real_pressure_pa: pressure_pa,
             area_fraction: nominal_pressure_pa / pressure_pa,
             yield_strength_pa,
+            aspect_ratio_over_critical,
             regime: match (area_fraction == 1.0, yields) {
                 (true, _) => Regime::Flattened,
                 (false, true) => Regime::Plastic,
@@ -138,6 +143,7 @@ struct Contact {
     area_fraction: f64,
     yields: bool,
     yield_strength_pa: Option<f64>,
+    aspect_ratio_over_critical: Option<f64>,
 }
 
 /// The model, and what it remembers of the scale above.
@@ -165,6 +171,7 @@ impl Response {
                 area_fraction: ElasticSinusoid::new(pair, scale.aspect_ratio()).area_fraction(pressure_pa),
                 yields: false,
                 yield_strength_pa: None,
+                aspect_ratio_over_critical: None,
             },
             Response::ElasticPlastic { pair, strength, next_strength_pa } => {
                 let yield_strength_pa = *next_strength_pa;
@@ -177,6 +184,7 @@ impl Response {
                     area_fraction: sinusoid.area_fraction(pressure_pa),
                     yields: sinusoid.yields_at(pressure_pa),
                     yield_strength_pa: Some(yield_strength_pa),
+                    aspect_ratio_over_critical: Some(sinusoid.aspect_ratio_over_critical()),
                 }
             }
         }

@@ -1,0 +1,289 @@
+//! What may be typed on the command line.
+
+use std::num::NonZeroU32;
+use std::path::PathBuf;
+
+use asperity::Hardness;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args as ClapArgs, Parser, Subcommand};
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
+
+use crate::material::StackedModelName;
+use crate::output::Place;
+use crate::quantity::{Length, Pressure};
+use crate::scene::Template;
+use crate::table::Format;
+
+/// How much of two rough surfaces really touches, and which scales of roughness decide it.
+///
+/// From the power spectral density (PSD) of a surface and a material to the real contact area, scale by scale: spectral
+/// moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities, after
+/// Jackson & Jacobs.
+#[derive(Debug, Parser)]
+#[command(
+    name = "truearea",
+    version,
+    after_long_help = "\
+Quantities carry units: 463GPa, '1.8e9 Pa', 5um, 3 Å; pressures also in H, three times the yield strength.
+PSD is a file (CSV or two-column text), - for standard input, or a built-in spectrum: builtin:uncd-measured,
+builtin:uncd-reconstructed (a reconstruction, not the published data).
+
+Examples:
+  truearea stacked builtin:uncd-measured --model elastic-plastic --pressure 5.4MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
+  truearea scene new > my-scene.toml && truearea run my-scene.toml"
+)]
+pub struct Args {
+    #[command(flatten)]
+    pub(crate) shared: SharedArgs,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Evaluate the contact law of one asperity, row by row of a table
+    Asperity(AsperityArgs),
+    /// Spectral moments and McCool's asperity parameters for every cutoff
+    #[command(after_help = "\
+Columns: wavelength_m, m0_m2, m2, m4_per_m2, radius_m, density_per_m2, sigma_s_m, offset_m, nayak_alpha; a row per
+wavelength from long to short. The first row has no interval yet: its cells are empty.
+
+Example:
+  truearea moments psd.csv --output moments.csv")]
+    Moments(PsdArgs),
+    /// Amplitude and aspect ratio of every scale
+    #[command(after_help = "\
+Columns: wavelength_m, amplitude_m, aspect_ratio; a row per wavelength from long to short.
+
+Example:
+  truearea amplitude psd.csv --amplitude parseval")]
+    Amplitude(PsdArgs),
+    /// Contact area against cutoff by the stacked multiscale model
+    #[command(after_help = "\
+Columns: wavelength_m, amplitude_m, area_fraction, real_pressure_pa (the mean pressure on the contact after that
+scale), regime (elastic, plastic or flattened); a row per wavelength from long to short. With several pressures a
+first column nominal_pressure_pa, in blocks in the order given.
+
+Example:
+  truearea stacked psd.csv --model elastic-plastic --pressure 5.4MPa --pressure 1e-2H \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa --strain-gradient-length 5um")]
+    Stacked(StackedArgs),
+    /// Fit a self-affine spectrum: Hurst exponent and roll-off
+    #[command(after_help = "\
+Columns: hurst_exponent, hurst_exponent_se, rolloff_wavelength_m, rolloff_wavelength_se_m, plateau_m3, plateau_se_m3,
+rms_log10_residual, points; one row. Where no roll-off can be identified its cells are empty and the fit is a power law.
+
+Example:
+  truearea fit psd.csv --from 100um --to 100nm")]
+    Fit(FitArgs),
+    /// Carry out a scene: tables, figures and a summary
+    #[command(after_help = "\
+Writes one table per curve, one table and one SVG per figure, and prints a summary: area fraction, real pressure, and
+the wavelength at which the area has converged, per load. Options given here count more than the scene's own.
+
+Example:
+  truearea scene uncd-measured > uncd.toml
+  truearea run uncd.toml --out results")]
+    Run(RunArgs),
+    /// Print a commented scene to start from
+    #[command(after_help = "\
+Example:
+  truearea scene new > my-scene.toml")]
+    Scene {
+        /// Which one: an empty one to fill in, or UNCD
+        template: Template,
+    },
+}
+
+/// Options named once for every command.
+#[derive(Debug, Clone, ClapArgs)]
+#[command(next_help_heading = "Options for every command")]
+pub(crate) struct SharedArgs {
+    /// Format of tables written
+    #[arg(long, value_enum, default_value_t, global = true)]
+    pub format: Format,
+    /// Where the table goes: a path, or - for standard output
+    #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
+    pub output: Place,
+    /// Normalisation of the moments: 1/pi, which keeps the variance, or 1 as printed in Eq. (1)
+    #[arg(long, value_parser = one_of::<Normalisation>(Normalisation::ALL), global = true)]
+    pub normalisation: Option<Normalisation>,
+    /// Amplitude of a scale: Eq. (5), or the band amplitude that keeps the variance
+    #[arg(long, value_parser = one_of::<AmplitudeDefinition>(AmplitudeDefinition::ALL), global = true)]
+    pub amplitude: Option<AmplitudeDefinition>,
+    /// Resample the spectrum to N scales per decade; the stacked area depends on it
+    #[arg(long, value_name = "N", global = true)]
+    pub scales_per_decade: Option<NonZeroU32>,
+    /// Hardness of the elastic-plastic sphere: Jackson & Green 2005, or its cosine form
+    #[arg(long, value_parser = hardness(), global = true)]
+    pub hardness: Option<Hardness>,
+    /// Bound of a strength that grows at small depths
+    #[arg(long, value_name = "P", allow_hyphen_values = true, global = true)]
+    pub strength_cap: Option<Pressure>,
+    /// Leave out the scales below this wavelength
+    #[arg(long, value_name = "L", allow_hyphen_values = true, global = true)]
+    pub cutoff: Option<Length>,
+    /// Young's modulus of the counterface, rigid where not given
+    #[arg(
+        long,
+        value_name = "P",
+        allow_hyphen_values = true,
+        requires = "counterface_poisson_ratio",
+        global = true
+    )]
+    pub counterface_youngs_modulus: Option<Pressure>,
+    /// Poisson's ratio of the counterface
+    #[arg(
+        long,
+        value_name = "NU",
+        allow_hyphen_values = true,
+        requires = "counterface_youngs_modulus",
+        global = true
+    )]
+    pub counterface_poisson_ratio: Option<f64>,
+    /// Say on standard error how long reading, computing and writing took
+    #[arg(long, global = true)]
+    pub timings: bool,
+}
+
+/// A spectrum and how to read it.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct PsdArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    pub psd: String,
+    /// The column that holds the spectrum, where several could
+    #[arg(long, value_name = "NAME")]
+    pub column: Option<String>,
+    /// What the first column of a text without header is
+    #[arg(long, value_parser = one_of::<Abscissa>(Abscissa::ALL))]
+    pub x: Option<Abscissa>,
+    /// The convention of the spectrum, where the header does not tell
+    #[arg(long, value_parser = one_of::<Convention>(Convention::ALL))]
+    pub convention: Option<Convention>,
+}
+
+/// A material: the rough body.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct MaterialArgs {
+    /// Young's modulus of the rough body
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub youngs_modulus: Pressure,
+    /// Poisson's ratio of the rough body, in (-1, 0.5]
+    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    pub poisson_ratio: f64,
+    /// Yield strength of the rough body; elastic models do without
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub yield_strength: Option<Pressure>,
+    /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub strain_gradient_length: Option<Length>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct AsperityArgs {
+    #[command(subcommand)]
+    pub law: AsperityLaw,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum AsperityLaw {
+    /// A sphere at an interference: Hertz, and Jackson & Green
+    #[command(after_help = "\
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, radius_m, interference_m. Results: hertz_force_n,
+hertz_area_m2, jackson_green_force_n, jackson_green_area_m2, jackson_green_force_cosine_hardness_n.
+
+Example:
+  truearea asperity sphere --input spheres.csv")]
+    Sphere(TableArgs),
+    /// A sinusoid at a mean pressure: elastic, and elastic-plastic
+    #[command(after_help = "\
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, aspect_ratio, pressure_pa. Results:
+complete_contact_pressure_elastic_pa, area_fraction_elastic, critical_aspect_ratio, complete_contact_pressure_ep_pa,
+area_fraction_ep, mean_gap_over_amplitude.
+
+Example:
+  truearea asperity sinusoid --input sinusoids.csv")]
+    Sinusoid(TableArgs),
+    /// A sinusoid pressed to an interference
+    #[command(after_help = "\
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, wavelength_m, aspect_ratio, interference_m.
+Results: pressure_elastic_pa, area_fraction_elastic, pressure_ep_pa, area_fraction_ep.
+
+Example:
+  truearea asperity sinusoid-interference --input sinusoids.csv --output sinusoids.csv")]
+    SinusoidInterference(TableArgs),
+}
+
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct TableArgs {
+    /// The table to extend, CSV or JSON: a path, or - for standard input
+    #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place)]
+    pub input: Place,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct StackedArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    /// How scales deform
+    #[arg(long)]
+    pub model: StackedModelName,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", required = true, value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    #[command(flatten)]
+    pub material: MaterialArgs,
+    /// Append the columns pressure_in_pa and yield_strength_pa
+    #[arg(long)]
+    pub details: bool,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct FitArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    /// One end of the band of wavelengths to fit
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub from: Option<Length>,
+    /// The other end
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub to: Option<Length>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct RunArgs {
+    /// The scene file, or - for standard input
+    #[arg(value_name = "SCENE", value_parser = parse_place)]
+    pub scene: Place,
+    /// The folder for tables and figures, made where absent; else SCENE-results in the current folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print what the scene needs and what is skipped, and stop there
+    #[arg(long)]
+    pub explain: bool,
+}
+
+fn parse_place(text: &str) -> Result<Place, std::convert::Infallible> {
+    Ok(Place::from(text))
+}
+
+fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), crate::quantity::QuantityError> {
+    Ok((text.parse()?, text.trim().to_owned()))
+}
+
+fn hardness() -> impl TypedValueParser<Value = Hardness> {
+    PossibleValuesParser::new(["2005", "cosine"]).map(|name| match name.as_str() {
+        "cosine" => Hardness::Cosine,
+        _ => Hardness::JacksonGreen2005,
+    })
+}
+
+/// A parser of the names that `values` display as.
+fn one_of<T>(values: &'static [T]) -> impl TypedValueParser<Value = T>
+where
+    T: std::fmt::Display + std::str::FromStr<Err = spectrum::UnknownName> + Clone + Send + Sync + 'static,
+{
+    PossibleValuesParser::new(values.iter().map(|value| clap::builder::PossibleValue::new(value.to_string())))
+        .try_map(|name| name.parse::<T>())
+}

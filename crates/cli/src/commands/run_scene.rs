@@ -1,0 +1,54 @@
+//! `run`: everything a scene asks for.
+
+use std::path::{Path, PathBuf};
+
+use super::{Context, say};
+use crate::args::RunArgs;
+use crate::explain::explain;
+use crate::failure::Failure;
+use crate::output::Place;
+use crate::products;
+use crate::scene::Scene;
+use crate::summary::summary;
+use crate::timings::Timings;
+
+pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let mut timings = Timings::start();
+    let scene = read(&args.scene, context)?;
+    timings.lap("reading");
+    say(scene.surface.notes.iter().cloned());
+    if args.explain {
+        return print(&explain(&scene));
+    }
+    let results = scene.plan().compute().map_err(Failure::input)?;
+    timings.lap("computing");
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
+    let written = products::write(&scene, &results, context.shared.format, &folder)?;
+    timings.lap("writing");
+    let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    print(&format!("{}{files}", summary(&scene, &results)))?;
+    timings.report(context.shared.timings);
+    Ok(())
+}
+
+fn read(place: &Place, context: &Context<'_>) -> Result<Scene, Failure> {
+    let (name, folder) = match place {
+        Place::Standard => ("standard input".to_owned(), Path::new("")),
+        Place::File(path) => (path.display().to_string(), path.parent().unwrap_or(Path::new(""))),
+    };
+    let text = String::from_utf8(place.read()?)
+        .map_err(|error| Failure::Input(format!("{name}: a scene must be UTF-8 text: {error}")))?;
+    Scene::parse(&text, &name, folder, &context.overrides()?)
+}
+
+fn default_folder(scene: &Place) -> PathBuf {
+    let stem = match scene {
+        Place::Standard => None,
+        Place::File(path) => path.file_stem(),
+    };
+    PathBuf::from(format!("{}-results", stem.map_or("scene".into(), |stem| stem.to_string_lossy())))
+}
+
+fn print(text: &str) -> Result<(), Failure> {
+    Place::Standard.write(|out| out.write_all(text.as_bytes()))
+}

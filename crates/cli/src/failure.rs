@@ -1,0 +1,45 @@
+//! How a command fails: what it says, and its exit status.
+
+use std::process::ExitCode;
+
+/// Why a command ends without its result.
+#[derive(Debug)]
+pub enum Failure {
+    /// Bad input; the message names where, what, and against which bound. Exit status 2.
+    Input(String),
+    /// Something that could not be read or written. Exit status 1.
+    System(String),
+    /// The reader of stdout is gone, which ends a pipeline quietly. Exit status 0.
+    ClosedPipe,
+}
+
+impl Failure {
+    /// Bad input, said in the error's own words.
+    pub fn input(error: impl std::fmt::Display) -> Self {
+        Failure::Input(error.to_string())
+    }
+
+    /// Writing `what` failed.
+    pub fn writing(what: &str, error: &std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+            _ => Failure::System(format!("writing {what}: {error}")),
+        }
+    }
+
+    /// Reading `what` failed: it is input like any other.
+    pub fn reading(what: &str, error: &std::io::Error) -> Self {
+        Failure::Input(format!("reading {what}: {error}"))
+    }
+
+    /// Says it on stderr and turns it into the exit status.
+    pub fn report(self) -> ExitCode {
+        let (message, status) = match self {
+            Failure::Input(message) => (message, 2),
+            Failure::System(message) => (message, 1),
+            Failure::ClosedPipe => return ExitCode::SUCCESS,
+        };
+        eprintln!("{}{message}", if message.starts_with("error") { "" } else { "error: " });
+        ExitCode::from(status)
+    }
+}

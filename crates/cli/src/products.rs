@@ -1,0 +1,68 @@
+//! The files of a scene: a table per curve, a table and an SVG per figure.
+
+use std::path::Path;
+
+use crate::failure::Failure;
+use crate::figure::FigureData;
+use crate::output::StagedFiles;
+use crate::plan::Results;
+use crate::plot;
+use crate::provenance::provenance;
+use crate::scene::Scene;
+use crate::table::{Format, Table};
+use crate::tables;
+
+/// The figures of a scene with their data.
+pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
+    scene.figures.iter().map(|figure| figure.data(results, &scene.needs)).collect()
+}
+
+/// One figure of a scene as an SVG document; `None` where it has no figure of that name.
+pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
+    let figure = scene.figures.iter().find(|figure| figure.name == name)?;
+    Some(drawn(scene, &figure.data(results, &scene.needs)))
+}
+
+fn drawn(scene: &Scene, figure: &FigureData) -> String {
+    plot::svg(figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
+}
+
+fn origin(scene: &Scene, what: &str) -> Vec<String> {
+    provenance(&format!("scene \"{}\", {what}", scene.title), &scene.surface, scene.sampling)
+}
+
+/// Writes every file of a scene into a folder, all of them or none; yields their names.
+///
+/// # Errors
+/// [`Failure::System`] that names the path.
+pub fn write(
+    scene: &Scene,
+    results: &Results,
+    format: Format,
+    folder: &Path,
+) -> Result<Vec<String>, Failure> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
+    let mut files = StagedFiles::default();
+    let mut names = Vec::new();
+    let mut stage_table = |files: &mut StagedFiles, name: &str, what: &str, table: &Table| {
+        names.push(format!("{name}.{}", format.extension()));
+        let comments = origin(scene, &format!("{what} {name}"));
+        files.stage(&folder.join(&names[names.len() - 1]), |out| table.write(format, &comments, out))
+    };
+    for (curve, levels) in scene.needs.curves.iter().zip(&results.curves) {
+        let table = tables::stacked(levels, &scene.needs.loads, true);
+        stage_table(&mut files, &curve.name, "curve", &table)?;
+    }
+    let figures = figures(scene, results);
+    for figure in &figures {
+        stage_table(&mut files, &figure.name, "figure", &figure.table())?;
+    }
+    for figure in &figures {
+        names.push(format!("{}.svg", figure.name));
+        let svg = drawn(scene, figure);
+        files.stage(&folder.join(&names[names.len() - 1]), |out| out.write_all(svg.as_bytes()))?;
+    }
+    files.publish()?;
+    Ok(names)
+}

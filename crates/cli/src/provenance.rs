@@ -1,0 +1,23 @@
+//! Where a written file comes from: the program, what it was asked, and what the spectrum's own file says.
+
+use crate::number::number;
+use crate::plan::Sampling;
+use crate::surface::Surface;
+
+/// The line that begins the provenance of any file.
+pub fn program(asked: &str) -> String {
+    format!("truearea {}: {asked}", env!("CARGO_PKG_VERSION"))
+}
+
+/// The comment lines of a file made from a spectrum.
+pub fn provenance(asked: &str, surface: &Surface, sampling: Sampling) -> Vec<String> {
+    let mut lines = vec![program(asked), format!("spectrum: {}", surface.name)];
+    lines.extend(surface.remarks.iter().map(|remark| format!("spectrum says: {remark}")));
+    if let Some(n) = sampling.scales_per_decade {
+        lines.push(format!("resampled to {n} scales per decade"));
+    }
+    if let Some(cutoff_m) = sampling.cutoff_m {
+        lines.push(format!("cut off at {} m", number(cutoff_m)));
+    }
+    lines
+}

@@ -1,0 +1,322 @@
+//! Quantities as people type them: a number and its unit, `463 GPa`, `5um`, `1e-3 H`.
+//!
+//! No unit crate serves here: uom's parser wants a blank before the unit, knows no `um`, and turns 5 µm into
+//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten that moves the decimal point of the
+//! text before the one rounding to a double.
+
+use std::str::FromStr;
+
+/// What is wrong with a typed quantity.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum QuantityError {
+    /// No number at its start.
+    #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
+    NoNumber {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+        /// A good one.
+        example: &'static str,
+    },
+    /// A number without a unit.
+    #[error("'{text}' has no unit; a {what} needs one of {units}, as in '{example}'")]
+    NoUnit {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+        /// The accepted units.
+        units: String,
+        /// A good one.
+        example: &'static str,
+    },
+    /// A unit of something else, or of nothing.
+    #[error("'{text}' has the unit '{unit}'; a {what} needs one of {units}")]
+    WrongUnit {
+        /// What was typed.
+        text: String,
+        /// Its unit.
+        unit: String,
+        /// The kind of quantity.
+        what: &'static str,
+        /// The accepted units.
+        units: String,
+    },
+    /// Not a usable magnitude.
+    #[error("'{text}' is out of range; a {what} must be greater than 0 and finite")]
+    NotPositive {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+    },
+}
+
+/// A length > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Length {
+    /// In metres.
+    pub m: f64,
+}
+
+/// A force > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Force {
+    /// In newtons.
+    pub n: f64,
+}
+
+/// An area > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Area {
+    /// In square metres.
+    pub m2: f64,
+}
+
+/// A pressure > 0, in Pa or as a multiple of the hardness H = 3 S0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pressure {
+    /// In pascals.
+    Pascals(f64),
+    /// In units of the hardness.
+    Hardnesses(f64),
+}
+
+impl Pressure {
+    /// The pressure \[Pa\], given the hardness \[Pa\] where there is one.
+    pub fn pascals(self, hardness_pa: Option<f64>) -> Option<f64> {
+        match self {
+            Pressure::Pascals(pa) => Some(pa),
+            Pressure::Hardnesses(share) => hardness_pa.map(|hardness_pa| share * hardness_pa),
+        }
+    }
+}
+
+/// A kind of quantity: its name, its units as (spellings, power of ten), and an example.
+struct Kind {
+    what: &'static str,
+    units: &'static [(&'static [&'static str], i32)],
+    example: &'static str,
+}
+
+const LENGTH: Kind = Kind {
+    what: "length",
+    units: &[
+        (&["m"], 0),
+        (&["cm"], -2),
+        (&["mm"], -3),
+        (&["um", "µm", "μm"], -6),
+        (&["nm"], -9),
+        (&["Å", "Å", "angstrom", "Angstrom"], -10),
+        (&["pm"], -12),
+        (&["km"], 3),
+    ],
+    example: "5 um",
+};
+
+const PRESSURE: Kind = Kind {
+    what: "pressure",
+    units: &[
+        (&["Pa", "N/m^2", "N/m2", "N/m²"], 0),
+        (&["hPa"], 2),
+        (&["kPa"], 3),
+        (&["bar"], 5),
+        (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], 6),
+        (&["GPa"], 9),
+        (&["TPa"], 12),
+    ],
+    example: "5.4 MPa",
+};
+
+/// The unit of pressure that is the material's own.
+const HARDNESS_UNIT: &str = "H";
+
+const FORCE: Kind = Kind {
+    what: "force",
+    units: &[
+        (&["N"], 0),
+        (&["mN"], -3),
+        (&["uN", "µN", "μN"], -6),
+        (&["nN"], -9),
+        (&["kN"], 3),
+        (&["MN"], 6),
+    ],
+    example: "10 N",
+};
+
+const AREA: Kind = Kind {
+    what: "area",
+    units: &[
+        (&["m^2", "m2", "m²"], 0),
+        (&["cm^2", "cm2", "cm²"], -4),
+        (&["mm^2", "mm2", "mm²"], -6),
+        (&["um^2", "um2", "um²", "µm^2", "µm2", "µm²", "μm^2", "μm2", "μm²"], -12),
+    ],
+    example: "1 cm^2",
+};
+
+impl Kind {
+    /// Every unit under its first spelling.
+    fn unit_list(&self) -> String {
+        let mut names: Vec<&str> = self.units.iter().map(|(spellings, _)| spellings[0]).collect();
+        if self.what == PRESSURE.what {
+            names.push(HARDNESS_UNIT);
+        }
+        names.join(", ")
+    }
+
+    /// The value in SI units.
+    fn parse(&self, text: &str) -> Result<f64, QuantityError> {
+        let (number, unit) = self.split(text)?;
+        let power =
+            self.units.iter().find(|(spellings, _)| spellings.contains(&unit)).map(|(_, power)| *power);
+        self.positive(text, shifted(number, power.ok_or_else(|| self.wrong_unit(text, unit))?))
+    }
+
+    /// The number's text and the unit's, both there.
+    fn split<'t>(&self, text: &'t str) -> Result<(&'t str, &'t str), QuantityError> {
+        let (number, unit) = split_number(text.trim()).ok_or_else(|| QuantityError::NoNumber {
+            text: text.to_owned(),
+            what: self.what,
+            example: self.example,
+        })?;
+        if unit.is_empty() {
+            return Err(QuantityError::NoUnit {
+                text: text.to_owned(),
+                what: self.what,
+                units: self.unit_list(),
+                example: self.example,
+            });
+        }
+        Ok((number, unit))
+    }
+
+    fn positive(&self, text: &str, value: f64) -> Result<f64, QuantityError> {
+        if value > 0.0 && value.is_finite() {
+            Ok(value)
+        } else {
+            Err(QuantityError::NotPositive { text: text.to_owned(), what: self.what })
+        }
+    }
+
+    fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
+        QuantityError::WrongUnit {
+            text: text.to_owned(),
+            unit: unit.to_owned(),
+            what: self.what,
+            units: self.unit_list(),
+        }
+    }
+}
+
+/// The longest prefix that reads as a decimal number, and the rest without blanks around it.
+fn split_number(text: &str) -> Option<(&str, &str)> {
+    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+    let longest = text.find(|c| !numeric(c)).unwrap_or(text.len());
+    (1..=longest)
+        .rev()
+        .find(|&end| text[..end].parse::<f64>().is_ok())
+        .map(|end| (&text[..end], text[end..].trim_start()))
+}
+
+/// The double nearest to `number` times a power of ten.
+fn shifted(number: &str, power: i32) -> f64 {
+    let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    // An exponent too long for an integer is infinite or zero for any unit.
+    let exponent =
+        exponent.parse::<i64>().map_or_else(|_| exponent.to_owned(), |e| (e + i64::from(power)).to_string());
+    format!("{digits}e{exponent}").parse().expect("digits and an exponent read as a number")
+}
+
+impl FromStr for Length {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(Length { m: LENGTH.parse(text)? })
+    }
+}
+
+impl FromStr for Force {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(Force { n: FORCE.parse(text)? })
+    }
+}
+
+impl FromStr for Area {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(Area { m2: AREA.parse(text)? })
+    }
+}
+
+impl FromStr for Pressure {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let (number, unit) = PRESSURE.split(text)?;
+        if unit == HARDNESS_UNIT {
+            return Ok(Pressure::Hardnesses(PRESSURE.positive(text, shifted(number, 0))?));
+        }
+        Ok(Pressure::Pascals(PRESSURE.parse(text)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn metres(text: &str) -> f64 {
+        text.parse::<Length>().unwrap().m
+    }
+
+    #[test]
+    fn units_move_the_decimal_point_and_round_once() {
+        for (text, expected) in [
+            ("5um", 5e-6),
+            ("5 µm", 5e-6),
+            ("9.8 nm", 9.8e-9),
+            ("5.65e0nm", 5.65e-9),
+            ("3 Å", 3e-10),
+            ("2e-3 mm", 2e-6),
+        ] {
+            assert_eq!(metres(text), expected, "{text}");
+        }
+        assert_eq!("463 GPa".parse::<Pressure>(), Ok(Pressure::Pascals(463e9)));
+        assert_eq!("1.8e9 Pa".parse::<Pressure>(), Ok(Pressure::Pascals(1.8e9)));
+        assert_eq!("1e-3 H".parse::<Pressure>(), Ok(Pressure::Hardnesses(1e-3)));
+        assert_eq!("1e-3H".parse::<Pressure>().unwrap().pascals(Some(5.4e9)), Some(1e-3 * 5.4e9));
+        assert_eq!("1e-3H".parse::<Pressure>().unwrap().pascals(None), None);
+        assert_eq!("2.5 cm^2".parse::<Area>().unwrap().m2, 2.5e-4);
+        assert_eq!("10 mN".parse::<Force>().unwrap().n, 10e-3);
+    }
+
+    #[test]
+    fn what_is_no_quantity_is_refused_with_the_mend() {
+        let message = |text: &str| text.parse::<Pressure>().unwrap_err().to_string();
+        assert_eq!(
+            message("463e9"),
+            "'463e9' has no unit; a pressure needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, H, as in '5.4 MPa'"
+        );
+        assert_eq!(
+            message("463 um"),
+            "'463 um' has the unit 'um'; a pressure needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, H"
+        );
+        assert_eq!(
+            message("-5 MPa"),
+            "'-5 MPa' is out of range; a pressure must be greater than 0 and finite"
+        );
+        assert_eq!(
+            message("1e999 Pa"),
+            "'1e999 Pa' is out of range; a pressure must be greater than 0 and finite"
+        );
+        assert_eq!(message("GPa"), "'GPa' does not start with a number; a pressure reads like '5.4 MPa'");
+        assert!(message("inf Pa").starts_with("'inf Pa' does not start with a number"));
+        assert!(message("1e99999999999999999999 Pa").contains("out of range"));
+        assert!("5".parse::<Length>().is_err());
+        assert!("0 m".parse::<Length>().is_err());
+    }
+}

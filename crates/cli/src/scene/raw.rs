@@ -1,0 +1,104 @@
+//! A scene as it may be typed: every key there is.
+
+use serde::Deserialize;
+use serde_spanned::Spanned;
+use spectrum::{AmplitudeDefinition, Normalisation};
+
+use super::diagnostic::SceneError;
+use crate::figure::Shows;
+use crate::material::StackedModelName;
+
+/// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
+pub(super) type RawQuantity = Spanned<toml::Value>;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawScene {
+    pub title: Option<String>,
+    pub surface: RawSurface,
+    pub material: Option<RawMaterial>,
+    pub counterface: Option<RawCounterface>,
+    pub loads: Option<Spanned<RawLoads>>,
+    #[serde(default)]
+    pub curve: Vec<Spanned<RawCurve>>,
+    #[serde(default)]
+    pub figure: Vec<Spanned<RawFigure>>,
+    #[serde(default)]
+    pub cutoffs: RawCutoffs,
+    #[serde(default)]
+    pub options: RawOptions,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawSurface {
+    pub psd: Spanned<String>,
+    pub column: Option<String>,
+    pub x: Option<Spanned<String>>,
+    pub convention: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawMaterial {
+    pub youngs_modulus: RawQuantity,
+    pub poisson_ratio: Spanned<f64>,
+    pub yield_strength: Option<RawQuantity>,
+    pub strain_gradient_length: Option<RawQuantity>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCounterface {
+    pub youngs_modulus: RawQuantity,
+    pub poisson_ratio: Spanned<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawLoads {
+    pub pressures: Option<Vec<RawQuantity>>,
+    pub force: Option<RawQuantity>,
+    pub nominal_area: Option<RawQuantity>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCurve {
+    pub model: StackedModelName,
+    #[serde(default)]
+    pub strain_gradient: bool,
+    pub name: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawFigure {
+    pub name: Spanned<String>,
+    pub shows: Shows,
+    pub title: Option<String>,
+    pub curves: Option<Vec<Spanned<String>>>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCutoffs {
+    pub shortest_wavelength: Option<RawQuantity>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawOptions {
+    pub normalisation: Option<Normalisation>,
+    pub amplitude: Option<AmplitudeDefinition>,
+    pub scales_per_decade: Option<Spanned<i64>>,
+    pub hardness: Option<asperity::Hardness>,
+    pub strength_cap: Option<RawQuantity>,
+}
+
+impl RawScene {
+    pub fn parse(text: &str) -> Result<Self, SceneError> {
+        toml::from_str(text)
+            .map_err(|error| SceneError { message: error.message().to_owned(), span: error.span() })
+    }
+}

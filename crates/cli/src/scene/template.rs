@@ -1,0 +1,35 @@
+//! Scenes that come with the program, to run or to start one's own from.
+
+/// A scene of the program's own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Template {
+    /// A commented scene to fill in, about one's own spectrum.
+    New,
+    /// UNCD, the measured composite spectrum: every figure of the paper.
+    UncdMeasured,
+    /// UNCD, the reconstructed spectrum from centimetres to Angstroms: every figure of the paper.
+    UncdReconstructed,
+}
+
+impl Template {
+    /// The scenes that can be run as they are.
+    pub const RUNNABLE: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
+
+    /// The name by which it is asked for.
+    pub fn name(self) -> &'static str {
+        match self {
+            Template::New => "new",
+            Template::UncdMeasured => "uncd-measured",
+            Template::UncdReconstructed => "uncd-reconstructed",
+        }
+    }
+
+    /// The scene file.
+    pub fn text(self) -> &'static str {
+        match self {
+            Template::New => include_str!("../../../../data/scenes/new.toml"),
+            Template::UncdMeasured => include_str!("../../../../data/scenes/uncd-measured.toml"),
+            Template::UncdReconstructed => include_str!("../../../../data/scenes/uncd-reconstructed.toml"),
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! The surface a scene or a command names: its spectrum, and what its file says about itself.
+
+use std::path::Path;
+
+use spectrum::{ProfilePsd, PsdFile, ReadOptions, read_psd};
+
+use crate::failure::Failure;
+use crate::output::Place;
+
+/// Spectra that come with the program, under the names by which they are asked for.
+pub const BUILTIN: [(&str, &str); 2] = [
+    ("builtin:uncd-measured", include_str!("../../../data/uncd_psd_measured.csv")),
+    ("builtin:uncd-reconstructed", include_str!("../../../data/uncd_psd_reconstructed.csv")),
+];
+
+/// A spectrum ready to be worked with.
+#[derive(Debug, Clone)]
+pub struct Surface {
+    /// The spectrum's file or built-in name, as given.
+    pub name: String,
+    /// The spectrum in the working convention.
+    pub psd: ProfilePsd,
+    /// The comment lines of the file: origin, licence, what it is.
+    pub remarks: Vec<String>,
+    /// What reading took for granted.
+    pub notes: Vec<String>,
+}
+
+impl Surface {
+    /// Reads the spectrum `name`: a built-in one, `-` for standard input, or a file, relative to `folder`.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the file, and line, column, value and bound where they are to blame.
+    pub fn load(name: &str, folder: &Path, options: &ReadOptions) -> Result<Self, Failure> {
+        let blame = |error: &dyn std::fmt::Display| Failure::Input(format!("{name}: {error}"));
+        let PsdFile { psd, comments, notes } = if name.starts_with("builtin:") {
+            let (_, text) = BUILTIN.iter().find(|(builtin, _)| *builtin == name).ok_or_else(|| {
+                let names = BUILTIN.map(|(builtin, _)| builtin).join(", ");
+                Failure::Input(format!("{name}: there is no such spectrum; the built-in ones are {names}"))
+            })?;
+            read_psd(text.as_bytes(), options).map_err(|error| blame(&error))?
+        } else {
+            let place = match Place::from(name) {
+                Place::File(path) => Place::File(folder.join(path)),
+                Place::Standard => Place::Standard,
+            };
+            read_psd(place.read()?.as_slice(), options).map_err(|error| blame(&error))?
+        };
+        let psd = psd.profile().map_err(|error| blame(&error))?;
+        Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes })
+    }
+}

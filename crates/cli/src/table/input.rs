@@ -1,0 +1,148 @@
+//! Tables that come in, CSV or JSON, and the numbers in them.
+
+use asperity::Bound;
+
+use super::{Cell, Cells, Table, csv_text, json_text};
+use crate::failure::Failure;
+use crate::output::Place;
+
+/// How many bad cells one message lists.
+const MOST_PROBLEMS_LISTED: usize = 10;
+/// What begins the comment lines that this program writes itself.
+pub const OWN_COMMENT: &str = "truearea ";
+
+/// A table, and where each of its rows came from.
+pub struct InputTable {
+    /// The cells as typed.
+    pub table: Table,
+    /// The comments of the file, without the program's own.
+    pub comments: Vec<String>,
+    source: String,
+    /// `line 12` or `row 3`.
+    row_names: Vec<String>,
+}
+
+impl InputTable {
+    /// Reads a table from a place, as JSON where it begins like an array and else as CSV.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the file, and the line and column where it has them.
+    pub fn read(place: &Place) -> Result<Self, Failure> {
+        let source = match place {
+            Place::Standard => "standard input".to_owned(),
+            Place::File(path) => path.display().to_string(),
+        };
+        let bytes = place.read()?;
+        let text = utf8(&bytes, &source)?;
+        if text.trim_start().starts_with('[') {
+            Self::from_json(text, source)
+        } else {
+            Self::from_csv(text, source)
+        }
+    }
+
+    fn from_csv(text: &str, source: String) -> Result<Self, Failure> {
+        let fields = csv_text::read(text, &source)?;
+        if fields.names.iter().all(String::is_empty) {
+            return Err(Failure::input(format!(
+                "{source}: no header row; the first line must name the columns"
+            )));
+        }
+        if let Some(twice) =
+            fields.names.iter().enumerate().find(|(i, name)| fields.names[..*i].contains(name))
+        {
+            return Err(Failure::input(format!("{source}: column {:?} stands twice; keep one", twice.1)));
+        }
+        let mut table = Table::default();
+        for (at, name) in fields.names.iter().enumerate() {
+            table.set(name, Cells::Typed(fields.rows.iter().map(|(_, row)| Cell::from(&row[at])).collect()));
+        }
+        let comments = text
+            .lines()
+            .filter_map(|line| line.strip_prefix('#').map(str::trim))
+            .filter(|comment| !comment.starts_with(OWN_COMMENT))
+            .map(str::to_owned)
+            .collect();
+        let row_names = fields.rows.iter().map(|(line, _)| format!("line {line}")).collect();
+        Ok(InputTable { table, comments, source, row_names })
+    }
+
+    fn from_json(text: &str, source: String) -> Result<Self, Failure> {
+        let (names, rows) = json_text::read(text, &source)?;
+        let null = serde_json::value::to_raw_value(&()).map_err(Failure::input)?;
+        let mut table = Table::default();
+        for name in &names {
+            let cell =
+                |row: &indexmap::IndexMap<String, _>| Cell::Json(row.get(name).unwrap_or(&null).clone());
+            table.set(name, Cells::Typed(rows.iter().map(cell).collect()));
+        }
+        let row_names = (1..=rows.len()).map(|row| format!("row {row}")).collect();
+        Ok(InputTable { table, comments: Vec::new(), source, row_names })
+    }
+
+    /// The named columns as numbers within their bounds, row by row.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] for a missing column, or listing the first bad cells with line, column, value and bound.
+    pub fn numbers<const N: usize>(&self, columns: [(&str, Bound); N]) -> Result<Vec<[f64; N]>, Failure> {
+        let mut values = vec![[0.0; N]; self.row_names.len()];
+        let mut problems = Vec::new();
+        for (at, (name, bound)) in columns.into_iter().enumerate() {
+            let Some(Cells::Typed(cells)) = self.table.column(name) else {
+                return Err(self.missing_column(name));
+            };
+            for (row, cell) in cells.iter().enumerate() {
+                match read_number(&cell.text(), bound) {
+                    Ok(value) => values[row][at] = value,
+                    Err(problem) => {
+                        problems.push((row, format!("{}, column {name}: {problem}", self.row_names[row])))
+                    }
+                }
+            }
+        }
+        problems.sort_by_key(|(row, _)| *row);
+        if problems.is_empty() { Ok(values) } else { Err(self.bad_cells(problems)) }
+    }
+
+    fn missing_column(&self, name: &str) -> Failure {
+        let found: Vec<&str> = self.table.columns().map(|(name, _)| name).collect();
+        Failure::input(format!(
+            "{}: column {name} is missing; the columns are {}",
+            self.source,
+            found.join(", ")
+        ))
+    }
+
+    fn bad_cells(&self, problems: Vec<(usize, String)>) -> Failure {
+        let more = problems.len().saturating_sub(MOST_PROBLEMS_LISTED);
+        let mut lines: Vec<String> = problems
+            .into_iter()
+            .take(MOST_PROBLEMS_LISTED)
+            .map(|(_, problem)| format!("{}, {problem}", self.source))
+            .collect();
+        if more > 0 {
+            lines.push(format!("and {more} more"));
+        }
+        Failure::input(lines.join("\n       "))
+    }
+}
+
+fn read_number(text: &str, bound: Bound) -> Result<f64, String> {
+    let text = text.trim();
+    let Ok(value) = text.parse::<f64>() else {
+        return Err(if text.is_empty() {
+            "the cell is empty; a number is needed".to_owned()
+        } else {
+            format!("{text:?} is not a number")
+        });
+    };
+    if bound.admits(value) { Ok(value) } else { Err(format!("{text} must be {bound}")) }
+}
+
+fn utf8<'b>(bytes: &'b [u8], source: &str) -> Result<&'b str, Failure> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        Failure::input(format!("{source}, line {line}: not UTF-8 text; save the table as UTF-8"))
+    })?;
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+}

@@ -1,0 +1,63 @@
+//! Tables as a JSON array of row objects.
+
+use std::io::{self, Write};
+
+use indexmap::{IndexMap, IndexSet};
+use serde_json::value::RawValue;
+
+use super::{Cell, Cells, Table};
+use crate::failure::Failure;
+use crate::number::write_number;
+
+type Row = IndexMap<String, Box<RawValue>>;
+
+/// Every key of any row in the order of its first appearance, and the rows.
+pub(super) fn read(text: &str, source: &str) -> Result<(IndexSet<String>, Vec<Row>), Failure> {
+    let rows: Vec<Row> = serde_json::from_str(text)
+        .map_err(|error| Failure::input(format!("{source}: reading an array of row objects: {error}")))?;
+    let names = rows.iter().flat_map(|row| row.keys().cloned()).collect();
+    Ok((names, rows))
+}
+
+pub(super) fn write(table: &Table, out: &mut dyn Write) -> io::Result<()> {
+    let keys: Vec<String> =
+        table.columns().map(|(name, _)| serde_json::to_string(name)).collect::<Result<_, _>>()?;
+    let mut text = String::from("[");
+    for row in 0..table.rows() {
+        text.push_str(if row == 0 { "\n{" } else { ",\n{" });
+        for (column, (key, (_, cells))) in keys.iter().zip(table.columns()).enumerate() {
+            text.push_str(if column == 0 { "" } else { "," });
+            text.push_str(key);
+            text.push(':');
+            write_cell(&mut text, cells, row)?;
+        }
+        text.push('}');
+        out.write_all(text.as_bytes())?;
+        text.clear();
+    }
+    out.write_all(text.as_bytes())?;
+    out.write_all(b"\n]\n")
+}
+
+fn write_cell(text: &mut String, cells: &Cells, row: usize) -> io::Result<()> {
+    match cells {
+        Cells::Words(words) => text.push_str(&serde_json::to_string(words[row])?),
+        Cells::Numbers(numbers) => match numbers[row].filter(|value| value.is_finite()) {
+            Some(value) => write_number(text, value),
+            None => text.push_str("null"),
+        },
+        Cells::Typed(cells) => match &cells[row] {
+            Cell::Json(raw) => text.push_str(raw.get()),
+            Cell::Field(field) if field.is_empty() => text.push_str("null"),
+            Cell::Field(field) if is_json_number(field) => text.push_str(field),
+            Cell::Field(field) => text.push_str(&serde_json::to_string(field)?),
+        },
+    }
+    Ok(())
+}
+
+fn is_json_number(field: &str) -> bool {
+    field.starts_with(|c: char| c.is_ascii_digit() || c == '-')
+        && field.ends_with(|c: char| c.is_ascii_digit())
+        && serde_json::from_str::<&RawValue>(field).is_ok()
+}

@@ -1,0 +1,131 @@
+//! Tables as columns: what came in, as typed, and what was computed beside it.
+
+mod csv_text;
+mod input;
+mod json_text;
+
+pub use input::InputTable;
+
+use std::io::{self, Write};
+
+use serde_json::value::RawValue;
+
+/// How a table is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Format {
+    /// Comma-separated values with a header row.
+    #[default]
+    Csv,
+    /// An array of row objects; empty cells are null.
+    Json,
+}
+
+impl Format {
+    /// The ending of a file in this format.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Format::Csv => "csv",
+            Format::Json => "json",
+        }
+    }
+}
+
+/// Columns of one length.
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    columns: Vec<(String, Cells)>,
+}
+
+/// The cells of one column.
+#[derive(Debug, Clone)]
+pub enum Cells {
+    /// Echoed as they came in.
+    Typed(Vec<Cell>),
+    /// Computed numbers; absent ones are empty cells.
+    Numbers(Vec<Option<f64>>),
+    /// Computed words.
+    Words(Vec<&'static str>),
+}
+
+/// One cell as typed.
+#[derive(Debug, Clone)]
+pub enum Cell {
+    /// A CSV field.
+    Field(String),
+    /// A JSON value, `null` where a row lacks the key.
+    Json(Box<RawValue>),
+}
+
+impl Cell {
+    /// What a person would read in the cell; nothing in an empty one.
+    pub fn text(&self) -> std::borrow::Cow<'_, str> {
+        match self {
+            Cell::Field(text) => text.as_str().into(),
+            Cell::Json(raw) if raw.get() == "null" => "".into(),
+            Cell::Json(raw) => serde_json::from_str::<String>(raw.get()).map_or(raw.get().into(), Into::into),
+        }
+    }
+}
+
+impl Cells {
+    fn len(&self) -> usize {
+        match self {
+            Cells::Typed(cells) => cells.len(),
+            Cells::Numbers(cells) => cells.len(),
+            Cells::Words(cells) => cells.len(),
+        }
+    }
+}
+
+impl Table {
+    /// The column of this name is set, in its place where it exists and else as the last one.
+    pub fn set(&mut self, name: &str, cells: Cells) {
+        debug_assert!(self.columns.is_empty() || cells.len() == self.rows());
+        match self.columns.iter_mut().find(|(existing, _)| existing == name) {
+            Some((_, existing)) => *existing = cells,
+            None => self.columns.push((name.to_owned(), cells)),
+        }
+    }
+
+    /// The table with a column of numbers appended.
+    pub fn with_numbers(
+        mut self,
+        name: &str,
+        values: impl IntoIterator<Item = impl Into<Option<f64>>>,
+    ) -> Self {
+        self.set(name, Cells::Numbers(values.into_iter().map(Into::into).collect()));
+        self
+    }
+
+    /// The table with a column of words appended.
+    pub fn with_words(mut self, name: &str, words: impl IntoIterator<Item = &'static str>) -> Self {
+        self.set(name, Cells::Words(words.into_iter().collect()));
+        self
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |(_, cells)| cells.len())
+    }
+
+    /// The columns in order.
+    pub fn columns(&self) -> impl Iterator<Item = (&str, &Cells)> {
+        self.columns.iter().map(|(name, cells)| (name.as_str(), cells))
+    }
+
+    /// The cells of a column.
+    pub fn column(&self, name: &str) -> Option<&Cells> {
+        self.columns().find(|(existing, _)| *existing == name).map(|(_, cells)| cells)
+    }
+
+    /// Writes the table; `comments` stand before it as `#` lines where the format has comments.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, format: Format, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Csv => csv_text::write(self, comments, out),
+            Format::Json => json_text::write(self, out),
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! How long reading, computing and writing took, said on request.
+
+use std::time::{Duration, Instant};
+
+/// A stopwatch with named laps.
+pub struct Timings {
+    since: Instant,
+    laps: Vec<(&'static str, Duration)>,
+}
+
+impl Timings {
+    /// Starts.
+    pub fn start() -> Self {
+        Timings { since: Instant::now(), laps: Vec::new() }
+    }
+
+    /// Ends the lap that has just been run.
+    pub fn lap(&mut self, name: &'static str) {
+        self.laps.push((name, self.since.elapsed()));
+        self.since = Instant::now();
+    }
+
+    /// Says the laps on stderr, if `wanted`.
+    pub fn report(&self, wanted: bool) {
+        if wanted {
+            let laps: Vec<String> = self
+                .laps
+                .iter()
+                .map(|(name, time)| format!("{name} {:.1} ms", time.as_secs_f64() * 1e3))
+                .collect();
+            eprintln!("timings: {}", laps.join(", "));
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! The conventions in which power spectra are published, and the exact factors between them.
+
+use std::f64::consts::PI;
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::named::named;
+
+/// What the values of a power spectrum mean, stated through the variance sigma^2 of the heights.
+///
+/// q = 2 pi/lambda is the angular wavevector in rad/m and f = 1/lambda the spatial frequency in 1/m. The
+/// first three describe profiles and differ by constant factors; so do the last two, which describe areas.
+/// See Jacobs, Junge & Pastewka (2017), Surf. Topogr.: Metrol. Prop. 5:013001, for the first and fourth,
+/// Persson (2001), J. Chem. Phys. 115:3840, for the last.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Convention {
+    /// sigma^2 = (1/pi) Int_0^inf C dq, in m^3 (contact.engineering, SurfaceTopography).
+    #[default]
+    C1D,
+    /// sigma^2 = Int_0^inf W dq, in m^3 (Gwyddion): W = C1D/pi.
+    W1,
+    /// sigma^2 = Int_0^inf S df, one-sided, in m^3 (ISO 10110-8, optics): S = 2 C1D.
+    Frequency,
+    /// sigma^2 = (1/2 pi) Int_0^inf q C dq, the radial mean of the two-dimensional spectrum, in m^4.
+    Ciso,
+    /// sigma^2 = 2 pi Int_0^inf q C dq, in m^4 (Persson): C = Ciso/(4 pi^2).
+    Persson,
+}
+
+named!(Convention, "convention", {
+    C1D => "c1d", W1 => "w1", Frequency => "frequency", Ciso => "ciso", Persson => "persson",
+});
+
+/// A conversion that no pointwise factor performs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error(
+    "converting a spectrum from {from} (m^{}) to {to} (m^{}): no factor does this, because the Abel integral \
+     between line and area spectra needs the spectrum beyond the last sample; export the '1D PSD along x' instead",
+    from.metre_power(), to.metre_power()
+)]
+pub struct ConversionError {
+    /// The convention of the data.
+    pub from: Convention,
+    /// The convention asked for.
+    pub to: Convention,
+}
+
+impl Convention {
+    /// The power of metres in the unit of the values: 3 for profiles, 4 for areas.
+    pub const fn metre_power(self) -> i32 {
+        match self {
+            Self::C1D | Self::W1 | Self::Frequency => 3,
+            Self::Ciso | Self::Persson => 4,
+        }
+    }
+
+    /// The dimensionless factor that turns values of this convention into values of `to`.
+    ///
+    /// # Errors
+    /// [`ConversionError`] between a profile and an area convention.
+    pub fn factor_to(self, to: Self) -> Result<f64, ConversionError> {
+        if self == to {
+            Ok(1.0)
+        } else if self.metre_power() == to.metre_power() {
+            Ok(to.per_reference() / self.per_reference())
+        } else {
+            Err(ConversionError { from: self, to })
+        }
+    }
+
+    /// The value in this convention where the reference convention of its group (C1D or Ciso) has 1.
+    fn per_reference(self) -> f64 {
+        match self {
+            Self::C1D | Self::Ciso => 1.0,
+            Self::W1 => 1.0 / PI,
+            Self::Frequency => 2.0,
+            Self::Persson => 1.0 / (4.0 * PI * PI),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde::de::value::{Error as ValueError, StrDeserializer};
+    use serde::de::{Deserialize, IntoDeserializer};
+
+    use super::*;
+
+    #[test]
+    fn factors_are_the_defining_ones() {
+        let factor = |from: Convention, to| from.factor_to(to).unwrap();
+        assert_eq!(factor(Convention::C1D, Convention::W1), 1.0 / PI);
+        assert_eq!(factor(Convention::W1, Convention::C1D), PI);
+        assert_eq!(factor(Convention::C1D, Convention::Frequency), 2.0);
+        assert_eq!(factor(Convention::Frequency, Convention::C1D), 0.5);
+        assert_eq!(factor(Convention::W1, Convention::Frequency), 2.0 * PI);
+        assert_eq!(factor(Convention::Ciso, Convention::Persson), 0.025330295910584444);
+        assert_eq!(factor(Convention::Persson, Convention::Ciso), 4.0 * PI * PI);
+    }
+
+    #[test]
+    fn profile_and_area_conventions_are_not_converted_into_each_other() {
+        let error = Convention::Ciso.factor_to(Convention::C1D).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "converting a spectrum from ciso (m^4) to c1d (m^3): no factor does this, because the Abel integral \
+             between line and area spectra needs the spectrum beyond the last sample; export the '1D PSD along x' \
+             instead"
+        );
+        for &from in Convention::ALL {
+            for &to in Convention::ALL {
+                assert_eq!(from.factor_to(to).is_ok(), from.metre_power() == to.metre_power());
+            }
+        }
+    }
+
+    #[test]
+    fn serde_display_and_from_str_agree_on_every_name() {
+        for &convention in Convention::ALL {
+            let name = convention.to_string();
+            assert_eq!(name.parse(), Ok(convention));
+            let deserializer: StrDeserializer<'_, ValueError> = name.as_str().into_deserializer();
+            assert_eq!(Convention::deserialize(deserializer), Ok(convention));
+        }
+        assert_eq!(
+            "C2D".parse::<Convention>().unwrap_err().to_string(),
+            "reading the convention: 'C2D' is none of c1d, w1, frequency, ciso, persson"
+        );
+    }
+}

@@ -1,0 +1,189 @@
+//! Column names: a recognised quantity and, perhaps, its unit.
+
+use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use crate::named::named;
+use crate::unit::Unit;
+
+/// What the rows of a spectrum are labelled with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Abscissa {
+    /// Wavelength lambda in m.
+    Wavelength,
+    /// Angular wavevector q = 2 pi/lambda in rad/m.
+    Wavevector,
+    /// Spatial frequency f = 1/lambda in 1/m.
+    Frequency,
+}
+
+named!(Abscissa, "abscissa", { Wavelength => "wavelength", Wavevector => "wavevector", Frequency => "frequency" });
+
+impl Abscissa {
+    /// The wavelength in m that a value in SI units stands for.
+    pub(crate) fn wavelength_m(self, value: f64) -> f64 {
+        match self {
+            Self::Wavelength => value,
+            Self::Wavevector => TAU / value,
+            Self::Frequency => 1.0 / value,
+        }
+    }
+
+    /// Whether a unit measures this quantity.
+    pub(crate) fn fits(self, unit: Unit) -> bool {
+        match self {
+            Self::Wavelength => unit.metre_power == 1,
+            Self::Wavevector => unit.metre_power == -1,
+            Self::Frequency => unit.metre_power == -1 && !unit.angular,
+        }
+    }
+
+    pub(crate) const fn si(self) -> Unit {
+        match self {
+            Self::Wavelength => Unit::si(1),
+            Self::Wavevector | Self::Frequency => Unit::si(-1),
+        }
+    }
+}
+
+/// The names a spectrum goes by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DensityName {
+    C1d,
+    Ciso,
+    Psd,
+}
+
+/// A quantity that a column may hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    Abscissa(Abscissa),
+    Density(DensityName),
+}
+
+const NAMES: [(&str, Quantity); 11] = [
+    ("wavelength", Quantity::Abscissa(Abscissa::Wavelength)),
+    ("lambda", Quantity::Abscissa(Abscissa::Wavelength)),
+    ("λ", Quantity::Abscissa(Abscissa::Wavelength)),
+    ("wavevector", Quantity::Abscissa(Abscissa::Wavevector)),
+    ("q", Quantity::Abscissa(Abscissa::Wavevector)),
+    ("frequency", Quantity::Abscissa(Abscissa::Frequency)),
+    ("f", Quantity::Abscissa(Abscissa::Frequency)),
+    ("psd", Quantity::Density(DensityName::Psd)),
+    ("c1d", Quantity::Density(DensityName::C1d)),
+    ("ciso", Quantity::Density(DensityName::Ciso)),
+    ("Λ", Quantity::Abscissa(Abscissa::Wavelength)),
+];
+
+/// A recognised column name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Heading<'h> {
+    pub(crate) quantity: Quantity,
+    /// What stands where a unit is written; not necessarily a unit.
+    pub(crate) unit: Option<&'h str>,
+}
+
+impl<'h> Heading<'h> {
+    /// Recognises a name whatever its case, alone or with a unit: `q`, `Lambda_nm`, `PSD (µm³)`, `f [1/mm]`,
+    /// `λ / nm`.
+    ///
+    /// A name that goes on in words, such as `PSD_error_m3` or `Ciso_approx_m4`, is another quantity's.
+    pub(crate) fn parse(name: &'h str) -> Option<Self> {
+        NAMES.iter().find_map(|&(base, quantity)| {
+            let (start, rest) = name.split_at_checked(base.len())?;
+            let unit = if start.eq_ignore_ascii_case(base) { unit_suffix(rest)? } else { return None };
+            Some(Self { quantity, unit })
+        })
+    }
+}
+
+/// The unit at the end of any name, recognised or not: in brackets, after a slash or after an underscore.
+pub(crate) fn trailing_unit(name: &str) -> Option<Unit> {
+    name.match_indices(['(', '[', '/', '_', ' '])
+        .find_map(|(at, _)| unit_suffix(&name[at..]).flatten().and_then(Unit::parse))
+}
+
+/// The text in the place of a unit; `Some(None)` for a bare name, `None` where the name goes on.
+fn unit_suffix(rest: &str) -> Option<Option<&str>> {
+    let trimmed = rest.trim();
+    if trimmed.is_empty() {
+        return Some(None);
+    }
+    let in_brackets = |open, close| trimmed.strip_prefix(open)?.strip_suffix(close);
+    let unit = in_brackets('(', ')')
+        .or_else(|| in_brackets('[', ']'))
+        .or_else(|| trimmed.strip_prefix('/'))
+        .or_else(|| rest.strip_prefix('_').filter(|unit| is_unit_like(unit)))
+        .or_else(|| rest.strip_prefix(' ').filter(|unit| Unit::parse(unit).is_some()))?;
+    Some(Some(unit.trim()))
+}
+
+/// One word is taken for a unit, known or not; several only where they are one.
+fn is_unit_like(text: &str) -> bool {
+    let is_rate = ["rad_per_", "per_"].iter().any(|start| text.to_ascii_lowercase().starts_with(start));
+    is_rate || !text.contains(['_', ' ']) || Unit::parse(text).is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wavelength(unit: Option<&str>) -> Option<Heading<'_>> {
+        Some(Heading { quantity: Quantity::Abscissa(Abscissa::Wavelength), unit })
+    }
+
+    #[test]
+    fn names_are_recognised_whatever_their_case_and_unit() {
+        assert_eq!(Heading::parse("wavelength"), wavelength(None));
+        assert_eq!(Heading::parse("LAMBDA_NM"), wavelength(Some("NM")));
+        assert_eq!(Heading::parse("λ / nm"), wavelength(Some("nm")));
+        assert_eq!(Heading::parse("Λ"), wavelength(None));
+        assert_eq!(Heading::parse("wavelength nm"), wavelength(Some("nm")));
+        for (name, abscissa, unit) in [
+            ("Wavevector (µm⁻¹)", Abscissa::Wavevector, "µm⁻¹"),
+            ("q_rad_per_m", Abscissa::Wavevector, "rad_per_m"),
+            ("Q[1/m]", Abscissa::Wavevector, "1/m"),
+            ("f_per_m", Abscissa::Frequency, "per_m"),
+            ("Frequency [1/mm]", Abscissa::Frequency, "1/mm"),
+        ] {
+            let expected = Heading { quantity: Quantity::Abscissa(abscissa), unit: Some(unit) };
+            assert_eq!(Heading::parse(name), Some(expected), "{name}");
+        }
+        for (name, density, unit) in [
+            ("PSD (m³)", DensityName::Psd, Some("m³")),
+            ("c1d", DensityName::C1d, None),
+            ("Ciso_um4", DensityName::Ciso, Some("um4")),
+            ("C1D_furlong", DensityName::C1d, Some("furlong")),
+        ] {
+            let expected = Heading { quantity: Quantity::Density(density), unit };
+            assert_eq!(Heading::parse(name), Some(expected), "{name}");
+        }
+    }
+
+    #[test]
+    fn names_that_go_on_are_other_names() {
+        for name in [
+            "PSD_error_m3",
+            "Ciso_approx_m4",
+            "standard error of PSD (m³)",
+            "quality",
+            "PSD error",
+            "λmax",
+            "F0",
+            "",
+        ] {
+            assert_eq!(Heading::parse(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn any_name_may_end_in_a_unit() {
+        assert_eq!(trailing_unit("Ciso_approx_m4"), Some(Unit::si(4)));
+        assert_eq!(trailing_unit("C (m^4)"), Some(Unit::si(4)));
+        assert_eq!(trailing_unit("power, smoothed [m^3]"), Some(Unit::si(3)));
+        assert_eq!(trailing_unit("column_7"), None);
+        assert_eq!(trailing_unit("C"), None);
+    }
+}

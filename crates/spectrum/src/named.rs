@@ -1,0 +1,49 @@
+//! Options with a fixed list of names, the same ones in messages, on a command line and in a scene file.
+
+use thiserror::Error;
+
+/// A name that is none of an option's names.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("reading the {what}: '{given}' is none of {accepted}")]
+pub struct UnknownName {
+    /// What was being read, such as `convention`.
+    pub what: &'static str,
+    /// The text given.
+    pub given: String,
+    /// The names there are.
+    pub accepted: String,
+}
+
+/// Gives a field-less enum its list of values, its names, `Display` and `FromStr`.
+macro_rules! named {
+    ($type:ident, $what:literal, { $($variant:ident => $name:literal),+ $(,)? }) => {
+        impl $type {
+            /// Every value there is.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// The name in messages, options and files.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name),+ }
+            }
+        }
+
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.pad(self.name())
+            }
+        }
+
+        impl std::str::FromStr for $type {
+            type Err = $crate::named::UnknownName;
+
+            fn from_str(text: &str) -> Result<Self, Self::Err> {
+                Self::ALL.iter().copied().find(|value| value.name() == text).ok_or_else(|| Self::Err {
+                    what: $what,
+                    given: text.to_owned(),
+                    accepted: [$($name),+].join(", "),
+                })
+            }
+        }
+    };
+}
+pub(crate) use named;

@@ -1,0 +1,294 @@
+//! What can be wrong with a file.
+
+use thiserror::Error;
+
+use crate::convention::Convention;
+
+/// A file that holds no power spectrum, or more than one, or does not say what its numbers mean.
+///
+/// Lines are counted from 1, comments and empty lines included; columns go by their names, or by their number
+/// where the file has no header.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The input failed.
+    #[error("reading the spectrum: {0}")]
+    Io(#[from] std::io::Error),
+    /// Not text in UTF-8.
+    #[error(
+        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is {}; save the spectrum as CSV or text in UTF-8",
+        if *.is_utf16 { "the start of UTF-16, not UTF-8" } else { "not UTF-8 text" }
+    )]
+    NotText {
+        /// Line.
+        line: usize,
+        /// Position of the byte in the file, from 1.
+        offset: usize,
+        /// The byte.
+        byte: u8,
+        /// Whether the file begins like UTF-16.
+        is_utf16: bool,
+    },
+    /// Nothing but comments and empty lines.
+    #[error("reading the spectrum: the file holds no rows, it must hold at least 2")]
+    Empty,
+    /// Numbers without a header.
+    #[error(
+        "line {line}: the file begins with numbers and has no header; say what its two columns hold, in SI units, \
+         with --x (wavelength, wavevector or frequency) and --convention (c1d, w1, frequency, ciso or persson)"
+    )]
+    NoHeader {
+        /// Line of the first row.
+        line: usize,
+    },
+    /// Numbers without a header in other than two columns.
+    #[error(
+        "line {line}: a file without a header needs 2 columns, found {columns}; name them in a first row"
+    )]
+    HeaderlessColumns {
+        /// Line of the first row.
+        line: usize,
+        /// Number of columns.
+        columns: usize,
+    },
+    /// Several series in one file.
+    #[error(
+        "line {line}: another series begins ({second}), after {first} in line {first_line}; one file must hold one \
+         series: keep the rows of one, such as '1D PSD along x'"
+    )]
+    SeveralSeries {
+        /// Line in which the second series begins.
+        line: usize,
+        /// Line in which the first series begins.
+        first_line: usize,
+        /// What the first is called.
+        first: String,
+        /// What the second is called.
+        second: String,
+    },
+    /// No column for a quantity.
+    #[error("line {line}: no column holds the {quantity} ({accepted}); the columns are {}", list(.found))]
+    MissingColumn {
+        /// Line of the header.
+        line: usize,
+        /// What is missing.
+        quantity: &'static str,
+        /// The names it goes by.
+        accepted: &'static str,
+        /// The columns there are.
+        found: Vec<String>,
+    },
+    /// No column of the name asked for.
+    #[error("line {line}: there is no column '{column}'; the columns are {}", list(.found))]
+    UnknownColumn {
+        /// Line of the header.
+        line: usize,
+        /// The name asked for.
+        column: String,
+        /// The columns there are.
+        found: Vec<String>,
+    },
+    /// Two columns for the same quantity.
+    #[error("line {line}: duplicate column: '{first}' and '{second}' both hold the {quantity}; keep one")]
+    DuplicateColumn {
+        /// Line of the header.
+        line: usize,
+        /// The quantity.
+        quantity: &'static str,
+        /// One column.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// Several spectra, none of which has precedence.
+    #[error("line {line}: several columns hold a spectrum; choose one with --column NAME: {}", list(.found))]
+    SeveralDensities {
+        /// Line of the header.
+        line: usize,
+        /// The columns.
+        found: Vec<String>,
+    },
+    /// A unit that is unknown or of the wrong dimension.
+    #[error(
+        "line {line}: column '{column}' is in '{unit}', but the {quantity} is read in {accepted}; rename the column"
+    )]
+    BadUnit {
+        /// Line of the header.
+        line: usize,
+        /// Column.
+        column: String,
+        /// What stands in the place of the unit.
+        unit: String,
+        /// The quantity.
+        quantity: String,
+        /// The units accepted.
+        accepted: String,
+    },
+    /// A spectrum in m^4, which two conventions share.
+    #[error(
+        "line {line}: column '{column}' is a spectrum in m^4; say which with --convention ciso or --convention persson"
+    )]
+    AmbiguousDensity {
+        /// Line of the header.
+        line: usize,
+        /// Column.
+        column: String,
+    },
+    /// A column whose name does not tell its convention.
+    #[error(
+        "line {line}: the name of column '{column}' does not say what its values mean; say it with --convention (c1d, \
+         w1, frequency, ciso or persson)"
+    )]
+    NoConvention {
+        /// Line of the header.
+        line: usize,
+        /// Column.
+        column: String,
+    },
+    /// A row of another length than the header or the first row.
+    #[error(
+        "line {line}: the number of fields is {found}, in line {first_line} it is {expected}; give every row the same columns"
+    )]
+    Ragged {
+        /// Line.
+        line: usize,
+        /// Number of fields.
+        found: usize,
+        /// Line of the header or the first row.
+        first_line: usize,
+        /// Number of fields there.
+        expected: usize,
+    },
+    /// An empty field.
+    #[error(
+        "line {line}: column '{column}' is empty, it must be a number above 0; fill it or remove the row"
+    )]
+    EmptyField {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: String,
+    },
+    /// A field that is no number.
+    #[error(
+        "line {line}: column '{column}' is '{text}', which is no number; write it like 1.5e-9, with a point, or \
+         remove the row"
+    )]
+    NotANumber {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: String,
+        /// The field.
+        text: String,
+    },
+    /// A number that is NaN, infinite, zero or negative.
+    #[error(
+        "line {line}: column '{column}' is '{text}', it must be finite and above 0; correct it or remove the row"
+    )]
+    OutOfRange {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: String,
+        /// The field.
+        text: String,
+    },
+    /// Two abscissae that contradict each other.
+    #[error(
+        "line {line}: {first} and {second}, wavelengths in the ratio {ratio}, which must be 1 within 0.001{hint}; \
+         correct the row or remove a column"
+    )]
+    Inconsistent {
+        /// Line.
+        line: usize,
+        /// The field that counts.
+        first: Box<Field>,
+        /// The field that contradicts it.
+        second: Box<Field>,
+        /// The wavelength of the first over that of the second, to six digits.
+        ratio: f64,
+        /// What a factor of 2 pi tells.
+        hint: &'static str,
+    },
+    /// The same wavelength twice.
+    #[error(
+        "line {line}: the wavelength {wavelength_m:e} m stands in line {first_line} already; keep one row for each \
+         wavelength, and one series (such as '1D PSD along x') in a file"
+    )]
+    RepeatedWavelength {
+        /// Line of the repetition.
+        line: usize,
+        /// Line of the first occurrence.
+        first_line: usize,
+        /// The wavelength in m.
+        wavelength_m: f64,
+    },
+    /// Fewer than two rows.
+    #[error("line {line}: the number of rows in the file is {rows}, it must be at least 2")]
+    TooFewRows {
+        /// Last line read.
+        line: usize,
+        /// Number of rows.
+        rows: usize,
+    },
+}
+
+/// A field of a row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Column.
+    pub column: String,
+    /// What stands in it.
+    pub text: String,
+}
+
+impl std::fmt::Display for Field {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "column '{}' is '{}'", self.column, self.text)
+    }
+}
+
+impl ReadError {
+    /// The line to look at, counted from 1; `None` where the whole file is at fault.
+    pub fn line(&self) -> Option<usize> {
+        match *self {
+            Self::Io(_) | Self::Empty => None,
+            Self::NotText { line, .. }
+            | Self::NoHeader { line }
+            | Self::HeaderlessColumns { line, .. }
+            | Self::SeveralSeries { line, .. }
+            | Self::MissingColumn { line, .. }
+            | Self::UnknownColumn { line, .. }
+            | Self::DuplicateColumn { line, .. }
+            | Self::SeveralDensities { line, .. }
+            | Self::BadUnit { line, .. }
+            | Self::AmbiguousDensity { line, .. }
+            | Self::NoConvention { line, .. }
+            | Self::Ragged { line, .. }
+            | Self::EmptyField { line, .. }
+            | Self::NotANumber { line, .. }
+            | Self::OutOfRange { line, .. }
+            | Self::Inconsistent { line, .. }
+            | Self::RepeatedWavelength { line, .. }
+            | Self::TooFewRows { line, .. } => Some(line),
+        }
+    }
+
+    /// A unit that does not measure the density of a convention.
+    pub(crate) fn bad_density_unit(line: usize, column: &str, unit: &str, convention: Convention) -> Self {
+        let power = convention.metre_power();
+        let metres = ["m", "cm", "mm", "um", "nm", "pm", "angstrom"];
+        Self::BadUnit {
+            line,
+            column: column.to_owned(),
+            unit: unit.to_owned(),
+            quantity: format!("spectrum ({convention})"),
+            accepted: metres.map(|metre| format!("{metre}^{power}")).join(", "),
+        }
+    }
+}
+
+fn list(names: &[String]) -> String {
+    names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
+}

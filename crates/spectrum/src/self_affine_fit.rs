@@ -1,0 +1,315 @@
+//! The self-affine spectrum with a roll-off, fitted to samples.
+
+use std::ops::RangeBounds;
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use nalgebra::storage::Owned;
+use nalgebra::{DVector, Dyn, Matrix3, OMatrix, U3, Vector3};
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::interval::ln_ratio;
+use crate::profile::ProfilePsd;
+
+/// Roll-offs tried as the start of the iteration, spread evenly over the logarithm of the band.
+const STARTS: usize = 24;
+/// Deviations in ln C1D below this are rounding, whatever the statistics say.
+const ROUNDING: f64 = 1e-12;
+/// Advantage in the Bayesian information criterion that counts as strong evidence: Kass & Raftery (1995), J.
+/// Am. Stat. Assoc. 90:773.
+const STRONG_EVIDENCE: f64 = 6.0;
+/// Steps in ln C_0, H and ln q_r longer than this are the iteration's business, not the last polish's.
+const LARGEST_POLISH: f64 = 1e-5;
+/// Smallest pivot of the correlation matrix at which its inverse still has digits.
+const SMALLEST_PIVOT: f64 = 1e-7;
+
+/// A self-affine spectrum fitted with equal weights to ln C1D: with a roll-off
+/// ln C1D = ln C_0 - (H + 1/2) ln(1 + (q/q_r)^2), without one ln C1D = const - (2 H + 1) ln q.
+///
+/// Standard errors are s^2 (J^T J)^-1 carried over to the quantities here to first order; they are absent
+/// where there are as many parameters as samples.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SelfAffineFit {
+    /// Hurst exponent H; 0 to 1 for a self-affine surface, but reported as fitted.
+    pub hurst_exponent: f64,
+    /// Standard error of the Hurst exponent.
+    pub hurst_exponent_se: Option<f64>,
+    /// The roll-off, where the samples show one.
+    pub rolloff: Option<RollOff>,
+    /// Root mean square deviation of log10 C1D from the fit.
+    pub rms_log10_residual: f64,
+    /// Number of samples fitted.
+    pub points: usize,
+}
+
+/// Where a self-affine spectrum levels off towards long wavelengths.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RollOff {
+    /// Roll-off wavelength lambda_r = 2 pi/q_r in m, inside the fitted band.
+    pub wavelength_m: f64,
+    /// Standard error of the wavelength in m.
+    pub wavelength_se_m: Option<f64>,
+    /// The plateau C_0 of C1D in m^3.
+    pub plateau_m3: f64,
+    /// Standard error of the plateau in m^3.
+    pub plateau_se_m3: Option<f64>,
+}
+
+/// A spectrum to which no power law can be fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum FitError {
+    /// Fewer than two samples in the band.
+    #[error(
+        "fitting a self-affine spectrum: the number of samples in the band is {points}, it must be at least 2; widen the band"
+    )]
+    TooFewSamples {
+        /// Number of samples in the band.
+        points: usize,
+    },
+}
+
+/// Fits a self-affine spectrum to the samples whose wavelength in m lies in `band`; `..` takes them all.
+///
+/// A roll-off is reported only where it is identifiable: with three samples or more, q_r inside the sampled
+/// band, a regular normal matrix, and a Bayesian information criterion more than 6 below that of the pure
+/// power law, n ln(RSS_2/RSS_3) > ln n + 6 (strong evidence after Kass & Raftery, 1995). Sums of squares
+/// below those of deviations of 1e-12 count as rounding, so data that follow a power law exactly have no
+/// roll-off. Otherwise the pure power law is the answer.
+///
+/// # Errors
+/// [`FitError::TooFewSamples`] with fewer than two samples in the band.
+pub fn fit_self_affine(psd: &ProfilePsd, band: impl RangeBounds<f64>) -> Result<SelfAffineFit, FitError> {
+    let samples = LogSamples::in_band(psd, band);
+    if samples.len() < 2 {
+        return Err(FitError::TooFewSamples { points: samples.len() });
+    }
+    let power_law = Line::through(&samples.ln_q, &samples.ln_c);
+    Ok(with_rolloff(&samples, &power_law).unwrap_or_else(|| without_rolloff(&samples, &power_law)))
+}
+
+fn without_rolloff(samples: &LogSamples, power_law: &Line) -> SelfAffineFit {
+    SelfAffineFit {
+        hurst_exponent: -(power_law.slope + 1.0) / 2.0,
+        hurst_exponent_se: samples
+            .variance(power_law.sum_of_squares, 2)
+            .map(|s2| power_law.slope_error(s2) / 2.0),
+        rolloff: None,
+        rms_log10_residual: samples.rms_log10(power_law.sum_of_squares),
+        points: samples.len(),
+    }
+}
+
+fn with_rolloff(samples: &LogSamples, power_law: &Line) -> Option<SelfAffineFit> {
+    if samples.len() < 3 {
+        return None;
+    }
+    let start = (0..STARTS)
+        .map(|start| RollOffProblem::starting_at(samples, (start as f64 + 0.5) / STARTS as f64))
+        .min_by(|a, b| a.sum_of_squares().total_cmp(&b.sum_of_squares()))?;
+    let best = LevenbergMarquardt::new().minimize(start).0.polished();
+    let sum_of_squares = best.sum_of_squares();
+    if !best.is_inside_band() || !samples.prefers(sum_of_squares, power_law.sum_of_squares) {
+        return None;
+    }
+    let inverse = best.inverse_normal()?;
+    let error = |parameter: usize| {
+        samples.variance(sum_of_squares, 3).map(|s2| (s2 * inverse[(parameter, parameter)]).sqrt())
+    };
+    let [ln_plateau, exponent, ln_q_r] = best.parameters.into();
+    let plateau_m3 = samples.reference_m3 * ln_plateau.exp();
+    let wavelength_m = samples.longest_m * (-ln_q_r).exp();
+    Some(SelfAffineFit {
+        hurst_exponent: exponent - 0.5,
+        hurst_exponent_se: error(1),
+        rolloff: Some(RollOff {
+            wavelength_m,
+            wavelength_se_m: error(2).map(|se| se * wavelength_m),
+            plateau_m3,
+            plateau_se_m3: error(0).map(|se| se * plateau_m3),
+        }),
+        rms_log10_residual: samples.rms_log10(sum_of_squares),
+        points: samples.len(),
+    })
+}
+
+/// The samples in the band, as logarithms relative to the one of longest wavelength.
+struct LogSamples {
+    longest_m: f64,
+    reference_m3: f64,
+    ln_q: Vec<f64>,
+    ln_c: Vec<f64>,
+}
+
+impl LogSamples {
+    fn in_band(psd: &ProfilePsd, band: impl RangeBounds<f64>) -> Self {
+        let inside = || {
+            psd.wavelengths_m().iter().zip(psd.c1d_m3()).filter(|(wavelength, _)| band.contains(wavelength))
+        };
+        let (longest_m, reference_m3) =
+            inside().next().map_or((1.0, 1.0), |(&wavelength, &value)| (wavelength, value));
+        Self {
+            longest_m,
+            reference_m3,
+            ln_q: inside().map(|(&wavelength_m, _)| ln_ratio(longest_m, wavelength_m)).collect(),
+            ln_c: inside().map(|(_, &c1d_m3)| ln_ratio(c1d_m3, reference_m3)).collect(),
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.ln_q.len()
+    }
+
+    /// Extent of the band in ln q.
+    fn extent(&self) -> f64 {
+        self.ln_q[self.len() - 1]
+    }
+
+    /// Variance s^2 of ln C1D about a fit; none where no sample is left to judge it by.
+    fn variance(&self, sum_of_squares: f64, parameters: usize) -> Option<f64> {
+        let freedom = self.len().checked_sub(parameters).filter(|&freedom| freedom > 0)?;
+        Some(sum_of_squares / freedom as f64)
+    }
+
+    fn rms_log10(&self, sum_of_squares: f64) -> f64 {
+        (sum_of_squares / self.len() as f64).sqrt() / 10f64.ln()
+    }
+
+    /// Whether the Bayesian information criterion speaks strongly for one parameter more.
+    fn prefers(&self, larger_model: f64, smaller_model: f64) -> bool {
+        let points = self.len() as f64;
+        let rounding = points * ROUNDING * ROUNDING;
+        points * (smaller_model.max(rounding) / larger_model.max(rounding)).ln()
+            > points.ln() + STRONG_EVIDENCE
+    }
+}
+
+/// The least-squares straight line through points.
+struct Line {
+    intercept: f64,
+    slope: f64,
+    spread: f64,
+    sum_of_squares: f64,
+}
+
+impl Line {
+    fn through(x: &[f64], y: &[f64]) -> Self {
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let (x_mean, y_mean) = (mean(x), mean(y));
+        let spread: f64 = x.iter().map(|x| (x - x_mean).powi(2)).sum();
+        let slope = x.iter().zip(y).map(|(x, y)| (x - x_mean) * (y - y_mean)).sum::<f64>() / spread;
+        let residual = |(x, y): (&f64, &f64)| (y - y_mean) - slope * (x - x_mean);
+        let sum_of_squares = x.iter().zip(y).map(residual).map(|residual| residual * residual).sum();
+        Self { intercept: y_mean - slope * x_mean, slope, spread, sum_of_squares }
+    }
+
+    fn slope_error(&self, variance: f64) -> f64 {
+        (variance / self.spread).sqrt()
+    }
+}
+
+/// The model with a roll-off at its current parameters: ln C_0, H + 1/2, ln q_r, all relative to the first
+/// sample.
+struct RollOffProblem<'s> {
+    samples: &'s LogSamples,
+    parameters: Vector3<f64>,
+}
+
+impl<'s> RollOffProblem<'s> {
+    /// Starts with a roll-off at a fraction of the band, where the other two parameters follow from a
+    /// straight line.
+    fn starting_at(samples: &'s LogSamples, fraction: f64) -> Self {
+        let ln_q_r = fraction * samples.extent();
+        let fall: Vec<f64> = samples.ln_q.iter().map(|ln_q| fall(ln_q - ln_q_r)).collect();
+        let line = Line::through(&fall, &samples.ln_c);
+        Self { samples, parameters: Vector3::new(line.intercept, -line.slope, ln_q_r) }
+    }
+
+    fn residual_vector(&self) -> DVector<f64> {
+        let [ln_plateau, exponent, ln_q_r] = self.parameters.into();
+        let samples = self.samples.ln_q.iter().zip(&self.samples.ln_c);
+        DVector::from_iterator(
+            self.samples.len(),
+            samples.map(|(ln_q, ln_c)| ln_plateau - exponent * fall(ln_q - ln_q_r) - ln_c),
+        )
+    }
+
+    fn jacobian_matrix(&self) -> OMatrix<f64, Dyn, U3> {
+        let [_, exponent, ln_q_r] = self.parameters.into();
+        OMatrix::<f64, Dyn, U3>::from_fn(self.samples.len(), |row, column| {
+            let from_rolloff = self.samples.ln_q[row] - ln_q_r;
+            match column {
+                0 => 1.0,
+                1 => -fall(from_rolloff),
+                _ => exponent * fall_slope(from_rolloff),
+            }
+        })
+    }
+
+    /// Sum of the squared residuals; infinite where the iteration has left the finite numbers.
+    fn sum_of_squares(&self) -> f64 {
+        let sum = self.residual_vector().norm_squared();
+        if sum.is_finite() { sum } else { f64::INFINITY }
+    }
+
+    fn is_inside_band(&self) -> bool {
+        (0.0..=self.samples.extent()).contains(&self.parameters[2])
+    }
+
+    /// Gauss-Newton steps as long as each halves the last: they settle the digits for which the sum of
+    /// squares is too flat, half of them all.
+    fn polished(mut self) -> Self {
+        let mut longest = LARGEST_POLISH;
+        while let Some(step) = self.gauss_newton_step().filter(|step| step.norm() < longest) {
+            self.parameters -= step;
+            longest = 0.5 * step.norm();
+        }
+        self
+    }
+
+    fn gauss_newton_step(&self) -> Option<Vector3<f64>> {
+        Some(self.inverse_normal()? * self.jacobian_matrix().tr_mul(&self.residual_vector()))
+    }
+
+    /// (J^T J)^-1; none where the matrix is singular to working precision.
+    fn inverse_normal(&self) -> Option<Matrix3<f64>> {
+        let jacobian = self.jacobian_matrix();
+        let normal: Matrix3<f64> = jacobian.tr_mul(&jacobian);
+        let norms = normal.diagonal().map(f64::sqrt);
+        let scales = norms * norms.transpose();
+        let factor = normal.component_div(&scales).cholesky()?;
+        let is_regular = factor.l_dirty().diagonal().min() >= SMALLEST_PIVOT;
+        is_regular.then(|| factor.inverse().component_div(&scales))
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, U3> for RollOffProblem<'_> {
+    type ParameterStorage = Owned<f64, U3>;
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, U3>;
+
+    fn set_params(&mut self, parameters: &Vector3<f64>) {
+        self.parameters = *parameters;
+    }
+
+    fn params(&self) -> Vector3<f64> {
+        self.parameters
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        Some(self.residual_vector())
+    }
+
+    fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U3>> {
+        Some(self.jacobian_matrix())
+    }
+}
+
+/// ln(1 + (q/q_r)^2) from ln(q/q_r), without overflow.
+fn fall(ln_q_over_q_r: f64) -> f64 {
+    2.0 * ln_q_over_q_r.max(0.0) + (-2.0 * ln_q_over_q_r.abs()).exp().ln_1p()
+}
+
+/// Derivative of [`fall`].
+fn fall_slope(ln_q_over_q_r: f64) -> f64 {
+    2.0 / (1.0 + (-2.0 * ln_q_over_q_r).exp())
+}

@@ -1,0 +1,211 @@
+//! Text files of columns: comments, separators, rows with their physical line numbers.
+
+use csv::{ReaderBuilder, StringRecord};
+
+use crate::read_error::ReadError;
+
+/// A text file cut into comments, a possible header and rows.
+pub(crate) struct Table<'t> {
+    /// Comment lines before the first other line, without `#` and surrounding blanks.
+    pub(crate) comments: Vec<String>,
+    /// The first line that is no comment.
+    pub(crate) first_line: usize,
+    /// The names in it, or its numbers where there is no header.
+    pub(crate) first_row: Vec<String>,
+    text: &'t str,
+    separator: Separator,
+}
+
+#[derive(Clone, Copy)]
+enum Separator {
+    Character(u8),
+    Blanks,
+}
+
+impl<'t> Table<'t> {
+    /// Looks at a file up to its first row.
+    pub(crate) fn open(bytes: &'t [u8]) -> Result<Self, ReadError> {
+        let text = decode(bytes)?;
+        let comments = leading_comments(text).map(str::to_owned).collect();
+        let content = text.lines().find(|line| !is_blank_or_comment(line)).ok_or(ReadError::Empty)?;
+        let separator = Separator::in_line(content);
+        let mut table = Self { comments, first_line: 0, first_row: Vec::new(), text, separator };
+        let mut record = StringRecord::new();
+        let first = table.rows().read(&mut record)?.ok_or(ReadError::Empty)?;
+        table.first_line = first;
+        table.first_row = match separator {
+            Separator::Character(_) => record.iter().map(|name| name.trim().to_owned()).collect(),
+            Separator::Blanks if is_number(record.get(0)) => record.iter().map(str::to_owned).collect(),
+            Separator::Blanks => join_units(&record),
+        };
+        Ok(table)
+    }
+
+    /// Whether the first row holds numbers rather than names.
+    pub(crate) fn is_headerless(&self) -> bool {
+        is_number(self.first_row.first().map(String::as_str))
+    }
+
+    /// The rows, the first row included.
+    pub(crate) fn rows(&self) -> Rows<'t> {
+        match self.separator {
+            Separator::Character(delimiter) => {
+                Rows::Delimited(Box::new(DelimitedRows::new(self.text, delimiter)))
+            }
+            Separator::Blanks => Rows::Blanks(self.text.lines().enumerate()),
+        }
+    }
+
+    /// Lines `# Columns: ...` anywhere, with the text after the colon: contact.engineering writes one for
+    /// each series.
+    pub(crate) fn column_comments(&self) -> Vec<(usize, &'t str)> {
+        let lines = self.text.lines().enumerate();
+        lines.filter_map(|(i, line)| Some((i + 1, comment(line)?.strip_prefix("Columns:")?.trim()))).collect()
+    }
+}
+
+/// The rows of a table, one by one.
+pub(crate) enum Rows<'t> {
+    Delimited(Box<DelimitedRows<'t>>),
+    Blanks(std::iter::Enumerate<std::str::Lines<'t>>),
+}
+
+impl Rows<'_> {
+    /// Reads the next row into `record` and returns its line, counted from 1; `None` at the end.
+    pub(crate) fn read(&mut self, record: &mut StringRecord) -> Result<Option<usize>, ReadError> {
+        match self {
+            Self::Delimited(rows) => rows.read(record),
+            Self::Blanks(lines) => Ok(lines.find(|(_, line)| !is_blank_or_comment(line)).map(|(i, line)| {
+                record.clear();
+                line.split_whitespace().for_each(|field| record.push_field(field));
+                i + 1
+            })),
+        }
+    }
+}
+
+/// Rows of a CSV file. The CSV reader passes over comments and empty lines silently, so lines are counted
+/// here.
+pub(crate) struct DelimitedRows<'t> {
+    reader: csv::Reader<&'t [u8]>,
+    is_tabbed: bool,
+    bytes: &'t [u8],
+    byte: usize,
+    line: usize,
+}
+
+impl<'t> DelimitedRows<'t> {
+    fn new(text: &'t str, delimiter: u8) -> Self {
+        let bytes = text.as_bytes();
+        let reader = ReaderBuilder::new()
+            .delimiter(delimiter)
+            .has_headers(false)
+            .flexible(true)
+            .comment(Some(b'#'))
+            .from_reader(bytes);
+        Self { reader, is_tabbed: delimiter == b'\t', bytes, byte: 0, line: 1 }
+    }
+
+    fn read(&mut self, record: &mut StringRecord) -> Result<Option<usize>, ReadError> {
+        while self.reader.read_record(record).map_err(std::io::Error::from)? {
+            if !self.is_blank_or_comment(record) {
+                let start = record.position().map_or(0, csv::Position::byte) as usize;
+                return Ok(Some(self.line_at(start)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Catches what the reader takes for a row: indented comments and lines of nothing but blanks or tabs.
+    fn is_blank_or_comment(&self, record: &StringRecord) -> bool {
+        let is_comment = record.get(0).is_some_and(|first| first.trim_start().starts_with('#'));
+        let may_be_blank = record.len() == 1 || self.is_tabbed;
+        is_comment || may_be_blank && record.iter().all(|field| field.trim().is_empty())
+    }
+
+    /// The line of the first row at or after a byte.
+    fn line_at(&mut self, byte: usize) -> usize {
+        self.advance_to(byte);
+        while let Some(length) = self.skipped_line() {
+            self.advance_to(self.byte + length);
+        }
+        self.line
+    }
+
+    /// Length of the comment or empty line that begins here, if one does.
+    fn skipped_line(&self) -> Option<usize> {
+        let rest = &self.bytes[self.byte..];
+        let is_comment = rest.first() == Some(&b'#');
+        let stop = rest.iter().position(|&b| b == b'\n' || !is_comment && !b.is_ascii_whitespace())?;
+        (rest[stop] == b'\n').then_some(stop + 1)
+    }
+
+    fn advance_to(&mut self, byte: usize) {
+        self.line += self.bytes[self.byte..byte].iter().filter(|&&b| b == b'\n').count();
+        self.byte = byte;
+    }
+}
+
+impl Separator {
+    fn in_line(line: &str) -> Self {
+        let is_present = |separator: &&u8| line.as_bytes().contains(separator);
+        [b';', b'\t', b',']
+            .iter()
+            .find(is_present)
+            .map_or(Self::Blanks, |&separator| Self::Character(separator))
+    }
+}
+
+/// Checks that a file is UTF-8 text without zero bytes, the mark of binary files, and takes its byte order
+/// mark off.
+fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
+    let (text, end) = match std::str::from_utf8(bytes) {
+        Ok(text) => (text, text.find('\0')),
+        Err(error) => ("", Some(error.valid_up_to())),
+    };
+    let Some(end) = end else { return Ok(text.strip_prefix('\u{feff}').unwrap_or(text)) };
+    Err(ReadError::NotText {
+        line: 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count(),
+        offset: end + 1,
+        byte: bytes[end],
+        is_utf16: bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]),
+    })
+}
+
+fn leading_comments(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().take_while(|line| is_blank_or_comment(line)).filter_map(comment)
+}
+
+fn comment(line: &str) -> Option<&str> {
+    line.trim_start().strip_prefix('#').map(|rest| rest.trim_start_matches('#').trim())
+}
+
+fn is_blank_or_comment(line: &str) -> bool {
+    let line = line.trim_start();
+    line.is_empty() || line.starts_with('#')
+}
+
+fn is_number(field: Option<&str>) -> bool {
+    field.is_some_and(|field| field.parse::<f64>().is_ok())
+}
+
+/// Names of a header separated by blanks, with units in brackets or after a slash joined to their name.
+fn join_units(words: &StringRecord) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for word in words {
+        match names.last_mut() {
+            Some(name) if is_open(name) || word.starts_with(['(', '[', '/']) => {
+                name.push(' ');
+                name.push_str(word);
+            }
+            _ => names.push(word.to_owned()),
+        }
+    }
+    names
+}
+
+/// Whether a name still awaits the end of its unit.
+fn is_open(name: &str) -> bool {
+    let unclosed = |open, close| name.rfind(open) > name.rfind(close);
+    name.ends_with('/') || unclosed('(', ')') || unclosed('[', ']')
+}

@@ -1,0 +1,148 @@
+//! Golden curves: every figure of every scene that comes with the program, as text that reviewers can read.
+
+use std::path::PathBuf;
+
+use cli::figure::FigureData;
+use cli::output::StagedFiles;
+use cli::products;
+use cli::scene::{Scene, Template};
+
+use crate::committed_file;
+
+/// Relative deviation from which a golden value counts as changed.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// The picture the README shows, and the figure it is.
+const README_PICTURE: (&str, Template, &str) =
+    ("docs/contact-area.svg", Template::UncdReconstructed, "figure-4");
+
+/// A figure and the name of its snapshot.
+pub struct GoldenFigure {
+    /// `scene__figure`.
+    pub name: String,
+    /// Its data.
+    pub data: FigureData,
+}
+
+/// Every figure of every scene, computed now, by the code that `cargo xtask reproduce` runs.
+pub fn figures() -> Vec<GoldenFigure> {
+    let of_scene = |template: Template| {
+        let (scene, results) = computed(template);
+        products::figures(&scene, &results)
+            .into_iter()
+            .map(move |data| GoldenFigure { name: format!("{}__{}", template.name(), data.name), data })
+            .collect::<Vec<_>>()
+    };
+    Template::RUNNABLE.into_iter().flat_map(of_scene).collect()
+}
+
+fn computed(template: Template) -> (Scene, cli::plan::Results) {
+    let scene = Scene::builtin(template).expect("a scene of the program's own");
+    let results = scene.plan().compute().expect("a scene of the program's own");
+    (scene, results)
+}
+
+impl GoldenFigure {
+    /// The figure as text: a line of column names, then a line per abscissa, with twelve digits.
+    pub fn text(&self) -> String {
+        let data = &self.data;
+        let names =
+            std::iter::once(data.x_column).chain(data.series.iter().map(|series| series.column.as_str()));
+        let mut text = names.collect::<Vec<_>>().join(",");
+        for (row, x) in data.x.iter().enumerate() {
+            let values = std::iter::once(*x).chain(data.series.iter().map(|series| series.values[row]));
+            text.push('\n');
+            text.push_str(&values.map(|value| format!("{value:.11e}")).collect::<Vec<_>>().join(","));
+        }
+        text
+    }
+
+    /// The file of the snapshot.
+    pub fn path(&self) -> PathBuf {
+        committed_file(&format!("tests/golden/{}.snap", self.name))
+    }
+
+    /// The accepted text, where there is one.
+    pub fn accepted(&self) -> Option<String> {
+        let file = std::fs::read_to_string(self.path()).ok()?;
+        // A snapshot is a block of metadata between two lines of dashes, and the text.
+        file.splitn(3, "---\n").nth(2).map(|text| text.trim_end().to_owned())
+    }
+}
+
+/// The largest relative deviation of each column; `None` where names or lengths differ.
+pub fn deviations(accepted: &str, computed: &str) -> Option<Vec<(String, f64)>> {
+    let (accepted, computed) = (columns(accepted)?, columns(computed)?);
+    let same_shape = accepted.len() == computed.len()
+        && accepted.iter().zip(&computed).all(|(a, c)| a.0 == c.0 && a.1.len() == c.1.len());
+    same_shape.then(|| {
+        let largest =
+            |a: &[f64], c: &[f64]| a.iter().zip(c).map(|(&a, &c)| deviation(a, c)).fold(0.0, f64::max);
+        accepted.iter().zip(&computed).map(|((name, a), (_, c))| (name.clone(), largest(a, c))).collect()
+    })
+}
+
+fn deviation(accepted: f64, computed: f64) -> f64 {
+    let relative = (computed / accepted - 1.0).abs();
+    if accepted == computed {
+        0.0
+    } else if relative.is_nan() {
+        f64::INFINITY
+    } else {
+        relative
+    }
+}
+
+fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
+    let mut lines = text.lines();
+    let mut columns: Vec<(String, Vec<f64>)> =
+        lines.next()?.split(',').map(|name| (name.to_owned(), vec![])).collect();
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        if cells.len() != columns.len() {
+            return None;
+        }
+        for ((_, values), cell) in columns.iter_mut().zip(cells) {
+            values.push(cell.parse().ok()?);
+        }
+    }
+    Some(columns)
+}
+
+/// Whether the README's picture is the figure as drawn now.
+pub fn readme_picture_is_current() -> bool {
+    std::fs::read_to_string(committed_file(README_PICTURE.0))
+        .is_ok_and(|committed| committed == readme_picture())
+}
+
+/// Draws the README's picture anew.
+pub fn rewrite_readme_picture() {
+    let mut files = StagedFiles::default();
+    files
+        .stage(&committed_file(README_PICTURE.0), |out| out.write_all(readme_picture().as_bytes()))
+        .expect("staged");
+    files.publish().expect("written");
+}
+
+fn readme_picture() -> String {
+    let (_, template, figure) = README_PICTURE;
+    let (scene, results) = computed(template);
+    products::figure_svg(&scene, &results, figure).expect("a figure of that scene")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_deviation_is_found_in_its_column_and_a_change_of_shape_is_told() {
+        let accepted = "x,a,b\n1e0,2e0,4e0\n2e0,0e0,5e0";
+        let found = deviations(accepted, "x,a,b\n1e0,2e0,4e0\n2e0,0e0,5.0005e0").unwrap();
+        assert_eq!(found[0], ("x".to_owned(), 0.0));
+        assert_eq!(found[1], ("a".to_owned(), 0.0));
+        assert!((found[2].1 - 1e-4).abs() < 1e-9);
+        assert_eq!(deviations(accepted, "x,a,b\n1e0,2e0,4e0"), None);
+        assert_eq!(deviations(accepted, "x,a,c\n1e0,2e0,4e0\n2e0,0e0,5e0"), None);
+        assert_eq!(deviations("x\nNaN", "x\n1e0").unwrap()[0].1, f64::INFINITY);
+    }
+}

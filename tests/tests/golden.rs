@@ -1,0 +1,53 @@
+//! Golden curves of every figure. `cargo xtask golden` shows how far each has moved, `--accept` rewrites them.
+
+use insta::comparator::Comparator;
+use insta::internals::SnapshotContents;
+use insta::{Settings, Snapshot, assert_snapshot};
+use tests::golden::{TOLERANCE, deviations, figures, readme_picture_is_current};
+
+/// Text snapshots whose numbers agree to the golden tolerance.
+#[derive(Clone)]
+struct Numbers;
+
+impl Comparator for Numbers {
+    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
+        match (reference.contents(), test.contents()) {
+            (SnapshotContents::Text(accepted), SnapshotContents::Text(computed)) => {
+                deviations(&accepted.to_string(), &computed.to_string())
+                    .is_some_and(|columns| columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE))
+            }
+            _ => false,
+        }
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn every_figure_is_as_accepted() {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path("../golden");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_comparator(Box::new(Numbers));
+    settings.bind(|| {
+        for figure in figures() {
+            assert_snapshot!(figure.name.clone(), figure.text());
+        }
+    });
+}
+
+#[test]
+fn golden_files_stay_readable_in_a_review() {
+    for figure in figures() {
+        let bytes = std::fs::metadata(figure.path()).unwrap().len();
+        assert!(bytes < 20 * 1024, "{} has {bytes} bytes", figure.path().display());
+    }
+}
+
+#[test]
+fn the_readme_shows_the_figure_as_drawn_now() {
+    assert!(readme_picture_is_current(), "docs/contact-area.svg differs; run cargo xtask golden --accept");
+}

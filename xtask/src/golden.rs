@@ -1,0 +1,64 @@
+//! How far every golden curve has moved since it was accepted.
+
+use std::process::{Command, ExitCode};
+
+use tests::golden::{
+    GoldenFigure, TOLERANCE, deviations, figures, readme_picture_is_current, rewrite_readme_picture,
+};
+
+pub(crate) fn run(accept: bool) -> ExitCode {
+    let mut unchanged = true;
+    for figure in figures() {
+        println!("{}", figure.name);
+        unchanged &= show(&figure);
+    }
+    let picture_is_current = readme_picture_is_current();
+    if !picture_is_current {
+        println!("the README's picture differs");
+    }
+    match (unchanged && picture_is_current, accept) {
+        (true, _) => ExitCode::SUCCESS,
+        (false, true) => rewrite(),
+        (false, false) => {
+            println!(
+                "\nsome curves moved by more than {TOLERANCE:e}; cargo xtask golden --accept takes them as they are"
+            );
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Prints the largest deviation of each curve; tells whether all are within the tolerance.
+fn show(figure: &GoldenFigure) -> bool {
+    let Some(accepted) = figure.accepted() else {
+        println!("  new");
+        return false;
+    };
+    let Some(columns) = deviations(&accepted, &figure.text()) else {
+        println!("  other curves or another number of points");
+        return false;
+    };
+    for (name, deviation) in &columns {
+        let verdict = if *deviation > TOLERANCE { "  CHANGED" } else { "" };
+        println!("  {deviation:8.1e}  {name}{verdict}");
+    }
+    columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE)
+}
+
+/// Lets the golden test write what it computes, and draws the README's picture.
+fn rewrite() -> ExitCode {
+    rewrite_readme_picture();
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let status = Command::new(cargo)
+        .args(["test", "--quiet", "--package", "tests", "--test", "golden", "every_figure"])
+        .env("INSTA_UPDATE", "always")
+        .status();
+    match status {
+        Ok(status) if status.success() => ExitCode::SUCCESS,
+        Ok(_) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: running cargo test: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
