@@ -81,6 +81,11 @@ impl ElasticPlasticSinusoid {
         self.complete_contact_pressure_pa
     }
 
+    /// Mean pressure p_c \[Pa\] of first yield, where r > 1.
+    pub fn critical_pressure_pa(&self) -> f64 {
+        self.critical_pressure_pa
+    }
+
     /// Whether the sinusoid yields anywhere at the mean pressure p \[Pa\].
     pub fn yields_at(&self, pressure_pa: f64) -> bool {
         self.aspect_ratio_over_critical > 1.0 && pressure_pa > self.critical_pressure_pa
@@ -133,6 +138,47 @@ impl ElasticPlasticSinusoid {
             let log_x = self.gap_exponent().log_x_at(interference_over_amplitude);
             elastic_pa.min(self.complete_contact_pressure_pa * log_x.exp())
         }
+    }
+
+    /// Interference over amplitude at which the elastic-plastic mean gap is reached at the mean pressure p*_ep x, and its
+    /// derivative by ln x, for r > 1 and ln x < 0. Explicit, where the pressure at an interference has to be solved for.
+    pub fn flow_interference_over_amplitude(&self, log_x: f64) -> (f64, f64) {
+        self.gap_exponent().deformation_and_slope(log_x)
+    }
+
+    /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1),
+    /// for r > 1.
+    pub fn flow_log_pressure_at_interference(&self, interference_over_amplitude: f64) -> f64 {
+        self.gap_exponent().log_x_at(interference_over_amplitude)
+    }
+
+    /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
+    /// in the law x^(A1 x + A2) = t, that the elastic pressure would need, over the one that it has.
+    pub fn flow_margin_at_interference(&self, interference_over_amplitude: f64) -> f64 {
+        if self.aspect_ratio_over_critical <= 1.0 {
+            return -1.0;
+        }
+        let elastic_pa = self.elastic.pressure_at_interference_pa(interference_over_amplitude);
+        let log_x = (elastic_pa / self.complete_contact_pressure_pa).ln();
+        if log_x >= 0.0 {
+            return 1.0;
+        }
+        let log_t = 0.5 * (elastic_pa / self.elastic.complete_contact_pressure_pa()).ln();
+        self.gap_exponent().log_power(log_x) - log_t
+    }
+
+    /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
+    ///
+    /// There is one: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
+    /// contact, and the difference of the exponents has a single zero between.
+    pub fn flow_onset_pressure_pa(&self) -> Option<f64> {
+        if self.aspect_ratio_over_critical <= 1.0 {
+            return None;
+        }
+        let exponent = self.gap_exponent();
+        let softening = self.complete_contact_pressure_pa / self.elastic.complete_contact_pressure_pa();
+        let log_x = exponent.log_x_where_half_power_is(softening.ln());
+        Some(self.complete_contact_pressure_pa * log_x.exp())
     }
 
     /// Mean pressure \[Pa\] from which the area fraction is 1: x_full p*_ep, below p*_ep for r > 1.5 or so because the
@@ -294,6 +340,46 @@ mod tests {
         for r in [0.3, 1.0001, 1.6, 37.0, 1e4] {
             let at: Vec<f64> = at_ratio(r).breaks().map(|b| b.at).collect();
             assert!(at.is_sorted() && at.len() == 2, "r = {r}: {at:?}");
+        }
+    }
+
+    #[test]
+    fn plastic_flow_sets_the_pressure_from_its_onset_on() {
+        for r in [1.001, 1.5, 37.0, 310.0, 1e4] {
+            let law = at_ratio(r);
+            let onset = law.flow_onset_pressure_pa().unwrap();
+            for factor in [0.3, 0.999, 1.001, 1.5] {
+                let pressure = onset * factor;
+                let elastic = law.elastic().deformation_over_amplitude(pressure);
+                let log_x = (pressure / law.complete_contact_pressure_pa()).ln();
+                if log_x >= 0.0 {
+                    continue;
+                }
+                let (flow, _) = law.flow_interference_over_amplitude(log_x);
+                assert!((flow > elastic) == (factor > 1.0), "r = {r}, {factor} of the onset");
+                let interference = flow.max(elastic);
+                assert!((law.flow_margin_at_interference(interference) > 0.0) == (factor > 1.0), "r = {r}");
+                let back = law.pressure_at_interference_pa(interference);
+                assert!((back / pressure - 1.0).abs() < 1e-9, "r = {r}, {factor}: {back} {pressure}");
+            }
+        }
+        assert_eq!(at_ratio(0.9).flow_onset_pressure_pa(), None);
+        assert!(at_ratio(0.9).flow_margin_at_interference(0.5) < 0.0);
+    }
+
+    #[test]
+    fn the_slope_of_the_interference_is_its_derivative() {
+        let law = at_ratio(37.0);
+        for log_x in [-20.0, -3.0, -0.1] {
+            let ((low, _), (high, _)) = (
+                law.flow_interference_over_amplitude(log_x - 1e-6),
+                law.flow_interference_over_amplitude(log_x + 1e-6),
+            );
+            let (value, slope) = law.flow_interference_over_amplitude(log_x);
+            assert!(((high - low) / 2e-6 / slope - 1.0).abs() < 1e-8);
+            assert!(
+                (law.flow_log_pressure_at_interference(value) - log_x).abs() < 1e-12 * log_x.abs().max(1.0)
+            );
         }
     }
 

@@ -75,7 +75,7 @@ impl JacksonGreen {
         YIELD_INTERFERENCE_RATIO * self.critical_interference_m
     }
 
-    /// Force F \[N\] at the interference w >= 0 \[m\]. It jumps at 1.9 w_c, for nu > 0.35 or so downwards.
+    /// Force F \[N\] at the interference w >= 0 \[m\]. It jumps at 1.9 w_c, downwards for nu > 0.32 or so when Sy is small against E*.
     pub fn force_n(&self, interference_m: f64) -> f64 {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)

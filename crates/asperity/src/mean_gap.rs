@@ -38,6 +38,30 @@ impl GapExponent {
         -(2.5 * log_one_minus_exp(self.log_power(log_x))).exp_m1()
     }
 
+    /// h_p/Delta and its derivative by ln x, at ln x < 0.
+    pub fn deformation_and_slope(self, log_x: f64) -> (f64, f64) {
+        let x = log_x.exp();
+        let exponent = self.a1 * x + self.a2;
+        let log_power = exponent * log_x;
+        let opening = -log_power.exp_m1();
+        let slope = 2.5 * opening * opening.sqrt() * log_power.exp() * (exponent + self.a1 * x * log_x);
+        (-(2.5 * log_one_minus_exp(log_power)).exp_m1(), slope)
+    }
+
+    /// ln x < 0 at which x^(A1 x + A2) is the square root of x times e^`log_factor`, the factor being below 1 and A2 above
+    /// 1/2.
+    pub fn log_x_where_half_power_is(self, log_factor: f64) -> f64 {
+        // (A1 x + A2 - 1/2) ln x = ln(factor)/2 < 0. The left side comes up from minus infinity at x = 0 and never falls
+        // below zero once above it; without A1 x <= 0 it is smaller, and its zero an upper bound.
+        let excess = self.a2 - 0.5;
+        let target = 0.5 * log_factor;
+        newton_in_bracket(-2.0 * (target / excess).abs() - 700.0, 0.0, target / excess, |log_x| {
+            let x = log_x.exp();
+            let exponent = self.a1 * x + excess;
+            (exponent * log_x - target, self.a1 * x * log_x + exponent)
+        })
+    }
+
     /// ln x at which h_p/Delta has the given value in (0, 1): (A1 x + A2) ln x = ln t, t = 1 - (1 - h_p/Delta)^(2/5).
     pub fn log_x_at(self, deformation_over_amplitude: f64) -> f64 {
         let log_t = (-(0.4 * (-deformation_over_amplitude).ln_1p()).exp_m1()).ln();
@@ -56,7 +80,7 @@ impl GapExponent {
     }
 
     /// ln x^(A1 x + A2).
-    fn log_power(self, log_x: f64) -> f64 {
+    pub fn log_power(self, log_x: f64) -> f64 {
         (self.a1 * log_x.exp() + self.a2) * log_x
     }
 }

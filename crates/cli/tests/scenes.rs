@@ -1,0 +1,190 @@
+//! Scenes from file to folder.
+
+mod support;
+
+use support::Bench;
+
+const SMALL: &str = r#"
+title = "small"
+[surface]
+psd = "builtin:uncd-measured"
+[material]
+youngs_modulus = "463 GPa"
+poisson_ratio = 0.2
+yield_strength = "1.8 GPa"
+strain_gradient_length = "5 um"
+[loads]
+pressures = ["1e-3 H", "54 MPa"]
+[[curve]]
+model = "elastic"
+[[curve]]
+model = "elastic-plastic"
+strain_gradient = true
+name = "hardening"
+"#;
+
+#[test]
+fn every_template_reads_and_the_shipped_scenes_run_from_any_folder() {
+    let bench = Bench::new();
+    for name in ["uncd-measured", "uncd-reconstructed"] {
+        let scene = bench.run(&["scene", name]).ok();
+        let summary = bench.run_with_input(&["run", "-", "--out", name], &scene).ok();
+        assert!(summary.contains("elastic-plastic-strain-gradient\n  nominal pressure"), "{summary}");
+        for figure in ["1", "2", "3a", "3b", "4", "7"] {
+            let svg = bench.read(&format!("{name}/figure-{figure}.svg"));
+            assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+            assert!(bench.read(&format!("{name}/figure-{figure}.csv")).starts_with("# truearea "));
+        }
+    }
+    let blank = bench.run(&["scene", "new"]).ok();
+    let message = bench.run_with_input(&["run", "-"], &blank).refused();
+    assert!(message.contains("my_psd.csv"), "{message}");
+    let filled = blank.replace("my_psd.csv", "builtin:uncd-measured");
+    assert!(bench.run_with_input(&["run", "-"], &filled).ok().contains("scene-results"));
+}
+
+#[test]
+fn a_scene_writes_a_table_per_curve_and_a_table_and_picture_per_figure() {
+    let bench = Bench::new();
+    let summary = bench.write("s.toml", SMALL).run(&["run", "s.toml"]).ok();
+    assert!(summary.starts_with("small\n46 scales from 149 µm to 3.5 nm, 9.72 per decade\n"), "{summary}");
+    let mut files: Vec<String> = std::fs::read_dir(bench.path("s-results"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    files.sort();
+    assert_eq!(files, ["area-fraction.csv", "area-fraction.svg", "elastic.csv", "hardening.csv"]);
+    let table = bench.read("s-results/hardening.csv");
+    assert!(table.starts_with(
+        "# truearea 0.1.0: scene \"small\", curve hardening\n# spectrum: builtin:uncd-measured\n"
+    ));
+    assert!(table.contains("CC BY 4.0"), "the spectrum's attribution goes along");
+}
+
+#[test]
+fn a_scene_and_the_command_give_the_same_curve() {
+    let bench = Bench::new();
+    bench.write("s.toml", SMALL).run(&["run", "s.toml", "--cutoff", "50nm"]).ok();
+    let mut args = vec![
+        "stacked",
+        "builtin:uncd-measured",
+        "--model",
+        "elastic-plastic",
+        "--details",
+        "--cutoff",
+        "50nm",
+    ];
+    args.extend(support::DIAMOND);
+    args.extend(["--strain-gradient-length", "5um", "--pressure", "1e-3H", "--pressure", "54MPa"]);
+    let command = bench.run(&args).ok();
+    let table = bench.read("s-results/hardening.csv");
+    let table: Vec<&str> = table.lines().filter(|line| !line.starts_with('#')).collect();
+    assert_eq!(table, command.lines().collect::<Vec<_>>());
+}
+
+#[test]
+fn paths_are_relative_to_the_scene() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("inner")).unwrap();
+    bench.write("inner/psd.csv", "wavelength_m,C1D_m3\n1e-5,1e-22\n1e-6,1e-24\n");
+    bench.write("inner/s.toml", SMALL.replace("builtin:uncd-measured", "psd.csv"));
+    bench.run(&["run", "inner/s.toml", "--out", "here"]).ok();
+    assert!(bench.path("here/elastic.csv").exists());
+}
+
+#[test]
+fn explaining_computes_and_writes_nothing() {
+    let bench = Bench::new();
+    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--explain"]).ok();
+    assert_eq!(
+        explanation,
+        "small\n  \
+         spectrum  builtin:uncd-measured: 46 wavelengths from 149 µm to 3.5 nm, 9.72 per decade\n  \
+         skipped   resampling: options.scales_per_decade is not set\n  \
+         skipped   moments and asperity parameters: no figure shows them\n  \
+         needed    amplitudes, eq5 (the stacked curves)\n  \
+         needed    stacked curve elastic at 2 loads\n  \
+         needed    stacked curve hardening at 2 loads\n  \
+         skipped   self-affine fit: only `truearea fit` computes it\n  \
+         needed    figure area-fraction\n"
+    );
+    assert_eq!(bench.files(), ["s.toml"]);
+}
+
+#[test]
+fn options_on_the_command_line_count_more_than_the_scene_s() {
+    let bench = Bench::new();
+    bench.write("s.toml", format!("{SMALL}\n[options]\nscales_per_decade = 20\n"));
+    let summary = |more: &[&str]| bench.run(&[&["run", "s.toml"], more].concat()).ok();
+    assert!(summary(&[]).contains("94 scales"), "{}", summary(&[]));
+    assert!(summary(&["--scales-per-decade", "3"]).contains("3.02 per decade"));
+}
+
+#[test]
+fn force_over_area_is_a_nominal_pressure() {
+    let bench = Bench::new();
+    let by_force =
+        SMALL.replace(r#"pressures = ["1e-3 H", "54 MPa"]"#, "force = \"54 N\"\nnominal_area = \"1 mm^2\"");
+    bench.write("s.toml", by_force).run(&["run", "s.toml"]).ok();
+    assert!(bench.read("s-results/elastic.csv").contains("\nwavelength_m,amplitude_m,"));
+    assert_eq!(support::numbers(&bench.read("s-results/elastic.csv"), "pressure_in_pa")[0], 54e6);
+}
+
+#[test]
+fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
+    let bench = Bench::new();
+    let refused = |from: &str, to: &str| {
+        assert!(SMALL.contains(from));
+        let message = bench.write("s.toml", SMALL.replacen(from, to, 1)).run(&["run", "s.toml"]).refused();
+        assert_eq!(bench.files(), ["s.toml"]);
+        message
+    };
+    assert_eq!(
+        refused("\"463 GPa\"", "463e9"),
+        "error: key material.youngs_modulus: '463000000000.0' has no unit; a pressure needs one of Pa, hPa, kPa, bar, MPa, \
+         GPa, TPa, H, as in '5.4 MPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
+    );
+    assert!(
+        refused("poisson_ratio = 0.2", "poison = 1")
+            .starts_with("error: unknown field `poison`, expected one of ")
+    );
+    assert!(
+        refused("poisson_ratio = 0.2", "poisson_ratio = 0.6")
+            .contains("Poisson's ratio is 6e-1; it must be greater")
+    );
+    assert!(
+        refused("\"5 um\"", "\"5 GPa\"")
+            .contains("key material.strain_gradient_length: '5 GPa' has the unit 'GPa'")
+    );
+    assert!(refused("yield_strength = \"1.8 GPa\"", "").contains("needs the yield strength"));
+    assert!(refused("strain_gradient_length = \"5 um\"", "").contains("needs the strain-gradient length"));
+    assert!(
+        refused("54 MPa", "-54 MPa").contains("'-54 MPa' is out of range; a pressure must be greater than 0")
+    );
+    assert!(refused("\"hardening\"", "\"elastic\"").contains("two curves are called \"elastic\""));
+    assert!(refused("\"hardening\"", "\"../up\"").contains("becomes the name of a file"));
+    assert!(refused("model = \"elastic\"", "model = \"rigid\"").contains("unknown variant `rigid`"));
+    assert!(refused("[loads]", "[load]").contains("unknown field `load`"));
+    assert!(refused("builtin:uncd-measured", "missing.csv").contains(" --> s.toml:4:7"));
+    let figure = |figure: &str| refused("[[curve]]", &format!("[[figure]]\n{figure}\n[[curve]]"));
+    assert!(
+        figure("name = \"f\"\nshows = \"area\"\ncurves = [\"none\"]")
+            .contains("there is no curve \"none\"; the curves are")
+    );
+    assert!(
+        figure("name = \"elastic\"\nshows = \"area\"")
+            .contains("another figure or curve is called \"elastic\"")
+    );
+    let message = bench.write("s.toml", "\u{7f}\0").run(&["run", "s.toml"]).refused();
+    assert!(message.contains("--> s.toml:1:1"), "{message}");
+}
+
+#[test]
+fn a_spectrum_without_curves_or_figures_is_asked_what_for() {
+    let message =
+        Bench::new().run_with_input(&["run", "-"], "[surface]\npsd = \"builtin:uncd-measured\"\n").refused();
+    assert!(
+        message.starts_with("error: the scene asks for nothing; add a [[curve]] or a [[figure]]"),
+        "{message}"
+    );
+}

@@ -1,0 +1,205 @@
+//! `moments`, `amplitude`, `stacked` and `fit` as scripts see them.
+
+mod support;
+
+use support::{Bench, DIAMOND, column, numbers};
+
+fn stacked(bench: &Bench, more: &[&str]) -> String {
+    let mut args = vec!["stacked", "builtin:uncd-measured", "--model", "elastic-plastic"];
+    args.extend(DIAMOND);
+    args.extend(more);
+    bench.run(&args).ok()
+}
+
+#[test]
+fn moments_start_at_the_second_wavelength() {
+    let table = Bench::new().run(&["moments", "builtin:uncd-reconstructed"]).ok();
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next().unwrap(),
+        "wavelength_m,m0_m2,m2,m4_per_m2,radius_m,density_per_m2,sigma_s_m,offset_m,nayak_alpha"
+    );
+    assert_eq!(lines.next().unwrap(), "0.008954647,,,,,,,,");
+    assert_eq!(lines.count(), 73);
+    // The published average slope is 50 degrees: 45.7 for this table.
+    let slope: f64 = column(&table, "m2").last().unwrap().parse().unwrap();
+    assert!((slope.sqrt().atan().to_degrees() - 45.7).abs() < 2.0);
+}
+
+#[test]
+fn normalisation_as_printed_is_larger_by_pi() {
+    let bench = Bench::new();
+    let last = |more: &[&str]| {
+        let table = bench.run(&[&["moments", "builtin:uncd-measured"], more].concat()).ok();
+        column(&table, "m2").last().unwrap().parse::<f64>().unwrap()
+    };
+    let ratio = last(&["--normalisation", "as-printed"]) / last(&["--normalisation", "parseval"]);
+    assert!((ratio / std::f64::consts::PI - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn a_surface_that_is_not_gaussian_is_warned_of_on_stderr_alone() {
+    let ran = Bench::new().run(&["moments", "builtin:uncd-measured"]);
+    assert!(ran.stderr.starts_with("note: nayak_alpha lies below 1.5 "), "{}", ran.stderr);
+    assert!(!ran.stdout.contains("note"));
+}
+
+#[test]
+fn a_cutoff_ends_moments_between_samples_and_drops_scales() {
+    let bench = Bench::new();
+    let moments = bench.run(&["moments", "builtin:uncd-reconstructed", "--cutoff", "10nm"]).ok();
+    assert_eq!(*numbers(&moments, "wavelength_m").last().unwrap(), 10e-9);
+    let whole = bench.run(&["amplitude", "builtin:uncd-reconstructed"]).ok();
+    let cut = bench.run(&["amplitude", "builtin:uncd-reconstructed", "--cutoff", "10nm"]).ok();
+    assert!(numbers(&cut, "wavelength_m").into_iter().all(|wavelength_m| wavelength_m >= 10e-9));
+    assert!(whole.starts_with(&cut));
+    let message = bench.run(&["amplitude", "builtin:uncd-measured", "--cutoff", "1m"]).refused();
+    assert_eq!(
+        message,
+        "error: the cutoff 1e0 m leaves no scale: the longest wavelength is 1.49392e-4 m; choose a shorter one\n"
+    );
+}
+
+#[test]
+fn resampling_keeps_both_ends_and_counts_scales_per_decade() {
+    let args = ["amplitude", "builtin:uncd-reconstructed", "--scales-per-decade", "5"];
+    let wavelengths = numbers(&Bench::new().run(&args).ok(), "wavelength_m");
+    assert_eq!((wavelengths[0], *wavelengths.last().unwrap()), (8.954647e-3, 4.487955e-10));
+    assert_eq!(wavelengths.len(), 37);
+}
+
+#[test]
+fn stacked_blocks_come_in_the_order_of_the_pressures() {
+    let bench = Bench::new();
+    let one = stacked(&bench, &["--pressure", "5.4MPa"]);
+    assert_eq!(one.lines().next().unwrap(), "wavelength_m,amplitude_m,area_fraction,real_pressure_pa,regime");
+    let both = stacked(&bench, &["--pressure", "1e-1 H", "--pressure", "5.4MPa", "--details"]);
+    assert_eq!(
+        both.lines().next().unwrap(),
+        "nominal_pressure_pa,wavelength_m,amplitude_m,area_fraction,real_pressure_pa,regime,pressure_in_pa,yield_strength_pa"
+    );
+    let pressures = numbers(&both, "nominal_pressure_pa");
+    assert_eq!((pressures[0], *pressures.last().unwrap()), (0.1 * 5.4e9, 5.4e6));
+    assert_eq!(numbers(&both, "area_fraction")[46..], numbers(&one, "area_fraction"));
+    assert_eq!(numbers(&both, "pressure_in_pa")[46], 5.4e6);
+}
+
+#[test]
+fn the_elastic_model_needs_no_strength_and_ignores_one() {
+    let bench = Bench::new();
+    let args = |more: &[&'static str]| {
+        let mut args = vec![
+            "stacked",
+            "builtin:uncd-measured",
+            "--model",
+            "elastic",
+            "--pressure",
+            "5.4MPa",
+            "--details",
+        ];
+        args.extend(["--youngs-modulus", "463GPa", "--poisson-ratio", "0.2"]);
+        args.extend(more);
+        args
+    };
+    let without = bench.run(&args(&[])).ok();
+    assert_eq!(
+        bench.run(&args(&["--yield-strength", "1GPa", "--strain-gradient-length", "5um"])).ok(),
+        without
+    );
+    assert!(column(&without, "yield_strength_pa").iter().all(|cell| cell.is_empty()));
+}
+
+#[test]
+fn a_strain_gradient_strengthens_every_scale_but_the_first_up_to_its_cap() {
+    let bench = Bench::new();
+    let pressure = ["--pressure", "5.4MPa", "--details", "--strain-gradient-length", "5um"];
+    let free = numbers(&stacked(&bench, &pressure), "yield_strength_pa");
+    assert_eq!(free[0], 1.8e9);
+    assert!(free[1..].iter().all(|&strength_pa| strength_pa > 1.8e9));
+    let capped = stacked(&bench, &[&pressure[..], &["--strength-cap", "5 H"]].concat());
+    let largest = numbers(&capped, "yield_strength_pa").into_iter().fold(0.0, f64::max);
+    assert_eq!(largest, 5.0 * 5.4e9);
+}
+
+#[test]
+fn an_elastic_counterface_softens_the_contact() {
+    let bench = Bench::new();
+    let area = |more: &[&str]| {
+        let table = stacked(&bench, &[&["--pressure", "5.4MPa"], more].concat());
+        *numbers(&table, "area_fraction").last().unwrap()
+    };
+    let soft = area(&["--counterface-youngs-modulus", "210GPa", "--counterface-poisson-ratio", "0.3"]);
+    assert!(soft > area(&[]));
+    let message = bench
+        .run(&["amplitude", "builtin:uncd-measured", "--counterface-youngs-modulus", "210GPa"])
+        .refused();
+    assert!(message.contains("--counterface-poisson-ratio"), "{message}");
+}
+
+#[test]
+fn the_fit_is_one_row_and_tells_when_there_is_no_rolloff() {
+    let bench = Bench::new();
+    let table = bench.run(&["fit", "builtin:uncd-measured"]).ok();
+    assert_eq!(
+        table.lines().next().unwrap(),
+        "hurst_exponent,hurst_exponent_se,rolloff_wavelength_m,rolloff_wavelength_se_m,plateau_m3,plateau_se_m3,\
+         rms_log10_residual,points"
+    );
+    assert_eq!(column(&table, "points"), ["46"]);
+    let band = bench.run(&["fit", "builtin:uncd-reconstructed", "--from", "10nm", "--to", "1um"]);
+    assert_eq!(band.stderr, "note: no roll-off can be identified: the fit is a pure power law\n");
+    assert_eq!(column(&band.stdout, "rolloff_wavelength_m"), [""]);
+    assert_eq!(column(&band.stdout, "points"), ["20"]);
+}
+
+#[test]
+fn a_spectrum_comes_from_standard_input_without_header_too() {
+    let bench = Bench::new();
+    let named =
+        bench.run_with_input(&["amplitude", "-"], "wavelength_m,C1D_m3\n1e-3,1e-22\n1e-4,1e-23\n").ok();
+    let bare = ["amplitude", "-", "--x", "wavelength", "--convention", "c1d"];
+    assert_eq!(bench.run_with_input(&bare, "1e-4 1e-23\n1e-3 1e-22\n").ok(), named);
+}
+
+#[test]
+fn a_spectrum_that_cannot_be_used_is_refused_with_file_and_line() {
+    let bench = Bench::new();
+    let refused = |content: &[u8]| {
+        let message =
+            bench.write("psd.csv", content).run(&["moments", "psd.csv", "--output", "out.csv"]).refused();
+        assert_eq!(bench.files(), ["psd.csv"]);
+        message
+    };
+    assert_eq!(
+        refused(b"wavelength_m,PSD_m3\n1e-3,1e-22\n1e-4,-1\n"),
+        "error: psd.csv: line 3: column 'PSD_m3' is '-1', it must be finite and above 0; correct it or remove the row\n"
+    );
+    assert!(refused(b"\xff\xfe\0b").starts_with("error: psd.csv: line 1: "));
+    assert!(refused(b"wavelength_m,PSD_m3\n1e-3,1e-22\n").starts_with("error: psd.csv: "));
+    assert!(refused(b"lambda_m,q_rad_per_m,C1D_m3\n1e-3,1e3,1e-22\n1e-4,1e4,1e-23\n").contains("2 pi"));
+}
+
+#[test]
+fn quantities_need_units_and_good_values() {
+    let bench = Bench::new();
+    let refused = |flag: &str, value: &str| {
+        let mut args =
+            vec!["stacked", "builtin:uncd-measured", "--model", "elastic-plastic", "--pressure", "1MPa"];
+        let mut material = DIAMOND.to_vec();
+        material.retain(|word| *word != flag);
+        args.extend(DIAMOND.chunks(2).filter(|pair| pair[0] != flag).flatten());
+        args.extend([flag, value]);
+        bench.run(&args).refused()
+    };
+    assert!(refused("--youngs-modulus", "463e9").contains("'463e9' has no unit; a pressure needs one of Pa"));
+    assert!(refused("--youngs-modulus", "463 nm").contains("'463 nm' has the unit 'nm'"));
+    assert!(refused("--youngs-modulus", "3 H").contains("--youngs-modulus: a modulus cannot be given in H"));
+    assert!(refused("--yield-strength", "-1GPa").contains("'-1GPa' is out of range"));
+    assert!(refused("--yield-strength", "1 H").contains("the yield strength cannot be given in H"));
+    assert_eq!(
+        refused("--poisson-ratio", "0.51"),
+        "error: --poisson-ratio: Poisson's ratio is 5.1e-1; it must be greater than -1 and at most 0.5\n"
+    );
+    assert!(refused("--strength-cap", "1GPa").contains("must be finite and at least 1.8e9"));
+    assert!(refused("--strain-gradient-length", "5").contains("'5' has no unit; a length needs one of m"));
+}
