@@ -40,6 +40,14 @@ fn every_figure_is_as_accepted() {
 }
 
 #[test]
+fn a_change_of_1e_10_passes_and_one_of_1e_6_does_not() {
+    let snapshot = |value: f64| format!("x,y\n1.00000000000e0,{value:.11e}");
+    let moved = |by: f64| deviations(&snapshot(0.3), &snapshot(0.3 * (1.0 + by))).unwrap()[1].1;
+    assert!(moved(1e-10) <= TOLERANCE);
+    assert!(moved(1e-6) > TOLERANCE);
+}
+
+#[test]
 fn golden_files_stay_readable_in_a_review() {
     for figure in figures() {
         let bytes = std::fs::metadata(figure.path()).unwrap().len();

@@ -1,7 +1,7 @@
 //! Moments, McCool's parameters and amplitudes along whole spectra against high-precision tables.
 
 use spectrum::{
-    AmplitudeDefinition, AsperityParameters, Normalisation, ProfilePsd, ReadOptions, amplitudes,
+    AmplitudeDefinition, AsperityParameters, Moments, Normalisation, ProfilePsd, ReadOptions, amplitudes,
     cumulative_moments, read_psd,
 };
 use tests::{Deviations, ReferenceTable, committed_file};
@@ -11,6 +11,9 @@ const SPECTRA: [(&str, &str); 3] = [
     ("data/uncd_psd_reconstructed.csv", "uncd_psd_reconstructed"),
     ("tests/reference/psd_synthetic.csv", "psd_synthetic"),
 ];
+
+/// One column of a row of moments and asperity parameters.
+type Quantity = fn(&(Moments, AsperityParameters)) -> f64;
 
 fn profile(path: &str) -> ProfilePsd {
     let file = std::fs::File::open(committed_file(path)).unwrap();
@@ -26,8 +29,7 @@ fn moments_and_asperity_parameters_agree_at_every_cutoff() {
             .map(|moments| (moments, AsperityParameters::from_moments(&moments).unwrap()))
             .collect();
         assert_eq!(rows.len(), table.len(), "{name}");
-        type Row = (spectrum::Moments, AsperityParameters);
-        let columns: [(&str, fn(&Row) -> f64); 8] = [
+        let columns: [(&str, Quantity); 8] = [
             ("m0_m2", |(m, _)| m.m0_m2),
             ("m2", |(m, _)| m.m2),
             ("m4_per_m2", |(m, _)| m.m4_per_m2),

@@ -56,10 +56,14 @@ pub enum MaterialError {
     #[error("a pressure in H, three times the yield strength, needs the yield strength")]
     NoHardness,
     /// An elastic-plastic model without a strength.
-    #[error("the elastic-plastic model needs the yield strength")]
+    #[error(
+        "the elastic-plastic model needs the yield strength: give --yield-strength, or yield_strength in [material]"
+    )]
     NoStrength,
     /// A strain gradient without its length.
-    #[error("the strain-gradient strength needs the strain-gradient length")]
+    #[error(
+        "the strain-gradient strength needs its length: give --strain-gradient-length, or strain_gradient_length in [material]"
+    )]
     NoStrainGradientLength,
 }
 

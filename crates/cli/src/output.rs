@@ -1,4 +1,4 @@
-//! Where results go: stdout, or files that appear whole or not at all.
+//! Where input comes from and results go: standard streams, or files that appear whole or not at all.
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -70,6 +70,18 @@ impl Place {
             }
         }
     }
+}
+
+/// What was read from `source` as text, without a byte-order mark; `what` it is meant to be.
+///
+/// # Errors
+/// [`Failure::Input`] that names the first line that is not UTF-8.
+pub fn utf8<'b>(bytes: &'b [u8], source: &str, what: &str) -> Result<&'b str, Failure> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        Failure::Input(format!("{source}, line {line}: not UTF-8 text; save the {what} as UTF-8"))
+    })?;
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
 /// Files written aside, to be renamed into place together.

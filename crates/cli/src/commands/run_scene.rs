@@ -6,7 +6,7 @@ use super::{Context, say};
 use crate::args::RunArgs;
 use crate::explain::explain;
 use crate::failure::Failure;
-use crate::output::Place;
+use crate::output::{Place, utf8};
 use crate::products;
 use crate::scene::Scene;
 use crate::summary::summary;
@@ -36,9 +36,8 @@ fn read(place: &Place, context: &Context<'_>) -> Result<Scene, Failure> {
         Place::Standard => ("standard input".to_owned(), Path::new("")),
         Place::File(path) => (path.display().to_string(), path.parent().unwrap_or(Path::new(""))),
     };
-    let text = String::from_utf8(place.read()?)
-        .map_err(|error| Failure::Input(format!("{name}: a scene must be UTF-8 text: {error}")))?;
-    Scene::parse(&text, &name, folder, &context.overrides()?)
+    let bytes = place.read()?;
+    Scene::parse(utf8(&bytes, &name, "scene")?, &name, folder, &context.overrides()?)
 }
 
 fn default_folder(scene: &Place) -> PathBuf {

@@ -4,7 +4,7 @@ use asperity::Bound;
 
 use super::{Cell, Cells, Table, csv_text, json_text};
 use crate::failure::Failure;
-use crate::output::Place;
+use crate::output::{Place, utf8};
 
 /// How many bad cells one message lists.
 const MOST_PROBLEMS_LISTED: usize = 10;
@@ -33,7 +33,7 @@ impl InputTable {
             Place::File(path) => path.display().to_string(),
         };
         let bytes = place.read()?;
-        let text = utf8(&bytes, &source)?;
+        let text = utf8(&bytes, &source, "table")?;
         if text.trim_start().starts_with('[') {
             Self::from_json(text, source)
         } else {
@@ -137,12 +137,4 @@ fn read_number(text: &str, bound: Bound) -> Result<f64, String> {
         });
     };
     if bound.admits(value) { Ok(value) } else { Err(format!("{text} must be {bound}")) }
-}
-
-fn utf8<'b>(bytes: &'b [u8], source: &str) -> Result<&'b str, Failure> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
-        Failure::input(format!("{source}, line {line}: not UTF-8 text; save the table as UTF-8"))
-    })?;
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
