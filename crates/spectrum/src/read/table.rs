@@ -2,7 +2,7 @@
 
 use csv::{ReaderBuilder, StringRecord};
 
-use crate::read_error::ReadError;
+use crate::read::error::ReadError;
 
 /// A text file cut into comments, a possible header and rows.
 pub(crate) struct Table<'t> {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use crate::named::named;
-use crate::unit::Unit;
+use crate::read::unit::Unit;
 
 /// What the rows of a spectrum are labelled with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -1,11 +1,11 @@
 //! Which column of a file holds what, and in which unit and convention.
 
 use crate::convention::Convention;
-use crate::header::{Abscissa, DensityName, Heading, Quantity, trailing_unit};
-use crate::read::ReadOptions;
-use crate::read_error::ReadError;
-use crate::table::Table;
-use crate::unit::Unit;
+use crate::read::error::ReadError;
+use crate::read::header::{Abscissa, DensityName, Heading, Quantity, trailing_unit};
+use crate::read::options::ReadOptions;
+use crate::read::table::Table;
+use crate::read::unit::Unit;
 
 /// Columns that tell one series of an export from another.
 const SERIES_COLUMNS: [&str; 4] = ["series", "data series", "subject", "subject name"];

@@ -1,33 +1,29 @@
 //! Power spectra from CSV and plain text.
 
+mod error;
+mod header;
+mod layout;
+mod options;
+mod table;
+mod unit;
+
+pub use error::{Field, ReadError};
+pub use header::Abscissa;
+pub use options::ReadOptions;
+
 use std::f64::consts::TAU;
 use std::io::Read;
 
 use csv::StringRecord;
 use serde::Serialize;
 
-use crate::convention::Convention;
-use crate::header::Abscissa;
-use crate::layout::{AbscissaColumn, Layout};
 use crate::psd::Psd;
-use crate::read_error::{Field, ReadError};
-use crate::table::Table;
-use crate::unit::parse_scaled;
+use layout::{AbscissaColumn, Layout};
+use table::Table;
+use unit::parse_scaled;
 
 /// How far the wavelengths of two columns may differ.
 const AGREEMENT: f64 = 1e-3;
-
-/// What the caller knows about a file that the file does not say.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct ReadOptions {
-    /// Name of the column that holds the spectrum, exact or in another case.
-    pub column: Option<String>,
-    /// Convention of the spectrum, whatever the name of its column says.
-    pub convention: Option<Convention>,
-    /// What the first column of a file without a header holds; with a header, which of several columns
-    /// counts.
-    pub x: Option<Abscissa>,
-}
 
 /// A power spectrum with what its file says about it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
