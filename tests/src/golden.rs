@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
+use approx::relative_eq;
 use cli::figure::FigureData;
 use cli::output::StagedFiles;
 use cli::products;
 use cli::scene::{Scene, Template};
+use cli::table::Cells;
 
 use crate::committed_file;
 
@@ -45,16 +47,21 @@ fn computed(template: Template) -> (Scene, cli::plan::Results) {
 impl GoldenFigure {
     /// The figure as text: a line of column names, then a line per abscissa, with twelve digits.
     pub fn text(&self) -> String {
-        let data = &self.data;
-        let names =
-            std::iter::once(data.x_column).chain(data.series.iter().map(|series| series.column.as_str()));
-        let mut text = names.collect::<Vec<_>>().join(",");
-        for (row, x) in data.x.iter().enumerate() {
-            let values = std::iter::once(*x).chain(data.series.iter().map(|series| series.values[row]));
-            text.push('\n');
-            text.push_str(&values.map(|value| format!("{value:.11e}")).collect::<Vec<_>>().join(","));
+        let table = self.data.table();
+        let mut lines = vec![table.columns().map(|(name, _)| name.to_owned()).collect::<Vec<_>>().join(",")];
+        for row in 0..table.rows() {
+            let cell = |cells: &Cells| match cells {
+                Cells::Numbers(numbers) => {
+                    numbers[row].map_or(String::new(), |value| format!("{value:.11e}"))
+                }
+                _ => unreachable!("figures hold numbers alone"),
+            };
+            lines.push(table.columns().map(|(_, cells)| cell(cells)).collect::<Vec<_>>().join(","));
         }
-        text
+        lines.join(
+            "
+",
+        )
     }
 
     /// The file of the snapshot.
@@ -83,14 +90,18 @@ pub fn deviations(accepted: &str, computed: &str) -> Option<Vec<(String, f64)>> 
 }
 
 fn deviation(accepted: f64, computed: f64) -> f64 {
-    let relative = (computed / accepted - 1.0).abs();
-    if accepted == computed {
-        0.0
-    } else if relative.is_nan() {
-        f64::INFINITY
-    } else {
-        relative
+    if relative_eq!(accepted, computed, epsilon = 0.0, max_relative = f64::EPSILON)
+        || both_empty(accepted, computed)
+    {
+        return 0.0;
     }
+    let relative = (computed / accepted - 1.0).abs();
+    if relative.is_nan() { f64::INFINITY } else { relative }
+}
+
+/// Empty cells read as NaN.
+fn both_empty(accepted: f64, computed: f64) -> bool {
+    accepted.is_nan() && computed.is_nan()
 }
 
 fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
@@ -103,7 +114,7 @@ fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
             return None;
         }
         for ((_, values), cell) in columns.iter_mut().zip(cells) {
-            values.push(cell.parse().ok()?);
+            values.push(if cell.is_empty() { f64::NAN } else { cell.parse().ok()? });
         }
     }
     Some(columns)

@@ -4,4 +4,4 @@
 pub mod golden;
 mod reference;
 
-pub use reference::{Deviations, ReferenceTable, committed_file};
+pub use reference::{Deviations, ReferenceTable, committed_file, shared_file};

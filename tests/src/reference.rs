@@ -1,5 +1,6 @@
 //! Reference tables of high-precision values, and quantiles of the deviation from them.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A table of reference values read by column name.
@@ -14,18 +15,8 @@ impl ReferenceTable {
         Self::read(&committed_file(&format!("tests/reference/{name}")))
     }
 
-    /// A table of the project's shared folder, which lies beside a development checkout and is no part of it. Where it
-    /// is absent this says so on stderr and yields `None`.
-    pub fn shared(name: &str) -> Option<Self> {
-        let path = committed_file(&format!("../shared/{name}"));
-        if path.exists() {
-            return Some(Self::read(&path));
-        }
-        eprintln!("shared/{name} is absent beside the checkout: its comparison does not run here");
-        None
-    }
-
-    fn read(path: &Path) -> Self {
+    /// The table in a file.
+    pub fn read(path: &Path) -> Self {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .from_path(path)
@@ -70,9 +61,24 @@ impl ReferenceTable {
     }
 }
 
+/// A file of the project's shared folder, which lies beside a development checkout and is no part of it. Where it is
+/// absent this says so on stderr and yields `None`.
+pub fn shared_file(name: &str) -> Option<PathBuf> {
+    let path = committed_file("..").join("shared").join(name);
+    if path.exists() {
+        return Some(path);
+    }
+    // Written past the test harness, which keeps the output of passing tests to itself.
+    let _ = writeln!(
+        std::io::stderr(),
+        "shared/{name} is absent beside the checkout: its comparison does not run here"
+    );
+    None
+}
+
 /// A file of this repository, from its top.
 pub fn committed_file(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").join(path)
 }
 
 /// Relative deviations of computed values from their references.
@@ -88,7 +94,8 @@ impl Deviations {
     /// Notes by how much the deviation of one value exceeds what no double-precision result could avoid.
     pub fn note_beyond(&mut self, unavoidable: f64, computed: f64, reference: f64) {
         let deviation = if computed == reference { 0.0 } else { (computed / reference - 1.0).abs() };
-        self.0.push((deviation - unavoidable).max(0.0));
+        // A comparison with NaN is false, and would pass any bound.
+        self.0.push(if deviation.is_nan() { f64::INFINITY } else { (deviation - unavoidable).max(0.0) });
     }
 
     /// Asserts the largest deviation and the median, and that there was something to compare.

@@ -1,8 +1,11 @@
 //! The stacked model, level by level, against high-precision tables.
 
+use std::num::NonZeroU32;
+
 use asperity::{ElasticBody, MaterialPair, NixGao};
+use spectrum::{AmplitudeDefinition, ReadOptions, amplitudes, read_psd};
 use stacked_contact::{Scale, StackedModel, levels};
-use tests::{Deviations, ReferenceTable};
+use tests::{Deviations, ReferenceTable, committed_file};
 
 /// The rows of a table that belong to one curve, by what tells curves apart.
 fn curves(table: &ReferenceTable) -> Vec<Vec<usize>> {
@@ -95,4 +98,23 @@ fn soft_metals_and_polymers_agree_level_by_level() {
 fn resampled_stacks_agree_level_by_level() {
     compare("stacked_resampled_5.csv");
     compare("stacked_resampled_20.csv");
+}
+
+#[test]
+fn resampling_gives_the_scales_of_those_stacks() {
+    let file = std::fs::File::open(committed_file("data/uncd_psd_reconstructed.csv")).unwrap();
+    let psd = read_psd(file, &ReadOptions::default()).unwrap().psd.profile().unwrap();
+    for per_decade in [5, 20] {
+        let table = ReferenceTable::committed(&format!("stacked_resampled_{per_decade}.csv"));
+        let rows = curves(&table).remove(0);
+        let resampled = psd.resampled(NonZeroU32::new(per_decade).unwrap());
+        assert_eq!(resampled.len(), rows.len());
+        let (wavelengths, expected) = (table.numbers("wavelength_m"), table.numbers("amplitude_m"));
+        let mut deviations = Deviations::default();
+        for (scale, &row) in amplitudes(&resampled, AmplitudeDefinition::Eq5).iter().zip(&rows) {
+            deviations.note(scale.wavelength_m, wavelengths[row]);
+            deviations.note(scale.amplitude_m, expected[row]);
+        }
+        deviations.assert_within(&format!("{per_decade} scales per decade"), 1e-14, 1e-13);
+    }
 }

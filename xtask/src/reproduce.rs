@@ -1,6 +1,5 @@
 //! The paper's figures, for every scene that comes with the program.
 
-use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -8,6 +7,7 @@ use cli::failure::Failure;
 use cli::products;
 use cli::scene::{Scene, Template};
 use cli::table::Format;
+use tests::committed_file;
 
 pub(crate) fn run() -> ExitCode {
     let mut computing = Duration::ZERO;
@@ -27,7 +27,7 @@ fn reproduce(template: Template) -> Result<Duration, Failure> {
     let start = Instant::now();
     let results = scene.plan().compute().map_err(Failure::input)?;
     let computing = start.elapsed();
-    let folder = Path::new("target/reproduce").join(template.name());
+    let folder = committed_file("target/reproduce").join(template.name());
     let files = products::write(&scene, &results, Format::Csv, &folder)?;
     let figures: Vec<&str> = scene.figures.iter().map(|figure| figure.name.as_str()).collect();
     println!("{}: {} files in {}", scene.title, files.len(), folder.display());

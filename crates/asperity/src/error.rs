@@ -45,14 +45,19 @@ impl std::fmt::Display for Bound {
             Bound::Positive => write!(f, "finite and greater than 0"),
             Bound::Finite => write!(f, "finite"),
             Bound::LeftOpen { above, at_most } => write!(f, "greater than {above} and at most {at_most}"),
-            Bound::AtLeast(least) => write!(f, "finite and at least {least:e}"),
+            Bound::AtLeast(least) => write!(f, "finite and at least {}", short(*least)),
         }
     }
 }
 
+/// A number as people write it, with an exponent only where it is far from 1.
+fn short(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
+}
+
 /// A quantity outside the range in which the laws make sense.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{quantity} is {value:e}; it must be {bound}")]
+#[error("{quantity} is {}; it must be {bound}", short(*.value))]
 pub struct AsperityError {
     /// What was being given, with its unit.
     pub quantity: &'static str,

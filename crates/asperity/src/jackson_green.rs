@@ -24,6 +24,17 @@ pub enum Hardness {
 }
 
 impl Hardness {
+    /// Both forms.
+    pub const ALL: [Hardness; 2] = [Hardness::JacksonGreen2005, Hardness::Cosine];
+
+    /// The name users type.
+    pub fn name(self) -> &'static str {
+        match self {
+            Hardness::JacksonGreen2005 => "2005",
+            Hardness::Cosine => "cosine",
+        }
+    }
+
     fn over_strength(self, contact_radius_over_radius: f64) -> f64 {
         match self {
             Hardness::JacksonGreen2005 => 2.84 * -(-0.82 * contact_radius_over_radius.powf(-0.7)).exp_m1(),
@@ -112,14 +123,20 @@ impl JacksonGreen {
         in_order.into_iter().flatten()
     }
 
-    /// Interference \[m\] at which the area reaches pi R^2: w = R while Hertzian, else (w/R)(w'/1.9)^b = 1 in logarithms.
+    /// Interference \[m\] at which the area reaches pi R^2.
     pub fn cap_interference_m(&self) -> f64 {
+        self.interference_of_area_share_m(1.0)
+    }
+
+    /// Interference \[m\] at which the area reaches a share of pi R^2 in (0, 1]: w = share R while Hertzian, else
+    /// (w/R)(w'/1.9)^b = share in logarithms.
+    pub fn interference_of_area_share_m(&self, share: f64) -> f64 {
         let onset = self.plastic_onset_m();
-        if onset >= self.radius_m {
-            return self.radius_m;
+        if onset >= share * self.radius_m {
+            return share * self.radius_m;
         }
-        // ln(onset/R) is the room left at the onset; it is used up at the rate 1 + b in ln w.
-        let log_room = (self.radius_m / onset).ln();
+        // ln(onset/(share R)) is the room left at the onset; it is used up at the rate 1 + b in ln w.
+        let log_room = (share * self.radius_m / onset).ln();
         onset * (log_room / (1.0 + self.area_exponent)).exp()
     }
 

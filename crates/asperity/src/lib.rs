@@ -15,7 +15,8 @@
 //! The nouns:
 //! * [`MaterialPair`]: the body that yields and what presses on it; its composite modulus.
 //! * the laws, one file each: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`ElasticSinusoid`]
-//!   and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an interference, with its mean gap.
+//!   and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an interference, with its mean gap, and
+//!   [`BemSinusoid`], the elastic one by boundary elements.
 //! * [`NixGao`]: the yield strength, growing where the deformation is shallow.
 //! * [`Break`]: where a law bends or jumps, for those who integrate it.
 //!
@@ -23,6 +24,7 @@
 //! the material types check their values once, the laws' arguments carry their range in their documentation.
 #![deny(missing_docs)]
 
+mod bem_sinusoid;
 mod breaks;
 mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
@@ -31,9 +33,11 @@ mod hertz;
 mod jackson_green;
 mod material;
 mod mean_gap;
+mod monotone_cubic;
 mod nix_gao;
 mod root;
 
+pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;
 pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
 pub use elastic_sinusoid::ElasticSinusoid;

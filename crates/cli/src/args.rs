@@ -7,10 +7,12 @@ use asperity::Hardness;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
+use stat_contact::{InterferenceLaw, Model};
 
 use crate::material::StackedModelName;
 use crate::output::Place;
-use crate::quantity::{Length, Pressure};
+use crate::plan::Tolerance;
+use crate::quantity::{Length, Modulus, Pressure, SignedLength};
 use crate::scene::Template;
 use crate::table::Format;
 
@@ -69,6 +71,24 @@ Example:
   truearea stacked psd.csv --model elastic-plastic --pressure 5.4MPa --pressure 1e-2H \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa --strain-gradient-length 5um")]
     Stacked(StackedArgs),
+    /// Contact of a population of asperities: at a pressure or a separation, row by row or over all cutoffs
+    #[command(after_help = "\
+With a spectrum, the asperities that each cutoff leaves are pressed by a flat. Columns: wavelength_m, radius_m,
+density_per_m2, sigma_s_m, separation_m, pressure_pa, area_fraction; a row per wavelength from long to short, in blocks
+in the order of the pressures, then of the separations. The first row has no asperities yet: its cells are empty.
+
+With --input, a table with the columns model (hertz, ep-sphere, elastic-sine or ep-sine), youngs_modulus_pa,
+poisson_ratio, yield_strength_pa, strain_gradient_length_m (empty for none), radius_m, density_per_m2, sigma_s_m, and
+of separation_m and pressure_pa exactly one in each row; the other one and area_fraction are filled in. A pressure beyond
+complete contact of every sinusoid has no separation: its cell stays empty, and the area fraction is 1.
+
+The separation is measured from the mean of the asperity heights and may be negative.
+
+Examples:
+  truearea statistical psd.csv --model ep-sphere --pressure 5.4MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
+  truearea statistical --input populations.csv --given pressure --output populations.csv")]
+    Statistical(StatisticalArgs),
     /// Fit a self-affine spectrum: Hurst exponent and roll-off
     #[command(after_help = "\
 Columns: hurst_exponent, hurst_exponent_se, rolloff_wavelength_m, rolloff_wavelength_se_m, plateau_m3, plateau_se_m3,
@@ -103,19 +123,19 @@ pub(crate) struct SharedArgs {
     /// Format of tables written
     #[arg(long, value_enum, default_value_t, global = true)]
     pub format: Format,
-    /// Where the table goes: a path, or - for standard output
+    /// Where the table goes, or the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
     pub output: Place,
     /// Normalisation of the moments: 1/pi, which keeps the variance, or 1 as printed in Eq. (1)
-    #[arg(long, value_parser = one_of::<Normalisation>(Normalisation::ALL), global = true)]
+    #[arg(long, value_parser = one_of::<Normalisation, _>(Normalisation::ALL), global = true)]
     pub normalisation: Option<Normalisation>,
     /// Amplitude of a scale: Eq. (5), or the band amplitude that keeps the variance
-    #[arg(long, value_parser = one_of::<AmplitudeDefinition>(AmplitudeDefinition::ALL), global = true)]
+    #[arg(long, value_parser = one_of::<AmplitudeDefinition, _>(AmplitudeDefinition::ALL), global = true)]
     pub amplitude: Option<AmplitudeDefinition>,
     /// Resample the spectrum to N scales per decade; the stacked area depends on it
-    #[arg(long, value_name = "N", global = true)]
+    #[arg(long, value_name = "N", value_parser = parse_count, allow_hyphen_values = true, global = true)]
     pub scales_per_decade: Option<NonZeroU32>,
-    /// Hardness of the elastic-plastic sphere: Jackson & Green 2005, or its cosine form
+    /// Hardness of the sphere in `statistical --model ep-sphere`: Jackson & Green 2005, or its cosine form
     #[arg(long, value_parser = hardness(), global = true)]
     pub hardness: Option<Hardness>,
     /// Bound of a strength that grows at small depths
@@ -132,7 +152,7 @@ pub(crate) struct SharedArgs {
         requires = "counterface_poisson_ratio",
         global = true
     )]
-    pub counterface_youngs_modulus: Option<Pressure>,
+    pub counterface_youngs_modulus: Option<Modulus>,
     /// Poisson's ratio of the counterface
     #[arg(
         long,
@@ -152,26 +172,33 @@ pub(crate) struct SharedArgs {
 pub(crate) struct PsdArgs {
     /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
     pub psd: String,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// What the header of a spectrum may leave open.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct ReadingArgs {
     /// The column that holds the spectrum, where several could
     #[arg(long, value_name = "NAME")]
     pub column: Option<String>,
     /// What the first column of a text without header is
-    #[arg(long, value_parser = one_of::<Abscissa>(Abscissa::ALL))]
+    #[arg(long, value_parser = one_of::<Abscissa, _>(Abscissa::ALL))]
     pub x: Option<Abscissa>,
     /// The convention of the spectrum, where the header does not tell
-    #[arg(long, value_parser = one_of::<Convention>(Convention::ALL))]
+    #[arg(long, value_parser = one_of::<Convention, _>(Convention::ALL))]
     pub convention: Option<Convention>,
 }
 
 /// A material: the rough body.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct MaterialArgs {
-    /// Young's modulus of the rough body
+    /// Young's modulus of the rough body; every model needs it
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub youngs_modulus: Pressure,
-    /// Poisson's ratio of the rough body, in (-1, 0.5]
+    pub youngs_modulus: Option<Modulus>,
+    /// Poisson's ratio of the rough body, in (-1, 0.5]; every model needs it
     #[arg(long, value_name = "NU", allow_hyphen_values = true)]
-    pub poisson_ratio: f64,
+    pub poisson_ratio: Option<f64>,
     /// Yield strength of the rough body; elastic models do without
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub yield_strength: Option<Pressure>,
@@ -181,6 +208,9 @@ pub(crate) struct MaterialArgs {
 }
 
 #[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+Example:
+  truearea asperity sphere --input spheres.csv --output spheres.csv")]
 pub(crate) struct AsperityArgs {
     #[command(subcommand)]
     pub law: AsperityLaw,
@@ -240,13 +270,60 @@ pub(crate) struct StackedArgs {
 }
 
 #[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
+#[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "separations"]))]
+pub(crate) struct StatisticalArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    #[arg(requires = "model", requires = "pressed")]
+    pub psd: Option<String>,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// A table of populations instead, CSV or JSON: a path, or - for standard input
+    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    pub input: Option<Place>,
+    /// Which column of the table is the input where both are filled; the other is recomputed
+    #[arg(long, value_enum, requires = "input")]
+    pub given: Option<GivenColumn>,
+    /// The law of one asperity
+    #[arg(long, value_parser = one_of::<Model, _>(&Model::ALL), conflicts_with = "input")]
+    pub model: Option<Model>,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true,
+        conflicts_with = "input")]
+    pub pressures: Vec<(Pressure, String)>,
+    /// Separation from the mean of the asperity heights, of either sign; repeatable
+    #[arg(long = "separation", value_name = "L", allow_hyphen_values = true, conflicts_with = "input")]
+    pub separations: Vec<SignedLength>,
+    #[command(flatten)]
+    pub material: MaterialArgs,
+    /// Relative tolerance of pressure and area, in (0, 0.01]; a looser one costs less
+    #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
+    pub tolerance: Tolerance,
+    /// What ties the pressure on an elastic sinusoid to its interference: a fit, or boundary-element solutions
+    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(&InterferenceLaw::ALL), default_value = "rostami-jackson")]
+    pub interference_law: InterferenceLaw,
+    /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
+    #[arg(long)]
+    pub details: bool,
+}
+
+/// Which of two filled columns a table's rows are to be computed from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum GivenColumn {
+    /// separation_m
+    Separation,
+    /// pressure_pa
+    Pressure,
+}
+
+#[derive(Debug, ClapArgs)]
 pub(crate) struct FitArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
-    /// One end of the band of wavelengths to fit
+    /// The longest wavelength to fit; the spectrum's own where not given
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub from: Option<Length>,
-    /// The other end
+    /// The shortest wavelength to fit; given both, either may come first
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub to: Option<Length>,
 }
@@ -272,17 +349,26 @@ fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), crate::quan
     Ok((text.parse()?, text.trim().to_owned()))
 }
 
+fn parse_count(text: &str) -> Result<NonZeroU32, String> {
+    text.parse().map_err(|_| format!("'{text}' must be a whole number from 1 to {}", u32::MAX))
+}
+
+fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
+    let tolerance = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
+    Tolerance::new(tolerance).map_err(|error| error.to_string())
+}
+
 fn hardness() -> impl TypedValueParser<Value = Hardness> {
-    PossibleValuesParser::new(["2005", "cosine"]).map(|name| match name.as_str() {
-        "cosine" => Hardness::Cosine,
-        _ => Hardness::JacksonGreen2005,
+    PossibleValuesParser::new(Hardness::ALL.map(Hardness::name)).try_map(|name| {
+        Hardness::ALL.into_iter().find(|hardness| hardness.name() == name).ok_or("an unknown hardness")
     })
 }
 
 /// A parser of the names that `values` display as.
-fn one_of<T>(values: &'static [T]) -> impl TypedValueParser<Value = T>
+fn one_of<T, E>(values: &'static [T]) -> impl TypedValueParser<Value = T>
 where
-    T: std::fmt::Display + std::str::FromStr<Err = spectrum::UnknownName> + Clone + Send + Sync + 'static,
+    T: std::fmt::Display + std::str::FromStr<Err = E> + Clone + Send + Sync + 'static,
+    E: std::error::Error + Send + Sync + 'static,
 {
     PossibleValuesParser::new(values.iter().map(|value| clap::builder::PossibleValue::new(value.to_string())))
         .try_map(|name| name.parse::<T>())

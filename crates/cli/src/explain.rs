@@ -2,9 +2,21 @@
 
 use crate::display::{length, three_digits};
 use crate::figure::Shows;
-use crate::plan::scales_per_decade;
+use crate::plan::{CurveModel, scales_per_decade};
 use crate::scene::Scene;
 use crate::summary::aligned;
+
+type IsFramework = fn(&CurveModel) -> bool;
+
+const FRAMEWORKS: [(&str, IsFramework); 2] = [("stacked", is_stacked), ("statistical", is_statistical)];
+
+fn is_stacked(model: &CurveModel) -> bool {
+    matches!(model, CurveModel::Stacked(_))
+}
+
+fn is_statistical(model: &CurveModel) -> bool {
+    matches!(model, CurveModel::Statistical { .. })
+}
 
 /// The explanation of a scene.
 pub fn explain(scene: &Scene) -> String {
@@ -24,13 +36,13 @@ pub fn explain(scene: &Scene) -> String {
         needs.moments.is_some(),
         match needs.moments {
             Some(norm) => format!("moments for every cutoff, {norm} ({})", figures(scene, &[Shows::Moments])),
-            None => "moments and asperity parameters: no figure shows them".to_owned(),
+            None => "moments and asperity parameters: no curve and no figure uses them".to_owned(),
         },
     );
     row(
         needs.amplitudes.is_some(),
         match needs.amplitudes {
-            Some(definition) if needs.curves.is_empty() => {
+            Some(definition) if !needs.curves.iter().any(|curve| is_stacked(&curve.model)) => {
                 format!(
                     "amplitudes, {definition} ({})",
                     figures(scene, &[Shows::Amplitude, Shows::AspectRatio])
@@ -40,11 +52,20 @@ pub fn explain(scene: &Scene) -> String {
             None => "amplitudes: no curve and no figure uses them".to_owned(),
         },
     );
-    if needs.curves.is_empty() {
-        row(false, "stacked model: no curve asks for it".to_owned());
+    for (framework, is_its) in FRAMEWORKS {
+        if !needs.curves.iter().any(|curve| is_its(&curve.model)) {
+            row(false, format!("{framework} model: no curve asks for it"));
+        }
+        for curve in needs.curves.iter().filter(|curve| is_its(&curve.model)) {
+            row(true, format!("{framework} curve {} at {} loads", curve.name, needs.loads.len()));
+        }
     }
-    for curve in &needs.curves {
-        row(true, format!("stacked curve {} at {} loads", curve.name, needs.loads.len()));
+    if !needs.sweeps.is_empty() {
+        let states: usize = needs.sweeps.iter().map(|sweep| sweep.pressures_pa.len()).sum();
+        row(
+            true,
+            format!("{states} statistical states over loads ({})", figures(scene, &[Shows::AreaAgainstLoad])),
+        );
     }
     row(false, "self-affine fit: only `truearea fit` computes it".to_owned());
     for figure in &scene.figures {

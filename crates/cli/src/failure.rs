@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use crate::stderr::say;
+
 /// Why a command ends without its result.
 #[derive(Debug)]
 pub enum Failure {
@@ -39,7 +41,7 @@ impl Failure {
             Failure::System(message) => (message, 1),
             Failure::ClosedPipe => return ExitCode::SUCCESS,
         };
-        eprintln!("{}{message}", if message.starts_with("error") { "" } else { "error: " });
+        say(&format!("error: {message}"));
         ExitCode::from(status)
     }
 }

@@ -2,6 +2,7 @@
 
 use stacked_contact::Scale;
 
+use crate::display::length;
 use crate::plan::{Needs, Results};
 use crate::table::Table;
 
@@ -19,6 +20,8 @@ pub enum Shows {
     AspectRatio,
     /// Contact area against cutoff.
     Area,
+    /// Contact area of statistical curves against nominal pressure, at some cutoffs.
+    AreaAgainstLoad,
 }
 
 /// A figure as asked for.
@@ -32,6 +35,8 @@ pub struct Figure {
     pub title: Option<String>,
     /// Which curves it draws, by index.
     pub curves: Vec<usize>,
+    /// Which sweeps over loads it draws, by index.
+    pub sweeps: Vec<usize>,
 }
 
 /// One line of a figure.
@@ -39,14 +44,16 @@ pub struct Figure {
 pub struct Series {
     /// Its column in the table.
     pub column: String,
-    /// Its entry in the legend; none where it is alone.
-    pub legend: Option<String>,
+    /// The curve it belongs to, which its dash pattern stands for.
+    pub curve: String,
+    /// The load or cutoff it is drawn for, which its colour stands for; empty where it is alone.
+    pub condition: String,
     /// Which lines share a colour.
     pub colour: usize,
-    /// Which lines share a dash pattern.
+    /// Which lines share a dash pattern; 0 is solid.
     pub dash: usize,
-    /// One value per abscissa.
-    pub values: Vec<f64>,
+    /// Abscissa and ordinate of each point; the abscissas run one way.
+    pub points: Vec<(f64, f64)>,
 }
 
 /// A figure with its data; all axes are logarithmic.
@@ -56,20 +63,28 @@ pub struct FigureData {
     pub name: String,
     /// Its title.
     pub title: String,
-    /// The abscissa's column in the table.
-    pub x_column: &'static str,
-    /// The abscissa's label.
-    pub x_label: &'static str,
+    /// The abscissa.
+    pub x: Axis,
     /// The ordinate's label.
     pub y_label: &'static str,
-    /// The abscissas.
-    pub x: Vec<f64>,
     /// The lines.
     pub series: Vec<Series>,
 }
 
-const WAVELENGTH: (&str, &str) = ("wavelength_m", "wavelength (m)");
-const CUTOFF: (&str, &str) = ("wavelength_m", "shortest wavelength included (m)");
+/// An abscissa: its column in a table and its label in a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Axis {
+    /// The column.
+    pub column: &'static str,
+    /// The label.
+    pub label: &'static str,
+}
+
+const WAVEVECTOR: Axis = Axis { column: "wavevector_rad_per_m", label: "wavevector q (rad/m)" };
+const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
+const CUTOFF: Axis = Axis { column: "wavelength_m", label: "shortest wavelength included (m)" };
+const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
+const AREA: &str = "contact area / nominal area";
 
 impl Figure {
     /// The figure drawn where none is asked for: the area of every curve.
@@ -79,67 +94,92 @@ impl Figure {
             shows: Shows::Area,
             title: None,
             curves: (0..curves).collect(),
+            sweeps: Vec::new(),
         }
     }
 
     /// The figure's data, from the results of the plan that asked for it.
     pub fn data(&self, results: &Results, needs: &Needs) -> FigureData {
-        let of_scales = |column: &str, y_label, of: fn(&Scale) -> f64| {
-            let x = results.scales.iter().map(|scale| scale.wavelength_m).collect();
-            (WAVELENGTH, y_label, x, vec![single(column, results.scales.iter().map(of).collect())])
-        };
-        let ((x_column, x_label), y_label, x, series) = match self.shows {
-            Shows::Psd => {
-                let x = results
-                    .psd
-                    .wavelengths_m()
-                    .iter()
-                    .map(|wavelength_m| std::f64::consts::TAU / wavelength_m);
-                let axis = ("wavevector_rad_per_m", "wavevector q (rad/m)");
-                (
-                    axis,
-                    "power spectral density C1D (m³)",
-                    x.collect(),
-                    vec![single("c1d_m3", results.psd.c1d_m3().to_vec())],
-                )
-            }
-            Shows::Moments => {
-                let x = results.moments.iter().map(|(moments, _)| moments.wavelength_m).collect();
-                (CUTOFF, "moment over its final value", x, moment_series(results))
-            }
-            Shows::Amplitude => of_scales("amplitude_m", "amplitude Δ (m)", |scale| scale.amplitude_m),
-            Shows::AspectRatio => of_scales("aspect_ratio", "aspect ratio B = Δ/λ", Scale::aspect_ratio),
-            Shows::Area => {
-                let x = results.scales.iter().map(|scale| scale.wavelength_m).collect();
-                (CUTOFF, "contact area / nominal area", x, self.area_series(results, needs))
-            }
+        let (x, y_label, series) = match self.shows {
+            Shows::Psd => (WAVEVECTOR, "power spectral density C1D (m³)", psd_series(results)),
+            Shows::Moments => (CUTOFF, "moment over its final value", moment_series(results)),
+            Shows::Amplitude => (
+                WAVELENGTH,
+                "amplitude Δ (m)",
+                scale_series(results, "amplitude_m", |scale| scale.amplitude_m),
+            ),
+            Shows::AspectRatio => (
+                WAVELENGTH,
+                "aspect ratio B = Δ/λ",
+                scale_series(results, "aspect_ratio", Scale::aspect_ratio),
+            ),
+            Shows::Area => (CUTOFF, AREA, self.area_series(results, needs)),
+            Shows::AreaAgainstLoad => (PRESSURE, AREA, self.load_series(results, needs)),
         };
         let title = self.title.clone().unwrap_or_else(|| y_label.to_owned());
-        FigureData { name: self.name.clone(), title, x_column, x_label, y_label, x, series }
+        FigureData { name: self.name.clone(), title, x, y_label, series }
     }
 
     fn area_series(&self, results: &Results, needs: &Needs) -> Vec<Series> {
         let mut series = Vec::new();
         for (place, &curve) in self.curves.iter().enumerate() {
-            // The first of several curves is the reference that the others are held against: dashed.
-            let dash = if self.curves.len() > 1 { [1, 0].get(place).copied().unwrap_or(place) } else { 0 };
-            let name = &needs.curves[curve].name;
-            for (colour, (load, levels)) in needs.loads.iter().zip(&results.curves[curve]).enumerate() {
-                series.push(Series {
-                    column: format!("{name} at {}", load.label),
-                    legend: Some(format!("{}, {}", name.replace('-', " "), load.label)),
-                    colour,
-                    dash,
-                    values: levels.iter().map(|level| level.area_fraction).collect(),
-                });
+            for (colour, load) in needs.loads.iter().enumerate() {
+                let points = results.curves[curve].area_fractions(colour);
+                series.push(self.line(&needs.curves[curve].name, &load.label, place, colour, points));
             }
         }
         series
     }
+
+    fn load_series(&self, results: &Results, needs: &Needs) -> Vec<Series> {
+        let mut cutoff_multiples: Vec<f64> = Vec::new();
+        let line = |&sweep: &usize| {
+            let (asked, states) = (&needs.sweeps[sweep], &results.sweeps[sweep]);
+            let multiple = asked.cutoff_multiple;
+            let known = cutoff_multiples.iter().position(|&other| other == multiple);
+            let colour = known.unwrap_or_else(|| {
+                cutoff_multiples.push(multiple);
+                cutoff_multiples.len() - 1
+            });
+            let place = self.curves.iter().position(|&curve| curve == asked.curve).unwrap_or(0);
+            let points =
+                asked.pressures_pa.iter().zip(states).map(|(&p, state)| (p, state.area_fraction)).collect();
+            let cutoff = length(multiple * results.psd.shortest_wavelength_m());
+            self.line(&needs.curves[asked.curve].name, &cutoff, place, colour, points)
+        };
+        self.sweeps.iter().map(line).collect()
+    }
+
+    /// The line of one curve under one condition. The first of several curves is the reference that the others are held
+    /// against: dashed.
+    fn line(
+        &self,
+        curve: &str,
+        condition: &str,
+        place: usize,
+        colour: usize,
+        points: Vec<(f64, f64)>,
+    ) -> Series {
+        let dash = if self.curves.len() > 1 { [1, 0].get(place).copied().unwrap_or(place) } else { 0 };
+        Series {
+            column: format!("{curve} at {condition}"),
+            curve: curve.replace("-strain-gradient", ", strain gradient"),
+            condition: condition.to_owned(),
+            colour,
+            dash,
+            points,
+        }
+    }
 }
 
-fn single(column: &str, values: Vec<f64>) -> Series {
-    Series { column: column.to_owned(), legend: None, colour: 0, dash: 0, values }
+fn psd_series(results: &Results) -> Vec<Series> {
+    let wavevectors =
+        results.psd.wavelengths_m().iter().map(|wavelength_m| std::f64::consts::TAU / wavelength_m);
+    vec![alone("c1d_m3", wavevectors.zip(results.psd.c1d_m3().iter().copied()).collect())]
+}
+
+fn scale_series(results: &Results, column: &str, of: fn(&Scale) -> f64) -> Vec<Series> {
+    vec![alone(column, results.scales.iter().map(|scale| (scale.wavelength_m, of(scale))).collect())]
 }
 
 fn moment_series(results: &Results) -> Vec<Series> {
@@ -147,21 +187,76 @@ fn moment_series(results: &Results) -> Vec<Series> {
         let last = results.moments.last().map_or(1.0, |(moments, _)| of(moments));
         Series {
             column: format!("{name}_over_final"),
-            legend: Some(name.to_owned()),
+            curve: String::new(),
+            condition: name.to_owned(),
             colour,
             dash: 0,
-            values: results.moments.iter().map(|(moments, _)| of(moments) / last).collect(),
+            points: results
+                .moments
+                .iter()
+                .map(|(moments, _)| (moments.wavelength_m, of(moments) / last))
+                .collect(),
         }
     };
     vec![moment(0, "m0", |m| m.m0_m2), moment(1, "m2", |m| m.m2), moment(2, "m4", |m| m.m4_per_m2)]
 }
 
+fn alone(column: &str, points: Vec<(f64, f64)>) -> Series {
+    let column = column.to_owned();
+    Series { column, curve: String::new(), condition: String::new(), colour: 0, dash: 0, points }
+}
+
 impl FigureData {
-    /// What is drawn, as a table: the abscissa and a column per line.
+    /// What is drawn, as a table: every abscissa of any line, and a column per line.
     pub fn table(&self) -> Table {
-        let table = Table::default().with_numbers(self.x_column, self.x.iter().copied());
-        self.series
-            .iter()
-            .fold(table, |table, series| table.with_numbers(&series.column, series.values.iter().copied()))
+        let abscissas = self.abscissas();
+        let table = Table::default().with_numbers(self.x.column, abscissas.iter().copied());
+        self.series.iter().fold(table, |table, series| {
+            let mut points = series.points.iter().peekable();
+            let cell = |x: &f64| points.next_if(|(at, _)| at == x).map(|(_, value)| *value);
+            table.with_numbers(&series.column, abscissas.iter().map(cell).collect::<Vec<_>>())
+        })
+    }
+
+    /// The abscissas of all lines, each once, in the direction in which the lines run.
+    fn abscissas(&self) -> Vec<f64> {
+        let mut all: Vec<f64> =
+            self.series.iter().flat_map(|series| series.points.iter().map(|(x, _)| *x)).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        let falling =
+            self.series.iter().any(|series| matches!(series.points[..], [(a, _), .., (b, _)] if a > b));
+        if falling {
+            all.reverse();
+        }
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::Cells;
+
+    #[test]
+    fn lines_of_different_abscissas_share_a_table() {
+        let figure = FigureData {
+            name: "f".to_owned(),
+            title: String::new(),
+            x: WAVELENGTH,
+            y_label: AREA,
+            series: vec![
+                alone("a", vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
+                alone("b", vec![(2.0, 0.5), (0.5, 0.4)]),
+            ],
+        };
+        let table = figure.table();
+        let column = |name: &str| match table.column(name) {
+            Some(Cells::Numbers(cells)) => cells.clone(),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(column("wavelength_m"), [Some(3.0), Some(2.0), Some(1.0), Some(0.5)]);
+        assert_eq!(column("a"), [Some(0.3), Some(0.2), Some(0.1), None]);
+        assert_eq!(column("b"), [None, Some(0.5), None, Some(0.4)]);
     }
 }

@@ -5,8 +5,9 @@
 //!
 //! let scene = Scene::builtin(Template::UncdReconstructed).expect("a scene that comes with the program");
 //! let results = scene.plan().compute().expect("nothing in it is out of bounds");
-//! let elastic = &results.curves[0][0];
-//! assert!(elastic.last().unwrap().area_fraction < 1.0);
+//! let (first_curve, first_load) = (&results.curves[0], 0);
+//! let (shortest_m, area_fraction) = *first_curve.area_fractions(first_load).last().unwrap();
+//! assert!(shortest_m < 1e-9 && area_fraction < 1.0);
 //! ```
 //!
 //! How a question becomes an answer: [`args`] is what may be typed, a [`scene`] what it means in SI units, a [`plan`]
@@ -15,6 +16,7 @@
 #![deny(missing_docs)]
 
 pub mod args;
+pub mod asperity_table;
 mod commands;
 mod display;
 mod explain;
@@ -29,6 +31,7 @@ pub mod products;
 mod provenance;
 pub mod quantity;
 pub mod scene;
+mod stderr;
 mod summary;
 pub mod surface;
 pub mod table;
@@ -54,9 +57,4 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }
     }
-}
-
-/// The command line's definition, for completions and manual pages.
-pub fn command() -> clap::Command {
-    <args::Args as clap::CommandFactory>::command()
 }

@@ -1,19 +1,26 @@
 //! The material as given: what a model needs of it is drawn, and missed, only when the model asks.
 
-use asperity::{ElasticBody, MaterialPair, NixGao};
+use asperity::{AsperityError, Bound, ElasticBody, Hardness, MaterialPair, NixGao};
 use stacked_contact::StackedModel;
+use stat_contact::{AsperityLaw, InterferenceLaw, Model};
 
+use crate::number::number;
 use crate::quantity::Pressure;
 
-/// The bodies and the strength, in SI units, each checked where it is given.
+/// H/S0.
+const HARDNESS_OVER_STRENGTH: f64 = 3.0;
+
+/// The bodies and, where given, the strength; what a model does not need of it is not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// The rough body and its counterface.
     pub pair: MaterialPair,
-    /// The strength S0 \[Pa\] and the cap of its growth; not needed by elastic models.
-    pub strength: Option<NixGao>,
+    /// The strength S0; not needed by elastic models.
+    yield_strength: Option<Pressure>,
+    /// The cap of its growth.
+    strength_cap: Option<Pressure>,
     /// h* \[m\]; needed by models with a strain gradient.
-    pub strain_gradient_length_m: Option<f64>,
+    strain_gradient_length_m: Option<f64>,
 }
 
 /// What a material is made from, as given.
@@ -32,8 +39,7 @@ pub struct GivenMaterial {
 }
 
 /// Which of the stacked models, as typed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum StackedModelName {
     /// Sinusoids that only deform elastically.
     Elastic,
@@ -41,12 +47,53 @@ pub enum StackedModelName {
     ElasticPlastic,
 }
 
+/// Any of the models, as typed in a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ModelName {
+    /// Stacked, elastic sinusoids.
+    Elastic,
+    /// Stacked, elastic-plastic sinusoids.
+    ElasticPlastic,
+    /// Statistical, elastic spheres.
+    Hertz,
+    /// Statistical, elastic-plastic spheres.
+    EpSphere,
+    /// Statistical, elastic sinusoids.
+    ElasticSine,
+    /// Statistical, elastic-plastic sinusoids.
+    EpSine,
+}
+
+impl ModelName {
+    /// The model in its framework.
+    pub fn framework(self) -> Framework {
+        match self {
+            ModelName::Elastic => Framework::Stacked(StackedModelName::Elastic),
+            ModelName::ElasticPlastic => Framework::Stacked(StackedModelName::ElasticPlastic),
+            ModelName::Hertz => Framework::Statistical(Model::Hertz),
+            ModelName::EpSphere => Framework::Statistical(Model::EpSphere),
+            ModelName::ElasticSine => Framework::Statistical(Model::ElasticSine),
+            ModelName::EpSine => Framework::Statistical(Model::EpSine),
+        }
+    }
+}
+
+/// One of the two frameworks and its model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Framework {
+    /// Scale upon scale.
+    Stacked(StackedModelName),
+    /// Asperities of one curvature.
+    Statistical(Model),
+}
+
 /// Something a model needs and the material lacks.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MaterialError {
     /// A property outside its bounds.
     #[error(transparent)]
-    Bound(#[from] asperity::AsperityError),
+    Bound(#[from] AsperityError),
     /// A strength given as a multiple of itself.
     #[error(
         "the yield strength cannot be given in H, which is three times the yield strength; give it in GPa or MPa"
@@ -57,7 +104,7 @@ pub enum MaterialError {
     NoHardness,
     /// An elastic-plastic model without a strength.
     #[error(
-        "the elastic-plastic model needs the yield strength: give --yield-strength, or yield_strength in [material]"
+        "an elastic-plastic model needs the yield strength: give --yield-strength, or yield_strength in [material]"
     )]
     NoStrength,
     /// A strain gradient without its length.
@@ -68,25 +115,43 @@ pub enum MaterialError {
 }
 
 impl Material {
-    /// The material in SI units.
-    ///
-    /// # Errors
-    /// [`MaterialError`] for what is out of bounds, and for quantities in H without a strength.
-    pub fn new(given: GivenMaterial) -> Result<Self, MaterialError> {
+    /// The material that was given.
+    pub fn new(given: GivenMaterial) -> Self {
         let pair = match given.counterface {
             Some(counterface) => MaterialPair::against(given.body, counterface),
             None => MaterialPair::against_rigid(given.body),
         };
-        let strength = match given.yield_strength {
-            Some(strength) => Some(capped_strength(strength, given.strength_cap)?),
-            None => None,
-        };
-        Ok(Material { pair, strength, strain_gradient_length_m: given.strain_gradient_length_m })
+        Material {
+            pair,
+            yield_strength: given.yield_strength,
+            strength_cap: given.strength_cap,
+            strain_gradient_length_m: given.strain_gradient_length_m,
+        }
     }
 
     /// The hardness H = 3 S0 \[Pa\], where there is a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
-        self.strength.as_ref().map(hardness_pa)
+        Some(HARDNESS_OVER_STRENGTH * self.yield_strength?.pascals(None)?)
+    }
+
+    /// The material in a line, for the record; what presses on the body shows in E*.
+    pub fn describe(&self) -> String {
+        let body = self.pair.body();
+        let mut text = format!(
+            "E = {} Pa, nu = {}, E* = {} Pa",
+            number(body.youngs_modulus_pa()),
+            number(body.poisson_ratio()),
+            number(self.pair.composite_modulus_pa())
+        );
+        let mut add = |name: &str, value: Option<f64>, unit: &str| {
+            if let Some(value) = value {
+                text.push_str(&format!(", {name} = {} {unit}", number(value)));
+            }
+        };
+        add("S0", self.yield_strength.and_then(|strength| strength.pascals(None)), "Pa");
+        add("strength cap", self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa())), "Pa");
+        add("h*", self.strain_gradient_length_m, "m");
+        text
     }
 
     /// A pressure \[Pa\], in units of the hardness or not.
@@ -94,7 +159,8 @@ impl Material {
     /// # Errors
     /// [`MaterialError::NoHardness`].
     pub fn pascals(&self, pressure: Pressure) -> Result<f64, MaterialError> {
-        pressure.pascals(self.hardness_pa()).ok_or(MaterialError::NoHardness)
+        let pressure_pa = pressure.pascals(self.hardness_pa()).ok_or(MaterialError::NoHardness)?;
+        Ok(Bound::Positive.check("pressure in Pa", pressure_pa)?)
     }
 
     /// The stacked model of this name for this material.
@@ -108,28 +174,59 @@ impl Material {
     ) -> Result<StackedModel, MaterialError> {
         match name {
             StackedModelName::Elastic => Ok(StackedModel::Elastic { pair: self.pair }),
-            StackedModelName::ElasticPlastic => {
-                let constant = self.strength.ok_or(MaterialError::NoStrength)?;
-                let strength = if strain_gradient {
-                    let length_m =
-                        self.strain_gradient_length_m.ok_or(MaterialError::NoStrainGradientLength)?;
-                    constant.with_strain_gradient(length_m)?
-                } else {
-                    constant
-                };
-                Ok(StackedModel::ElasticPlastic { pair: self.pair, strength })
-            }
+            StackedModelName::ElasticPlastic => Ok(StackedModel::ElasticPlastic {
+                pair: self.pair,
+                strength: self.strength(strain_gradient)?,
+            }),
         }
+    }
+
+    /// The statistical law of this model for this material.
+    ///
+    /// # Errors
+    /// [`MaterialError`] where the model needs what the material lacks.
+    pub fn statistical(
+        &self,
+        model: Model,
+        strain_gradient: bool,
+        hardness: Hardness,
+        interference: InterferenceLaw,
+    ) -> Result<AsperityLaw, MaterialError> {
+        Ok(match model {
+            Model::Hertz => AsperityLaw::Hertz,
+            Model::EpSphere => AsperityLaw::EpSphere { strength: self.strength(strain_gradient)?, hardness },
+            Model::ElasticSine => AsperityLaw::ElasticSine { interference },
+            Model::EpSine => AsperityLaw::EpSine { strength: self.strength(strain_gradient)? },
+        })
+    }
+
+    fn strength(&self, strain_gradient: bool) -> Result<NixGao, MaterialError> {
+        let given = self.yield_strength.ok_or(MaterialError::NoStrength)?;
+        let strength_pa = given.pascals(None).ok_or(MaterialError::StrengthInHardnesses)?;
+        let length_m = match (strain_gradient, self.strain_gradient_length_m) {
+            (false, _) => None,
+            (true, Some(length_m)) => Some(length_m),
+            (true, None) => return Err(MaterialError::NoStrainGradientLength),
+        };
+        Ok(strength(strength_pa, length_m, self.strength_cap)?)
     }
 }
 
-fn capped_strength(strength: Pressure, cap: Option<Pressure>) -> Result<NixGao, MaterialError> {
-    let constant = NixGao::constant(strength.pascals(None).ok_or(MaterialError::StrengthInHardnesses)?)?;
-    let Some(cap) = cap else { return Ok(constant) };
-    let cap_pa = cap.pascals(Some(hardness_pa(&constant))).ok_or(MaterialError::NoHardness)?;
-    Ok(constant.with_cap(cap_pa)?)
-}
-
-fn hardness_pa(strength: &NixGao) -> f64 {
-    3.0 * strength.macroscopic_strength_pa()
+/// A strength S0 \[Pa\], growing with a strain-gradient length \[m\] where there is one, up to a cap where there is one.
+///
+/// # Errors
+/// [`AsperityError`] for what is out of bounds.
+pub fn strength(
+    strength_pa: f64,
+    length_m: Option<f64>,
+    cap: Option<Pressure>,
+) -> Result<NixGao, AsperityError> {
+    let mut strength = NixGao::constant(strength_pa)?;
+    if let Some(length_m) = length_m {
+        strength = strength.with_strain_gradient(length_m)?;
+    }
+    match cap.and_then(|cap| cap.pascals(Some(HARDNESS_OVER_STRENGTH * strength_pa))) {
+        Some(cap_pa) => strength.with_cap(cap_pa),
+        None => Ok(strength),
+    }
 }

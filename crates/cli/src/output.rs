@@ -121,6 +121,10 @@ impl StagedFiles {
     /// [`Failure::System`] that names the first path that could not be replaced.
     pub fn publish(self) -> Result<(), Failure> {
         for (aside, target) in self.0 {
+            // Replacing a file does not make it readable to others.
+            if let Ok(existing) = target.metadata() {
+                let _ = aside.as_file().set_permissions(existing.permissions());
+            }
             aside
                 .persist(&target)
                 .map_err(|error| Failure::writing(&target.display().to_string(), &error.error))?;

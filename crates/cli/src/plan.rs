@@ -2,6 +2,7 @@
 
 use std::num::NonZeroU32;
 
+use asperity::{AsperityError, Bound, MaterialPair};
 use rayon::prelude::*;
 use serde::Serialize;
 use spectrum::{
@@ -9,6 +10,10 @@ use spectrum::{
     amplitudes, cumulative_moments, cumulative_moments_to, fit_self_affine,
 };
 use stacked_contact::{Level, Scale, StackedModel, levels};
+use stat_contact::{AsperityLaw, ContactState, Population, StatisticalContact};
+
+/// More scales than any spectrum resolves, and what still fits into memory under a handful of loads.
+const MOST_SCALES: usize = 2_000_000;
 
 /// Which scales of the spectrum take part.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -19,13 +24,27 @@ pub struct Sampling {
     pub cutoff_m: Option<f64>,
 }
 
-/// A stacked model under a name.
+/// A model under a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// The name of its table and of its entry in a legend.
     pub name: String,
     /// The model.
-    pub model: StackedModel,
+    pub model: CurveModel,
+}
+
+/// One of the two frameworks, with its law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CurveModel {
+    /// Scale upon scale.
+    Stacked(StackedModel),
+    /// Asperities of one curvature and Gaussian heights.
+    Statistical {
+        /// The bodies in contact.
+        pair: MaterialPair,
+        /// The law of one asperity.
+        law: AsperityLaw,
+    },
 }
 
 /// A nominal pressure and how it was given.
@@ -37,19 +56,65 @@ pub struct Load {
     pub label: String,
 }
 
+/// A statistical curve against load, at some cutoffs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadSweep {
+    /// Which of the curves, by index.
+    pub curve: usize,
+    /// The cutoff, in multiples of the shortest wavelength.
+    pub cutoff_multiple: f64,
+    /// The nominal pressures \[Pa\].
+    pub pressures_pa: Vec<f64>,
+}
+
 /// What is to be computed of a spectrum. Nothing is by default.
 #[derive(Debug, Clone, Default)]
 pub struct Needs {
-    /// Spectral moments and McCool's parameters for every cutoff.
+    /// Spectral moments for every cutoff; statistical curves always need them.
     pub moments: Option<Normalisation>,
+    /// McCool's asperity parameters from the moments; statistical curves always need them.
+    pub asperities: bool,
     /// Amplitudes; stacked curves always need them.
     pub amplitudes: Option<AmplitudeDefinition>,
     /// The self-affine fit, to the wavelengths \[m\] between these.
     pub fit_band_m: Option<(f64, f64)>,
-    /// Stacked curves, each under every load.
+    /// Curves against cutoff, each under every load.
     pub curves: Vec<Curve>,
     /// The loads.
     pub loads: Vec<Load>,
+    /// Separations \[m\] at which statistical curves are wanted besides the loads.
+    pub separations_m: Vec<f64>,
+    /// Statistical curves against load.
+    pub sweeps: Vec<LoadSweep>,
+    /// Relative tolerance of statistical states.
+    pub tolerance: Tolerance,
+}
+
+/// The relative error allowed of a statistical state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance(f64);
+
+impl Tolerance {
+    const BOUND: Bound = Bound::LeftOpen { above: 0.0, at_most: 0.01 };
+
+    /// A tolerance in (0, 0.01].
+    ///
+    /// # Errors
+    /// [`AsperityError`] outside it.
+    pub fn new(tolerance: f64) -> Result<Self, AsperityError> {
+        Self::BOUND.check("tolerance", tolerance).map(Tolerance)
+    }
+
+    /// As a number.
+    pub fn value(self) -> f64 {
+        self.0
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Tolerance(1e-12)
+    }
 }
 
 /// A spectrum, and what is to be computed of it.
@@ -67,10 +132,14 @@ pub struct Plan<'p> {
 pub struct Work {
     /// Cutoffs for which moments were computed.
     pub moment_cutoffs: usize,
+    /// Cutoffs for which asperity parameters were computed.
+    pub asperity_cutoffs: usize,
     /// Scales whose amplitude was computed.
     pub amplitude_scales: usize,
     /// Levels of stacked curves.
     pub stacked_levels: usize,
+    /// States of statistical curves.
+    pub statistical_states: usize,
     /// Samples that took part in a fit.
     pub fitted_samples: usize,
 }
@@ -80,16 +149,36 @@ pub struct Work {
 pub struct Results {
     /// The spectrum as sampled for the plan.
     pub psd: ProfilePsd,
-    /// Moments and asperity parameters, from the second wavelength on.
+    /// Moments, and asperity parameters where needed, from the second wavelength on.
     pub moments: Vec<(Moments, Option<AsperityParameters>)>,
     /// Amplitudes, from long to short wavelengths.
     pub scales: Vec<Scale>,
     /// The fit.
     pub fit: Option<SelfAffineFit>,
-    /// For every curve, for every load, its levels.
-    pub curves: Vec<Vec<Vec<Level>>>,
+    /// The curves against cutoff.
+    pub curves: Vec<CurveResult>,
+    /// For every sweep, a state per pressure; none where the cutoff leaves no asperities.
+    pub sweeps: Vec<Vec<ContactState>>,
     /// How much was computed.
     pub work: Work,
+}
+
+/// A curve against cutoff: for every load its rows, from long to short wavelengths.
+#[derive(Debug, Clone)]
+pub enum CurveResult {
+    /// Levels of the stack.
+    Stacked(Vec<Vec<Level>>),
+    /// States of the population that each cutoff leaves; the separations follow the loads.
+    Statistical(Vec<Vec<CutoffState>>),
+}
+
+/// The contact of the asperities that a spectrum has up to a cutoff.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutoffState {
+    /// The cutoff \[m\].
+    pub wavelength_m: f64,
+    /// The asperities and their contact; none at the longest wavelength, where there are no moments yet.
+    pub contact: Option<(AsperityParameters, ContactState)>,
 }
 
 /// Why a plan cannot be carried out.
@@ -105,9 +194,22 @@ pub enum PlanError {
         /// The longest wavelength.
         longest_m: f64,
     },
+    /// The resampled spectrum would be too large.
+    #[error(
+        "{scales_per_decade} scales per decade make {scales:e} scales; at most {MOST_SCALES} are computed, choose fewer"
+    )]
+    TooManyScales {
+        /// The density asked for.
+        scales_per_decade: NonZeroU32,
+        /// The scales it makes.
+        scales: f64,
+    },
     /// The fit has too little to go by.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// A value that no model takes.
+    #[error(transparent)]
+    Value(#[from] AsperityError),
 }
 
 impl Plan<'_> {
@@ -116,10 +218,7 @@ impl Plan<'_> {
     /// # Errors
     /// [`PlanError`].
     pub fn compute(&self) -> Result<Results, PlanError> {
-        let sampled = match self.sampling.scales_per_decade {
-            Some(scales_per_decade) => self.psd.resampled(scales_per_decade),
-            None => self.psd.clone(),
-        };
+        let sampled = self.sampled()?;
         let psd = match self.sampling.cutoff_m {
             Some(cutoff_m) => sampled
                 .truncated_at(cutoff_m)
@@ -127,21 +226,46 @@ impl Plan<'_> {
             None => sampled.clone(),
         };
         let moments = self.needs.moments.map_or_else(Vec::new, |norm| self.moments(&sampled, norm));
-        // An amplitude does not depend on the cutoff: a curve cut short is the beginning of the whole one.
-        let scales: Vec<Scale> = self.needs.amplitudes.map_or_else(Vec::new, |definition| {
-            let scales = amplitudes(&sampled, definition).into_iter().take(psd.len());
-            scales.map(|s| Scale { wavelength_m: s.wavelength_m, amplitude_m: s.amplitude_m }).collect()
-        });
+        let scales =
+            self.needs.amplitudes.map_or_else(Vec::new, |definition| kept_scales(&sampled, &psd, definition));
         let fit =
             self.needs.fit_band_m.map(|(from_m, to_m)| fit_self_affine(&psd, from_m..=to_m)).transpose()?;
-        let curves = self.curves(&scales);
+        let curve = |curve: &Curve| match curve.model {
+            CurveModel::Stacked(model) => Ok(CurveResult::Stacked(self.stacked(&model, &scales))),
+            CurveModel::Statistical { pair, law } => self
+                .statistical(&pair, &law, psd.longest_wavelength_m(), &moments)
+                .map(CurveResult::Statistical),
+        };
+        let curves = self.needs.curves.par_iter().map(curve).collect::<Result<Vec<_>, _>>()?;
+        let sweeps = self
+            .needs
+            .sweeps
+            .par_iter()
+            .map(|sweep| self.sweep(sweep, &sampled))
+            .collect::<Result<Vec<_>, _>>()?;
         let work = Work {
             moment_cutoffs: moments.len(),
+            asperity_cutoffs: moments.iter().filter(|(_, asperities)| asperities.is_some()).count(),
             amplitude_scales: scales.len(),
-            stacked_levels: curves.iter().flatten().map(Vec::len).sum(),
+            stacked_levels: curves.iter().map(CurveResult::levels).sum(),
+            statistical_states: curves
+                .iter()
+                .map(CurveResult::states)
+                .chain(sweeps.iter().map(Vec::len))
+                .sum(),
             fitted_samples: fit.as_ref().map_or(0, |fit| fit.points),
         };
-        Ok(Results { psd, moments, scales, fit, curves, work })
+        Ok(Results { psd, moments, scales, fit, curves, sweeps, work })
+    }
+
+    fn sampled(&self) -> Result<ProfilePsd, PlanError> {
+        let Some(scales_per_decade) = self.sampling.scales_per_decade else { return Ok(self.psd.clone()) };
+        let decades = (self.psd.longest_wavelength_m() / self.psd.shortest_wavelength_m()).log10();
+        let scales = f64::from(scales_per_decade.get()) * decades;
+        if scales > MOST_SCALES as f64 {
+            return Err(PlanError::TooManyScales { scales_per_decade, scales });
+        }
+        Ok(self.psd.resampled(scales_per_decade))
     }
 
     fn moments(
@@ -153,17 +277,137 @@ impl Plan<'_> {
             Some(cutoff_m) => cumulative_moments_to(sampled, norm, cutoff_m),
             None => cumulative_moments(sampled, norm),
         };
-        moments.into_iter().map(|moments| (moments, AsperityParameters::from_moments(&moments))).collect()
+        let asperities = |moments: &Moments| {
+            if self.needs.asperities { AsperityParameters::from_moments(moments) } else { None }
+        };
+        moments.into_iter().map(|moments| (moments, asperities(&moments))).collect()
     }
 
-    fn curves(&self, scales: &[Scale]) -> Vec<Vec<Vec<Level>>> {
-        let curve = |curve: &Curve| {
-            let one = |load: &Load| {
-                levels(&curve.model, load.nominal_pressure_pa, scales.iter().copied()).collect::<Vec<_>>()
-            };
-            self.needs.loads.par_iter().map(one).collect()
+    fn stacked(&self, model: &StackedModel, scales: &[Scale]) -> Vec<Vec<Level>> {
+        let one = |load: &Load| levels(model, load.nominal_pressure_pa, scales.iter().copied()).collect();
+        self.needs.loads.par_iter().map(one).collect()
+    }
+
+    fn statistical(
+        &self,
+        pair: &MaterialPair,
+        law: &AsperityLaw,
+        longest_m: f64,
+        moments: &[(Moments, Option<AsperityParameters>)],
+    ) -> Result<Vec<Vec<CutoffState>>, PlanError> {
+        let pressures = self.needs.loads.iter().map(|load| Given::Pressure(load.nominal_pressure_pa));
+        let separations =
+            self.needs.separations_m.iter().map(|&separation_m| Given::Separation(separation_m));
+        let block = |given: Given| {
+            let mut rows = vec![CutoffState { wavelength_m: longest_m, contact: None }];
+            let mut neighbour = None;
+            for (moments, parameters) in moments {
+                let contact = match parameters {
+                    Some(parameters) => {
+                        let state = self.state(pair, law, parameters, given, neighbour.as_ref())?;
+                        neighbour = Some(state);
+                        Some((*parameters, state))
+                    }
+                    None => None,
+                };
+                rows.push(CutoffState { wavelength_m: moments.wavelength_m, contact });
+            }
+            Ok(rows)
         };
-        self.needs.curves.par_iter().map(curve).collect()
+        pressures.chain(separations).collect::<Vec<_>>().into_par_iter().map(block).collect()
+    }
+
+    fn sweep(&self, sweep: &LoadSweep, sampled: &ProfilePsd) -> Result<Vec<ContactState>, PlanError> {
+        let CurveModel::Statistical { pair, law } = self.needs.curves[sweep.curve].model else {
+            return Ok(Vec::new());
+        };
+        let shortest_m = self.sampling.cutoff_m.unwrap_or(0.0).max(sampled.shortest_wavelength_m());
+        let norm = self.needs.moments.unwrap_or_default();
+        let moments = cumulative_moments_to(sampled, norm, sweep.cutoff_multiple * shortest_m);
+        let Some(parameters) = moments.last().and_then(AsperityParameters::from_moments) else {
+            return Ok(Vec::new());
+        };
+        let mut states: Vec<ContactState> = Vec::with_capacity(sweep.pressures_pa.len());
+        for &pressure_pa in &sweep.pressures_pa {
+            states.push(self.state(&pair, &law, &parameters, Given::Pressure(pressure_pa), states.last())?);
+        }
+        Ok(states)
+    }
+
+    /// A state of the asperities that moments describe; `neighbour` saves work and changes no digit.
+    fn state(
+        &self,
+        pair: &MaterialPair,
+        law: &AsperityLaw,
+        parameters: &AsperityParameters,
+        given: Given,
+        neighbour: Option<&ContactState>,
+    ) -> Result<ContactState, PlanError> {
+        let population =
+            Population::new(parameters.radius_m, parameters.density_per_m2, parameters.sigma_s_m)?;
+        let contact = StatisticalContact::new(pair, &population, law);
+        let tolerance = self.needs.tolerance.value();
+        Ok(match given {
+            Given::Pressure(pressure_pa) => contact.at_pressure(pressure_pa, tolerance, neighbour)?,
+            Given::Separation(separation_m) => contact.at_separation(separation_m, tolerance)?,
+        })
+    }
+}
+
+/// The amplitudes of the scales kept. An amplitude does not depend on the cutoff, so that a curve cut short is the
+/// beginning of the whole one: the band of the last scale reaches to its neighbour below the cutoff.
+fn kept_scales(sampled: &ProfilePsd, kept: &ProfilePsd, definition: AmplitudeDefinition) -> Vec<Scale> {
+    let neighbour_m = sampled.wavelengths_m().get(kept.len()).copied();
+    let reached = neighbour_m.and_then(|neighbour_m| sampled.truncated_at(neighbour_m));
+    let scales = amplitudes(reached.as_ref().unwrap_or(kept), definition).into_iter().take(kept.len());
+    scales.map(|scale| Scale { wavelength_m: scale.wavelength_m, amplitude_m: scale.amplitude_m }).collect()
+}
+
+/// What a statistical state is asked at.
+#[derive(Clone, Copy)]
+enum Given {
+    Pressure(f64),
+    Separation(f64),
+}
+
+impl CurveResult {
+    /// Number of blocks: one per load, and per separation.
+    pub fn blocks(&self) -> usize {
+        match self {
+            CurveResult::Stacked(blocks) => blocks.len(),
+            CurveResult::Statistical(blocks) => blocks.len(),
+        }
+    }
+
+    /// A block as points of wavelength \[m\] and area fraction; cutoffs without asperities have none.
+    pub fn area_fractions(&self, block: usize) -> Vec<(f64, f64)> {
+        match self {
+            CurveResult::Stacked(blocks) => {
+                blocks[block].iter().map(|level| (level.wavelength_m, level.area_fraction)).collect()
+            }
+            CurveResult::Statistical(blocks) => blocks[block]
+                .iter()
+                .filter_map(|row| row.contact.map(|(_, state)| (row.wavelength_m, state.area_fraction)))
+                .collect(),
+        }
+    }
+
+    /// Levels of a stacked curve.
+    fn levels(&self) -> usize {
+        match self {
+            CurveResult::Stacked(blocks) => blocks.iter().map(Vec::len).sum(),
+            CurveResult::Statistical(_) => 0,
+        }
+    }
+
+    /// States of a statistical curve.
+    fn states(&self) -> usize {
+        match self {
+            CurveResult::Stacked(_) => 0,
+            CurveResult::Statistical(blocks) => {
+                blocks.iter().flatten().filter(|row| row.contact.is_some()).count()
+            }
+        }
     }
 }
 

@@ -28,7 +28,9 @@ fn drawn(scene: &Scene, figure: &FigureData) -> String {
 }
 
 fn origin(scene: &Scene, what: &str) -> Vec<String> {
-    provenance(&format!("scene \"{}\", {what}", scene.title), &scene.surface, scene.sampling)
+    let mut lines = provenance(&format!("scene \"{}\", {what}", scene.title), &scene.surface, scene.sampling);
+    lines.extend(scene.choices());
+    lines
 }
 
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
@@ -50,8 +52,8 @@ pub fn write(
         let comments = origin(scene, &format!("{what} {name}"));
         files.stage(&folder.join(&names[names.len() - 1]), |out| table.write(format, &comments, out))
     };
-    for (curve, levels) in scene.needs.curves.iter().zip(&results.curves) {
-        let table = tables::stacked(levels, &scene.needs.loads, true);
+    for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
+        let table = tables::curve(result, &scene.needs.loads, true);
         stage_table(&mut files, &curve.name, "curve", &table)?;
     }
     let figures = figures(scene, results);

@@ -51,11 +51,24 @@ pub enum QuantityError {
         /// The kind of quantity.
         what: &'static str,
     },
+    /// Beyond the largest double.
+    #[error("'{text}' is out of range; it must be finite")]
+    NotFinite {
+        /// What was typed.
+        text: String,
+    },
 }
 
 /// A length > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Length {
+    /// In metres.
+    pub m: f64,
+}
+
+/// A length of either sign, or zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SignedLength {
     /// In metres.
     pub m: f64,
 }
@@ -72,6 +85,13 @@ pub struct Force {
 pub struct Area {
     /// In square metres.
     pub m2: f64,
+}
+
+/// A modulus > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Modulus {
+    /// In pascals.
+    pub pa: f64,
 }
 
 /// A pressure > 0, in Pa or as a multiple of the hardness H = 3 S0.
@@ -129,6 +149,8 @@ const PRESSURE: Kind = Kind {
     example: "5.4 MPa",
 };
 
+const MODULUS: Kind = Kind { what: "modulus", example: "210 GPa", ..PRESSURE };
+
 /// The unit of pressure that is the material's own.
 const HARDNESS_UNIT: &str = "H";
 
@@ -166,12 +188,17 @@ impl Kind {
         names.join(", ")
     }
 
-    /// The value in SI units.
+    /// The value in SI units, which must be positive.
     fn parse(&self, text: &str) -> Result<f64, QuantityError> {
+        self.positive(text, self.parse_signed(text)?)
+    }
+
+    /// The value in SI units, whatever its sign.
+    fn parse_signed(&self, text: &str) -> Result<f64, QuantityError> {
         let (number, unit) = self.split(text)?;
         let power =
             self.units.iter().find(|(spellings, _)| spellings.contains(&unit)).map(|(_, power)| *power);
-        self.positive(text, shifted(number, power.ok_or_else(|| self.wrong_unit(text, unit))?))
+        Ok(shifted(number, power.ok_or_else(|| self.wrong_unit(text, unit))?))
     }
 
     /// The number's text and the unit's, both there.
@@ -237,6 +264,19 @@ impl FromStr for Length {
     }
 }
 
+impl FromStr for SignedLength {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let m = LENGTH.parse_signed(text)?;
+        if m.is_finite() {
+            Ok(SignedLength { m })
+        } else {
+            Err(QuantityError::NotFinite { text: text.to_owned() })
+        }
+    }
+}
+
 impl FromStr for Force {
     type Err = QuantityError;
 
@@ -250,6 +290,14 @@ impl FromStr for Area {
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         Ok(Area { m2: AREA.parse(text)? })
+    }
+}
+
+impl FromStr for Modulus {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(Modulus { pa: MODULUS.parse(text)? })
     }
 }
 

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
-use stacked_contact::{Convergence, Level, convergence, largest_full_contact_pressure_pa};
+use stacked_contact::{Convergence, Level, StackedModel, convergence, largest_full_contact_pressure_pa};
+use stat_contact::ContactState;
 
 use crate::display::{length, pressure, three_digits};
-use crate::plan::{Curve, Results, scales_per_decade};
+use crate::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use crate::scene::Scene;
 
 /// The tolerances within which the area counts as converged.
@@ -15,9 +16,12 @@ const TOLERANCES: [(f64, &str); 2] = [(0.01, "1 %"), (0.001, "0.1 %")];
 /// The summary of a scene's results.
 pub fn summary(scene: &Scene, results: &Results) -> String {
     let mut text = format!("{}\n{}\n", scene.title, sampling(results));
-    for (curve, loads) in scene.needs.curves.iter().zip(&results.curves) {
+    for choice in scene.choices() {
+        let _ = writeln!(text, "{choice}");
+    }
+    for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
         text.push('\n');
-        text.push_str(&curve_summary(scene, results, curve, loads));
+        text.push_str(&curve_summary(scene, results, curve, result));
     }
     text
 }
@@ -35,7 +39,7 @@ pub fn sampling(results: &Results) -> String {
     )
 }
 
-fn curve_summary(scene: &Scene, results: &Results, curve: &Curve, loads: &[Vec<Level>]) -> String {
+fn curve_summary(scene: &Scene, results: &Results, curve: &Curve, result: &CurveResult) -> String {
     let hardness_pa = scene.material.and_then(|material| material.hardness_pa());
     let mut rows = vec![
         ["nominal pressure", "area fraction", "real pressure"]
@@ -44,27 +48,71 @@ fn curve_summary(scene: &Scene, results: &Results, curve: &Curve, loads: &[Vec<L
             .chain(TOLERANCES.map(|(_, name)| format!("converged within {name} at")))
             .collect::<Vec<_>>(),
     ];
-    for (load, levels) in scene.needs.loads.iter().zip(loads) {
-        let Some(last) = levels.last() else { continue };
+    for (block, load) in scene.needs.loads.iter().enumerate() {
+        let points = result.area_fractions(block);
+        let Some((_, area_fraction)) = points.last().copied() else { continue };
+        let real_pressure_pa = load.nominal_pressure_pa / area_fraction;
         let real_pressure = match hardness_pa {
-            Some(hardness_pa) => format!("{} H", three_digits(last.real_pressure_pa / hardness_pa)),
-            None => pressure(last.real_pressure_pa),
+            Some(hardness_pa) => format!("{} H", three_digits(real_pressure_pa / hardness_pa)),
+            None => pressure(real_pressure_pa),
         };
-        let mut row = vec![load.label.clone(), three_digits(last.area_fraction), real_pressure];
-        row.extend(TOLERANCES.map(|(tolerance, _)| converged(convergence(levels, tolerance))));
+        let mut row = vec![load.label.clone(), three_digits(area_fraction), real_pressure];
+        row.extend(TOLERANCES.map(|(tolerance, _)| converged(convergence(&points, tolerance))));
         rows.push(row);
     }
     let mut text = format!("{}\n{}", curve.name, aligned(&rows));
-    if let Some(beyond) = beyond_fitted_range(loads) {
-        let _ = writeln!(text, "  {beyond}");
-    }
-    if let Some(limit_pa) = largest_full_contact_pressure_pa(&curve.model, results.scales.iter().copied()) {
-        let in_hardnesses = hardness_pa
-            .map_or(String::new(), |hardness_pa| format!(" = {} H", three_digits(limit_pa / hardness_pa)));
-        let _ =
-            writeln!(text, "  limit of dense sampling: area = load / {}{in_hardnesses}", pressure(limit_pa));
+    match (&curve.model, result) {
+        (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
+            text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
+        }
+        (_, result) => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
     }
     text
+}
+
+fn stacked_remarks(
+    model: &StackedModel,
+    results: &Results,
+    levels: &[Vec<Level>],
+    hardness_pa: Option<f64>,
+) -> String {
+    let mut text = beyond_fitted_range(levels).map_or(String::new(), |beyond| format!("  {beyond}\n"));
+    if let Some(limit_pa) = largest_full_contact_pressure_pa(model, results.scales.iter().copied()) {
+        let in_hardnesses = hardness_pa
+            .map_or(String::new(), |hardness_pa| format!(" = {} H", three_digits(limit_pa / hardness_pa)));
+        let _ = writeln!(
+            text,
+            "  limit of dense sampling: area = load / {}{in_hardnesses}, at most the nominal area",
+            pressure(limit_pa)
+        );
+    }
+    text
+}
+
+/// What a statistical curve leaves open or goes beyond.
+pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
+    let CurveResult::Statistical(blocks) = result else { return Vec::new() };
+    let states = || blocks.iter().flatten().filter_map(|row| row.contact.map(|(_, state)| state));
+    let mut notes = Vec::new();
+    let mut count = |of: &dyn Fn(&ContactState) -> bool, what: &str| {
+        let found = states().filter(of).count();
+        if found > 0 {
+            notes.push(format!("{found} of {} states {what}", states().count()));
+        }
+    };
+    count(
+        &|state| state.separation_m.is_none(),
+        "are beyond complete contact of every asperity: area fraction 1, no separation",
+    );
+    count(
+        &|state| state.clamped,
+        "have more contact area than there is nominal area, held at an area fraction of 1",
+    );
+    count(
+        &|state| state.out_of_range_load_share > 0.5,
+        "carry most of their load on asperities outside the range their law was fitted in",
+    );
+    notes
 }
 
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.

@@ -5,13 +5,18 @@ use std::path::Path;
 use spectrum::{ProfilePsd, PsdFile, ReadOptions, read_psd};
 
 use crate::failure::Failure;
-use crate::output::Place;
+use crate::output::{Place, utf8};
+use crate::table::{Format, InputTable};
 
 /// Spectra that come with the program, under the names by which they are asked for.
 pub const BUILTIN: [(&str, &str); 2] = [
     ("builtin:uncd-measured", include_str!("../../../data/uncd_psd_measured.csv")),
     ("builtin:uncd-reconstructed", include_str!("../../../data/uncd_psd_reconstructed.csv")),
 ];
+
+/// What is said wherever the second of them is used.
+const RECONSTRUCTION: (&str, &str) =
+    ("builtin:uncd-reconstructed", "this spectrum is a reconstruction, not the published one");
 
 /// A spectrum ready to be worked with.
 #[derive(Debug, Clone)]
@@ -44,9 +49,26 @@ impl Surface {
                 Place::File(path) => Place::File(folder.join(path)),
                 Place::Standard => Place::Standard,
             };
-            read_psd(place.read()?.as_slice(), options).map_err(|error| blame(&error))?
+            let bytes = place.read()?;
+            let csv = json_as_csv(&bytes, name)?;
+            read_psd(csv.as_deref().unwrap_or(&bytes), options).map_err(|error| blame(&error))?
         };
         let psd = psd.profile().map_err(|error| blame(&error))?;
+        let mut notes = notes;
+        if name == RECONSTRUCTION.0 {
+            notes.push(RECONSTRUCTION.1.to_owned());
+        }
         Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes })
     }
+}
+
+/// A spectrum given as an array of row objects, as CSV; its row n is then line n + 1. Anything else is no JSON table.
+fn json_as_csv(bytes: &[u8], name: &str) -> Result<Option<Vec<u8>>, Failure> {
+    if bytes.trim_ascii_start().first() != Some(&b'[') {
+        return Ok(None);
+    }
+    let rows = InputTable::from_json(utf8(bytes, name, "spectrum")?, name.to_owned())?;
+    let mut csv = Vec::new();
+    rows.table.write(Format::Csv, &[], &mut csv).map_err(|error| Failure::reading(name, &error))?;
+    Ok(Some(csv))
 }

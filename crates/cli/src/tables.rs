@@ -1,8 +1,10 @@
 //! Results as the tables that others script against.
 
+use spectrum::AsperityParameters;
 use stacked_contact::Level;
+use stat_contact::ContactState;
 
-use crate::plan::{Load, Results};
+use crate::plan::{CurveResult, CutoffState, Load, Results};
 use crate::table::Table;
 
 /// Moments and McCool's parameters: a row per wavelength; the first has no interval yet and empty cells.
@@ -52,8 +54,49 @@ pub fn fit(results: &Results) -> Table {
         .with_numbers("points", [fit.map(|fit| fit.points as f64)])
 }
 
-/// One curve under its loads, block after block; which load a row belongs to is told where there are several.
-pub fn stacked(curve: &[Vec<Level>], loads: &[Load], details: bool) -> Table {
+/// A curve against cutoff, block after block.
+pub fn curve(curve: &CurveResult, loads: &[Load], details: bool) -> Table {
+    match curve {
+        CurveResult::Stacked(blocks) => stacked(blocks, loads, details),
+        CurveResult::Statistical(blocks) => statistical(blocks, details),
+    }
+}
+
+/// A statistical curve: the asperities each cutoff leaves, and their contact. The first row has no asperities yet.
+fn statistical(blocks: &[Vec<CutoffState>], details: bool) -> Table {
+    let rows = || blocks.iter().flatten();
+    let parameter =
+        |of: fn(&AsperityParameters) -> f64| rows().map(move |row| row.contact.map(|(p, _)| of(&p)));
+    let state =
+        |of: fn(&ContactState) -> Option<f64>| rows().map(move |row| row.contact.and_then(|(_, s)| of(&s)));
+    let table = Table::default()
+        .with_numbers("wavelength_m", rows().map(|row| row.wavelength_m))
+        .with_numbers("radius_m", parameter(|p| p.radius_m))
+        .with_numbers("density_per_m2", parameter(|p| p.density_per_m2))
+        .with_numbers("sigma_s_m", parameter(|p| p.sigma_s_m))
+        .with_numbers("separation_m", state(|s| s.separation_m))
+        .with_numbers("pressure_pa", state(|s| Some(s.pressure_pa)))
+        .with_numbers("area_fraction", state(|s| Some(s.area_fraction)));
+    if !details {
+        return table;
+    }
+    STATE_DETAILS.iter().fold(table, |table, (name, of)| table.with_numbers(name, state(*of)))
+}
+
+/// One column of a state.
+type StateColumn = (&'static str, fn(&ContactState) -> Option<f64>);
+
+/// How a statistical state was found, and its logarithms.
+pub const STATE_DETAILS: [StateColumn; 5] = [
+    ("error_estimate", |state| Some(state.error_estimate)),
+    ("evaluations", |state| Some(state.evaluations as f64)),
+    ("out_of_range_load_share", |state| Some(state.out_of_range_load_share)),
+    ("ln_pressure_pa", |state| Some(state.ln_pressure_pa)),
+    ("ln_area_fraction", |state| Some(state.ln_area_fraction)),
+];
+
+/// A stacked curve; which load a row belongs to is told where there are several.
+fn stacked(curve: &[Vec<Level>], loads: &[Load], details: bool) -> Table {
     let mut table = Table::default();
     if loads.len() > 1 {
         let pressures = curve.iter().zip(loads);

@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use crate::stderr::say;
+
 /// A stopwatch with named laps.
 pub struct Timings {
     since: Instant,
@@ -28,7 +30,7 @@ impl Timings {
                 .iter()
                 .map(|(name, time)| format!("{name} {:.1} ms", time.as_secs_f64() * 1e3))
                 .collect();
-            eprintln!("timings: {}", laps.join(", "));
+            say(&format!("timings: {}", laps.join(", ")));
         }
     }
 }

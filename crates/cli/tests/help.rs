@@ -14,6 +14,8 @@ fn every_command_shows_an_example() {
         &["fit"],
         &["run"],
         &["scene"],
+        &["statistical"],
+        &["asperity"],
         &["asperity", "sphere"],
         &["asperity", "sinusoid"],
         &["asperity", "sinusoid-interference"],
@@ -33,12 +35,19 @@ fn a_command_that_does_not_exist_is_bad_input() {
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_ends_quietly() {
-    let script = format!(
-        "{} amplitude builtin:uncd-reconstructed 2>err | true; test \"${{PIPESTATUS[0]}}\" = 0 && ! test -s err",
-        env!("CARGO_BIN_EXE_truearea")
-    );
-    let folder = tempfile::tempdir().unwrap();
-    let status =
-        std::process::Command::new("bash").args(["-c", &script]).current_dir(folder.path()).status().unwrap();
-    assert!(status.success());
+    // Far more than a pipe and a buffer hold.
+    for format in ["csv", "json"] {
+        let script = format!(
+            "{} amplitude builtin:uncd-measured --scales-per-decade 5000 --format {format} 2>err | true; \
+             test \"${{PIPESTATUS[0]}}\" = 0 && ! test -s err",
+            env!("CARGO_BIN_EXE_truearea")
+        );
+        let folder = tempfile::tempdir().unwrap();
+        let status = std::process::Command::new("bash")
+            .args(["-c", &script])
+            .current_dir(folder.path())
+            .status()
+            .unwrap();
+        assert!(status.success(), "{format}");
+    }
 }

@@ -101,10 +101,11 @@ fn explaining_computes_and_writes_nothing() {
         "small\n  \
          spectrum  builtin:uncd-measured: 46 wavelengths from 149 µm to 3.5 nm, 9.72 per decade\n  \
          skipped   resampling: options.scales_per_decade is not set\n  \
-         skipped   moments and asperity parameters: no figure shows them\n  \
+         skipped   moments and asperity parameters: no curve and no figure uses them\n  \
          needed    amplitudes, eq5 (the stacked curves)\n  \
          needed    stacked curve elastic at 2 loads\n  \
          needed    stacked curve hardening at 2 loads\n  \
+         skipped   statistical model: no curve asks for it\n  \
          skipped   self-affine fit: only `truearea fit` computes it\n  \
          needed    figure area-fraction\n"
     );
@@ -141,8 +142,8 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     };
     assert_eq!(
         refused("\"463 GPa\"", "463e9"),
-        "error: key material.youngs_modulus: '463000000000.0' has no unit; a pressure needs one of Pa, hPa, kPa, bar, MPa, \
-         GPa, TPa, H, as in '5.4 MPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
+        "error: key material.youngs_modulus: '463000000000.0' has no unit; a modulus needs one of Pa, hPa, kPa, bar, MPa, \
+         GPa, TPa, as in '210 GPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
     );
     assert!(
         refused("poisson_ratio = 0.2", "poison = 1")
@@ -150,7 +151,7 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     );
     assert!(
         refused("poisson_ratio = 0.2", "poisson_ratio = 0.6")
-            .contains("Poisson's ratio is 6e-1; it must be greater")
+            .contains("Poisson's ratio is 0.6; it must be greater")
     );
     assert!(
         refused("\"5 um\"", "\"5 GPa\"")

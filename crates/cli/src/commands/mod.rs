@@ -1,22 +1,25 @@
 //! One module per command: from what was typed to a plan, and from its results to the output.
 
-mod asperity_laws;
+mod one_asperity;
 mod run_scene;
 mod spectrum_tables;
 mod stacked;
+mod statistical;
 
 use std::path::Path;
 
 use asperity::ElasticBody;
 use spectrum::ReadOptions;
 
-use crate::args::{Args, Command, PsdArgs, SharedArgs};
+use crate::args::{Args, Command, MaterialArgs, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
+use crate::material::{GivenMaterial, Material};
 use crate::output::Place;
-use crate::plan::{Needs, Plan, Results, Sampling};
+use crate::plan::{Load, Needs, Plan, Results, Sampling};
 use crate::provenance::provenance;
-use crate::quantity::Pressure;
+use crate::quantity::{Modulus, Pressure};
 use crate::scene::Overrides;
+use crate::stderr::say;
 use crate::surface::Surface;
 use crate::table::Table;
 use crate::timings::Timings;
@@ -25,11 +28,12 @@ use crate::timings::Timings;
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
     let context = Context { shared: args.shared, typed };
     match args.command {
-        Command::Asperity(args) => asperity_laws::run(&args.law, &context),
+        Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(psd) => spectrum_tables::moments(&psd, &context),
         Command::Amplitude(psd) => spectrum_tables::amplitude(&psd, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
+        Command::Statistical(args) => statistical::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Scene { template } => {
             context.shared.output.write(|out| out.write_all(template.text().as_bytes()))
@@ -57,7 +61,7 @@ impl Context<'_> {
         else {
             return Ok(None);
         };
-        elastic_body("--counterface-youngs-modulus", modulus, "--counterface-poisson-ratio", ratio).map(Some)
+        elastic_body(modulus, "--counterface-poisson-ratio", ratio).map(Some)
     }
 
     fn overrides(&self) -> Result<Overrides, Failure> {
@@ -75,18 +79,19 @@ impl Context<'_> {
     /// Reads the spectrum, computes what is needed of it, and writes the table made from that.
     fn spectrum_to_table(
         &self,
-        psd: &PsdArgs,
+        psd: &str,
+        reading: &ReadingArgs,
         needs: Needs,
         table: impl FnOnce(&Results, &Needs) -> Table,
         notes: impl FnOnce(&Results) -> Vec<String>,
     ) -> Result<(), Failure> {
         let mut timings = Timings::start();
-        let surface = load(psd)?;
+        let surface = load(psd, reading)?;
         timings.lap("reading");
         let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
         let results = plan.compute().map_err(Failure::input)?;
         timings.lap("computing");
-        say(surface.notes.iter().cloned().chain(notes(&results)));
+        say_notes(surface.notes.iter().cloned().chain(notes(&results)));
         self.write(&table(&results, &plan.needs), &provenance(self.typed, &surface, plan.sampling))?;
         timings.lap("writing");
         timings.report(self.shared.timings);
@@ -99,30 +104,55 @@ impl Context<'_> {
             Place::Standard => &[],
             Place::File(_) => comments,
         };
+        let unrepresentable = table.unrepresentable();
+        if unrepresentable > 0 {
+            say_notes([format!(
+                "{unrepresentable} results lie beyond the range of double-precision numbers: their cells are empty"
+            )]);
+        }
         self.shared.output.write(|out| table.write(self.shared.format, comments, out))
     }
 }
 
-fn load(psd: &PsdArgs) -> Result<Surface, Failure> {
-    let options = ReadOptions { column: psd.column.clone(), x: psd.x, convention: psd.convention };
-    Surface::load(&psd.psd, Path::new(""), &options)
+fn load(psd: &str, reading: &ReadingArgs) -> Result<Surface, Failure> {
+    let options =
+        ReadOptions { column: reading.column.clone(), x: reading.x, convention: reading.convention };
+    Surface::load(psd, Path::new(""), &options)
 }
 
-fn elastic_body(
-    modulus_flag: &str,
-    modulus: Pressure,
-    ratio_flag: &str,
-    ratio: f64,
-) -> Result<ElasticBody, Failure> {
-    let modulus_pa = modulus.pascals(None).ok_or_else(|| {
-        Failure::Input(format!("{modulus_flag}: a modulus cannot be given in H; give it in GPa"))
-    })?;
-    ElasticBody::new(modulus_pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
+/// The rough body and its counterface, as given on the command line.
+fn material(given: &MaterialArgs, context: &Context<'_>) -> Result<Material, Failure> {
+    let missing = |flag: &str| Failure::Input(format!("{flag} is needed: every model is at least elastic"));
+    let modulus = given.youngs_modulus.ok_or_else(|| missing("--youngs-modulus"))?;
+    let poisson_ratio = given.poisson_ratio.ok_or_else(|| missing("--poisson-ratio"))?;
+    let body = elastic_body(modulus, "--poisson-ratio", poisson_ratio)?;
+    Ok(Material::new(GivenMaterial {
+        body,
+        counterface: context.counterface()?,
+        yield_strength: given.yield_strength,
+        strength_cap: context.shared.strength_cap,
+        strain_gradient_length_m: given.strain_gradient_length.map(|length| length.m),
+    }))
+}
+
+/// The loads given by `--pressure`.
+fn loads(pressures: &[(Pressure, String)], material: &Material) -> Result<Vec<Load>, Failure> {
+    let load = |(pressure, label): &(Pressure, String)| {
+        let nominal_pressure_pa = material
+            .pascals(*pressure)
+            .map_err(|error| Failure::Input(format!("--pressure {label}: {error}: add --yield-strength")))?;
+        Ok(Load { nominal_pressure_pa, label: label.clone() })
+    };
+    pressures.iter().map(load).collect()
+}
+
+fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
+    ElasticBody::new(modulus.pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
 }
 
 /// Says notes on stderr.
-fn say(notes: impl IntoIterator<Item = String>) {
+fn say_notes(notes: impl IntoIterator<Item = String>) {
     for note in notes {
-        eprintln!("note: {note}");
+        say(&format!("note: {note}"));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Context, say};
+use super::{Context, say_notes};
 use crate::args::RunArgs;
 use crate::explain::explain;
 use crate::failure::Failure;
@@ -16,17 +16,18 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut timings = Timings::start();
     let scene = read(&args.scene, context)?;
     timings.lap("reading");
-    say(scene.surface.notes.iter().cloned());
+    say_notes(scene.surface.notes.iter().cloned());
     if args.explain {
-        return print(&explain(&scene));
+        return print(&explain(&scene), context);
     }
-    let results = scene.plan().compute().map_err(Failure::input)?;
+    let results =
+        scene.plan().compute().map_err(|error| Failure::Input(format!("{}: {error}", args.scene)))?;
     timings.lap("computing");
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
     let written = products::write(&scene, &results, context.shared.format, &folder)?;
     timings.lap("writing");
     let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
-    print(&format!("{}{files}", summary(&scene, &results)))?;
+    print(&format!("{}{files}", summary(&scene, &results)), context)?;
     timings.report(context.shared.timings);
     Ok(())
 }
@@ -48,6 +49,6 @@ fn default_folder(scene: &Place) -> PathBuf {
     PathBuf::from(format!("{}-results", stem.map_or("scene".into(), |stem| stem.to_string_lossy())))
 }
 
-fn print(text: &str) -> Result<(), Failure> {
-    Place::Standard.write(|out| out.write_all(text.as_bytes()))
+fn print(text: &str, context: &Context<'_>) -> Result<(), Failure> {
+    context.shared.output.write(|out| out.write_all(text.as_bytes()))
 }

@@ -9,8 +9,15 @@ use crate::plan::{Needs, Results};
 use crate::tables;
 
 pub(super) fn moments(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let needs = Needs { moments: Some(context.shared.normalisation.unwrap_or_default()), ..Needs::default() };
-    context.spectrum_to_table(psd, needs, |results, _| tables::moments(results), not_gaussian)
+    let normalisation = context.shared.normalisation.unwrap_or_default();
+    let needs = Needs { moments: Some(normalisation), asperities: true, ..Needs::default() };
+    context.spectrum_to_table(
+        &psd.psd,
+        &psd.reading,
+        needs,
+        |results, _| tables::moments(results),
+        not_gaussian,
+    )
 }
 
 /// Where the surface cannot be a Gaussian isotropic one, for which McCool's parameters are derived.
@@ -25,19 +32,26 @@ fn not_gaussian(results: &Results) -> Vec<String> {
         return Vec::new();
     };
     let least = offenders.iter().map(|(_, parameters)| parameters.nayak_alpha).fold(f64::INFINITY, f64::min);
+    let cutoffs = match offenders.len() {
+        1 => format!("the cutoff {}", length(*longest_m)),
+        many => format!("{many} cutoffs between {} and {}", length(*longest_m), length(*shortest_m)),
+    };
     vec![format!(
-        "nayak_alpha lies below 1.5 (down to {}) at {} cutoffs between {} and {}: no Gaussian isotropic surface has \
-         such moments, for which the asperity parameters are derived",
-        number((least * 1000.0).round() / 1000.0),
-        offenders.len(),
-        length(*longest_m),
-        length(*shortest_m)
+        "nayak_alpha lies below 1.5 (down to {}) at {cutoffs}: no Gaussian isotropic surface has such moments, for which \
+         the asperity parameters are derived",
+        number((least * 1000.0).round() / 1000.0)
     )]
 }
 
 pub(super) fn amplitude(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Failure> {
     let needs = Needs { amplitudes: Some(context.shared.amplitude.unwrap_or_default()), ..Needs::default() };
-    context.spectrum_to_table(psd, needs, |results, _| tables::amplitude(results), |_| Vec::new())
+    context.spectrum_to_table(
+        &psd.psd,
+        &psd.reading,
+        needs,
+        |results, _| tables::amplitude(results),
+        |_| Vec::new(),
+    )
 }
 
 pub(super) fn fit(args: &FitArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -50,7 +64,13 @@ pub(super) fn fit(args: &FitArgs, context: &Context<'_>) -> Result<(), Failure> 
         (None, None) => (0.0, f64::INFINITY),
     };
     let needs = Needs { fit_band_m: Some(band), ..Needs::default() };
-    context.spectrum_to_table(&args.psd, needs, |results, _| tables::fit(results), fit_notes)
+    context.spectrum_to_table(
+        &args.psd.psd,
+        &args.psd.reading,
+        needs,
+        |results, _| tables::fit(results),
+        fit_notes,
+    )
 }
 
 fn fit_notes(results: &Results) -> Vec<String> {

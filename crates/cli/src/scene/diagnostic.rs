@@ -21,7 +21,7 @@ impl SceneError {
         SceneError { message: message.to_string(), span: None }
     }
 
-    /// The message with file, line, and the line itself.
+    /// The message with file, line, and the line itself; that it is an error is said where it is reported.
     pub fn render(&self, text: &str, name: &str) -> String {
         let title = Level::ERROR.primary_title(&self.message);
         let group = match &self.span {
@@ -30,6 +30,7 @@ impl SceneError {
             ),
             None => title.element(annotate_snippets::Origin::path(name)),
         };
-        Renderer::plain().render(&[group])
+        let rendered = Renderer::plain().render(&[group]);
+        rendered.strip_prefix("error: ").unwrap_or(&rendered).to_owned()
     }
 }

@@ -2,21 +2,25 @@
 //!
 //! A scene file is read in two stages: [`raw`] is what may be typed, [`Scene`] what it means, in SI units and checked.
 
+mod bodies;
+mod curves;
 mod diagnostic;
+mod figures;
+mod loads;
 mod raw;
 mod resolve;
 mod template;
+mod values;
 
 pub use resolve::Overrides;
 pub use template::Template;
 
 use std::path::Path;
 
-use asperity::Hardness;
-
 use crate::failure::Failure;
 use crate::figure::Figure;
 use crate::material::Material;
+use crate::number::number;
 use crate::plan::{Needs, Plan, Sampling};
 use crate::surface::Surface;
 
@@ -29,8 +33,6 @@ pub struct Scene {
     pub surface: Surface,
     /// The material; absent where no curve needs one.
     pub material: Option<Material>,
-    /// Form of the hardness of elastic-plastic spheres.
-    pub hardness: Hardness,
     /// Which scales take part.
     pub sampling: Sampling,
     /// What has to be computed for its curves and figures.
@@ -56,6 +58,20 @@ impl Scene {
     /// None, unless the program was built with a broken scene.
     pub fn builtin(template: Template) -> Result<Self, Failure> {
         Self::parse(template.text(), template.name(), Path::new("."), &Overrides::default())
+    }
+
+    /// The choices that its numbers depend on, besides the spectrum.
+    pub fn choices(&self) -> Vec<String> {
+        let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
+        choices.extend(self.needs.amplitudes.map(|definition| format!("amplitude: {definition}")));
+        choices.extend(
+            self.needs.moments.map(|normalisation| format!("normalisation of moments: {normalisation}")),
+        );
+        if self.needs.asperities {
+            choices
+                .push(format!("tolerance of statistical states: {}", number(self.needs.tolerance.value())));
+        }
+        choices
     }
 
     /// What carries the scene out.

@@ -3,10 +3,11 @@
 use serde::Deserialize;
 use serde_spanned::Spanned;
 use spectrum::{AmplitudeDefinition, Normalisation};
+use stat_contact::InterferenceLaw;
 
 use super::diagnostic::SceneError;
 use crate::figure::Shows;
-use crate::material::StackedModelName;
+use crate::material::ModelName;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
 pub(super) type RawQuantity = Spanned<toml::Value>;
@@ -65,9 +66,10 @@ pub(super) struct RawLoads {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCurve {
-    pub model: StackedModelName,
+    pub model: ModelName,
     #[serde(default)]
     pub strain_gradient: bool,
+    pub interference_law: Option<InterferenceLaw>,
     pub name: Option<Spanned<String>>,
 }
 
@@ -78,6 +80,16 @@ pub(super) struct RawFigure {
     pub shows: Shows,
     pub title: Option<String>,
     pub curves: Option<Vec<Spanned<String>>>,
+    pub loads: Option<Spanned<RawLoadRange>>,
+    pub cutoff_multiples: Option<Vec<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawLoadRange {
+    pub from: RawQuantity,
+    pub to: RawQuantity,
+    pub points: Spanned<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -94,6 +106,8 @@ pub(super) struct RawOptions {
     pub scales_per_decade: Option<Spanned<i64>>,
     pub hardness: Option<asperity::Hardness>,
     pub strength_cap: Option<RawQuantity>,
+    pub interference_law: Option<InterferenceLaw>,
+    pub tolerance: Option<Spanned<f64>>,
 }
 
 impl RawScene {

@@ -67,7 +67,11 @@ impl InputTable {
         Ok(InputTable { table, comments, source, row_names })
     }
 
-    fn from_json(text: &str, source: String) -> Result<Self, Failure> {
+    /// Reads an array of row objects; `source` stands for it in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the source.
+    pub fn from_json(text: &str, source: String) -> Result<Self, Failure> {
         let (names, rows) = json_text::read(text, &source)?;
         let null = serde_json::value::to_raw_value(&()).map_err(Failure::input)?;
         let mut table = Table::default();
@@ -89,6 +93,10 @@ impl InputTable {
         let mut problems = Vec::new();
         for (at, (name, bound)) in columns.into_iter().enumerate() {
             let Some(Cells::Typed(cells)) = self.table.column(name) else {
+                // No rows at all are no mistake.
+                if self.row_names.is_empty() && self.table.columns().next().is_none() {
+                    continue;
+                }
                 return Err(self.missing_column(name));
             };
             for (row, cell) in cells.iter().enumerate() {
@@ -102,6 +110,34 @@ impl InputTable {
         }
         problems.sort_by_key(|(row, _)| *row);
         if problems.is_empty() { Ok(values) } else { Err(self.bad_cells(problems)) }
+    }
+
+    /// What `read` makes of every row.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where one of the `required` columns is missing, or listing the first bad rows.
+    pub fn rows<T>(
+        &self,
+        required: &[&str],
+        read: impl Fn(&Row<'_>) -> Result<T, String>,
+    ) -> Result<Vec<T>, Failure> {
+        if let Some(missing) = required.iter().find(|name| self.table.column(name).is_none()) {
+            return Err(self.missing_column(missing));
+        }
+        let mut values = Vec::with_capacity(self.row_names.len());
+        let mut problems = Vec::new();
+        for (at, name) in self.row_names.iter().enumerate() {
+            match read(&Row { table: &self.table, at }) {
+                Ok(value) => values.push(value),
+                Err(problem) => problems.push((at, format!("{name}, {problem}"))),
+            }
+        }
+        if problems.is_empty() { Ok(values) } else { Err(self.bad_cells(problems)) }
+    }
+
+    /// The name of a row in messages.
+    pub fn row_name(&self, row: usize) -> String {
+        format!("{}, {}", self.source, self.row_names[row])
     }
 
     fn missing_column(&self, name: &str) -> Failure {
@@ -124,6 +160,38 @@ impl InputTable {
             lines.push(format!("and {more} more"));
         }
         Failure::input(lines.join("\n       "))
+    }
+}
+
+/// One row of a table that came in.
+pub struct Row<'t> {
+    table: &'t Table,
+    at: usize,
+}
+
+impl Row<'_> {
+    /// The cell as a person would read it; empty where there is no such column.
+    pub fn text(&self, column: &str) -> String {
+        match self.table.column(column) {
+            Some(Cells::Typed(cells)) => cells[self.at].text().into_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// The cell as a number within its bound, or what is wrong with it.
+    ///
+    /// # Errors
+    /// The problem, with the column.
+    pub fn number(&self, column: &str, bound: Bound) -> Result<f64, String> {
+        read_number(&self.text(column), bound).map_err(|problem| format!("column {column}: {problem}"))
+    }
+
+    /// The same, where an empty cell or an absent column is no number.
+    ///
+    /// # Errors
+    /// The problem, with the column.
+    pub fn optional_number(&self, column: &str, bound: Bound) -> Result<Option<f64>, String> {
+        if self.text(column).trim().is_empty() { Ok(None) } else { self.number(column, bound).map(Some) }
     }
 }
 

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use indexmap::{IndexMap, IndexSet};
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::{Cell, Cells, Table};
@@ -11,10 +12,41 @@ use crate::number::write_number;
 
 type Row = IndexMap<String, Box<RawValue>>;
 
+/// A row as it stands in the text; a map would let the last of two equal keys win.
+struct RowText(Row);
+
+impl<'de> Deserialize<'de> for RowText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(RowVisitor).map(RowText)
+    }
+}
+
+struct RowVisitor;
+
+impl<'de> Visitor<'de> for RowVisitor {
+    type Value = Row;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "a row object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Row, A::Error> {
+        let mut row = Row::new();
+        while let Some((key, value)) = entries.next_entry::<String, Box<RawValue>>()? {
+            if row.contains_key(&key) {
+                return Err(A::Error::custom(format!("key {key:?} stands twice in a row; keep one")));
+            }
+            row.insert(key, value);
+        }
+        Ok(row)
+    }
+}
+
 /// Every key of any row in the order of its first appearance, and the rows.
 pub(super) fn read(text: &str, source: &str) -> Result<(IndexSet<String>, Vec<Row>), Failure> {
-    let rows: Vec<Row> = serde_json::from_str(text)
+    let rows: Vec<RowText> = serde_json::from_str(text)
         .map_err(|error| Failure::input(format!("{source}: reading an array of row objects: {error}")))?;
+    let rows: Vec<Row> = rows.into_iter().map(|RowText(row)| row).collect();
     let names = rows.iter().flat_map(|row| row.keys().cloned()).collect();
     Ok((names, rows))
 }
@@ -42,18 +74,24 @@ pub(super) fn write(table: &Table, out: &mut dyn Write) -> io::Result<()> {
 fn write_cell(text: &mut String, cells: &Cells, row: usize) -> io::Result<()> {
     match cells {
         Cells::Words(words) => text.push_str(&serde_json::to_string(words[row])?),
-        Cells::Numbers(numbers) => match numbers[row].filter(|value| value.is_finite()) {
-            Some(value) => write_number(text, value),
-            None => text.push_str("null"),
-        },
+        Cells::Numbers(numbers) => write_finite(text, numbers[row]),
         Cells::Typed(cells) => match &cells[row] {
             Cell::Json(raw) => text.push_str(raw.get()),
+            Cell::Computed(value) => write_finite(text, Some(*value)),
             Cell::Field(field) if field.is_empty() => text.push_str("null"),
             Cell::Field(field) if is_json_number(field) => text.push_str(field),
             Cell::Field(field) => text.push_str(&serde_json::to_string(field)?),
         },
     }
     Ok(())
+}
+
+/// JSON knows no infinities.
+fn write_finite(text: &mut String, value: Option<f64>) {
+    match value.filter(|value| value.is_finite()) {
+        Some(value) => write_number(text, value),
+        None => text.push_str("null"),
+    }
 }
 
 fn is_json_number(field: &str) -> bool {

@@ -4,11 +4,13 @@ mod csv_text;
 mod input;
 mod json_text;
 
-pub use input::InputTable;
+pub use input::{InputTable, Row};
 
 use std::io::{self, Write};
 
 use serde_json::value::RawValue;
+
+use crate::number::number;
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -54,6 +56,8 @@ pub enum Cell {
     Field(String),
     /// A JSON value, `null` where a row lacks the key.
     Json(Box<RawValue>),
+    /// A number filled in beside what was typed.
+    Computed(f64),
 }
 
 impl Cell {
@@ -61,6 +65,7 @@ impl Cell {
     pub fn text(&self) -> std::borrow::Cow<'_, str> {
         match self {
             Cell::Field(text) => text.as_str().into(),
+            Cell::Computed(value) => number(*value).into(),
             Cell::Json(raw) if raw.get() == "null" => "".into(),
             Cell::Json(raw) => serde_json::from_str::<String>(raw.get()).map_or(raw.get().into(), Into::into),
         }
@@ -116,6 +121,18 @@ impl Table {
     /// The cells of a column.
     pub fn column(&self, name: &str) -> Option<&Cells> {
         self.columns().find(|(existing, _)| *existing == name).map(|(_, cells)| cells)
+    }
+
+    /// How many computed numbers lie beyond the range of doubles; their cells are written empty.
+    pub fn unrepresentable(&self) -> usize {
+        let unrepresentable = |value: &f64| !value.is_finite();
+        let count = |cells: &Cells| match cells {
+            Cells::Numbers(numbers) => {
+                numbers.iter().flatten().filter(|value| unrepresentable(value)).count()
+            }
+            _ => 0,
+        };
+        self.columns().map(|(_, cells)| count(cells)).sum()
     }
 
     /// Writes the table; `comments` stand before it as `#` lines where the format has comments.

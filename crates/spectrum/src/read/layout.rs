@@ -111,7 +111,7 @@ struct Candidate {
 
 impl Header<'_> {
     fn layout(&self, has_header_row: bool, notes: &mut Vec<String>) -> Result<Layout, ReadError> {
-        let mut abscissae = self.abscissae()?;
+        let mut abscissae = self.abscissae(notes)?;
         let chosen = match self.options.x {
             Some(x) => {
                 abscissae.iter().position(|column| column.quantity == x).ok_or_else(|| self.missing(x))?
@@ -137,13 +137,13 @@ impl Header<'_> {
     }
 
     /// The columns of wavelength, wavevector and frequency, in this order; at least one.
-    fn abscissae(&self) -> Result<Vec<AbscissaColumn>, ReadError> {
+    fn abscissae(&self, notes: &mut Vec<String>) -> Result<Vec<AbscissaColumn>, ReadError> {
         let mut columns: Vec<AbscissaColumn> = Vec::new();
         let mut unfit = None;
         for (index, heading) in self.headings() {
             let Quantity::Abscissa(quantity) = heading.quantity else { continue };
             match self.abscissa_unit(index, quantity, heading.unit) {
-                Err(error) => unfit = unfit.or(Some(error)),
+                Err(error) => unfit = unfit.or(Some((index, error))),
                 Ok(unit) => match columns.iter().find(|column| column.quantity == quantity) {
                     Some(first) => return Err(self.duplicate(quantity.name(), first.index, index)),
                     None => {
@@ -154,7 +154,13 @@ impl Header<'_> {
             }
         }
         if columns.is_empty() {
-            return Err(unfit.unwrap_or_else(|| self.missing_abscissa()));
+            return Err(unfit.map_or_else(|| self.missing_abscissa(), |(_, error)| error));
+        }
+        if let Some((index, _)) = unfit {
+            notes.push(format!(
+                "column '{}' is not looked at: its unit is none of its quantity's",
+                self.names[index]
+            ));
         }
         columns.sort_by_key(|column| column.quantity as u8);
         Ok(columns)

@@ -108,24 +108,27 @@ impl<'t> DelimitedRows<'t> {
 
     fn read(&mut self, record: &mut StringRecord) -> Result<Option<usize>, ReadError> {
         while self.reader.read_record(record).map_err(std::io::Error::from)? {
+            let start = record.position().map_or(0, csv::Position::byte) as usize;
+            let line = self.line_at(start);
             if !self.is_blank_or_comment(record) {
-                let start = record.position().map_or(0, csv::Position::byte) as usize;
-                return Ok(Some(self.line_at(start)));
+                return Ok(Some(line));
             }
         }
         Ok(None)
     }
 
-    /// Catches what the reader takes for a row: indented comments and lines of nothing but blanks or tabs.
+    /// Catches what the reader takes for a row: indented comments and lines of nothing but blanks or tabs. A quoted
+    /// cell that begins with `#` is none.
     fn is_blank_or_comment(&self, record: &StringRecord) -> bool {
-        let is_comment = record.get(0).is_some_and(|first| first.trim_start().starts_with('#'));
+        let is_comment = self.bytes[self.byte..].trim_ascii_start().first() == Some(&b'#');
         let may_be_blank = record.len() == 1 || self.is_tabbed;
         is_comment || may_be_blank && record.iter().all(|field| field.trim().is_empty())
     }
 
     /// The line of the first row at or after a byte.
     fn line_at(&mut self, byte: usize) -> usize {
-        self.advance_to(byte);
+        // The lines skipped last time may reach beyond the row that the reader has come to, itself a blank one.
+        self.advance_to(byte.max(self.byte));
         while let Some(length) = self.skipped_line() {
             self.advance_to(self.byte + length);
         }

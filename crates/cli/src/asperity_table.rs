@@ -1,0 +1,156 @@
+//! `asperity`: the contact laws of one asperity as columns of a table.
+
+use asperity::{Bound, ElasticBody, ElasticPlasticSinusoid, Hardness, Hertz, JacksonGreen, MaterialPair};
+
+use crate::failure::Failure;
+use crate::table::{Cells, InputTable};
+
+const MATERIAL_COLUMNS: [(&str, Bound); 3] = [
+    ("youngs_modulus_pa", Bound::Positive),
+    ("poisson_ratio", ElasticBody::POISSON_RATIO),
+    ("yield_strength_pa", Bound::Positive),
+];
+
+/// A law of a material pair, a yield strength \[Pa\] and its inputs.
+type Law<const IN: usize, const OUT: usize> = fn(&MaterialPair, f64, [f64; IN]) -> ([f64; OUT], bool);
+
+/// A law as a table sees it: input columns after the material's, result columns, and what lies between; the law also
+/// tells whether its results lie in the range it was fitted in.
+struct Columns<const IN: usize, const OUT: usize> {
+    inputs: [(&'static str, Bound); IN],
+    results: [&'static str; OUT],
+    law: Law<IN, OUT>,
+    range: &'static str,
+}
+
+const SPHERE: Columns<2, 5> = Columns {
+    inputs: [("radius_m", Bound::Positive), ("interference_m", Bound::AtLeast(0.0))],
+    results: [
+        "hertz_force_n",
+        "hertz_area_m2",
+        "jackson_green_force_n",
+        "jackson_green_area_m2",
+        "jackson_green_force_cosine_hardness_n",
+    ],
+    law: |pair, strength_pa, [radius_m, w_m]| {
+        let hertz = Hertz::new(pair, radius_m);
+        let [published, cosine] = [Hardness::JacksonGreen2005, Hardness::Cosine]
+            .map(|hardness| JacksonGreen::new(pair, radius_m, strength_pa, hardness));
+        let results = [
+            hertz.force_n(w_m),
+            hertz.area_m2(w_m),
+            published.force_n(w_m),
+            published.area_m2(w_m),
+            cosine.force_n(w_m),
+        ];
+        (results, published.in_fitted_range(w_m))
+    },
+    range: "the range that Jackson & Green's sphere was fitted in, a/R <= 0.41 and Sy/E* <= 0.01",
+};
+
+const SINUSOID: Columns<2, 6> = Columns {
+    inputs: [("aspect_ratio", Bound::Positive), ("pressure_pa", Bound::Positive)],
+    results: [
+        "complete_contact_pressure_elastic_pa",
+        "area_fraction_elastic",
+        "critical_aspect_ratio",
+        "complete_contact_pressure_ep_pa",
+        "area_fraction_ep",
+        "mean_gap_over_amplitude",
+    ],
+    law: |pair, strength_pa, [aspect_ratio, pressure_pa]| {
+        let sinusoid = ElasticPlasticSinusoid::new(pair, aspect_ratio, strength_pa);
+        let results = [
+            sinusoid.elastic().complete_contact_pressure_pa(),
+            sinusoid.elastic().area_fraction(pressure_pa),
+            sinusoid.critical_aspect_ratio(),
+            sinusoid.complete_contact_pressure_pa(),
+            sinusoid.area_fraction(pressure_pa),
+            sinusoid.mean_gap_over_amplitude(pressure_pa),
+        ];
+        (results, sinusoid.in_fitted_range())
+    },
+    range: SINUSOID_RANGE,
+};
+
+const SINUSOID_INTERFERENCE: Columns<3, 4> = Columns {
+    inputs: [
+        ("wavelength_m", Bound::Positive),
+        ("aspect_ratio", Bound::Positive),
+        ("interference_m", Bound::Positive),
+    ],
+    results: ["pressure_elastic_pa", "area_fraction_elastic", "pressure_ep_pa", "area_fraction_ep"],
+    law: |pair, strength_pa, [wavelength_m, aspect_ratio, interference_m]| {
+        let sinusoid = ElasticPlasticSinusoid::new(pair, aspect_ratio, strength_pa);
+        let over_amplitude = interference_m / (aspect_ratio * wavelength_m);
+        let elastic_pa = sinusoid.elastic().pressure_at_interference_pa(over_amplitude);
+        let plastic_pa = sinusoid.pressure_at_interference_pa(over_amplitude);
+        let results = [
+            elastic_pa,
+            sinusoid.elastic().area_fraction(elastic_pa),
+            plastic_pa,
+            sinusoid.area_fraction(plastic_pa),
+        ];
+        (results, sinusoid.in_fitted_range())
+    },
+    range: SINUSOID_RANGE,
+};
+
+const SINUSOID_RANGE: &str = "B/B_c <= 100, up to which the elastic-plastic sinusoid is trusted";
+
+/// The laws by the names of their tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AsperityTable {
+    /// A sphere at an interference.
+    Sphere,
+    /// A sinusoid at a mean pressure.
+    Sinusoid,
+    /// A sinusoid pressed to an interference.
+    SinusoidInterference,
+}
+
+impl AsperityTable {
+    /// Sets the result columns of a table from its input columns; yields a note where rows lie beyond the law's range.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] for a missing column, or listing the first bad cells with line, column, value and bound.
+    pub fn extend(
+        self,
+        input: &mut InputTable,
+        counterface: Option<ElasticBody>,
+    ) -> Result<Option<String>, Failure> {
+        match self {
+            AsperityTable::Sphere => SPHERE.extend(input, counterface),
+            AsperityTable::Sinusoid => SINUSOID.extend(input, counterface),
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.extend(input, counterface),
+        }
+    }
+}
+
+impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
+    fn extend(
+        &self,
+        input: &mut InputTable,
+        counterface: Option<ElasticBody>,
+    ) -> Result<Option<String>, Failure> {
+        let materials = input.numbers(MATERIAL_COLUMNS)?;
+        let arguments = input.numbers(self.inputs)?;
+        let rows = materials.len();
+        let mut results: [Vec<Option<f64>>; OUT] = std::array::from_fn(|_| Vec::with_capacity(rows));
+        let mut beyond = 0;
+        for ([modulus_pa, poisson_ratio, strength_pa], arguments) in materials.into_iter().zip(arguments) {
+            let body = ElasticBody::new(modulus_pa, poisson_ratio).map_err(Failure::input)?;
+            let pair = counterface
+                .map_or(MaterialPair::against_rigid(body), |other| MaterialPair::against(body, other));
+            let (values, in_range) = (self.law)(&pair, strength_pa, arguments);
+            beyond += usize::from(!in_range);
+            for (column, value) in results.iter_mut().zip(values) {
+                column.push(Some(value));
+            }
+        }
+        for (name, values) in self.results.into_iter().zip(results) {
+            input.table.set(name, Cells::Numbers(values));
+        }
+        Ok((beyond > 0).then(|| format!("{beyond} of {rows} rows lie beyond {}", self.range)))
+    }
+}

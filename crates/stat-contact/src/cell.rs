@@ -1,0 +1,92 @@
+//! Which separations share a quadrature, and how fine it has to be.
+
+/// How fine a quadrature has to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Precision {
+    /// Relative error aimed at.
+    pub tolerance: f64,
+    /// -ln of the relative error of a rule.
+    pub digits: f64,
+    /// The density below exp(-drop) of its largest is left out.
+    pub drop: f64,
+}
+
+impl Precision {
+    pub const FINEST: f64 = 1e-13;
+    pub const COARSEST: f64 = 1e-2;
+
+    /// The precision for a relative tolerance, held within what doubles and the rules can do.
+    pub fn new(tolerance: f64) -> Self {
+        let tolerance = tolerance.clamp(Self::FINEST, Self::COARSEST);
+        let digits = -tolerance.ln();
+        // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
+        Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * digits.ln() + 2.0 }
+    }
+}
+
+/// A range of separations, in units of sigma_s, that one quadrature serves.
+///
+/// The cells are fixed. Every search that ends in a cell ends on the same quadrature, and so on the same digits,
+/// wherever it came from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cell {
+    index: f64,
+}
+
+impl Cell {
+    /// Width of a cell: absolute among negative separations, relative to 1 + u among positive ones, where the
+    /// density in contact is that much narrower.
+    const WIDTH: f64 = 0.1;
+
+    /// The cell of a separation.
+    pub fn of(u: f64) -> Cell {
+        let position = if u > 0.0 { u.ln_1p() } else { u };
+        Cell { index: (position / Self::WIDTH).round() }
+    }
+
+    /// The separation in its middle.
+    pub fn centre(self) -> f64 {
+        Self::separation(self.index)
+    }
+
+    /// The smallest separation in it.
+    pub fn nearest(self) -> f64 {
+        Self::separation(self.index - 0.5)
+    }
+
+    /// The largest separation in it.
+    pub fn farthest(self) -> f64 {
+        Self::separation(self.index + 0.5)
+    }
+
+    /// Whether its separations are smaller than those of another cell.
+    pub fn is_nearer_than(self, other: Cell) -> bool {
+        self.index < other.index
+    }
+
+    fn separation(index: f64) -> f64 {
+        let position = index * Self::WIDTH;
+        if position > 0.0 { position.exp_m1() } else { position }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_holds_the_separations_that_it_is_the_cell_of() {
+        for u in [-1e4, -60.0, -0.03, 0.0, 0.07, 1.0, 59.9, 1e5] {
+            let cell = Cell::of(u);
+            assert!(cell.nearest() <= u && u <= cell.farthest(), "{u}");
+            assert_eq!(Cell::of(cell.centre()), cell);
+        }
+    }
+
+    #[test]
+    fn the_tolerance_is_held_within_reach() {
+        assert_eq!(Precision::new(0.0), Precision::new(1e-13));
+        assert_eq!(Precision::new(7.0), Precision::new(1e-2));
+        assert!(Precision::new(1e-6).drop < Precision::new(1e-12).drop);
+    }
+}

@@ -1,0 +1,131 @@
+//! A population under a law, asked for its state.
+
+use asperity::{AsperityError, Bound, MaterialPair};
+
+use crate::asperities::{Asperities, Response};
+use crate::cell::{Cell, Precision};
+use crate::far::FarBelow;
+use crate::frame::Frame;
+use crate::gaussian::{log_reference_density, reference_density};
+use crate::gradient_sine::GradientSines;
+use crate::search::{Found, Search};
+use crate::sine::{BemSines, ElasticPlasticSines, ElasticSines};
+use crate::sphere::{ElasticPlasticSpheres, ElasticSpheres};
+use crate::{AsperityLaw, ContactState, InterferenceLaw, Population};
+
+/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966), under any of the laws.
+#[derive(Debug)]
+pub struct StatisticalContact {
+    asperities: Box<dyn Asperities>,
+    sigma_s_m: f64,
+}
+
+impl StatisticalContact {
+    /// The contact of a population of a material under a law.
+    pub fn new(pair: &MaterialPair, population: &Population, law: &AsperityLaw) -> Self {
+        let asperities: Box<dyn Asperities> = match *law {
+            AsperityLaw::Hertz => Box::new(ElasticSpheres::new(pair, population)),
+            AsperityLaw::EpSphere { strength, hardness } => {
+                Box::new(ElasticPlasticSpheres::new(pair, population, strength, hardness))
+            }
+            AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson } => {
+                Box::new(ElasticSines::new(pair, population))
+            }
+            AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem } => {
+                Box::new(BemSines::new(pair, population))
+            }
+            AsperityLaw::EpSine { strength } if strength.strain_gradient_length_m().is_none() => {
+                let strength_pa = strength.macroscopic_strength_pa();
+                Box::new(ElasticPlasticSines::new(pair, population, strength_pa))
+            }
+            AsperityLaw::EpSine { strength } => Box::new(GradientSines::new(pair, population, strength)),
+        };
+        StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
+    }
+
+    /// The state at a separation d \[m\] from the mean of the asperity heights, of either sign, to a relative `tolerance`
+    /// of pressure and area fraction (1e-13 to 1e-2; values outside are taken as the nearer end).
+    ///
+    /// # Errors
+    /// [`AsperityError`] where the separation is not finite.
+    pub fn at_separation(&self, separation_m: f64, tolerance: f64) -> Result<ContactState, AsperityError> {
+        let separation_m = Bound::Finite.check("separation in m", separation_m)?;
+        if let Some(response) = self.far_below().at_separation(separation_m) {
+            return Ok(ContactState::without_spread(separation_m, &response));
+        }
+        let u = separation_m / self.sigma_s_m;
+        let frame = self.frame(Cell::of(u), Precision::new(tolerance));
+        // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
+        let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
+        Ok(self.state(&frame, u, rounding, Some(separation_m)))
+    }
+
+    /// The state that carries a pressure \[Pa\] over the nominal area, found to rounding on a quadrature of the relative
+    /// `tolerance` of [`at_separation`](Self::at_separation). Where several separations carry it, the largest is taken.
+    ///
+    /// A neighbouring state as `start` saves a few evaluations and changes nothing else. A pressure that no
+    /// separation carries (see [`highest_pressure_pa`](Self::highest_pressure_pa)) is answered with complete contact:
+    /// no separation, and area fraction 1.
+    ///
+    /// # Errors
+    /// [`AsperityError`] unless the pressure is finite and positive.
+    pub fn at_pressure(
+        &self,
+        pressure_pa: f64,
+        tolerance: f64,
+        start: Option<&ContactState>,
+    ) -> Result<ContactState, AsperityError> {
+        let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
+        if let Some(separation_m) = self.far_below().separation_m(pressure_pa.ln()) {
+            let response = Response { pressure_pa, ..self.asperities.at_interference(-separation_m) };
+            return Ok(ContactState::without_spread(separation_m, &response));
+        }
+        let start = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
+        let Some(Found { frame, u, evaluations }) = self.search(pressure_pa.ln(), tolerance).run(start)
+        else {
+            return Ok(ContactState::complete(pressure_pa));
+        };
+        let state = self.state(&frame, u, 0.0, None);
+        Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), evaluations, ..state })
+    }
+
+    /// The pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid, or
+    /// the most that sinusoids softening with depth carry. Infinite for spheres.
+    pub fn highest_pressure_pa(&self) -> f64 {
+        let far = self.far_below().log_highest_pressure();
+        far.unwrap_or_else(|| self.search(0.0, Precision::FINEST).log_highest_pressure()).exp()
+    }
+
+    fn far_below(&self) -> FarBelow<'_> {
+        FarBelow::new(&*self.asperities, self.sigma_s_m)
+    }
+
+    fn search(&self, log_pressure: f64, tolerance: f64) -> Search<'_> {
+        let precision = Precision::new(tolerance);
+        Search { asperities: &*self.asperities, sigma_s_m: self.sigma_s_m, log_pressure, precision }
+    }
+
+    fn frame(&self, cell: Cell, precision: Precision) -> Frame<'_> {
+        Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision)
+    }
+
+    /// The state at the separation u + rounding in units of sigma_s.
+    fn state(&self, frame: &Frame, u: f64, rounding: f64, separation_m: Option<f64>) -> ContactState {
+        let sums = frame.sums(u);
+        let correction = sums.log_pressure_slopes().0 * rounding;
+        let log_density = log_reference_density(u) + correction;
+        let scale = reference_density(u) * (1.0 + correction);
+        let ln_area_fraction = sums.area_fraction.ln() + log_density;
+        ContactState {
+            separation_m: separation_m.or(Some(u * self.sigma_s_m)),
+            pressure_pa: sums.pressure_pa * scale,
+            area_fraction: (sums.area_fraction * scale).min(1.0),
+            ln_pressure_pa: sums.pressure_pa.ln() + log_density,
+            ln_area_fraction: ln_area_fraction.min(0.0),
+            error_estimate: frame.relative_error(u, &sums),
+            evaluations: frame.evaluations,
+            out_of_range_load_share: frame.out_of_range_load_share(u, &sums),
+            clamped: ln_area_fraction > 0.0,
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The coordinate in which integrals over the interference are smooth from first touch into the tail.
+
+/// Root-like at the origin and linear far from it, in units of sigma_s:
+/// s = sqrt(c^2 + v^2) - c, or s = v - u where the origin is out of sight.
+///
+/// Half-integer powers of s turn into v times even analytic functions, as under s = v^2, but the nearest singularities
+/// lie at v = +-i c whatever the separation, and far from the origin equal steps in v are equal steps in s. The
+/// trapezoidal rule then needs some 20 nodes at any separation; under s = v^2 it needs 28 around u = -6.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Coordinate {
+    Root {
+        c: f64,
+    },
+    Height {
+        u: f64,
+    },
+    /// s = v^power, for stretches over decades of s that do not reach the origin.
+    Power {
+        power: i32,
+    },
+}
+
+impl Coordinate {
+    /// The coordinate around the separation u, for rules that resolve the integrand to exp(-digits).
+    ///
+    /// The trapezoidal rule of step h sees the singularity at v = i c as exp(-2 pi c/h) times the density there, at
+    /// s = -c: c is the smallest number, and so the one with the fewest nodes, for which that is below exp(-digits).
+    /// Where contacts at first touch are that rare already, the heights themselves serve, and keep their digits better.
+    pub fn around(u: f64, digits: f64) -> Self {
+        // The margin makes up for the growth of a response like s^(3/2) from where the contacts are to the singularity.
+        let margin = 5.0 + 5.0 * u.max(0.0).ln_1p();
+        let level = digits + margin - 0.5 * u.min(0.0).powi(2);
+        if level < 1.0 {
+            return Coordinate::Height { u };
+        }
+        let rise = (2.0 * digits).sqrt() - u;
+        let root = (rise * rise + 2.0 * level).sqrt();
+        Coordinate::Root { c: if rise > 0.0 { 2.0 * level / (rise + root) } else { root - rise } }
+    }
+
+    /// The same for a stretch from `low` to `high` only. A law may have singularities at the origin, of powers of s:
+    /// where the stretch covers decades, a power of the coordinate keeps them at a tenth of its length from it.
+    pub fn between(self, low: f64, high: f64) -> Self {
+        const LOG_RATIO_LEFT: f64 = 2.3;
+        const HIGHEST_POWER: f64 = 8.0;
+        let power = (high / low).ln() / LOG_RATIO_LEFT;
+        if low > 0.0 && power > 1.0 {
+            Coordinate::Power { power: power.ceil().min(HIGHEST_POWER) as i32 }
+        } else {
+            self
+        }
+    }
+
+    /// Step at which the trapezoidal rule integrates a unit Gaussian to exp(-digits).
+    pub fn trapezoidal_step(digits: f64) -> f64 {
+        std::f64::consts::PI * (2.0 / digits).sqrt()
+    }
+
+    /// The coordinate of an interference.
+    pub fn of(self, s: f64) -> f64 {
+        match self {
+            Coordinate::Root { c } => (s * (s + 2.0 * c)).sqrt(),
+            Coordinate::Height { u } => s + u,
+            Coordinate::Power { power } => s.powf(1.0 / f64::from(power)),
+        }
+    }
+
+    /// The interference at a coordinate, and its derivative.
+    pub fn interference(self, v: f64) -> (f64, f64) {
+        match self {
+            Coordinate::Root { c } => {
+                let root = (c * c + v * v).sqrt();
+                (v * v / (root + c), v / root)
+            }
+            Coordinate::Height { u } => (v - u, 1.0),
+            Coordinate::Power { power } => {
+                let below = v.powi(power - 1);
+                (below * v, f64::from(power) * below)
+            }
+        }
+    }
+
+    /// The height u + s that meets the flat at a coordinate of the interference s.
+    pub fn height(self, v: f64, u: f64, s: f64) -> f64 {
+        match self {
+            Coordinate::Height { .. } => v,
+            _ => u + s,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_coordinate_inverts_the_interference_and_knows_its_slope() {
+        for coordinate in [Coordinate::around(-3.0, 30.0), Coordinate::around(60.0, 30.0)] {
+            for v in [1e-9, 0.1, 3.0, 40.0] {
+                let (s, slope) = coordinate.interference(v);
+                assert!((coordinate.of(s) / v - 1.0).abs() < 1e-14);
+                let difference =
+                    coordinate.interference(v * (1.0 + 1e-6)).0 - coordinate.interference(v * (1.0 - 1e-6)).0;
+                assert!((difference / (2e-6 * v) / slope - 1.0).abs() < 1e-9);
+            }
+        }
+        let far = Coordinate::around(-60.0, 30.0);
+        assert_eq!(far.interference(far.of(61.0)), (61.0, 1.0));
+    }
+}

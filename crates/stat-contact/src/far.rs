@@ -1,0 +1,81 @@
+//! Flats so far below the mean plane that the spread of the heights no longer shows.
+//!
+//! At u = d/sigma_s the spread changes the response by a share of the order of 1/u^2. From a million standard deviations
+//! down it is below rounding, while the heights themselves lose their digits to u: every asperity is taken at the
+//! mean height there.
+
+use crate::asperities::{Asperities, Course, Response};
+use crate::root::in_bracket;
+
+/// Depth below the mean plane, in units of sigma_s, from which on asperities are taken at the mean height.
+pub(crate) const FAR: f64 = 1e6;
+
+/// A population without spread.
+pub(crate) struct FarBelow<'a> {
+    asperities: &'a dyn Asperities,
+    sigma_s_m: f64,
+}
+
+impl<'a> FarBelow<'a> {
+    pub fn new(asperities: &'a dyn Asperities, sigma_s_m: f64) -> Self {
+        FarBelow { asperities, sigma_s_m }
+    }
+
+    /// The response at a separation, where that is far below.
+    pub fn at_separation(&self, separation_m: f64) -> Option<Response> {
+        (separation_m < -FAR * self.sigma_s_m).then(|| self.asperities.at_interference(-separation_m))
+    }
+
+    /// The largest separation \[m\] that carries a pressure, where that is far below.
+    pub fn separation_m(&self, log_pressure: f64) -> Option<f64> {
+        let nearest_m = FAR * self.sigma_s_m;
+        let missing = |log_m: f64| log_pressure - self.log_response(log_m);
+        if missing(nearest_m.ln()) <= 0.0 {
+            return None;
+        }
+        let deepest_m = match self.asperities.course(self.sigma_s_m) {
+            Course::Rises => self.deep_enough_m(missing)?,
+            Course::Peaks { .. } => self.peak_m().filter(|peak_m| missing(peak_m.ln()) <= 0.0)?,
+            Course::StepsDown { at_m } => {
+                let top_m = at_m * (1.0 - f64::EPSILON);
+                let on_near_side = top_m > nearest_m && missing(top_m.ln()) <= 0.0;
+                if on_near_side { top_m } else { self.deep_enough_m(missing)? }
+            }
+        };
+        Some(-in_bracket(nearest_m.ln(), deepest_m.ln(), missing).exp())
+    }
+
+    /// An interference \[m\] at which no pressure is missing; `None` where the pressure is never reached.
+    fn deep_enough_m(&self, missing: impl Fn(f64) -> f64) -> Option<f64> {
+        const STRIDE: f64 = 1e3;
+        const MOST_STRIDES: i32 = 40;
+        (1..MOST_STRIDES)
+            .map(|stride| FAR * self.sigma_s_m * STRIDE.powi(stride))
+            .find(|depth_m| missing(depth_m.ln()) <= 0.0)
+    }
+
+    /// ln of the highest pressure, where it is carried far below.
+    pub fn log_highest_pressure(&self) -> Option<f64> {
+        self.peak_m().map(|peak_m| self.log_response(peak_m.ln()))
+    }
+
+    /// The interference \[m\] of the highest response, where it is a far one: between the nearest far one and that of
+    /// which it is known to fall, by golden sections.
+    fn peak_m(&self) -> Option<f64> {
+        const STEPS: usize = 90;
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let (mut low, mut high) = ((FAR * self.sigma_s_m).ln(), self.asperities.falls_from_m()?.ln());
+        if low >= high {
+            return None;
+        }
+        for _ in 0..STEPS {
+            let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+            if self.log_response(left) > self.log_response(right) { high = right } else { low = left }
+        }
+        Some(high.exp())
+    }
+
+    fn log_response(&self, log_interference: f64) -> f64 {
+        self.asperities.at_interference(log_interference.exp()).pressure_pa.ln()
+    }
+}

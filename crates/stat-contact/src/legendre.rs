@@ -1,0 +1,123 @@
+//! Gauss-Legendre rules, and what they tell about their own error.
+//!
+//! Nodes are the eigenvalues of the Jacobi matrix (Golub & Welsch 1969). The weights are not taken from its
+//! eigenvectors, whose small components keep only absolute accuracy, but from the Christoffel sum
+//! 1/sum p_k(x)^2 over the orthonormal polynomials, which has positive terms only.
+
+use std::sync::OnceLock;
+
+use faer::{Mat, Side};
+
+/// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
+const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 40];
+
+/// A Gauss-Legendre rule on [-1, 1].
+pub(crate) struct Rule {
+    pub nodes: Vec<RuleNode>,
+}
+
+/// One node of a rule.
+#[derive(Clone, Copy)]
+pub(crate) struct RuleNode {
+    pub x: f64,
+    pub weight: f64,
+    /// (2k+1)/2 P_k(x) for the two highest degrees k and for two of about half of them: summed over the weighted values
+    /// of a function they give its Legendre coefficients.
+    pub high: [f64; 2],
+    pub middle: [f64; 2],
+}
+
+impl Rule {
+    /// The smallest rule of at least `nodes` nodes, or the largest there is. Computed at its first use.
+    pub fn of_at_least(nodes: usize) -> &'static Rule {
+        static RULES: [OnceLock<Rule>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];
+        let index = SIZES.iter().position(|&size| size >= nodes).unwrap_or(SIZES.len() - 1);
+        RULES[index].get_or_init(|| Rule::new(SIZES[index]))
+    }
+
+    fn new(size: usize) -> Rule {
+        let off_diagonal = |k: usize| k as f64 / ((2 * k - 1) as f64 * (2 * k + 1) as f64).sqrt();
+        let jacobi = Mat::from_fn(size, size, |i, j| match i.abs_diff(j) {
+            1 => off_diagonal(i.max(j)),
+            _ => 0.0,
+        });
+        let eigenvalues =
+            jacobi.self_adjoint_eigenvalues(Side::Lower).expect("a tridiagonal matrix of finite numbers");
+        // The eigenvalues are good to some 2e-15; one Newton step takes the nodes to rounding, and with them the weights.
+        let nodes = (0..size)
+            .map(|i| {
+                let x = newton_step(size, 0.5 * (eigenvalues[i] - eigenvalues[size - 1 - i]));
+                let legendre = legendre_polynomials(x, size);
+                let coefficient = |k: usize| (k as f64 + 0.5) * legendre[k];
+                let weight =
+                    1.0 / legendre.iter().enumerate().map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>();
+                let half = size / 2;
+                RuleNode {
+                    x,
+                    weight,
+                    high: [coefficient(size - 1), coefficient(size - 2)],
+                    middle: [coefficient(half), coefficient(half - 1)],
+                }
+            })
+            .collect();
+        Rule { nodes }
+    }
+}
+
+/// A zero of P_n from a value near it: P_n' = n (P_(n-1) - x P_n)/(1 - x^2).
+fn newton_step(n: usize, x: f64) -> f64 {
+    let legendre = legendre_polynomials(x, n + 1);
+    let slope = n as f64 * (legendre[n - 1] - x * legendre[n]) / ((1.0 - x) * (1.0 + x));
+    x - legendre[n] / slope
+}
+
+/// P_0(x) to P_{count-1}(x).
+pub(crate) fn legendre_polynomials(x: f64, count: usize) -> Vec<f64> {
+    let mut values = vec![1.0, x];
+    for k in 1..count.saturating_sub(1) {
+        let (n, last, before) = (k as f64, values[k], values[k - 1]);
+        values.push(((2.0 * n + 1.0) * x * last - n * before) / (n + 1.0));
+    }
+    values.truncate(count);
+    values
+}
+
+/// Integrals of P_0 to P_(count-1) from x to 1: (P_(k-1)(x) - P_(k+1)(x))/(2k+1).
+pub(crate) fn integrals_above(x: f64, count: usize) -> Vec<f64> {
+    let legendre = legendre_polynomials(x, count + 1);
+    let integral = |k: usize| (legendre[k - 1] - legendre[k + 1]) / (2 * k + 1) as f64;
+    std::iter::once(1.0 - x).chain((1..count).map(integral)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_rule_integrates_the_polynomials_it_must() {
+        for size in SIZES {
+            let rule = Rule::of_at_least(size);
+            assert_eq!(rule.nodes.len(), size);
+            for degree in 0..2 * size {
+                let sum: f64 = rule.nodes.iter().map(|n| n.weight * n.x.powi(degree as i32)).sum();
+                let exact = if degree % 2 == 0 { 2.0 / (degree + 1) as f64 } else { 0.0 };
+                assert!((sum - exact).abs() < 2e-15, "{size} nodes, degree {degree}: {sum} against {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_outermost_weights_keep_their_relative_accuracy() {
+        // Outermost node and weight of the 40-point rule to 20 digits.
+        let last = Rule::of_at_least(40).nodes[39];
+        assert!((last.x - 0.998_237_709_710_559_2).abs() < 3e-16, "{:e}", last.x);
+        assert!((last.weight / 0.004_521_277_098_533_191 - 1.0).abs() < 3e-13, "{:e}", last.weight);
+    }
+
+    #[test]
+    fn a_rule_of_the_wished_size_or_the_next_larger_is_given() {
+        assert_eq!(Rule::of_at_least(0).nodes.len(), 2);
+        assert_eq!(Rule::of_at_least(9).nodes.len(), 10);
+        assert_eq!(Rule::of_at_least(1000).nodes.len(), 40);
+    }
+}

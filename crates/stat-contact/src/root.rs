@@ -1,0 +1,63 @@
+//! The zero of a function known to change its sign.
+
+/// The zero of `f` in [low, high], f having opposite signs at the ends, to rounding.
+///
+/// The secant of Anderson & Bjorck, which keeps the bracket, with a bisection whenever three steps have not halved it.
+pub(crate) fn in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    const MOST_STEPS: usize = 120;
+    let (mut a, mut b) = (low, high);
+    let (mut at_a, mut at_b) = (f(a), f(b));
+    let mut due = 0.5 * (b - a).abs();
+    for step in 1..MOST_STEPS {
+        if at_b == 0.0 || (b - a).abs() <= f64::EPSILON * b.abs() {
+            return b;
+        }
+        let secant = b - at_b * ((b - a) / (at_b - at_a));
+        let x = if step % 3 == 0 && (b - a).abs() > due { 0.5 * (a + b) } else { secant };
+        if step % 3 == 0 {
+            due = 0.5 * (b - a).abs();
+        }
+        let at_x = f(x);
+        if (x - b).abs() <= f64::EPSILON * x.abs() {
+            return x;
+        }
+        if at_x.signum() == at_b.signum() {
+            let shrink = 1.0 - at_x / at_b;
+            at_a *= if shrink > 0.0 { shrink } else { 0.5 };
+        } else {
+            (a, at_a) = (b, at_b);
+        }
+        (b, at_b) = (x, at_x);
+    }
+    b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_bracket;
+
+    #[test]
+    fn zeros_are_found_to_rounding_in_few_steps() {
+        for (low, high, zero, f) in [
+            (0.0, 2.0, 2f64.sqrt(), (|x| x * x - 2.0) as fn(f64) -> f64),
+            (-30.0, 5.0, 0.0, |x| x.exp_m1()),
+            (1e-3, 1e3, 1.0, |x| x.ln()),
+            (-1.0, 3.0, 1.0, |x| (x - 1.0).powi(3)),
+        ] {
+            let mut calls = 0;
+            let found = in_bracket(low, high, |x| {
+                calls += 1;
+                f(x)
+            });
+            let within = if zero == 1.0 && low == -1.0 { 1e-5 } else { 1e-15 };
+            assert!((found - zero).abs() <= within, "{found} after {calls}");
+            assert!(calls < 60, "{calls}");
+        }
+    }
+
+    #[test]
+    fn a_sign_that_jumps_is_located_between_neighbours() {
+        let found = in_bracket(0.0, 1.0, |x| if x < 0.3 { -1.0 } else { 2.0 });
+        assert!((found - 0.3).abs() < 1e-15);
+    }
+}

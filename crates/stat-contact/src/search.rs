@@ -1,0 +1,244 @@
+//! The separation that carries a pressure.
+//!
+//! Everything is in u = d/sigma_s and ln p, which is nearly a parabola of u. Pressure falls with u wherever u > 0, whatever
+//! the law: dp/du is eta Int F(s) g'(u+s) ds, and g' is negative there. Elsewhere p turns at most as often as F does, the
+//! Gaussian being variation diminishing: a force with one maximum makes a pressure with one, whose far side holds the
+//! larger separation, and only a force that steps down between two rises has to be scanned.
+
+use crate::asperities::{Asperities, Course};
+use crate::cell::{Cell, Precision};
+use crate::far::FAR;
+use crate::frame::{Frame, Sums};
+use crate::gaussian::log_reference_density;
+use crate::root::in_bracket;
+
+/// Steps after which a search ends in any case; each halves a bracket or better.
+const MOST_STEPS: usize = 60;
+/// Steps on rough quadratures, before fine ones are built.
+const MOST_ROUGH_STEPS: usize = 12;
+/// Where a search begins that has no start: light loads are the common ones.
+const USUAL_SEPARATION: f64 = 2.0;
+/// Standard deviations beyond which a feature of the law no longer shows.
+const OUT_OF_SIGHT: f64 = 9.0;
+
+/// A search for ln p, which is carried no farther below the mean plane than [`FAR`].
+pub(crate) struct Search<'a> {
+    pub asperities: &'a dyn Asperities,
+    pub sigma_s_m: f64,
+    pub log_pressure: f64,
+    pub precision: Precision,
+}
+
+/// Where it ended, and what it cost.
+pub(crate) struct Found<'a> {
+    pub frame: Frame<'a>,
+    pub u: f64,
+    pub evaluations: usize,
+}
+
+/// Separations between which the solution lies: ln p is above the target at `low`, below it at `high`.
+#[derive(Clone, Copy)]
+struct Bracket {
+    low: f64,
+    high: f64,
+}
+
+impl Bracket {
+    const EVERYTHING: Bracket = Bracket { low: f64::NEG_INFINITY, high: f64::INFINITY };
+
+    /// Takes note that pressure is missing at u, or in excess. The margin keeps the bracket, which is there to stop runaway
+    /// steps, from cutting off the solution of the next quadrature, which differs by the error of this one.
+    fn narrow(&mut self, u: f64, missing: f64) {
+        let margin = 0.02 * (1.0 + u.abs());
+        if missing > 0.0 {
+            self.high = self.high.min(u + margin);
+        } else {
+            self.low = self.low.max(u - margin);
+        }
+    }
+
+    /// `next` where it is inside; else the middle, or a stride towards an end that is not known yet.
+    fn hold(&self, u: f64, next: f64, missing: f64) -> f64 {
+        let stride = 8.0 + u.abs();
+        let next = if next.is_nan() { -missing.signum() * f64::INFINITY } else { next };
+        if self.low <= next && next <= self.high && (next - u).abs() <= stride {
+            next
+        } else if self.low.is_finite() && self.high.is_finite() {
+            0.5 * (self.low + self.high)
+        } else {
+            (u - missing.signum() * stride).clamp(self.low, self.high)
+        }
+    }
+}
+
+impl<'a> Search<'a> {
+    /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
+    pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
+        if self.log_pressure >= self.asperities.highest_response_pa().ln() {
+            return None;
+        }
+        let near = start.unwrap_or(USUAL_SEPARATION);
+        match self.asperities.course(self.sigma_s_m) {
+            Course::StepsDown { at_m } if at_m < FAR * self.sigma_s_m => {
+                let bracket = self.scan_across(at_m / self.sigma_s_m);
+                self.solve(near.clamp(bracket.low, bracket.high), bracket)
+            }
+            // From a fixed start, so that it is always the same maximum.
+            Course::Peaks { certain: false } => self.solve(USUAL_SEPARATION, Bracket::EVERYTHING),
+            _ => self.solve(near, Bracket::EVERYTHING),
+        }
+    }
+
+    /// ln of the highest pressure that a separation carries, or of its limit.
+    pub fn log_highest_pressure(&self) -> f64 {
+        let Some(edge) = self.far_edge() else {
+            return self.asperities.highest_response_pa().ln();
+        };
+        let (at_edge, slope) = self.log_pressure_and_slope(edge);
+        if slope <= 0.0 {
+            return at_edge;
+        }
+        let peak = in_bracket(edge, 0.0, |u| self.log_pressure_and_slope(u).1);
+        self.log_pressure_and_slope(peak).0
+    }
+
+    /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach.
+    fn far_edge(&self) -> Option<f64> {
+        Some(-OUT_OF_SIGHT - self.asperities.falls_from_m()? / self.sigma_s_m)
+    }
+
+    /// The bracket of the largest solution for a force that steps down at an interference. The steps are those of the
+    /// density, by which the step of the force is smeared out; a maximum between two of them shows in the slopes.
+    fn scan_across(&self, step_down: f64) -> Bracket {
+        let mut high = (OUT_OF_SIGHT - step_down).min(0.0);
+        let (log_pressure, mut slope_at_high) = self.log_pressure_and_slope(high);
+        if log_pressure >= self.log_pressure {
+            return Bracket { low: high, ..Bracket::EVERYTHING };
+        }
+        while high > -OUT_OF_SIGHT - step_down {
+            let mut low = high - 0.5;
+            let (mut log_pressure, slope) = self.log_pressure_and_slope(low);
+            if slope > 0.0 && slope_at_high <= 0.0 && log_pressure < self.log_pressure {
+                let peak = in_bracket(low, high, |u| self.log_pressure_and_slope(u).1);
+                if self.log_pressure_and_slope(peak).0 >= self.log_pressure {
+                    (low, log_pressure) = (peak, f64::INFINITY);
+                }
+            }
+            if log_pressure >= self.log_pressure {
+                return Bracket { low, high };
+            }
+            (high, slope_at_high) = (low, slope);
+        }
+        Bracket { high, ..Bracket::EVERYTHING }
+    }
+
+    fn log_pressure_and_slope(&self, u: f64) -> (f64, f64) {
+        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
+        let sums = frame.sums(u);
+        (log_pressure(u, &sums), sums.log_pressure_slopes().0)
+    }
+
+    fn solve(&self, start: f64, bracket: Bracket) -> Option<Found<'a>> {
+        let (near, rough_evaluations) = self.approach(start, bracket);
+        let found = self.settle(near, bracket)?;
+        Some(Found { evaluations: found.evaluations + rough_evaluations, ..found })
+    }
+
+    /// Gets within a few percent of a standard deviation, on quadratures of a few nodes.
+    fn approach(&self, start: f64, mut bracket: Bracket) -> (f64, usize) {
+        let (mut u, mut evaluations) = (start, 0);
+        for _ in 0..MOST_ROUGH_STEPS {
+            let frame = Frame::rough(self.asperities, self.sigma_s_m, u);
+            evaluations += frame.evaluations;
+            let Some(next) = self.next(u, &frame.sums(u), &mut bracket) else { break };
+            let step = next - u;
+            u = next;
+            if step.abs() < 0.05 * (1.0 + u.abs()) {
+                break;
+            }
+        }
+        (u, evaluations)
+    }
+
+    /// Solves on the quadrature of the cell that the solution lies in.
+    fn settle(&self, mut u: f64, mut bracket: Bracket) -> Option<Found<'a>> {
+        let mut evaluations = 0;
+        let mut cell = Cell::of(u);
+        let mut left = None;
+        for step in 0.. {
+            let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
+            evaluations += frame.evaluations;
+            u = self.solve_on(&frame, u, &mut bracket)?;
+            let next = Cell::of(u);
+            // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
+            let undecided = left == Some(next);
+            if next == cell || (undecided && cell.is_nearer_than(next)) || step == MOST_STEPS {
+                return Some(Found { frame, u, evaluations });
+            }
+            left = Some(cell);
+            cell = next;
+        }
+        unreachable!("the last step returns")
+    }
+
+    /// The solution on a quadrature, or a separation that needs another one; `None` above the highest pressure.
+    fn solve_on(&self, frame: &Frame, start: f64, bracket: &mut Bracket) -> Option<f64> {
+        let mut u = start;
+        for _ in 0..MOST_STEPS {
+            let next = self.next(u, &frame.sums(u), bracket)?;
+            let step = next - u;
+            u = next;
+            // The steps converge cubically: the next one would not show.
+            if step.abs() < 1e-6 * (1.0 + u.abs()) || !frame.serves(u) {
+                break;
+            }
+        }
+        Some(u)
+    }
+
+    /// Where the parabola through ln p at u meets the target, or its tangent where it does not.
+    fn next(&self, u: f64, sums: &Sums, bracket: &mut Bracket) -> Option<f64> {
+        let missing = self.log_pressure - log_pressure(u, sums);
+        let (slope, curvature) = sums.log_pressure_slopes();
+        if let Some(edge) = self.far_edge() {
+            if missing > 0.0 && u < edge {
+                // The slope may be lost in rounding here; the peak has to be looked up.
+                if self.log_pressure > self.log_highest_pressure() {
+                    return None;
+                }
+                bracket.narrow(u, -1.0);
+                return Some(bracket.hold(u, f64::NAN, -1.0));
+            }
+            if slope >= 0.0 || (curvature < 0.0 && slope * slope < -2.0 * missing * curvature) {
+                return Self::next_to_peak(u, missing, [slope, curvature], bracket);
+            }
+        }
+        bracket.narrow(u, missing);
+        let discriminant = (slope * slope + 2.0 * missing * curvature).max(0.25 * slope * slope);
+        Some(bracket.hold(u, u + 2.0 * missing / (slope - discriminant.sqrt()), missing))
+    }
+
+    /// The peak of the parabola, where u lies on its near side or it does not reach the target; `None` where u is at
+    /// the peak, and that is too low.
+    fn next_to_peak(
+        u: f64,
+        missing: f64,
+        [slope, curvature]: [f64; 2],
+        bracket: &mut Bracket,
+    ) -> Option<f64> {
+        const AT_THE_PEAK: f64 = 1e-4;
+        // Seen from its near side the solution lies beyond the peak, as if there were too much pressure.
+        let missing_here = if slope >= 0.0 { -1.0 } else { missing };
+        bracket.narrow(u, missing_here);
+        let step = if curvature < 0.0 { -slope / curvature } else { f64::NAN };
+        let too_low = missing > 0.0 && slope * slope < -2.0 * missing * curvature;
+        if too_low && step.abs() < AT_THE_PEAK * (1.0 + u.abs()) {
+            return None;
+        }
+        Some(bracket.hold(u, u + step, missing_here))
+    }
+}
+
+fn log_pressure(u: f64, sums: &Sums) -> f64 {
+    sums.pressure_pa.ln() + log_reference_density(u)
+}

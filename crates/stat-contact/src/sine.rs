@@ -1,0 +1,322 @@
+//! Populations of sinusoids of one strength: the elastic one, and the elastic-plastic one without strain gradient.
+//!
+//! Their interference is explicit in the pressure, and the pressure in coordinates of the contact's own: the integrals run
+//! over those, and nothing is solved for.
+
+use asperity::{BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, MaterialPair};
+
+use crate::Population;
+use crate::asperities::{Asperities, Chart, Piece, Point, Response};
+
+/// t of the elastic mean gap, w/Delta = 1 - (1 - t)^(5/2) and p = p* t^2, at which the light chart gives over to the heavy one.
+const CHARTS_MEET_AT: f64 = 0.5;
+
+/// The elastic law in terms of t.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ElasticSine {
+    amplitude_m: f64,
+    complete_pressure_pa: f64,
+}
+
+impl ElasticSine {
+    pub fn new(amplitude_m: f64, law: &ElasticSinusoid) -> Self {
+        ElasticSine { amplitude_m, complete_pressure_pa: law.complete_contact_pressure_pa() }
+    }
+
+    /// Interference \[m\] at a mean pressure \[Pa\].
+    pub fn interference_m(&self, pressure_pa: f64) -> f64 {
+        self.at_t((pressure_pa / self.complete_pressure_pa).sqrt().min(1.0))
+    }
+
+    /// Interference \[m\] at which the charts meet.
+    pub fn charts_meet_m(&self) -> f64 {
+        self.at_t(CHARTS_MEET_AT)
+    }
+
+    /// 1 - (1-t)^(5/2) = (1 - (1-t)^5)/(1 + (1-t)^(5/2)), without cancellation at small t.
+    fn at_t(&self, t: f64) -> f64 {
+        let left = 1.0 - t;
+        let numerator = t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t))));
+        self.amplitude_m * numerator / (1.0 + left * left * left.sqrt())
+    }
+
+    /// The light chart's coordinate is t^(1/3), which turns the powers t^(4/3) and t^2.08 of the area into smooth ones; the
+    /// heavy one's is -(1-t)^(1/2), in which w/Delta = 1 - (1-t)^(5/2) is a polynomial.
+    pub fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
+        let log_gap = (-(interference_m / self.amplitude_m).min(1.0)).ln_1p();
+        match chart {
+            Chart::SineLight => (-(0.4 * log_gap).exp_m1()).cbrt(),
+            _ => -(0.2 * log_gap).exp(),
+        }
+    }
+
+    /// Interference \[m\], its derivative by the coordinate, and mean pressure \[Pa\].
+    pub fn at_coordinate(&self, chart: Chart, v: f64) -> (f64, f64, f64) {
+        let (t, interference_m, slope_m) = match chart {
+            Chart::SineLight => {
+                let t = v * v * v;
+                let left = 1.0 - t;
+                (t, self.at_t(t), 7.5 * self.amplitude_m * left * left.sqrt() * v * v)
+            }
+            _ => {
+                let square = v * v;
+                let gap = self.amplitude_m * square * square;
+                (1.0 - square, self.amplitude_m + gap * v, 5.0 * gap)
+            }
+        };
+        (interference_m, slope_m, self.complete_pressure_pa * t * t)
+    }
+
+    /// Cuts the interferences from `from_m` to `to_m` at the breaks between them, onto the two charts.
+    pub fn pieces(&self, from_m: f64, to_m: f64, breaks_m: impl IntoIterator<Item = f64>) -> Vec<Piece> {
+        let mut ends_m = vec![from_m, to_m];
+        ends_m.extend(breaks_m.into_iter().chain([self.charts_meet_m()]).filter(|&w| from_m < w && w < to_m));
+        ends_m.sort_by(f64::total_cmp);
+        let chart = |to_m: f64| {
+            if to_m <= self.charts_meet_m() { Chart::SineLight } else { Chart::SineHeavy }
+        };
+        ends_m
+            .windows(2)
+            .filter(|ends| ends[0] < ends[1])
+            .map(|ends| Piece { from_m: ends[0], to_m: ends[1], chart: chart(ends[1]) })
+            .collect()
+    }
+}
+
+/// Elastic sinusoids, by the mean gap of Rostami & Jackson.
+#[derive(Debug, Clone)]
+pub(crate) struct ElasticSines {
+    law: ElasticSinusoid,
+    shape: ElasticSine,
+}
+
+impl ElasticSines {
+    pub fn new(pair: &MaterialPair, population: &Population) -> Self {
+        let (wavelength_m, amplitude_m) = population.sinusoid_m();
+        let law = ElasticSinusoid::new(pair, amplitude_m / wavelength_m);
+        ElasticSines { law, shape: ElasticSine::new(amplitude_m, &law) }
+    }
+}
+
+impl Asperities for ElasticSines {
+    fn at_interference(&self, interference_m: f64) -> Response {
+        let ratio = interference_m / self.shape.amplitude_m;
+        let pressure_pa = self.law.pressure_at_interference_pa(ratio);
+        let area_fraction = if ratio >= 1.0 { 1.0 } else { self.law.area_fraction(pressure_pa) };
+        Response { pressure_pa, area_fraction }
+    }
+
+    fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece> {
+        let breaks_m = self.law.breaks().map(|b| self.shape.interference_m(b.at));
+        self.shape.pieces(0.0, self.shape.amplitude_m, breaks_m)
+    }
+
+    fn highest_response_pa(&self) -> f64 {
+        self.law.complete_contact_pressure_pa()
+    }
+
+    fn saturation(&self) -> Option<(f64, Response)> {
+        let pressure_pa = self.law.complete_contact_pressure_pa();
+        Some((self.shape.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))
+    }
+
+    fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
+        self.shape.coordinate(chart, interference_m)
+    }
+
+    fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
+        let (interference_m, slope_m, pressure_pa) = self.shape.at_coordinate(chart, coordinate);
+        let area_fraction = self.law.area_fraction(pressure_pa);
+        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
+    }
+}
+
+/// Elastic sinusoids by boundary elements.
+#[derive(Debug, Clone)]
+pub(crate) struct BemSines {
+    law: BemSinusoid,
+    amplitude_m: f64,
+}
+
+impl BemSines {
+    pub fn new(pair: &MaterialPair, population: &Population) -> Self {
+        let (wavelength_m, amplitude_m) = population.sinusoid_m();
+        BemSines { law: BemSinusoid::new(pair, amplitude_m / wavelength_m), amplitude_m }
+    }
+}
+
+impl Asperities for BemSines {
+    fn at_interference(&self, interference_m: f64) -> Response {
+        let ratio = interference_m / self.amplitude_m;
+        let pressure_pa = self.law.pressure_at_interference_pa(ratio);
+        let area_fraction = if ratio >= 1.0 { 1.0 } else { self.law.area_fraction(pressure_pa) };
+        Response { pressure_pa, area_fraction }
+    }
+
+    fn pieces(&self, low_m: f64, high_m: f64) -> Vec<Piece> {
+        let mut ends_m = vec![0.0];
+        ends_m
+            .extend(self.law.breaks().map(|b| self.amplitude_m * self.law.deformation_over_amplitude(b.at)));
+        let last = ends_m.len() - 2;
+        let chart = |i| match i {
+            0 => Chart::SineLight,
+            i if i == last => Chart::SineHeavy,
+            _ => Chart::Table,
+        };
+        let pieces = ends_m.windows(2).enumerate();
+        pieces
+            .filter(|(_, ends)| ends[1] > low_m && ends[0] < high_m)
+            .map(|(i, ends)| Piece { from_m: ends[0], to_m: ends[1], chart: chart(i) })
+            .collect()
+    }
+
+    fn highest_response_pa(&self) -> f64 {
+        self.law.complete_contact_pressure_pa()
+    }
+
+    fn saturation(&self) -> Option<(f64, Response)> {
+        let pressure_pa = self.law.complete_contact_pressure_pa();
+        Some((self.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))
+    }
+
+    /// x^(1/3), ln x and -(1-x)^(1/2): the law is a polynomial in the first and the last.
+    fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
+        let pressure_pa = self.law.pressure_at_interference_pa(interference_m / self.amplitude_m);
+        let x = pressure_pa / self.law.complete_contact_pressure_pa();
+        match chart {
+            Chart::SineLight => x.cbrt(),
+            Chart::SineHeavy => -(1.0 - x).sqrt(),
+            _ => x.ln(),
+        }
+    }
+
+    fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
+        let (log_x, slope) = match chart {
+            Chart::SineLight => (3.0 * v.ln(), 3.0 / v),
+            Chart::SineHeavy => ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)),
+            _ => (v, 1.0),
+        };
+        let (ratio, by_log_x) = self.law.deformation_and_slope(log_x);
+        let pressure_pa = self.law.complete_contact_pressure_pa() * log_x.exp();
+        let area_fraction = self.law.area_fraction(pressure_pa);
+        Point {
+            interference_m: self.amplitude_m * ratio,
+            slope_m: self.amplitude_m * by_log_x * slope,
+            response: Response { pressure_pa, area_fraction },
+        }
+    }
+}
+
+/// Elastic-plastic sinusoids of one strength.
+#[derive(Debug, Clone)]
+pub(crate) struct ElasticPlasticSines {
+    law: ElasticPlasticSinusoid,
+    shape: ElasticSine,
+    /// Pressure \[Pa\] and interference \[m\] from which on plastic flow sets the pressure; complete contact where none does.
+    flow_onset: (f64, f64),
+    /// Interferences \[m\] at which the area is not smooth.
+    breaks_m: Vec<f64>,
+}
+
+/// x = p/p*_ep at which the light chart of plastic flow gives over to the heavy one.
+const FLOW_CHARTS_MEET_AT: f64 = 0.3;
+
+impl ElasticPlasticSines {
+    pub fn new(pair: &MaterialPair, population: &Population, strength_pa: f64) -> Self {
+        let (wavelength_m, amplitude_m) = population.sinusoid_m();
+        let law = ElasticPlasticSinusoid::new(pair, amplitude_m / wavelength_m, strength_pa);
+        let shape = ElasticSine::new(amplitude_m, &law.elastic());
+        let flow_onset = match law.flow_onset_pressure_pa() {
+            Some(pressure_pa) => (pressure_pa, shape.interference_m(pressure_pa)),
+            None => (law.complete_contact_pressure_pa(), amplitude_m),
+        };
+        let mut sines = ElasticPlasticSines { law, shape, flow_onset, breaks_m: Vec::new() };
+        let elastic = law.elastic().breaks().filter(|b| !law.yields_at(b.at));
+        sines.breaks_m = law.breaks().chain(elastic).map(|b| sines.interference_m(b.at)).collect();
+        sines
+    }
+
+    fn interference_m(&self, pressure_pa: f64) -> f64 {
+        let log_x = (pressure_pa / self.law.complete_contact_pressure_pa()).ln();
+        if pressure_pa <= self.flow_onset.0 {
+            self.shape.interference_m(pressure_pa)
+        } else if log_x >= 0.0 {
+            self.shape.amplitude_m
+        } else {
+            self.shape.amplitude_m * self.law.flow_interference_over_amplitude(log_x).0
+        }
+    }
+}
+
+impl Asperities for ElasticPlasticSines {
+    fn at_interference(&self, interference_m: f64) -> Response {
+        let ratio = interference_m / self.shape.amplitude_m;
+        let pressure_pa = self.law.pressure_at_interference_pa(ratio);
+        let area_fraction = if ratio >= 1.0 { 1.0 } else { self.law.area_fraction(pressure_pa) };
+        Response { pressure_pa, area_fraction }
+    }
+
+    fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece> {
+        let (_, onset_m) = self.flow_onset;
+        let complete_m = self.shape.amplitude_m;
+        let mut pieces = self.shape.pieces(0.0, onset_m, self.breaks_m.iter().copied());
+        let meet_m =
+            self.interference_m(FLOW_CHARTS_MEET_AT * self.law.complete_contact_pressure_pa()).max(onset_m);
+        let mut ends_m = vec![onset_m, meet_m, complete_m];
+        ends_m.extend(self.breaks_m.iter().filter(|&&w| onset_m < w && w < complete_m));
+        ends_m.sort_by(f64::total_cmp);
+        pieces.extend(ends_m.windows(2).filter(|ends| ends[0] < ends[1]).map(|ends| Piece {
+            from_m: ends[0],
+            to_m: ends[1],
+            chart: if ends[1] <= meet_m { Chart::FlowLight } else { Chart::FlowHeavy },
+        }));
+        pieces
+    }
+
+    fn highest_response_pa(&self) -> f64 {
+        self.law.complete_contact_pressure_pa()
+    }
+
+    fn saturation(&self) -> Option<(f64, Response)> {
+        let pressure_pa = self.law.complete_contact_pressure_pa();
+        Some((self.shape.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))
+    }
+
+    fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
+        if matches!(chart, Chart::SineLight | Chart::SineHeavy) {
+            return self.shape.coordinate(chart, interference_m);
+        }
+        let ratio = interference_m / self.shape.amplitude_m;
+        if ratio >= 1.0 {
+            return 0.0;
+        }
+        let log_x = self.law.flow_log_pressure_at_interference(ratio);
+        if chart == Chart::FlowLight { log_x } else { -(-log_x.exp_m1()).sqrt() }
+    }
+
+    fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
+        let (interference_m, slope_m, pressure_pa) = match chart {
+            Chart::SineLight | Chart::SineHeavy => self.shape.at_coordinate(chart, v),
+            _ => {
+                // ln x itself, or -(1-x)^(1/2), in which the end-point power (1-x)^(5/2) of the gap is smooth.
+                let (log_x, slope) = if chart == Chart::FlowLight {
+                    (v, 1.0)
+                } else {
+                    ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v))
+                };
+                let (ratio, by_log_x) = self.law.flow_interference_over_amplitude(log_x);
+                let pressure_pa = self.law.complete_contact_pressure_pa() * log_x.exp();
+                (self.shape.amplitude_m * ratio, self.shape.amplitude_m * by_log_x * slope, pressure_pa)
+            }
+        };
+        let area_fraction = self.law.area_fraction(pressure_pa);
+        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
+    }
+
+    fn out_of_fitted_range(&self, _high_m: f64) -> Vec<(f64, f64)> {
+        if self.law.in_fitted_range() {
+            return Vec::new();
+        }
+        vec![(self.interference_m(self.law.critical_pressure_pa()), f64::INFINITY)]
+    }
+}

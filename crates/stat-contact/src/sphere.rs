@@ -1,0 +1,167 @@
+//! Populations of spheres: Hertz's and Jackson & Green's.
+
+use asperity::{
+    FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, Hertz, JacksonGreen,
+    MaterialPair, NixGao, YIELD_INTERFERENCE_RATIO,
+};
+
+use crate::Population;
+use crate::asperities::{Asperities, Chart, Course, Piece, Response, pieces_between};
+use crate::root::in_bracket;
+
+/// Elastic spheres.
+#[derive(Debug, Clone)]
+pub(crate) struct ElasticSpheres {
+    sphere: Hertz,
+    density_per_m2: f64,
+}
+
+impl ElasticSpheres {
+    pub fn new(pair: &MaterialPair, population: &Population) -> Self {
+        ElasticSpheres {
+            sphere: Hertz::new(pair, population.radius_m()),
+            density_per_m2: population.density_per_m2(),
+        }
+    }
+}
+
+impl Asperities for ElasticSpheres {
+    fn at_interference(&self, interference_m: f64) -> Response {
+        Response {
+            pressure_pa: self.density_per_m2 * self.sphere.force_n(interference_m),
+            area_fraction: self.density_per_m2 * self.sphere.area_m2(interference_m),
+        }
+    }
+
+    fn hertzian(&self) -> Option<(f64, f64)> {
+        Some((f64::INFINITY, self.density_per_m2 * self.sphere.area_m2(1.0)))
+    }
+
+    fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece> {
+        Vec::new()
+    }
+}
+
+/// Elastic-plastic spheres, their strength constant or that of the interference.
+#[derive(Debug, Clone)]
+pub(crate) struct ElasticPlasticSpheres {
+    pair: MaterialPair,
+    radius_m: f64,
+    density_per_m2: f64,
+    strength: NixGao,
+    hardness: Hardness,
+    /// The law of the strength S0, and of every depth where the strength is constant.
+    macroscopic: JacksonGreen,
+    onset_m: f64,
+}
+
+impl ElasticPlasticSpheres {
+    pub fn new(pair: &MaterialPair, population: &Population, strength: NixGao, hardness: Hardness) -> Self {
+        let radius_m = population.radius_m();
+        let of_strength = |strength_pa| JacksonGreen::new(pair, radius_m, strength_pa, hardness);
+        let macroscopic = of_strength(strength.macroscopic_strength_pa());
+        // Elastic while w < 1.9 w_c(w), and w_c(w) = w_c0 (1 + h*/w): the positive root of
+        // w^2 - 1.9 w_c0 w - 1.9 w_c0 h*; a cap on the strength holds w_c below that of the cap.
+        let half_m = 0.5 * YIELD_INTERFERENCE_RATIO * macroscopic.critical_interference_m();
+        let length_m = strength.strain_gradient_length_m().unwrap_or(0.0);
+        let grown_onset_m = half_m + (half_m * (half_m + 2.0 * length_m)).sqrt();
+        let capped_onset_m =
+            strength.cap_pa().map_or(f64::INFINITY, |cap_pa| of_strength(cap_pa).plastic_onset_m());
+        ElasticPlasticSpheres {
+            pair: *pair,
+            radius_m,
+            density_per_m2: population.density_per_m2(),
+            strength,
+            hardness,
+            macroscopic,
+            onset_m: grown_onset_m.min(capped_onset_m),
+        }
+    }
+
+    /// The law of the strength at a depth \[m\].
+    fn at_depth(&self, depth_m: f64) -> JacksonGreen {
+        if self.strength.strain_gradient_length_m().is_none() {
+            return self.macroscopic;
+        }
+        JacksonGreen::new(&self.pair, self.radius_m, self.strength.at_depth_pa(depth_m), self.hardness)
+    }
+
+    /// The interference \[m\] at which A/(pi R^2) reaches `share` <= 1, infinite where that is beyond `high_m`.
+    ///
+    /// There is one: ln(R/w) falls to zero at w = R, and b ln(w'/1.9), which rises from zero at the onset, does not fall
+    /// fast enough anywhere to meet it again.
+    fn interference_of_area_share_m(&self, share: f64, high_m: f64) -> f64 {
+        if self.strength.strain_gradient_length_m().is_none() {
+            return self.macroscopic.interference_of_area_share_m(share);
+        }
+        let (low_m, high_m) = (self.onset_m, high_m.min(share * self.radius_m));
+        if low_m >= share * self.radius_m {
+            return share * self.radius_m;
+        }
+        let excess = |log_m: f64| {
+            let depth_m = log_m.exp();
+            self.at_depth(depth_m).log_area_over_cross_section(depth_m) - share.ln()
+        };
+        if low_m >= high_m || excess(high_m.ln()) < 0.0 {
+            return f64::INFINITY;
+        }
+        in_bracket(low_m.ln(), high_m.ln(), excess).exp()
+    }
+
+    fn modulus_pa(&self) -> f64 {
+        self.pair.composite_modulus_pa()
+    }
+}
+
+impl Asperities for ElasticPlasticSpheres {
+    fn at_interference(&self, interference_m: f64) -> Response {
+        let sphere = self.at_depth(interference_m);
+        Response {
+            pressure_pa: self.density_per_m2 * sphere.force_n(interference_m),
+            area_fraction: self.density_per_m2 * sphere.area_m2(interference_m),
+        }
+    }
+
+    fn hertzian(&self) -> Option<(f64, f64)> {
+        let area_per_m = self.density_per_m2 * std::f64::consts::PI * self.radius_m;
+        Some((self.onset_m.min(self.radius_m), area_per_m))
+    }
+
+    fn pieces(&self, _low_m: f64, high_m: f64) -> Vec<Piece> {
+        let mut breaks_m = vec![0.0];
+        if self.onset_m.min(self.radius_m) < high_m {
+            breaks_m.extend([self.onset_m, self.interference_of_area_share_m(1.0, high_m)]);
+        }
+        breaks_m.extend(self.strength.cap_depth_m().filter(|&depth_m| depth_m > self.onset_m));
+        breaks_m.push(f64::INFINITY);
+        breaks_m.sort_by(f64::total_cmp);
+        pieces_between(&breaks_m, Chart::Interference)
+    }
+
+    fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {
+        if self.onset_m >= high_m {
+            return Vec::new();
+        }
+        let weak_enough_m = self
+            .strength
+            .depth_of_strength_m(FITTED_STRENGTH_OVER_MODULUS * self.modulus_pa())
+            .unwrap_or(f64::INFINITY)
+            .max(self.onset_m);
+        let shallow_until_m = self
+            .interference_of_area_share_m(FITTED_CONTACT_RADIUS_OVER_RADIUS.powi(2), high_m)
+            .max(weak_enough_m);
+        vec![(self.onset_m, weak_enough_m), (shallow_until_m.max(self.onset_m), f64::INFINITY)]
+    }
+
+    fn course(&self, sigma_s_m: f64) -> Course {
+        // The published force steps at the departure from Hertz, down where nu is large or Sy nears E*. The density
+        // spreads the step dF over sigma_s, and it turns p(d) only where 0.4 dF exceeds the rise 1.5 F sigma_s/w.
+        let law = self.at_depth(self.onset_m);
+        let step = law.breaks().map(|b| b.step).find(|&step| step != 0.0).unwrap_or(0.0);
+        if -step * self.onset_m > 2.0 * sigma_s_m {
+            Course::StepsDown { at_m: self.onset_m }
+        } else {
+            Course::Rises
+        }
+    }
+}

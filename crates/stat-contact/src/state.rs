@@ -1,0 +1,100 @@
+//! What is known of a contact at one separation.
+
+use approx::{AbsDiffEq, RelativeEq};
+
+use crate::asperities::Response;
+
+/// A population in contact with a flat.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct ContactState {
+    /// Separation d of the flat from the mean of the asperity heights \[m\]; negative below it. `None` where the pressure
+    /// is beyond what the population carries at any separation.
+    pub separation_m: Option<f64>,
+    /// Pressure over the nominal area \[Pa\]; zero where it is below the smallest double, see `ln_pressure_pa`.
+    pub pressure_pa: f64,
+    /// Real over nominal area of contact, in \[0, 1\]; zero where it is below the smallest double.
+    pub area_fraction: f64,
+    /// Natural logarithm of the pressure in Pa.
+    pub ln_pressure_pa: f64,
+    /// Natural logarithm of the area fraction, at most 0.
+    pub ln_area_fraction: f64,
+    /// Estimate, on the side of caution, of the relative error of pressure and area fraction at the separation.
+    pub error_estimate: f64,
+    /// How often the law of one asperity was evaluated to find this.
+    pub evaluations: usize,
+    /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in.
+    pub out_of_range_load_share: f64,
+    /// Whether the sum of the areas exceeds the nominal area and was held at it.
+    pub clamped: bool,
+}
+
+impl ContactState {
+    /// Every asperity pressed to the interference -d.
+    pub(crate) fn without_spread(separation_m: f64, response: &Response) -> Self {
+        ContactState {
+            separation_m: Some(separation_m),
+            pressure_pa: response.pressure_pa,
+            area_fraction: response.area_fraction.min(1.0),
+            ln_pressure_pa: response.pressure_pa.ln(),
+            ln_area_fraction: response.area_fraction.ln().min(0.0),
+            error_estimate: 1e-12,
+            evaluations: 1,
+            out_of_range_load_share: 0.0,
+            clamped: response.area_fraction > 1.0,
+        }
+    }
+
+    /// Complete contact under a pressure \[Pa\] beyond what the population carries at any separation.
+    pub(crate) fn complete(pressure_pa: f64) -> Self {
+        ContactState {
+            separation_m: None,
+            pressure_pa,
+            area_fraction: 1.0,
+            ln_pressure_pa: pressure_pa.ln(),
+            ln_area_fraction: 0.0,
+            error_estimate: 0.0,
+            evaluations: 0,
+            out_of_range_load_share: 0.0,
+            clamped: false,
+        }
+    }
+
+    /// Largest deviation between the quantities of two states, each relative to the larger: pressure and area (also
+    /// where they underflow), and the separations, which are either both there or not.
+    fn largest_deviation(&self, other: &Self) -> f64 {
+        let relative = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) };
+        let separations = match (self.separation_m, other.separation_m) {
+            (Some(a), Some(b)) => relative(a, b),
+            (None, None) => 0.0,
+            _ => f64::INFINITY,
+        };
+        let logarithmic = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() };
+        separations
+            .max(logarithmic(self.ln_pressure_pa, other.ln_pressure_pa))
+            .max(logarithmic(self.ln_area_fraction, other.ln_area_fraction))
+    }
+}
+
+impl AbsDiffEq for ContactState {
+    type Epsilon = f64;
+
+    fn default_epsilon() -> f64 {
+        f64::EPSILON
+    }
+
+    /// Compares relatively, as [`RelativeEq`] does: the quantities of a state have different units.
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        self.largest_deviation(other) <= epsilon
+    }
+}
+
+impl RelativeEq for ContactState {
+    fn default_max_relative() -> f64 {
+        1e-10
+    }
+
+    /// Whether separation, pressure and area fraction agree; how they were found may differ.
+    fn relative_eq(&self, other: &Self, epsilon: f64, max_relative: f64) -> bool {
+        self.largest_deviation(other) <= max_relative.max(epsilon)
+    }
+}
