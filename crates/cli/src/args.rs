@@ -26,14 +26,17 @@ use crate::table::Format;
     name = "truearea",
     version,
     after_long_help = "\
-Quantities carry units: 463GPa, '1.8e9 Pa', 5um, 3 Å; pressures also in H, three times the yield strength.
-PSD is a file (CSV or two-column text), - for standard input, or a built-in spectrum: builtin:uncd-measured,
+Quantities carry units: 463GPa, '1.8e9 Pa', 5um, 3 Å; pressures also in H,
+three times the yield strength. PSD is a file (CSV or two-column text), - for
+standard input, or a built-in spectrum: builtin:uncd-measured and
 builtin:uncd-reconstructed (a reconstruction, not the published data).
 
 Examples:
-  truearea stacked builtin:uncd-measured --model elastic-plastic --pressure 5.4MPa \\
-      --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
-  truearea scene new > my-scene.toml && truearea run my-scene.toml"
+  truearea stacked builtin:uncd-measured --model elastic-plastic \\
+      --pressure 5.4MPa --youngs-modulus 463GPa --poisson-ratio 0.2 \\
+      --yield-strength 1.8GPa
+  truearea scene uncd-measured > uncd.toml
+  truearea run uncd.toml"
 )]
 pub struct Args {
     #[command(flatten)]
@@ -48,59 +51,72 @@ pub(crate) enum Command {
     Asperity(AsperityArgs),
     /// Spectral moments and McCool's asperity parameters for every cutoff
     #[command(after_help = "\
-Columns: wavelength_m, m0_m2, m2, m4_per_m2, radius_m, density_per_m2, sigma_s_m, offset_m, nayak_alpha; a row per
-wavelength from long to short. The first row has no interval yet: its cells are empty.
+Columns: wavelength_m, m0_m2, m2, m4_per_m2, radius_m, density_per_m2,
+sigma_s_m, offset_m, nayak_alpha; a row per wavelength from long to short. The
+first row has no interval yet: its cells are empty.
 
 Example:
   truearea moments psd.csv --output moments.csv")]
     Moments(PsdArgs),
     /// Amplitude and aspect ratio of every scale
     #[command(after_help = "\
-Columns: wavelength_m, amplitude_m, aspect_ratio; a row per wavelength from long to short.
+Columns: wavelength_m, amplitude_m, aspect_ratio; a row per wavelength from
+long to short.
 
 Example:
   truearea amplitude psd.csv --amplitude parseval")]
     Amplitude(PsdArgs),
     /// Contact area against cutoff by the stacked multiscale model
     #[command(after_help = "\
-Columns: wavelength_m, amplitude_m, area_fraction, real_pressure_pa (the mean pressure on the contact after that
-scale), regime (elastic, plastic or flattened); a row per wavelength from long to short. With several pressures a
+Columns: wavelength_m, amplitude_m, area_fraction, real_pressure_pa (the mean
+pressure on the contact after that scale), regime (elastic, plastic or
+flattened); a row per wavelength from long to short. With several pressures a
 first column nominal_pressure_pa, in blocks in the order given.
 
 Example:
-  truearea stacked psd.csv --model elastic-plastic --pressure 5.4MPa --pressure 1e-2H \\
-      --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa --strain-gradient-length 5um")]
+  truearea stacked psd.csv --model elastic-plastic \\
+      --pressure 5.4MPa --pressure 1e-2H --youngs-modulus 463GPa \\
+      --poisson-ratio 0.2 --yield-strength 1.8GPa --strain-gradient-length 5um")]
     Stacked(StackedArgs),
     /// Contact of a population of asperities: at a pressure or a separation, row by row or over all cutoffs
     #[command(after_help = "\
-With a spectrum, the asperities that each cutoff leaves are pressed by a flat. Columns: wavelength_m, radius_m,
-density_per_m2, sigma_s_m, separation_m, pressure_pa, area_fraction; a row per wavelength from long to short, in blocks
-in the order of the pressures, then of the separations. The first row has no asperities yet: its cells are empty.
+With a spectrum, the asperities that each cutoff leaves are pressed by a flat.
+Columns: wavelength_m, radius_m, density_per_m2, sigma_s_m, separation_m,
+pressure_pa, area_fraction; a row per wavelength from long to short, in blocks
+in the order of the pressures, then of the separations. The first row has no
+asperities yet: its cells are empty.
 
-With --input, a table with the columns model (hertz, ep-sphere, elastic-sine or ep-sine), youngs_modulus_pa,
-poisson_ratio, yield_strength_pa, strain_gradient_length_m (empty for none), radius_m, density_per_m2, sigma_s_m, and
-of separation_m and pressure_pa exactly one in each row; the other one and area_fraction are filled in. A pressure beyond
-complete contact of every sinusoid has no separation: its cell stays empty, and the area fraction is 1.
+With --input, a table with the columns model (hertz, ep-sphere, elastic-sine
+or ep-sine), youngs_modulus_pa, poisson_ratio, yield_strength_pa,
+strain_gradient_length_m (empty for none), radius_m, density_per_m2,
+sigma_s_m, and of separation_m and pressure_pa exactly one in each row; the
+other one and area_fraction are filled in. A pressure beyond complete contact
+of every sinusoid has no separation: its cell stays empty, and the area
+fraction is 1.
 
-The separation is measured from the mean of the asperity heights and may be negative.
+The separation is measured from the mean of the asperity heights and may be
+negative.
 
 Examples:
   truearea statistical psd.csv --model ep-sphere --pressure 5.4MPa \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
-  truearea statistical --input populations.csv --given pressure --output populations.csv")]
+  truearea statistical --input rows.csv --given pressure --output rows.csv")]
     Statistical(StatisticalArgs),
     /// Fit a self-affine spectrum: Hurst exponent and roll-off
     #[command(after_help = "\
-Columns: hurst_exponent, hurst_exponent_se, rolloff_wavelength_m, rolloff_wavelength_se_m, plateau_m3, plateau_se_m3,
-rms_log10_residual, points; one row. Where no roll-off can be identified its cells are empty and the fit is a power law.
+Columns: hurst_exponent, hurst_exponent_se, rolloff_wavelength_m,
+rolloff_wavelength_se_m, plateau_m3, plateau_se_m3, rms_log10_residual,
+points; one row. Where no roll-off can be identified its cells are empty and
+the fit is a power law.
 
 Example:
   truearea fit psd.csv --from 100um --to 100nm")]
     Fit(FitArgs),
     /// Carry out a scene: tables, figures and a summary
     #[command(after_help = "\
-Writes one table per curve, one table and one SVG per figure, and prints a summary: area fraction, real pressure, and
-the wavelength at which the area has converged, per load. Options given here count more than the scene's own.
+Writes one table per curve, one table and one SVG per figure, and prints a
+summary: area fraction, real pressure, and the wavelength at which the area
+has converged, per load. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml
@@ -220,16 +236,18 @@ pub(crate) struct AsperityArgs {
 pub(crate) enum AsperityLaw {
     /// A sphere at an interference: Hertz, and Jackson & Green
     #[command(after_help = "\
-Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, radius_m, interference_m. Results: hertz_force_n,
-hertz_area_m2, jackson_green_force_n, jackson_green_area_m2, jackson_green_force_cosine_hardness_n.
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, radius_m,
+interference_m. Results: hertz_force_n, hertz_area_m2, jackson_green_force_n,
+jackson_green_area_m2, jackson_green_force_cosine_hardness_n.
 
 Example:
   truearea asperity sphere --input spheres.csv")]
     Sphere(TableArgs),
     /// A sinusoid at a mean pressure: elastic, and elastic-plastic
     #[command(after_help = "\
-Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, aspect_ratio, pressure_pa. Results:
-complete_contact_pressure_elastic_pa, area_fraction_elastic, critical_aspect_ratio, complete_contact_pressure_ep_pa,
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa,
+aspect_ratio, pressure_pa. Results: complete_contact_pressure_elastic_pa,
+area_fraction_elastic, critical_aspect_ratio, complete_contact_pressure_ep_pa,
 area_fraction_ep, mean_gap_over_amplitude.
 
 Example:
@@ -237,8 +255,9 @@ Example:
     Sinusoid(TableArgs),
     /// A sinusoid pressed to an interference
     #[command(after_help = "\
-Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, wavelength_m, aspect_ratio, interference_m.
-Results: pressure_elastic_pa, area_fraction_elastic, pressure_ep_pa, area_fraction_ep.
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa,
+wavelength_m, aspect_ratio, interference_m. Results: pressure_elastic_pa,
+area_fraction_elastic, pressure_ep_pa, area_fraction_ep.
 
 Example:
   truearea asperity sinusoid-interference --input sinusoids.csv --output sinusoids.csv")]

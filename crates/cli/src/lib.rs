@@ -28,6 +28,7 @@ pub mod output;
 pub mod plan;
 pub mod plot;
 pub mod products;
+mod progress;
 mod provenance;
 pub mod quantity;
 pub mod scene;

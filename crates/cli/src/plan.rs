@@ -218,6 +218,14 @@ impl Plan<'_> {
     /// # Errors
     /// [`PlanError`].
     pub fn compute(&self) -> Result<Results, PlanError> {
+        self.compute_observed(&|| ())
+    }
+
+    /// The same, with a call of `observe` after each statistical state, from any thread.
+    ///
+    /// # Errors
+    /// [`PlanError`].
+    pub fn compute_observed(&self, observe: &(dyn Fn() + Sync)) -> Result<Results, PlanError> {
         let sampled = self.sampled()?;
         let psd = match self.sampling.cutoff_m {
             Some(cutoff_m) => sampled
@@ -233,7 +241,7 @@ impl Plan<'_> {
         let curve = |curve: &Curve| match curve.model {
             CurveModel::Stacked(model) => Ok(CurveResult::Stacked(self.stacked(&model, &scales))),
             CurveModel::Statistical { pair, law } => self
-                .statistical(&pair, &law, psd.longest_wavelength_m(), &moments)
+                .statistical(&pair, &law, psd.longest_wavelength_m(), &moments, observe)
                 .map(CurveResult::Statistical),
         };
         let curves = self.needs.curves.par_iter().map(curve).collect::<Result<Vec<_>, _>>()?;
@@ -241,7 +249,7 @@ impl Plan<'_> {
             .needs
             .sweeps
             .par_iter()
-            .map(|sweep| self.sweep(sweep, &sampled))
+            .map(|sweep| self.sweep(sweep, &sampled, observe))
             .collect::<Result<Vec<_>, _>>()?;
         let work = Work {
             moment_cutoffs: moments.len(),
@@ -256,6 +264,14 @@ impl Plan<'_> {
             fitted_samples: fit.as_ref().map_or(0, |fit| fit.points),
         };
         Ok(Results { psd, moments, scales, fit, curves, sweeps, work })
+    }
+
+    /// How many statistical states the plan takes, at most.
+    pub fn statistical_states(&self) -> usize {
+        let statistical = |curve: &&Curve| matches!(curve.model, CurveModel::Statistical { .. });
+        let blocks = self.needs.loads.len() + self.needs.separations_m.len();
+        let sweeps: usize = self.needs.sweeps.iter().map(|sweep| sweep.pressures_pa.len()).sum();
+        self.needs.curves.iter().filter(statistical).count() * blocks * self.psd.len() + sweeps
     }
 
     fn sampled(&self) -> Result<ProfilePsd, PlanError> {
@@ -294,6 +310,7 @@ impl Plan<'_> {
         law: &AsperityLaw,
         longest_m: f64,
         moments: &[(Moments, Option<AsperityParameters>)],
+        observe: &(dyn Fn() + Sync),
     ) -> Result<Vec<Vec<CutoffState>>, PlanError> {
         let pressures = self.needs.loads.iter().map(|load| Given::Pressure(load.nominal_pressure_pa));
         let separations =
@@ -305,6 +322,7 @@ impl Plan<'_> {
                 let contact = match parameters {
                     Some(parameters) => {
                         let state = self.state(pair, law, parameters, given, neighbour.as_ref())?;
+                        observe();
                         neighbour = Some(state);
                         Some((*parameters, state))
                     }
@@ -317,7 +335,12 @@ impl Plan<'_> {
         pressures.chain(separations).collect::<Vec<_>>().into_par_iter().map(block).collect()
     }
 
-    fn sweep(&self, sweep: &LoadSweep, sampled: &ProfilePsd) -> Result<Vec<ContactState>, PlanError> {
+    fn sweep(
+        &self,
+        sweep: &LoadSweep,
+        sampled: &ProfilePsd,
+        observe: &(dyn Fn() + Sync),
+    ) -> Result<Vec<ContactState>, PlanError> {
         let CurveModel::Statistical { pair, law } = self.needs.curves[sweep.curve].model else {
             return Ok(Vec::new());
         };
@@ -330,6 +353,7 @@ impl Plan<'_> {
         let mut states: Vec<ContactState> = Vec::with_capacity(sweep.pressures_pa.len());
         for &pressure_pa in &sweep.pressures_pa {
             states.push(self.state(&pair, &law, &parameters, Given::Pressure(pressure_pa), states.last())?);
+            observe();
         }
         Ok(states)
     }

@@ -15,7 +15,8 @@ use crate::args::{Args, Command, MaterialArgs, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::material::{GivenMaterial, Material};
 use crate::output::Place;
-use crate::plan::{Load, Needs, Plan, Results, Sampling};
+use crate::plan::{Load, Needs, Plan, PlanError, Results, Sampling};
+use crate::progress::Progress;
 use crate::provenance::provenance;
 use crate::quantity::{Modulus, Pressure};
 use crate::scene::Overrides;
@@ -89,7 +90,7 @@ impl Context<'_> {
         let surface = load(psd, reading)?;
         timings.lap("reading");
         let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
-        let results = plan.compute().map_err(Failure::input)?;
+        let results = compute(&plan).map_err(Failure::input)?;
         timings.lap("computing");
         say_notes(surface.notes.iter().cloned().chain(notes(&results)));
         self.write(&table(&results, &plan.needs), &provenance(self.typed, &surface, plan.sampling))?;
@@ -112,6 +113,12 @@ impl Context<'_> {
         }
         self.shared.output.write(|out| table.write(self.shared.format, comments, out))
     }
+}
+
+/// Carries a plan out, with a progress bar where it takes long.
+fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
+    let progress = Progress::towards(plan.statistical_states());
+    plan.compute_observed(&|| progress.step())
 }
 
 fn load(psd: &str, reading: &ReadingArgs) -> Result<Surface, Failure> {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Context, say_notes};
+use super::{Context, compute, say_notes};
 use crate::args::RunArgs;
 use crate::explain::explain;
 use crate::failure::Failure;
@@ -21,7 +21,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         return print(&explain(&scene), context);
     }
     let results =
-        scene.plan().compute().map_err(|error| Failure::Input(format!("{}: {error}", args.scene)))?;
+        compute(&scene.plan()).map_err(|error| Failure::Input(format!("{}: {error}", args.scene)))?;
     timings.lap("computing");
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
     let written = products::write(&scene, &results, context.shared.format, &folder)?;

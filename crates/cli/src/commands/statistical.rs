@@ -11,6 +11,7 @@ use crate::material::strength;
 use crate::number::number;
 use crate::output::Place;
 use crate::plan::{Curve, CurveModel, Needs, Results};
+use crate::progress::Progress;
 use crate::provenance::program;
 use crate::summary::statistical_notes;
 use crate::table::{Cell, Cells, InputTable, Row};
@@ -69,14 +70,18 @@ fn row_by_row(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> R
     let reader = RowReader { args, context, counterface: context.counterface()? };
     let asked = input.rows(&REQUIRED_COLUMNS, |row| reader.read(row))?;
     let tolerance = args.tolerance.value();
-    let states: Vec<ContactState> = asked
-        .par_iter()
-        .map(|Asked { contact, at }| match at {
+    let progress = Progress::towards(asked.len());
+    let state = |Asked { contact, at }: &Asked| {
+        let state = match at {
             At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
             At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
-        })
-        .collect::<Result<_, _>>()
-        .map_err(Failure::input)?;
+        };
+        progress.step();
+        state
+    };
+    let states: Vec<ContactState> =
+        asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
+    drop(progress);
     say_notes(beyond_complete_contact(&input, &asked, &states));
     fill_in(&mut input, &asked, &states, args.details);
     let mut comments = vec![program(context.typed)];

@@ -1,0 +1,46 @@
+//! A progress bar for people who wait: on a terminal, once the work has taken more than a second.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Counts what is done, from any thread.
+pub struct Progress {
+    bar: ProgressBar,
+    begun: Instant,
+    done: AtomicU64,
+}
+
+impl Progress {
+    /// Progress towards `total` steps.
+    pub fn towards(total: usize) -> Self {
+        let target = if std::io::stderr().is_terminal() {
+            ProgressDrawTarget::stderr()
+        } else {
+            ProgressDrawTarget::hidden()
+        };
+        let bar = ProgressBar::with_draw_target(Some(total as u64), target);
+        bar.set_style(
+            ProgressStyle::with_template("{wide_bar} {pos}/{len} states, {eta} left").expect("a template"),
+        );
+        Progress { bar, begun: Instant::now(), done: AtomicU64::new(0) }
+    }
+
+    /// One more step is done.
+    pub fn step(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        if self.begun.elapsed() > PATIENCE {
+            self.bar.set_position(done);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,158 @@
+//! `statistical`: populations from a table and from a spectrum.
+
+mod support;
+
+use support::{Bench, DIAMOND, column, numbers};
+
+const HEADER: &str = "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,strain_gradient_length_m,radius_m,\
+                      density_per_m2,sigma_s_m,separation_m,pressure_pa,area_fraction";
+const SPHERES: &str = "ep-sphere,463e9,0.2,1.8e9,,2.43843e-06,1.80165e+11,2.11632e-08,5.02477e-08,,";
+
+fn table(rows: &[&str]) -> String {
+    format!("{HEADER}\n{}\n", rows.join("\n"))
+}
+
+#[test]
+fn the_empty_one_of_separation_and_pressure_is_filled_in_and_the_other_echoed() {
+    let bench = Bench::new();
+    let by_separation = bench.run_with_input(&["statistical", "--input", "-"], &table(&[SPHERES])).ok();
+    assert_eq!(column(&by_separation, "separation_m"), ["5.02477e-08"]);
+    let pressure = numbers(&by_separation, "pressure_pa")[0];
+    assert!((pressure / 656_544.447_994_837_5 - 1.0).abs() < 1e-12);
+    let row = SPHERES.replace("5.02477e-08,,", &format!(",{pressure},"));
+    let by_pressure = bench.run_with_input(&["statistical", "--input", "-"], &table(&[&row])).ok();
+    assert!((numbers(&by_pressure, "separation_m")[0] - 5.02477e-8).abs() < 1e-10 * 2.11632e-8);
+    assert_eq!(column(&by_pressure, "pressure_pa"), [pressure.to_string()]);
+    let areas = [&by_separation, &by_pressure].map(|table| numbers(table, "area_fraction")[0]);
+    assert!((areas[0] / areas[1] - 1.0).abs() < 1e-10);
+}
+
+#[test]
+fn a_filled_table_is_recomputed_from_the_column_that_is_named() {
+    let bench = Bench::new();
+    let filled = SPHERES.replace("5.02477e-08,,", "5.02477e-08,1e5,0.5");
+    let ran = |given: &str| {
+        let args = ["statistical", "--input", "-", "--given", given, "--format", "csv"];
+        bench.run_with_input(&args, &table(&[&filled])).ok()
+    };
+    assert!((numbers(&ran("separation"), "pressure_pa")[0] / 656_544.447_994_837_5 - 1.0).abs() < 1e-12);
+    let by_pressure = ran("pressure");
+    assert_eq!(column(&by_pressure, "pressure_pa"), ["1e5"]);
+    assert!(numbers(&by_pressure, "separation_m")[0] > 5.02477e-8);
+    let message = bench.run_with_input(&["statistical", "--input", "-"], &table(&[&filled])).refused();
+    assert_eq!(
+        message,
+        "error: standard input, line 2, columns separation_m and pressure_pa are both filled; say with --given which one \
+         counts\n"
+    );
+}
+
+#[test]
+fn details_tell_how_a_state_was_found() {
+    let bench = Bench::new();
+    let far = SPHERES.replace("5.02477e-08", "1.2e-6");
+    let out =
+        bench.run_with_input(&["statistical", "--input", "-", "--details"], &table(&[SPHERES, &far])).ok();
+    let details = "error_estimate,evaluations,out_of_range_load_share,ln_pressure_pa,ln_area_fraction";
+    assert!(out.lines().next().unwrap().ends_with(&format!("area_fraction,{details}")));
+    let (pressures, logs) = (numbers(&out, "pressure_pa"), numbers(&out, "ln_pressure_pa"));
+    assert!((pressures[0].ln() - logs[0]).abs() < 1e-13);
+    // Beyond the smallest double, where only the logarithm is left.
+    assert_eq!(pressures[1], 0.0);
+    assert!(logs[1] < -1000.0);
+    let loose = ["statistical", "--input", "-", "--details", "--tolerance", "1e-4"];
+    let loose = bench.run_with_input(&loose, &table(&[SPHERES])).ok();
+    assert!(numbers(&loose, "evaluations")[0] < numbers(&out, "evaluations")[0]);
+}
+
+#[test]
+fn elastic_models_need_no_strength_and_an_absent_column_counts_as_empty() {
+    let bench = Bench::new();
+    let input = "model,youngs_modulus_pa,poisson_ratio,radius_m,density_per_m2,sigma_s_m,pressure_pa\n\
+                 hertz,463e9,0.2,3.7e-5,1.07e9,4.29e-8,511\nelastic-sine,463e9,0.2,3.7e-5,1.07e9,4.29e-8,511\n";
+    let out = bench.run_with_input(&["statistical", "--input", "-"], input).ok();
+    assert!(out.starts_with(
+        "model,youngs_modulus_pa,poisson_ratio,radius_m,density_per_m2,sigma_s_m,pressure_pa,separation_m,"
+    ));
+    assert_eq!(numbers(&out, "area_fraction").len(), 2);
+    let bem = bench.run_with_input(&["statistical", "--input", "-", "--interference-law", "bem"], input).ok();
+    assert_eq!(numbers(&bem, "separation_m")[0], numbers(&out, "separation_m")[0]);
+    assert_ne!(numbers(&bem, "separation_m")[1], numbers(&out, "separation_m")[1]);
+}
+
+#[test]
+fn a_pressure_beyond_complete_contact_is_an_answer() {
+    let bench = Bench::new();
+    let row = "ep-sine,1.03947e+12,0.3348,5.14497e+09,,5.44878e-07,8.96886e+11,1.41043e-08,,1e13,";
+    let ran = bench.run_with_input(&["statistical", "--input", "-"], &table(&[row]));
+    assert!(ran.stderr.contains("line 2: 10000000000000 Pa is beyond complete contact"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("every pressure below "), "{}", ran.stderr);
+    let out = ran.ok();
+    assert_eq!((column(&out, "separation_m"), column(&out, "area_fraction")), (vec![""], vec!["1"]));
+}
+
+#[test]
+fn a_malformed_row_is_refused_and_nothing_is_written() {
+    let bench = Bench::new();
+    let refused = |from: &str, to: &str| {
+        assert!(SPHERES.contains(from));
+        let input = table(&[SPHERES, &SPHERES.replacen(from, to, 1)]);
+        let message =
+            bench.run_with_input(&["statistical", "--input", "-", "--output", "out.csv"], &input).refused();
+        assert!(bench.files().is_empty());
+        message
+    };
+    assert_eq!(
+        refused("2.11632e-08", "0"),
+        "error: standard input, line 3, column sigma_s_m: 0 must be finite and greater than 0\n"
+    );
+    assert_eq!(
+        refused("5.02477e-08", ""),
+        "error: standard input, line 3, columns separation_m and pressure_pa are both empty; fill one\n"
+    );
+    assert!(
+        refused("5.02477e-08,,", ",-1,").contains("column pressure_pa: -1 must be finite and greater than 0")
+    );
+    assert!(
+        refused("ep-sphere", "sphere")
+            .contains("line 3, column model: \"sphere\" is no statistical model; there are hertz")
+    );
+    assert!(refused("1.8e9", "").contains("line 3, column yield_strength_pa: the cell is empty"));
+}
+
+#[test]
+fn a_spectrum_gives_a_row_per_cutoff_and_blocks_in_the_order_given() {
+    let bench = Bench::new();
+    let mut args = vec!["statistical", "builtin:uncd-measured", "--model", "ep-sphere"];
+    args.extend(DIAMOND);
+    args.extend(["--pressure", "1e-3 H", "--pressure", "1MPa", "--separation", "-2nm"]);
+    let ran = bench.run(&args);
+    assert!(ran.stderr.contains("note: the longest wavelength has no asperities yet: its row is empty\n"));
+    let out = ran.ok();
+    assert_eq!(
+        out.lines().next().unwrap(),
+        "wavelength_m,radius_m,density_per_m2,sigma_s_m,separation_m,pressure_pa,area_fraction"
+    );
+    assert_eq!(out.lines().nth(1).unwrap(), "0.000149392,,,,,,");
+    let (separations, pressures) = (column(&out, "separation_m"), column(&out, "pressure_pa"));
+    assert_eq!(separations.len(), 3 * 46);
+    assert_eq!((pressures[1], pressures[47]), ("5400000", "1000000"));
+    assert_eq!(separations[2 * 46 + 1], "-2e-9");
+    let moments = bench.run(&["moments", "builtin:uncd-measured"]).ok();
+    assert_eq!(column(&moments, "sigma_s_m")[1..], column(&out, "sigma_s_m")[1..46]);
+}
+
+#[test]
+fn what_a_spectrum_needs_is_asked_for() {
+    let bench = Bench::new();
+    let message = bench
+        .run(&["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressure", "1MPa"])
+        .refused();
+    assert_eq!(message, "error: --youngs-modulus is needed: every model is at least elastic\n");
+    let mut args = vec!["statistical", "builtin:uncd-measured", "--model", "ep-sine", "--pressure", "1MPa"];
+    args.extend(&DIAMOND[..4]);
+    assert!(bench.run(&args).refused().contains("an elastic-plastic model needs the yield strength"));
+    assert!(bench.run(&["statistical"]).refused().contains("<PSD|--input <PATH>>"));
+    let message = bench.run(&["statistical", "--input", "x", "--tolerance", "0.5"]).refused();
+    assert!(message.contains("tolerance is 0.5; it must be greater than 0 and at most 0.01"), "{message}");
+}
