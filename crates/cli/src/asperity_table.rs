@@ -110,6 +110,15 @@ pub enum AsperityTable {
 }
 
 impl AsperityTable {
+    /// The names of its result columns.
+    pub fn results(self) -> &'static [&'static str] {
+        match self {
+            AsperityTable::Sphere => &SPHERE.results,
+            AsperityTable::Sinusoid => &SINUSOID.results,
+            AsperityTable::SinusoidInterference => &SINUSOID_INTERFERENCE.results,
+        }
+    }
+
     /// Sets the result columns of a table from its input columns; yields a note where rows lie beyond the law's range.
     ///
     /// # Errors
