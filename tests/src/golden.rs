@@ -8,6 +8,9 @@ use cli::output::StagedFiles;
 use cli::products;
 use cli::scene::{Scene, Template};
 use cli::table::Cells;
+use insta::Snapshot;
+use insta::comparator::Comparator;
+use insta::internals::SnapshotContents;
 
 use crate::committed_file;
 
@@ -74,6 +77,26 @@ impl GoldenFigure {
         let file = std::fs::read_to_string(self.path()).ok()?;
         // A snapshot is a block of metadata between two lines of dashes, and the text.
         file.splitn(3, "---\n").nth(2).map(|text| text.trim_end().to_owned())
+    }
+}
+
+/// Text snapshots whose numbers agree to the golden tolerance.
+#[derive(Clone)]
+pub struct Numbers;
+
+impl Comparator for Numbers {
+    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
+        match (reference.contents(), test.contents()) {
+            (SnapshotContents::Text(accepted), SnapshotContents::Text(computed)) => {
+                deviations(&accepted.to_string(), &computed.to_string())
+                    .is_some_and(|columns| columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE))
+            }
+            _ => false,
+        }
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
     }
 }
 

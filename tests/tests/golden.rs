@@ -1,29 +1,7 @@
 //! Golden curves of every figure. `cargo xtask golden` shows how far each has moved, `--accept` rewrites them.
 
-use insta::comparator::Comparator;
-use insta::internals::SnapshotContents;
-use insta::{Settings, Snapshot, assert_snapshot};
-use tests::golden::{TOLERANCE, deviations, figures, readme_picture_is_current};
-
-/// Text snapshots whose numbers agree to the golden tolerance.
-#[derive(Clone)]
-struct Numbers;
-
-impl Comparator for Numbers {
-    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
-        match (reference.contents(), test.contents()) {
-            (SnapshotContents::Text(accepted), SnapshotContents::Text(computed)) => {
-                deviations(&accepted.to_string(), &computed.to_string())
-                    .is_some_and(|columns| columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE))
-            }
-            _ => false,
-        }
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
-    }
-}
+use insta::{Settings, assert_snapshot};
+use tests::golden::{Numbers, TOLERANCE, deviations, figures, readme_picture_is_current};
 
 #[test]
 fn every_figure_is_as_accepted() {

@@ -89,30 +89,38 @@ fn stacked_remarks(
     text
 }
 
-/// What a statistical curve leaves open or goes beyond.
+/// What the states of a statistical curve leave open or go beyond.
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let CurveResult::Statistical(blocks) = result else { return Vec::new() };
-    let states = || blocks.iter().flatten().filter_map(|row| row.contact.map(|(_, state)| state));
+    let states: Vec<ContactState> =
+        blocks.iter().flatten().filter_map(|row| row.contact.map(|(_, state)| state)).collect();
     let mut notes = Vec::new();
-    let mut count = |of: &dyn Fn(&ContactState) -> bool, what: &str| {
-        let found = states().filter(of).count();
-        if found > 0 {
-            notes.push(format!("{found} of {} states {what}", states().count()));
-        }
+    let incomplete = states.iter().filter(|state| state.separation_m.is_none()).count();
+    if incomplete > 0 {
+        let all = states.len();
+        notes.push(format!(
+            "{incomplete} of {all} states are beyond complete contact of every asperity: area fraction 1, no separation"
+        ));
+    }
+    notes.extend(state_notes(&states));
+    notes
+}
+
+/// How many states are held at the nominal area, or rest on asperities that their law was not fitted for.
+pub fn state_notes(states: &[ContactState]) -> Vec<String> {
+    let count = |of: fn(&ContactState) -> bool, what: &str| {
+        let found = states.iter().filter(|state| of(state)).count();
+        (found > 0).then(|| format!("{found} of {} states {what}", states.len()))
     };
-    count(
-        &|state| state.separation_m.is_none(),
-        "are beyond complete contact of every asperity: area fraction 1, no separation",
-    );
-    count(
-        &|state| state.clamped,
+    let clamped = count(
+        |state| state.clamped,
         "have more contact area than there is nominal area, held at an area fraction of 1",
     );
-    count(
-        &|state| state.out_of_range_load_share > 0.5,
+    let out_of_range = count(
+        |state| state.out_of_range_load_share > 0.5,
         "carry most of their load on asperities outside the range their law was fitted in",
     );
-    notes
+    clamped.into_iter().chain(out_of_range).collect()
 }
 
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.

@@ -13,7 +13,7 @@ use crate::output::Place;
 use crate::plan::{Curve, CurveModel, Needs, Results};
 use crate::progress::Progress;
 use crate::provenance::program;
-use crate::summary::statistical_notes;
+use crate::summary::{state_notes, statistical_notes};
 use crate::table::{Cell, Cells, InputTable, Row};
 use crate::tables::{self, STATE_DETAILS};
 
@@ -83,6 +83,7 @@ fn row_by_row(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> R
         asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
     drop(progress);
     say_notes(beyond_complete_contact(&input, &asked, &states));
+    say_notes(state_notes(&states));
     fill_in(&mut input, &asked, &states, args.details);
     let mut comments = vec![program(context.typed)];
     comments.append(&mut input.comments);

@@ -65,6 +65,7 @@ impl Cell {
     pub fn text(&self) -> std::borrow::Cow<'_, str> {
         match self {
             Cell::Field(text) => text.as_str().into(),
+            Cell::Computed(value) if !value.is_finite() => "".into(),
             Cell::Computed(value) => number(*value).into(),
             Cell::Json(raw) if raw.get() == "null" => "".into(),
             Cell::Json(raw) => serde_json::from_str::<String>(raw.get()).map_or(raw.get().into(), Into::into),
@@ -130,7 +131,11 @@ impl Table {
             Cells::Numbers(numbers) => {
                 numbers.iter().flatten().filter(|value| unrepresentable(value)).count()
             }
-            _ => 0,
+            Cells::Typed(cells) => cells
+                .iter()
+                .filter(|cell| matches!(cell, Cell::Computed(value) if unrepresentable(value)))
+                .count(),
+            Cells::Words(_) => 0,
         };
         self.columns().map(|(_, cells)| count(cells)).sum()
     }
