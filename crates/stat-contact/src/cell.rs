@@ -59,6 +59,11 @@ impl Cell {
         Self::separation(self.index + 0.5)
     }
 
+    /// Whether another cell is next to this one.
+    pub fn is_beside(self, other: Cell) -> bool {
+        (self.index - other.index).abs() == 1.0
+    }
+
     /// Whether its separations are smaller than those of another cell.
     pub fn is_nearer_than(self, other: Cell) -> bool {
         self.index < other.index

@@ -76,13 +76,17 @@ impl StatisticalContact {
         start: Option<&ContactState>,
     ) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
-        if let Some(separation_m) = self.far_below().separation_m(pressure_pa.ln()) {
+        let far_below = self.far_below();
+        // Where the highest pressure is carried far below, no nearer separation carries more.
+        if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
+            return Ok(ContactState::complete(pressure_pa));
+        }
+        if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
             let response = Response { pressure_pa, ..self.asperities.at_interference(-separation_m) };
             return Ok(ContactState::without_spread(separation_m, &response));
         }
         let start = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
-        let Some(Found { frame, u, evaluations }) = self.search(pressure_pa.ln(), tolerance).run(start)
-        else {
+        let Some(Found { frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {
             return Ok(ContactState::complete(pressure_pa));
         };
         let state = self.state(&frame, u, 0.0, None);
@@ -92,17 +96,17 @@ impl StatisticalContact {
     /// The pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid, or
     /// the most that sinusoids softening with depth carry. Infinite for spheres.
     pub fn highest_pressure_pa(&self) -> f64 {
-        let far = self.far_below().log_highest_pressure();
-        far.unwrap_or_else(|| self.search(0.0, Precision::FINEST).log_highest_pressure()).exp()
+        let far = self.far_below().highest_pressure_pa();
+        far.unwrap_or_else(|| self.search(0.0, Precision::FINEST).highest_pressure_pa())
     }
 
     fn far_below(&self) -> FarBelow<'_> {
         FarBelow::new(&*self.asperities, self.sigma_s_m)
     }
 
-    fn search(&self, log_pressure: f64, tolerance: f64) -> Search<'_> {
+    fn search(&self, pressure_pa: f64, tolerance: f64) -> Search<'_> {
         let precision = Precision::new(tolerance);
-        Search { asperities: &*self.asperities, sigma_s_m: self.sigma_s_m, log_pressure, precision }
+        Search { asperities: &*self.asperities, sigma_s_m: self.sigma_s_m, pressure_pa, precision }
     }
 
     fn frame(&self, cell: Cell, precision: Precision) -> Frame<'_> {

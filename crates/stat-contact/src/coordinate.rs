@@ -21,19 +21,20 @@ pub(crate) enum Coordinate {
 }
 
 impl Coordinate {
-    /// The coordinate around the separation u, for rules that resolve the integrand to exp(-digits).
+    /// The coordinate around the separation u, for rules that resolve the integrand to exp(-digits) at every separation up
+    /// to `farthest`, where the density at the singularity is the largest.
     ///
     /// The trapezoidal rule of step h sees the singularity at v = i c as exp(-2 pi c/h) times the density there, at
     /// s = -c: c is the smallest number, and so the one with the fewest nodes, for which that is below exp(-digits).
     /// Where contacts at first touch are that rare already, the heights themselves serve, and keep their digits better.
-    pub fn around(u: f64, digits: f64) -> Self {
+    pub fn around(u: f64, farthest: f64, digits: f64) -> Self {
         // The margin makes up for the growth of a response like s^(3/2) from where the contacts are to the singularity.
         let margin = 5.0 + 5.0 * u.max(0.0).ln_1p();
-        let level = digits + margin - 0.5 * u.min(0.0).powi(2);
+        let level = digits + margin - 0.5 * farthest.min(0.0).powi(2);
         if level < 1.0 {
             return Coordinate::Height { u };
         }
-        let rise = (2.0 * digits).sqrt() - u;
+        let rise = (2.0 * digits).sqrt() - farthest;
         let root = (rise * rise + 2.0 * level).sqrt();
         Coordinate::Root { c: if rise > 0.0 { 2.0 * level / (rise + root) } else { root - rise } }
     }
@@ -49,6 +50,11 @@ impl Coordinate {
         } else {
             self
         }
+    }
+
+    /// Whether this is the coordinate of a stretch over decades.
+    pub fn spans_decades(self) -> bool {
+        matches!(self, Coordinate::Power { .. })
     }
 
     /// Step at which the trapezoidal rule integrates a unit Gaussian to exp(-digits).
@@ -95,7 +101,7 @@ mod tests {
 
     #[test]
     fn the_coordinate_inverts_the_interference_and_knows_its_slope() {
-        for coordinate in [Coordinate::around(-3.0, 30.0), Coordinate::around(60.0, 30.0)] {
+        for coordinate in [Coordinate::around(-3.0, -3.0, 30.0), Coordinate::around(60.0, 63.0, 30.0)] {
             for v in [1e-9, 0.1, 3.0, 40.0] {
                 let (s, slope) = coordinate.interference(v);
                 assert!((coordinate.of(s) / v - 1.0).abs() < 1e-14);
@@ -104,7 +110,7 @@ mod tests {
                 assert!((difference / (2e-6 * v) / slope - 1.0).abs() < 1e-9);
             }
         }
-        let far = Coordinate::around(-60.0, 30.0);
+        let far = Coordinate::around(-60.0, -60.0, 30.0);
         assert_eq!(far.interference(far.of(61.0)), (61.0, 1.0));
     }
 }

@@ -5,7 +5,7 @@
 //! mean height there.
 
 use crate::asperities::{Asperities, Course, Response};
-use crate::root::in_bracket;
+use crate::root::{in_bracket, minimum};
 
 /// Depth below the mean plane, in units of sigma_s, from which on asperities are taken at the mean height.
 pub(crate) const FAR: f64 = 1e6;
@@ -54,25 +54,17 @@ impl<'a> FarBelow<'a> {
             .find(|depth_m| missing(depth_m.ln()) <= 0.0)
     }
 
-    /// ln of the highest pressure, where it is carried far below.
-    pub fn log_highest_pressure(&self) -> Option<f64> {
-        self.peak_m().map(|peak_m| self.log_response(peak_m.ln()))
+    /// The highest pressure \[Pa\], where it is carried far below.
+    pub fn highest_pressure_pa(&self) -> Option<f64> {
+        self.peak_m().map(|peak_m| self.asperities.at_interference(peak_m).pressure_pa)
     }
 
     /// The interference \[m\] of the highest response, where it is a far one: between the nearest far one and that of
     /// which it is known to fall, by golden sections.
     fn peak_m(&self) -> Option<f64> {
         const STEPS: usize = 90;
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let (mut low, mut high) = ((FAR * self.sigma_s_m).ln(), self.asperities.falls_from_m()?.ln());
-        if low >= high {
-            return None;
-        }
-        for _ in 0..STEPS {
-            let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-            if self.log_response(left) > self.log_response(right) { high = right } else { low = left }
-        }
-        Some(high.exp())
+        let (low, high) = ((FAR * self.sigma_s_m).ln(), self.asperities.falls_from_m()?.ln());
+        (low < high).then(|| minimum(low, high, STEPS, |log_m| -self.log_response(log_m)).exp())
     }
 
     fn log_response(&self, log_interference: f64) -> f64 {

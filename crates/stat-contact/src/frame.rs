@@ -83,7 +83,8 @@ impl<'a> Frame<'a> {
         precision: Precision,
     ) -> Self {
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
-        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), precision);
+        let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
+        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision);
         frame.high = window.high;
         if let Some((until_m, area_per_m)) = asperities.hertzian()
             && window.high * sigma_s_m <= until_m
@@ -106,18 +107,26 @@ impl<'a> Frame<'a> {
         const NODES: usize = 7;
         const DROP: f64 = 9.0;
         let window = Window::new(u, u, DROP);
-        let mut frame = Self::empty(asperities, sigma_s_m, u, Precision::new(Precision::COARSEST));
-        let (from, to) = (frame.coordinate.of(window.low), frame.coordinate.of(window.high));
-        frame.add_panel(Chart::Interference, frame.coordinate, [from, to], 0, Rule::of_at_least(NODES));
+        let precision = Precision::new(Precision::COARSEST);
+        let coordinate = Coordinate::around(u, u, precision.digits);
+        let mut frame = Self::empty(asperities, sigma_s_m, u, coordinate, precision);
+        let ends = [window.low, window.high].map(|s| coordinate.of(s));
+        frame.add_panel(Chart::Interference, coordinate, ends, 0, Rule::of_at_least(NODES));
         frame
     }
 
-    fn empty(asperities: &'a dyn Asperities, sigma_s_m: f64, centre: f64, precision: Precision) -> Self {
+    fn empty(
+        asperities: &'a dyn Asperities,
+        sigma_s_m: f64,
+        centre: f64,
+        coordinate: Coordinate,
+        precision: Precision,
+    ) -> Self {
         Frame {
             asperities,
             centre,
             sigma_s_m,
-            coordinate: Coordinate::around(centre, precision.digits),
+            coordinate,
             precision,
             panels: Vec::with_capacity(4),
             high: 0.0,
@@ -133,12 +142,17 @@ impl<'a> Frame<'a> {
         if low >= high {
             return;
         }
-        let coordinate = self.coordinate.between(low, high);
+        let coordinate = match piece.chart {
+            Chart::Interference => self.coordinate.between(low, high),
+            _ => self.coordinate,
+        };
         let [from, to] = [low, high].map(|s| match piece.chart {
             Chart::Interference => coordinate.of(s),
             chart => self.asperities.coordinate(chart, s * self.sigma_s_m),
         });
-        let rule = Rule::of_at_least(self.nodes_between(low, high));
+        // Over decades a law has more to be resolved than the density.
+        let more = if coordinate.spans_decades() { 1.4 } else { 1.0 };
+        let rule = Rule::of_at_least((more * self.nodes_between(low, high)).ceil() as usize);
         self.add_panel(piece.chart, coordinate, [from, to], 0, rule);
     }
 
@@ -197,7 +211,7 @@ impl<'a> Frame<'a> {
     /// Nodes that a Gauss-Legendre rule needs between two interferences, from how far the exponent of the density runs
     /// (as its square root, as for a Gaussian), how much there is to be resolved beside it, and how little of
     /// the whole lies there. An undershoot is mended by halving.
-    fn nodes_between(&self, low: f64, high: f64) -> usize {
+    fn nodes_between(&self, low: f64, high: f64) -> f64 {
         let exponent = |s: f64| log_reference_density(self.centre) + 0.5 * (self.centre + s).powi(2);
         let (at_low, at_high) = (exponent(low), exponent(high));
         let holds_peak = self.centre + low < 0.0 && self.centre + high > 0.0;
@@ -210,18 +224,20 @@ impl<'a> Frame<'a> {
         let log_share = (2.0 * (high / reach).ln()).min(0.0) - (least - 3.0).max(0.0);
         let digits = (self.precision.digits + log_share).max(1.0);
         let smooth = digits / 0.85;
-        (0.5 * (digits * run + smooth * smooth).sqrt()).ceil() as usize
+        0.5 * (digits * run + smooth * smooth).sqrt()
     }
 
-    /// Halves the panels whose error at the centre is above the tolerance.
+    /// Gives more nodes to the panels whose error at the centre is above their share of the tolerance, or halves them.
     fn refine(&mut self) {
+        // Few panels err as much as they may: with this share their sum stays about the tolerance.
+        const SHARE: f64 = 0.3;
+        let tolerance = SHARE * self.precision.tolerance;
         let mut at = 0;
         let totals = self.sums(self.centre);
         while at < self.panels.len() && self.evaluations < MOST_EVALUATIONS {
             let panel = &self.panels[at];
             let [pressure, area] = panel.errors(self.centre, self.centre);
-            let fine = pressure <= self.precision.tolerance * totals.pressure_pa
-                && area <= self.precision.tolerance * totals.area_fraction;
+            let fine = pressure <= tolerance * totals.pressure_pa && area <= tolerance * totals.area_fraction;
             let Panel { chart, coordinate, from, to, halvings, rule: Some(rule), .. } = *panel else {
                 at += 1;
                 continue;
@@ -359,10 +375,13 @@ impl Panel {
     /// The rule errs by the Legendre coefficients beyond degree 2n. How those fall from degree n to 2n is judged by how
     /// they fall from 0 to n/2 and on to n: as fast again and twice as far where they fall geometrically or faster, no
     /// further than from n/2 to n behind an end-point power, where the fall levels off. It may level off later than n:
-    /// three quarters of it are counted on.
+    /// three quarters of it are counted on, and less of the second stretch over decades, where singularities of the law
+    /// that lie closer than those of the density, but are weak, take over late.
     fn errors(&self, centre: f64, u: f64) -> [f64; 2] {
         const COUNTED_ON: f64 = 0.75;
+        const COUNTED_ON_OVER_DECADES: f64 = 0.3;
         let Some(rule) = self.rule else { return [0.0; 2] };
+        let onward = if self.coordinate.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
         let mut coefficients = [[0.0; 5]; 2];
         for (node, at) in self.nodes.iter().zip(&rule.nodes) {
             let (_, density) = relative_density(centre, node, u);
@@ -382,12 +401,11 @@ impl Panel {
             }
             let first_fall = (whole.abs() / middle).ln().max(0.1);
             let second_fall = (middle / high).ln().max(0.0);
-            high * (-COUNTED_ON * second_fall * (1.0 + (second_fall / first_fall).min(1.0))).exp()
+            let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
+            high * (-COUNTED_ON * second_fall * falls).exp()
         })
     }
-}
 
-impl Panel {
     /// The integral of the pressure beyond a coordinate, of the polynomial through the nodes.
     fn load_above_pa(&self, centre: f64, u: f64, at: f64) -> f64 {
         let x = (2.0 * at - self.from - self.to) / (self.to - self.from);

@@ -8,11 +8,12 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_SQRT_PI};
 /// 1/sqrt(2 pi).
 pub(crate) const DENSITY_SCALE: f64 = 0.5 * FRAC_2_SQRT_PI * FRAC_1_SQRT_2;
 
-/// Where the integrand is not negligible, and how far its exponent runs.
+/// Where the integrand is not negligible.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Window {
-    /// Lowest and highest interference.
+    /// The lowest interference.
     pub low: f64,
+    /// The highest interference.
     pub high: f64,
 }
 

@@ -4,7 +4,7 @@ use asperity::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, Mater
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Course, Piece, Point, Response};
-use crate::root::in_bracket;
+use crate::root::{in_bracket, minimum};
 use crate::sine::ElasticSine;
 
 /// Elastic-plastic sinusoids of the strength at the depth of their interference (Jackson & Jacobs, Eqs. 8-9), also
@@ -59,6 +59,32 @@ impl GradientSines {
         (low < high && at(low) * at(high) < 0.0).then(|| in_bracket(low, high, at).exp())
     }
 
+    /// Where plastic flow sets in or gives way to elasticity. The exponent A2 falls and rises again with r, so that it may
+    /// do so several times, and a short stretch of flow may lie between two samples: an extremum that bends
+    /// towards the other sign is looked up.
+    fn flow_changes_m(&self, from_m: f64, to_m: f64) -> Vec<f64> {
+        const SAMPLES: usize = 25;
+        const GOLDEN_STEPS: usize = 40;
+        if from_m >= to_m {
+            return Vec::new();
+        }
+        let margin = |law: &ElasticPlasticSinusoid, ratio: f64| law.flow_margin_at_interference(ratio);
+        let at = |log_m: f64| margin(&self.at_depth(log_m.exp()), log_m.exp() / self.amplitude_m);
+        let step = (to_m / from_m).ln() / (SAMPLES - 1) as f64;
+        let mut ends: Vec<f64> = (0..SAMPLES).map(|i| from_m.ln() + step * i as f64).collect();
+        let margins: Vec<f64> = ends.iter().map(|&log_m| at(log_m)).collect();
+        for (i, m) in margins.windows(3).enumerate() {
+            let towards_zero =
+                m[0] * m[1] > 0.0 && m[1] * m[2] > 0.0 && m[1].abs() < m[0].abs().min(m[2].abs());
+            if towards_zero {
+                let signed = |log_m: f64| at(log_m) * m[1].signum();
+                ends.push(minimum(ends[i], ends[i + 2], GOLDEN_STEPS, signed));
+            }
+        }
+        ends.sort_by(f64::total_cmp);
+        ends.windows(2).filter_map(|pair| self.crossing_m(pair[0].exp(), pair[1].exp(), margin)).collect()
+    }
+
     /// Kinks and jumps between two interferences below complete contact.
     fn breaks_m(&self, from_m: f64, to_m: f64) -> Vec<f64> {
         let mut breaks_m = vec![self.critical_m];
@@ -71,14 +97,7 @@ impl GradientSines {
         }));
         // Strictly inside the plastic branch, whose criteria make no sense at its very edge.
         let edge_m = from_m.max(self.critical_m * (1.0 + 1e-12));
-        // The exponent A2 falls and rises again with r, so that plastic flow may give way to elasticity and take over again.
-        let steps = 24;
-        let at = |i: usize| (edge_m.ln() + (to_m / edge_m).ln() * i as f64 / steps as f64).exp();
-        for i in 0..steps {
-            breaks_m.extend(
-                self.crossing_m(at(i), at(i + 1), |law, ratio| law.flow_margin_at_interference(ratio)),
-            );
-        }
+        breaks_m.extend(self.flow_changes_m(edge_m, to_m));
         breaks_m.extend(self.crossing_m(edge_m, to_m, |law, ratio| {
             (law.pressure_at_interference_pa(ratio) / law.critical_pressure_pa()).ln()
         }));

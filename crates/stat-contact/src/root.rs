@@ -1,4 +1,4 @@
-//! The zero of a function known to change its sign.
+//! The zero of a function known to change its sign, and the minimum of one known to have a single one.
 
 /// The zero of `f` in [low, high], f having opposite signs at the ends, to rounding.
 ///
@@ -32,9 +32,27 @@ pub(crate) fn in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> 
     b
 }
 
+/// Where a function with one minimum in [low, high] has it, by golden sections; the upper end of the last of them.
+pub(crate) fn minimum(low: f64, high: f64, steps: usize, f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let (mut low, mut high) = (low, high);
+    for _ in 0..steps {
+        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        if f(left) < f(right) { high = right } else { low = left }
+    }
+    high
+}
+
 #[cfg(test)]
 mod tests {
-    use super::in_bracket;
+    use super::{in_bracket, minimum};
+
+    #[test]
+    fn a_minimum_is_found_inside_and_at_the_ends() {
+        assert!((minimum(-1.0, 3.0, 60, |x| (x - 0.3).powi(2)) - 0.3).abs() < 1e-7);
+        assert_eq!(minimum(-1.0, 3.0, 90, |x| -x), 3.0);
+        assert!((minimum(-1.0, 3.0, 90, |x| x) + 1.0).abs() < 1e-15);
+    }
 
     #[test]
     fn zeros_are_found_to_rounding_in_few_steps() {

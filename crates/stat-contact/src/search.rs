@@ -9,7 +9,7 @@ use crate::asperities::{Asperities, Course};
 use crate::cell::{Cell, Precision};
 use crate::far::FAR;
 use crate::frame::{Frame, Sums};
-use crate::gaussian::log_reference_density;
+use crate::gaussian::{log_reference_density, reference_density};
 use crate::root::in_bracket;
 
 /// Steps after which a search ends in any case; each halves a bracket or better.
@@ -21,11 +21,11 @@ const USUAL_SEPARATION: f64 = 2.0;
 /// Standard deviations beyond which a feature of the law no longer shows.
 const OUT_OF_SIGHT: f64 = 9.0;
 
-/// A search for ln p, which is carried no farther below the mean plane than [`FAR`].
+/// A search for a pressure, which is carried no farther below the mean plane than [`FAR`].
 pub(crate) struct Search<'a> {
     pub asperities: &'a dyn Asperities,
     pub sigma_s_m: f64,
-    pub log_pressure: f64,
+    pub pressure_pa: f64,
     pub precision: Precision,
 }
 
@@ -41,15 +41,21 @@ pub(crate) struct Found<'a> {
 struct Bracket {
     low: f64,
     high: f64,
+    /// What a quadrature may misplace the solution by, relative to 1 + |u|.
+    margin: f64,
 }
 
 impl Bracket {
-    const EVERYTHING: Bracket = Bracket { low: f64::NEG_INFINITY, high: f64::INFINITY };
+    const EVERYTHING: Bracket =
+        Bracket { low: f64::NEG_INFINITY, high: f64::INFINITY, margin: Self::ROUGH_MARGIN };
+    const ROUGH_MARGIN: f64 = 0.02;
+    /// Small enough for bisection to end in one cell, be it a million standard deviations below the mean plane.
+    const FINE_MARGIN: f64 = 1e-8;
 
     /// Takes note that pressure is missing at u, or in excess. The margin keeps the bracket, which is there to stop runaway
     /// steps, from cutting off the solution of the next quadrature, which differs by the error of this one.
     fn narrow(&mut self, u: f64, missing: f64) {
-        let margin = 0.02 * (1.0 + u.abs());
+        let margin = self.margin * (1.0 + u.abs());
         if missing > 0.0 {
             self.high = self.high.min(u + margin);
         } else {
@@ -61,7 +67,10 @@ impl Bracket {
     fn hold(&self, u: f64, next: f64, missing: f64) -> f64 {
         let stride = 8.0 + u.abs();
         let next = if next.is_nan() { -missing.signum() * f64::INFINITY } else { next };
-        if self.low <= next && next <= self.high && (next - u).abs() <= stride {
+        // A step across most of the bracket tells little: where the pressure jumps, steps from both sides would go on
+        // landing at each other's ends.
+        let longest = (0.75 * (self.high - self.low)).max(2.0 * self.margin * (1.0 + u.abs())).min(stride);
+        if self.low <= next && next <= self.high && (next - u).abs() <= longest {
             next
         } else if self.low.is_finite() && self.high.is_finite() {
             0.5 * (self.low + self.high)
@@ -74,7 +83,7 @@ impl Bracket {
 impl<'a> Search<'a> {
     /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
     pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
-        if self.log_pressure >= self.asperities.highest_response_pa().ln() {
+        if self.pressure_pa >= self.asperities.highest_response_pa() {
             return None;
         }
         let near = start.unwrap_or(USUAL_SEPARATION);
@@ -89,17 +98,17 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// ln of the highest pressure that a separation carries, or of its limit.
-    pub fn log_highest_pressure(&self) -> f64 {
+    /// The highest pressure \[Pa\] that a separation carries, or its limit.
+    pub fn highest_pressure_pa(&self) -> f64 {
         let Some(edge) = self.far_edge() else {
-            return self.asperities.highest_response_pa().ln();
+            return self.asperities.highest_response_pa();
         };
-        let (at_edge, slope) = self.log_pressure_and_slope(edge);
+        let (at_edge_pa, slope) = self.pressure_and_slope(edge);
         if slope <= 0.0 {
-            return at_edge;
+            return at_edge_pa;
         }
-        let peak = in_bracket(edge, 0.0, |u| self.log_pressure_and_slope(u).1);
-        self.log_pressure_and_slope(peak).0
+        let peak = in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1);
+        self.pressure_and_slope(peak).0
     }
 
     /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach.
@@ -111,31 +120,32 @@ impl<'a> Search<'a> {
     /// density, by which the step of the force is smeared out; a maximum between two of them shows in the slopes.
     fn scan_across(&self, step_down: f64) -> Bracket {
         let mut high = (OUT_OF_SIGHT - step_down).min(0.0);
-        let (log_pressure, mut slope_at_high) = self.log_pressure_and_slope(high);
-        if log_pressure >= self.log_pressure {
+        let (pressure_pa, mut slope_at_high) = self.pressure_and_slope(high);
+        if pressure_pa >= self.pressure_pa {
             return Bracket { low: high, ..Bracket::EVERYTHING };
         }
         while high > -OUT_OF_SIGHT - step_down {
             let mut low = high - 0.5;
-            let (mut log_pressure, slope) = self.log_pressure_and_slope(low);
-            if slope > 0.0 && slope_at_high <= 0.0 && log_pressure < self.log_pressure {
-                let peak = in_bracket(low, high, |u| self.log_pressure_and_slope(u).1);
-                if self.log_pressure_and_slope(peak).0 >= self.log_pressure {
-                    (low, log_pressure) = (peak, f64::INFINITY);
+            let (mut pressure_pa, slope) = self.pressure_and_slope(low);
+            if slope > 0.0 && slope_at_high <= 0.0 && pressure_pa < self.pressure_pa {
+                let peak = in_bracket(low, high, |u| self.pressure_and_slope(u).1);
+                if self.pressure_and_slope(peak).0 >= self.pressure_pa {
+                    (low, pressure_pa) = (peak, f64::INFINITY);
                 }
             }
-            if log_pressure >= self.log_pressure {
-                return Bracket { low, high };
+            if pressure_pa >= self.pressure_pa {
+                return Bracket { low, high, ..Bracket::EVERYTHING };
             }
             (high, slope_at_high) = (low, slope);
         }
         Bracket { high, ..Bracket::EVERYTHING }
     }
 
-    fn log_pressure_and_slope(&self, u: f64) -> (f64, f64) {
+    /// Pressure \[Pa\] and derivative of ln p by u, each separation on the quadrature of its cell.
+    fn pressure_and_slope(&self, u: f64) -> (f64, f64) {
         let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
         let sums = frame.sums(u);
-        (log_pressure(u, &sums), sums.log_pressure_slopes().0)
+        (sums.pressure_pa * reference_density(u), sums.log_pressure_slopes().0)
     }
 
     fn solve(&self, start: f64, bracket: Bracket) -> Option<Found<'a>> {
@@ -161,7 +171,8 @@ impl<'a> Search<'a> {
     }
 
     /// Solves on the quadrature of the cell that the solution lies in.
-    fn settle(&self, mut u: f64, mut bracket: Bracket) -> Option<Found<'a>> {
+    fn settle(&self, mut u: f64, bracket: Bracket) -> Option<Found<'a>> {
+        let mut bracket = Bracket { margin: Bracket::FINE_MARGIN, ..bracket };
         let mut evaluations = 0;
         let mut cell = Cell::of(u);
         let mut left = None;
@@ -171,7 +182,7 @@ impl<'a> Search<'a> {
             u = self.solve_on(&frame, u, &mut bracket)?;
             let next = Cell::of(u);
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
-            let undecided = left == Some(next);
+            let undecided = left == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || step == MOST_STEPS {
                 return Some(Found { frame, u, evaluations });
             }
@@ -196,14 +207,23 @@ impl<'a> Search<'a> {
         Some(u)
     }
 
+    /// How much ln p falls short of the target at u. The quotient of the pressures keeps the digits that their logarithms
+    /// would round off, which near complete contact are all that tells one separation from another.
+    fn missing(&self, u: f64, sums: &Sums) -> f64 {
+        let quotient = self.pressure_pa / sums.pressure_pa;
+        let log_quotient =
+            if quotient.is_normal() { quotient.ln() } else { self.pressure_pa.ln() - sums.pressure_pa.ln() };
+        log_quotient - log_reference_density(u)
+    }
+
     /// Where the parabola through ln p at u meets the target, or its tangent where it does not.
     fn next(&self, u: f64, sums: &Sums, bracket: &mut Bracket) -> Option<f64> {
-        let missing = self.log_pressure - log_pressure(u, sums);
+        let missing = self.missing(u, sums);
         let (slope, curvature) = sums.log_pressure_slopes();
         if let Some(edge) = self.far_edge() {
             if missing > 0.0 && u < edge {
                 // The slope may be lost in rounding here; the peak has to be looked up.
-                if self.log_pressure > self.log_highest_pressure() {
+                if self.pressure_pa > self.highest_pressure_pa() {
                     return None;
                 }
                 bracket.narrow(u, -1.0);
@@ -218,8 +238,8 @@ impl<'a> Search<'a> {
         Some(bracket.hold(u, u + 2.0 * missing / (slope - discriminant.sqrt()), missing))
     }
 
-    /// The peak of the parabola, where u lies on its near side or it does not reach the target; `None` where u is at
-    /// the peak, and that is too low.
+    /// Where u lies on the near side of the peak, or the parabola through ln p does not reach the target: the far side of
+    /// the parabola where that meets the target, else its peak; `None` where u is at the peak, and that is too low.
     fn next_to_peak(
         u: f64,
         missing: f64,
@@ -230,15 +250,14 @@ impl<'a> Search<'a> {
         // Seen from its near side the solution lies beyond the peak, as if there were too much pressure.
         let missing_here = if slope >= 0.0 { -1.0 } else { missing };
         bracket.narrow(u, missing_here);
-        let step = if curvature < 0.0 { -slope / curvature } else { f64::NAN };
-        let too_low = missing > 0.0 && slope * slope < -2.0 * missing * curvature;
-        if too_low && step.abs() < AT_THE_PEAK * (1.0 + u.abs()) {
+        if curvature >= 0.0 {
+            return Some(bracket.hold(u, f64::NAN, missing_here));
+        }
+        let discriminant = slope * slope + 2.0 * missing * curvature;
+        let step = -(slope + discriminant.max(0.0).sqrt()) / curvature;
+        if discriminant < 0.0 && step.abs() < AT_THE_PEAK * (1.0 + u.abs()) {
             return None;
         }
         Some(bracket.hold(u, u + step, missing_here))
     }
-}
-
-fn log_pressure(u: f64, sums: &Sums) -> f64 {
-    sums.pressure_pa.ln() + log_reference_density(u)
 }
