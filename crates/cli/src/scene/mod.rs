@@ -1,6 +1,6 @@
 //! Scenes: a surface, a material, loads, and what to compute and draw of them.
 //!
-//! A scene file is read in two stages: [`raw`] is what may be typed, [`Scene`] what it means, in SI units and checked.
+//! A scene file is read in two stages: `raw` is what may be typed, [`Scene`] what it means, in SI units and checked.
 
 mod bodies;
 mod curves;
