@@ -1,7 +1,10 @@
 //! States that once were wrong, against twenty digits by mpmath (`tests/reference/statistical.py` of the repository).
 
+mod support;
+
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
-use stat_contact::{AsperityLaw, InterferenceLaw, Model, Population, StatisticalContact};
+use stat_contact::{AsperityLaw, Population, StatisticalContact};
+use support::rows;
 
 /// Model, E, nu, S0, h*, R, eta, sigma_s, d, pressure and area fraction, in SI units.
 ///
@@ -23,43 +26,6 @@ ep-sine,1e+11,0.2,7.05064e+06,1.60864e-09,3.20454e-07,2e+12,5.67191e-09,2.19346e
 const NEARLY_COMPLETE: &str = "\
 elastic-sine,33111800000.0,0.0,25205000.0,,1.19518e-06,77896400000.0,1.63245e-06,-1.30596e-05,15798320175.756941556,0.99999999999999417953
 ep-sine,1018110000.0,0.2,5873250.0,,1.17839e-07,2.7018e+16,4.77363e-11,-3.8189e-10,8714186.1519577726688,0.99999999999999431079";
-
-struct Row {
-    what: String,
-    gradient: bool,
-    contact: StatisticalContact,
-    sigma_s_m: f64,
-    separation_m: f64,
-    pressure_pa: f64,
-    area_fraction: f64,
-}
-
-fn rows(table: &str) -> impl Iterator<Item = Row> {
-    table.lines().map(|line| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let number = |i: usize| cells[i].parse::<f64>().unwrap();
-        let constant = NixGao::constant(number(3)).unwrap();
-        let gradient = !cells[4].is_empty();
-        let strength = if gradient { constant.with_strain_gradient(number(4)).unwrap() } else { constant };
-        let law = match cells[0].parse::<Model>().unwrap() {
-            Model::Hertz => AsperityLaw::Hertz,
-            Model::EpSphere => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
-            Model::ElasticSine => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },
-            Model::EpSine => AsperityLaw::EpSine { strength },
-        };
-        let pair = MaterialPair::against_rigid(ElasticBody::new(number(1), number(2)).unwrap());
-        let population = Population::new(number(5), number(6), number(7)).unwrap();
-        Row {
-            what: line.to_owned(),
-            gradient,
-            contact: StatisticalContact::new(&pair, &population, &law),
-            sigma_s_m: number(7),
-            separation_m: number(8),
-            pressure_pa: number(9),
-            area_fraction: number(10),
-        }
-    })
-}
 
 #[test]
 fn hard_states_keep_their_digits() {

@@ -1,0 +1,44 @@
+//! Rows of reference tables as contacts.
+#![allow(dead_code, reason = "every test file uses its own share of this")]
+
+use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
+use stat_contact::{AsperityLaw, InterferenceLaw, Model, Population, StatisticalContact};
+
+/// One row: the contact, its height spread, and separation, pressure and area fraction.
+pub struct Row {
+    pub what: String,
+    pub gradient: bool,
+    pub contact: StatisticalContact,
+    pub sigma_s_m: f64,
+    pub separation_m: f64,
+    pub pressure_pa: f64,
+    pub area_fraction: f64,
+}
+
+/// The rows of a table without its header, in the columns of the project's reference tables.
+pub fn rows(table: &str) -> impl Iterator<Item = Row> {
+    table.lines().map(|line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number = |i: usize| cells[i].parse::<f64>().unwrap();
+        let constant = NixGao::constant(number(3)).unwrap();
+        let gradient = !cells[4].is_empty();
+        let strength = if gradient { constant.with_strain_gradient(number(4)).unwrap() } else { constant };
+        let law = match cells[0].parse::<Model>().unwrap() {
+            Model::Hertz => AsperityLaw::Hertz,
+            Model::EpSphere => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+            Model::ElasticSine => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },
+            Model::EpSine => AsperityLaw::EpSine { strength },
+        };
+        let pair = MaterialPair::against_rigid(ElasticBody::new(number(1), number(2)).unwrap());
+        let population = Population::new(number(5), number(6), number(7)).unwrap();
+        Row {
+            what: line.to_owned(),
+            gradient,
+            contact: StatisticalContact::new(&pair, &population, &law),
+            sigma_s_m: number(7),
+            separation_m: number(8),
+            pressure_pa: number(9),
+            area_fraction: number(10),
+        }
+    })
+}
