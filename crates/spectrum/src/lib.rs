@@ -35,6 +35,7 @@ mod named;
 mod profile;
 mod psd;
 mod read;
+mod scan;
 mod self_affine_fit;
 
 pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
@@ -45,4 +46,5 @@ pub use named::UnknownName;
 pub use profile::ProfilePsd;
 pub use psd::{Psd, PsdError};
 pub use read::{Abscissa, Field, PsdFile, ReadError, ReadOptions, read_psd};
+pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};

@@ -1,0 +1,260 @@
+//! Measured heights: line scans at even or uneven spacing, and maps.
+
+use thiserror::Error;
+
+/// Heights at even spacing along a line: at least two, all finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UniformLineScan {
+    spacing_m: f64,
+    heights_m: Vec<f64>,
+}
+
+/// Heights at uneven positions along a line: at least two, all finite, the positions strictly rising.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NonuniformLineScan {
+    positions_m: Vec<f64>,
+    heights_m: Vec<f64>,
+}
+
+/// Heights on a grid: at least two columns and two rows, all finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeightMap {
+    columns: usize,
+    spacing_x_m: f64,
+    spacing_y_m: f64,
+    heights_m: Vec<f64>,
+}
+
+/// Any of the three.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Scan {
+    /// Evenly spaced along a line.
+    UniformLine(UniformLineScan),
+    /// Unevenly spaced along a line.
+    NonuniformLine(NonuniformLineScan),
+    /// On a grid.
+    Map(HeightMap),
+}
+
+/// Samples that make no scan. Points, rows and columns are counted from 1.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ScanError {
+    /// Fewer than two points, or rows, or columns.
+    #[error("building a scan: the number of {what} is {found}, it must be at least 2")]
+    TooFew {
+        /// What is counted.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+    },
+    /// A spacing that is no finite length above 0.
+    #[error(
+        "building a scan: the {what} is {value} m, it must be finite and above 0; check the size of the scan and its unit"
+    )]
+    BadSpacing {
+        /// Which spacing.
+        what: &'static str,
+        /// Its value in m.
+        value: f64,
+    },
+    /// A height that is no finite number.
+    #[error(
+        "building a scan: the height of {place} is undefined; fill the gaps in the software of the instrument, or cut them out"
+    )]
+    UndefinedHeight {
+        /// Where it is.
+        place: String,
+    },
+    /// Positions and heights, or rows, of different lengths.
+    #[error("building a scan: {heights} heights do not fill {what}")]
+    LengthMismatch {
+        /// How many heights there are.
+        heights: usize,
+        /// What they should fill.
+        what: String,
+    },
+    /// Positions that do not rise.
+    #[error(
+        "building a scan: the position of point {point} is {position_m} m, that of the point before {before_m} m; positions must rise"
+    )]
+    PositionsDoNotRise {
+        /// The offending point.
+        point: usize,
+        /// Its position in m.
+        position_m: f64,
+        /// That of the point before in m.
+        before_m: f64,
+    },
+}
+
+impl UniformLineScan {
+    /// Heights in m every `spacing_m` > 0.
+    ///
+    /// # Errors
+    /// [`ScanError`] for fewer than two heights, an undefined one, or a bad spacing.
+    pub fn new(spacing_m: f64, heights_m: Vec<f64>) -> Result<Self, ScanError> {
+        refuse_few("points", heights_m.len())?;
+        refuse_bad_spacing("spacing", spacing_m)?;
+        refuse_undefined(&heights_m, |index| format!("point {}", index + 1))?;
+        Ok(Self { spacing_m, heights_m })
+    }
+
+    /// Distance of neighbouring points in m.
+    pub fn spacing_m(&self) -> f64 {
+        self.spacing_m
+    }
+
+    /// Heights in m.
+    pub fn heights_m(&self) -> &[f64] {
+        &self.heights_m
+    }
+
+    /// Length of the scan in m: that of its period, one spacing more than from the first to the last point.
+    pub fn length_m(&self) -> f64 {
+        self.spacing_m * self.heights_m.len() as f64
+    }
+}
+
+impl NonuniformLineScan {
+    /// Heights in m at strictly rising positions in m.
+    ///
+    /// # Errors
+    /// [`ScanError`] for fewer than two points, lengths that differ, an undefined height, or positions that do not rise.
+    pub fn new(positions_m: Vec<f64>, heights_m: Vec<f64>) -> Result<Self, ScanError> {
+        refuse_few("points", heights_m.len())?;
+        if positions_m.len() != heights_m.len() {
+            let what = format!("{} positions", positions_m.len());
+            return Err(ScanError::LengthMismatch { heights: heights_m.len(), what });
+        }
+        refuse_undefined(&heights_m, |index| format!("point {}", index + 1))?;
+        let rises = |pair: &[f64]| pair[0].is_finite() && pair[1].is_finite() && pair[0] < pair[1];
+        if let Some(at) = positions_m.windows(2).position(|pair| !rises(pair)) {
+            let (before_m, position_m) = (positions_m[at], positions_m[at + 1]);
+            return Err(ScanError::PositionsDoNotRise { point: at + 2, position_m, before_m });
+        }
+        Ok(Self { positions_m, heights_m })
+    }
+
+    /// Positions in m, strictly rising.
+    pub fn positions_m(&self) -> &[f64] {
+        &self.positions_m
+    }
+
+    /// Heights in m.
+    pub fn heights_m(&self) -> &[f64] {
+        &self.heights_m
+    }
+
+    /// Distance in m from the first to the last point.
+    pub fn length_m(&self) -> f64 {
+        self.positions_m[self.positions_m.len() - 1] - self.positions_m[0]
+    }
+
+    /// Mean distance in m of neighbouring points.
+    pub fn mean_spacing_m(&self) -> f64 {
+        self.length_m() / (self.positions_m.len() - 1) as f64
+    }
+}
+
+impl HeightMap {
+    /// Heights in m, row after row of `columns` each; neighbours are `spacing_x_m` apart within a row, and the rows
+    /// `spacing_y_m`.
+    ///
+    /// # Errors
+    /// [`ScanError`] for fewer than two rows or columns, an incomplete row, an undefined height, or a bad spacing.
+    pub fn new(
+        columns: usize,
+        spacing_x_m: f64,
+        spacing_y_m: f64,
+        heights_m: Vec<f64>,
+    ) -> Result<Self, ScanError> {
+        refuse_few("columns", columns)?;
+        if heights_m.len() % columns != 0 {
+            return Err(ScanError::LengthMismatch {
+                heights: heights_m.len(),
+                what: format!("rows of {columns} columns"),
+            });
+        }
+        refuse_few("rows", heights_m.len() / columns)?;
+        refuse_bad_spacing("spacing along x", spacing_x_m)?;
+        refuse_bad_spacing("spacing along y", spacing_y_m)?;
+        refuse_undefined(&heights_m, |index| {
+            format!("row {}, column {}", index / columns + 1, index % columns + 1)
+        })?;
+        Ok(Self { columns, spacing_x_m, spacing_y_m, heights_m })
+    }
+
+    /// Number of columns: points along x, the fast scan direction.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Number of rows: points along y.
+    pub fn rows(&self) -> usize {
+        self.heights_m.len() / self.columns
+    }
+
+    /// Distance in m of neighbours within a row.
+    pub fn spacing_x_m(&self) -> f64 {
+        self.spacing_x_m
+    }
+
+    /// Distance in m of neighbouring rows.
+    pub fn spacing_y_m(&self) -> f64 {
+        self.spacing_y_m
+    }
+
+    /// Heights in m, row after row.
+    pub fn heights_m(&self) -> &[f64] {
+        &self.heights_m
+    }
+}
+
+fn refuse_few(what: &'static str, found: usize) -> Result<(), ScanError> {
+    if found < 2 { Err(ScanError::TooFew { what, found }) } else { Ok(()) }
+}
+
+fn refuse_bad_spacing(what: &'static str, value: f64) -> Result<(), ScanError> {
+    if value.is_finite() && value > 0.0 { Ok(()) } else { Err(ScanError::BadSpacing { what, value }) }
+}
+
+fn refuse_undefined(heights_m: &[f64], place: impl Fn(usize) -> String) -> Result<(), ScanError> {
+    match heights_m.iter().position(|height_m| !height_m.is_finite()) {
+        Some(index) => Err(ScanError::UndefinedHeight { place: place(index) }),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_that_make_no_scan_are_refused() {
+        let message = |error: ScanError| error.to_string();
+        assert_eq!(
+            message(UniformLineScan::new(1e-9, vec![1.0]).unwrap_err()),
+            "building a scan: the number of points is 1, it must be at least 2"
+        );
+        assert_eq!(
+            message(NonuniformLineScan::new(vec![0.0, 2.0, 1.0], vec![0.0; 3]).unwrap_err()),
+            "building a scan: the position of point 3 is 1 m, that of the point before 2 m; positions must rise"
+        );
+        assert_eq!(
+            message(HeightMap::new(2, 1.0, 1.0, vec![0.0, 0.0, 0.0, f64::NAN]).unwrap_err()),
+            "building a scan: the height of row 2, column 2 is undefined; fill the gaps in the software of the \
+             instrument, or cut them out"
+        );
+        assert!(HeightMap::new(2, 1.0, 1.0, vec![0.0; 5]).is_err());
+        assert!(UniformLineScan::new(0.0, vec![0.0; 2]).is_err());
+    }
+
+    #[test]
+    fn sizes_follow_from_points_and_spacings() {
+        assert_eq!(UniformLineScan::new(0.5, vec![0.0; 4]).unwrap().length_m(), 2.0);
+        let line = NonuniformLineScan::new(vec![1.0, 2.0, 4.0], vec![0.0; 3]).unwrap();
+        assert_eq!((line.length_m(), line.mean_spacing_m()), (3.0, 1.5));
+        let map = HeightMap::new(3, 1.0, 2.0, vec![0.0; 6]).unwrap();
+        assert_eq!((map.columns(), map.rows()), (3, 2));
+    }
+}
