@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::failure::Failure;
-use crate::figure::FigureData;
+use crate::figure::{Figure, FigureData};
 use crate::output::StagedFiles;
 use crate::plan::Results;
 use crate::plot;
@@ -14,13 +14,17 @@ use crate::tables;
 
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
-    scene.figures.iter().map(|figure| figure.data(results, &scene.needs)).collect()
+    scene.figures.iter().map(|figure| data(scene, results, figure)).collect()
 }
 
 /// One figure of a scene as an SVG document; `None` where it has no figure of that name.
 pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name)?;
-    Some(drawn(scene, &figure.data(results, &scene.needs)))
+    Some(drawn(scene, &data(scene, results, figure)))
+}
+
+fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
+    figure.data(results, &scene.needs, scene.material.and_then(|material| material.hardness_pa()))
 }
 
 fn drawn(scene: &Scene, figure: &FigureData) -> String {
