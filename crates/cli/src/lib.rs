@@ -21,6 +21,7 @@ mod commands;
 mod display;
 mod explain;
 pub mod failure;
+pub mod features;
 pub mod figure;
 pub mod material;
 mod number;
