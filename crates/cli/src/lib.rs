@@ -15,6 +15,7 @@
 //! ([`figure`], [`plot`]) is made from.
 #![deny(missing_docs)]
 
+pub mod answer;
 pub mod args;
 pub mod asperity_table;
 mod commands;
@@ -33,6 +34,7 @@ mod progress;
 mod provenance;
 pub mod quantity;
 pub mod scene;
+pub mod sensitivity;
 mod stderr;
 mod summary;
 pub mod surface;
