@@ -4,7 +4,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use cli::failure::Failure;
-use cli::products;
+use cli::products::{self, Findings};
 use cli::scene::{Scene, Template};
 use cli::table::Format;
 use tests::committed_file;
@@ -26,9 +26,10 @@ fn reproduce(template: Template) -> Result<Duration, Failure> {
     let scene = Scene::builtin(template)?;
     let start = Instant::now();
     let results = scene.plan().compute().map_err(Failure::input)?;
+    let findings = Findings::of(&scene, &results).map_err(Failure::input)?;
     let computing = start.elapsed();
     let folder = committed_file("target/reproduce").join(template.name());
-    let files = products::write(&scene, &results, Format::Csv, &folder)?;
+    let files = products::write(&scene, &results, Some(&findings), Format::Csv, &folder)?;
     let figures: Vec<&str> = scene.figures.iter().map(|figure| figure.name.as_str()).collect();
     println!("{}: {} files in {}", scene.title, files.len(), folder.display());
     println!(

@@ -355,6 +355,9 @@ pub(crate) struct RunArgs {
     /// The folder for tables and figures, made where absent; else SCENE-results in the current folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Leave out report.html, its tables, and the sensitivities, which only it needs
+    #[arg(long)]
+    pub no_report: bool,
     /// Print what the scene needs and what is skipped, and stop there
     #[arg(long)]
     pub explain: bool,

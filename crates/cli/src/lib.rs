@@ -15,12 +15,14 @@
 //! ([`figure`], [`plot`]) is made from.
 #![deny(missing_docs)]
 
+pub mod answer;
 pub mod args;
 pub mod asperity_table;
 mod commands;
 mod display;
 mod explain;
 pub mod failure;
+pub mod features;
 pub mod figure;
 pub mod material;
 mod number;
@@ -32,6 +34,7 @@ mod progress;
 mod provenance;
 pub mod quantity;
 pub mod scene;
+pub mod sensitivity;
 mod stderr;
 mod summary;
 pub mod surface;

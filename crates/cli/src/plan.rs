@@ -31,6 +31,18 @@ pub struct Curve {
     pub name: String,
     /// The model.
     pub model: CurveModel,
+    /// Where its area is wanted.
+    pub cutoffs: Cutoffs,
+}
+
+/// At which cutoffs a curve is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Cutoffs {
+    /// At every wavelength.
+    #[default]
+    Every,
+    /// At the shortest one: a statistical model skips the others, a stack passes through them anyway.
+    Shortest,
 }
 
 /// One of the two frameworks, with its law.
@@ -241,7 +253,7 @@ impl Plan<'_> {
         let curve = |curve: &Curve| match curve.model {
             CurveModel::Stacked(model) => Ok(CurveResult::Stacked(self.stacked(&model, &scales))),
             CurveModel::Statistical { pair, law } => self
-                .statistical(&pair, &law, psd.longest_wavelength_m(), &moments, observe)
+                .statistical(&pair, &law, psd.longest_wavelength_m(), curve.cutoffs, &moments, observe)
                 .map(CurveResult::Statistical),
         };
         let curves = self.needs.curves.par_iter().map(curve).collect::<Result<Vec<_>, _>>()?;
@@ -270,8 +282,12 @@ impl Plan<'_> {
     pub fn statistical_states(&self) -> usize {
         let statistical = |curve: &&Curve| matches!(curve.model, CurveModel::Statistical { .. });
         let blocks = self.needs.loads.len() + self.needs.separations_m.len();
+        let cutoffs = |curve: &Curve| match curve.cutoffs {
+            Cutoffs::Every => self.psd.len(),
+            Cutoffs::Shortest => 1,
+        };
         let sweeps: usize = self.needs.sweeps.iter().map(|sweep| sweep.pressures_pa.len()).sum();
-        self.needs.curves.iter().filter(statistical).count() * blocks * self.psd.len() + sweeps
+        self.needs.curves.iter().filter(statistical).map(cutoffs).sum::<usize>() * blocks + sweeps
     }
 
     fn sampled(&self) -> Result<ProfilePsd, PlanError> {
@@ -309,14 +325,20 @@ impl Plan<'_> {
         pair: &MaterialPair,
         law: &AsperityLaw,
         longest_m: f64,
+        cutoffs: Cutoffs,
         moments: &[(Moments, Option<AsperityParameters>)],
         observe: &(dyn Fn() + Sync),
     ) -> Result<Vec<Vec<CutoffState>>, PlanError> {
         let pressures = self.needs.loads.iter().map(|load| Given::Pressure(load.nominal_pressure_pa));
         let separations =
             self.needs.separations_m.iter().map(|&separation_m| Given::Separation(separation_m));
+        let (mut first_row, mut moments) =
+            (Some(CutoffState { wavelength_m: longest_m, contact: None }), moments);
+        if let (Cutoffs::Shortest, [.., shortest]) = (cutoffs, moments) {
+            (first_row, moments) = (None, std::slice::from_ref(shortest));
+        }
         let block = |given: Given| {
-            let mut rows = vec![CutoffState { wavelength_m: longest_m, contact: None }];
+            let mut rows = Vec::from_iter(first_row);
             let mut neighbour = None;
             for (moments, parameters) in moments {
                 let contact = match parameters {

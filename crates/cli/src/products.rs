@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
+use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::figure::{Figure, FigureData};
 use crate::output::StagedFiles;
-use crate::plan::Results;
+use crate::plan::{PlanError, Results};
 use crate::plot;
 use crate::provenance::provenance;
 use crate::scene::Scene;
+use crate::sensitivity::{self, Sensitivity, sensitivities};
 use crate::table::{Format, Table};
 use crate::tables;
 
@@ -37,13 +39,42 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
     lines
 }
 
-/// Writes every file of a scene into a folder, all of them or none; yields their names.
+/// What a report says besides the curves and figures of a scene.
+pub struct Findings {
+    /// The answer.
+    pub answer: Answer,
+    /// What rests on which choice.
+    pub sensitivities: Vec<Sensitivity>,
+}
+
+impl Findings {
+    /// The findings in the results of a scene; the sensitivities are computed.
+    ///
+    /// # Errors
+    /// [`PlanError`], as of the scene itself.
+    pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
+        let answer = Answer::of(&scene.needs, results);
+        Ok(Findings { answer, sensitivities: sensitivities(scene, results)? })
+    }
+
+    fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
+        [
+            ("report-scales", self.answer.scales_table(&scene.needs)),
+            ("report-decades", self.answer.decades_table(&scene.needs)),
+            ("report-sensitivity", sensitivity::table(&self.sensitivities, &scene.needs)),
+        ]
+    }
+}
+
+/// Writes every file of a scene into a folder, all of them or none; yields their names. The report and its tables are
+/// left out where there are no findings.
 ///
 /// # Errors
 /// [`Failure::System`] that names the path.
 pub fn write(
     scene: &Scene,
     results: &Results,
+    findings: Option<&Findings>,
     format: Format,
     folder: &Path,
 ) -> Result<Vec<String>, Failure> {
@@ -59,6 +90,10 @@ pub fn write(
     for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
         let table = tables::curve(result, &scene.needs.loads, true);
         stage_table(&mut files, &curve.name, "curve", &table)?;
+    }
+    let reported = findings.map(|findings| findings.tables(scene));
+    for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
+        stage_table(&mut files, name, "table", table)?;
     }
     let figures = figures(scene, results);
     for figure in &figures {

@@ -1,27 +1,33 @@
-//! What a scene found, for people: area, real pressure and convergence per load.
+//! What a scene found, for people: the answer in plain words, then area, real pressure and convergence per load.
 
 use std::fmt::Write;
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
-use stacked_contact::{Convergence, Level, StackedModel, convergence, largest_full_contact_pressure_pa};
+use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 use stat_contact::ContactState;
 
+use crate::answer::{Answer, LoadAnswer};
 use crate::display::{length, pressure, three_digits};
 use crate::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use crate::scene::Scene;
 
-/// The tolerances within which the area counts as converged.
-const TOLERANCES: [(f64, &str); 2] = [(0.01, "1 %"), (0.001, "0.1 %")];
-
 /// The summary of a scene's results.
-pub fn summary(scene: &Scene, results: &Results) -> String {
-    let mut text = format!("{}\n{}\n", scene.title, sampling(results));
+pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
+    let mut text = format!("{}\n{}\n\n", scene.title, sampling(results));
+    // Names of curves are hyphenated and stay whole.
+    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
+    let mut paragraphs = answer.sentences(scene);
+    paragraphs.extend(answer.shortcomings(scene, results));
+    paragraphs.extend(answer.disagreements(scene));
+    for paragraph in paragraphs {
+        let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
+    }
     for choice in scene.choices() {
         let _ = writeln!(text, "{choice}");
     }
-    for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
+    for ((curve, result), loads) in scene.needs.curves.iter().zip(&results.curves).zip(&answer.curves) {
         text.push('\n');
-        text.push_str(&curve_summary(scene, results, curve, result));
+        text.push_str(&curve_summary(scene, results, curve, result, loads));
     }
     text
 }
@@ -39,26 +45,38 @@ pub fn sampling(results: &Results) -> String {
     )
 }
 
-fn curve_summary(scene: &Scene, results: &Results, curve: &Curve, result: &CurveResult) -> String {
-    let hardness_pa = scene.material.and_then(|material| material.hardness_pa());
+fn curve_summary(
+    scene: &Scene,
+    results: &Results,
+    curve: &Curve,
+    result: &CurveResult,
+    loads: &[Option<LoadAnswer>],
+) -> String {
+    let hardness_pa = scene.hardness_pa();
     let mut rows = vec![
-        ["nominal pressure", "area fraction", "real pressure"]
-            .map(str::to_owned)
-            .into_iter()
-            .chain(TOLERANCES.map(|(_, name)| format!("converged within {name} at")))
-            .collect::<Vec<_>>(),
+        [
+            "nominal pressure",
+            "area fraction",
+            "real pressure",
+            "converged within 1 % at",
+            "converged within 0.1 % at",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
     ];
-    for (block, load) in scene.needs.loads.iter().enumerate() {
-        let points = result.area_fractions(block);
-        let Some((_, area_fraction)) = points.last().copied() else { continue };
-        let real_pressure_pa = load.nominal_pressure_pa / area_fraction;
+    for (load, answer) in scene.needs.loads.iter().zip(loads) {
+        let Some(answer) = answer else { continue };
         let real_pressure = match hardness_pa {
-            Some(hardness_pa) => format!("{} H", three_digits(real_pressure_pa / hardness_pa)),
-            None => pressure(real_pressure_pa),
+            Some(hardness_pa) => format!("{} H", three_digits(answer.real_pressure_pa / hardness_pa)),
+            None => pressure(answer.real_pressure_pa),
         };
-        let mut row = vec![load.label.clone(), three_digits(area_fraction), real_pressure];
-        row.extend(TOLERANCES.map(|(tolerance, _)| converged(convergence(&points, tolerance))));
-        rows.push(row);
+        rows.push(vec![
+            load.label.clone(),
+            three_digits(answer.area_fraction),
+            real_pressure,
+            converged(answer.within_1_percent),
+            converged(answer.within_01_percent),
+        ]);
     }
     let mut text = format!("{}\n{}", curve.name, aligned(&rows));
     match (&curve.model, result) {
@@ -137,14 +155,8 @@ pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
     })
 }
 
-fn converged(found: Option<Convergence>) -> String {
-    match found {
-        Some(Convergence { wavelength_m, converged: true }) => length(wavelength_m),
-        Some(Convergence { wavelength_m, converged: false }) => {
-            format!("not converged ({})", length(wavelength_m))
-        }
-        None => String::new(),
-    }
+fn converged(found: Convergence) -> String {
+    if found.converged { length(found.wavelength_m) } else { "not converged".to_owned() }
 }
 
 /// Rows as indented columns of equal width.

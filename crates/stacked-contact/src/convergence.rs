@@ -12,6 +12,13 @@ pub struct Convergence {
     pub converged: bool,
 }
 
+impl Convergence {
+    /// The wavelength \[m\], where it means convergence.
+    pub fn if_converged_m(&self) -> Option<f64> {
+        self.converged.then_some(self.wavelength_m)
+    }
+}
+
 /// Where a curve of (wavelength \[m\], area) points, from long to short cutoffs, has come within `tolerance` (relative,
 /// e.g. 0.01) of its final area, for good. `None` of no points.
 pub fn convergence(curve: &[(f64, f64)], tolerance: f64) -> Option<Convergence> {

@@ -2,32 +2,63 @@
 
 use asperity::{ElasticPlasticSinusoid, ElasticSinusoid};
 
-use crate::{Scale, StackedModel};
+use crate::{Level, Scale, StackedModel};
 
 /// The largest pressure \[Pa\] at which one of the scales is in complete contact: the real pressure never exceeds it
 /// and tends to it as the spectrum is sampled more densely, so the area tends to load over this pressure (or to the
 /// whole nominal area, where the nominal pressure is higher).
 ///
-/// `None` without scales, and for a strength that depends on depth: it then depends on the load as well.
+/// `None` without scales, and for a strength that depends on depth: it then depends on the load as well, see
+/// [`setting_level`].
 pub fn largest_full_contact_pressure_pa(
     model: &StackedModel,
     scales: impl IntoIterator<Item = Scale>,
 ) -> Option<f64> {
-    let full_contact_pressure_pa = |scale: Scale| match model {
-        StackedModel::Elastic { pair } => {
-            Some(ElasticSinusoid::new(pair, scale.aspect_ratio()).complete_contact_pressure_pa())
-        }
+    let strength_pa = match model {
+        StackedModel::Elastic { .. } => None,
         StackedModel::ElasticPlastic { strength, .. } if strength.strain_gradient_length_m().is_some() => {
-            None
+            return None;
         }
-        StackedModel::ElasticPlastic { pair, strength } => {
-            let strength_pa = strength.macroscopic_strength_pa();
-            Some(
-                ElasticPlasticSinusoid::new(pair, scale.aspect_ratio(), strength_pa).flattening_pressure_pa(),
-            )
-        }
+        StackedModel::ElasticPlastic { strength, .. } => Some(strength.macroscopic_strength_pa()),
     };
-    scales.into_iter().filter_map(full_contact_pressure_pa).reduce(f64::max)
+    let pressed = scales.into_iter().map(|scale| (scale, strength_pa));
+    largest_full_contact(model, pressed).map(|(_, pressure_pa)| pressure_pa)
+}
+
+/// The level that sets the real pressure: the one that takes the highest pressure \[Pa\] to come into complete contact,
+/// with the strength it met, and that pressure. Of equals the one of the longest wavelength; `None` without levels.
+pub fn setting_level<'l>(model: &StackedModel, levels: &'l [Level]) -> Option<(&'l Level, f64)> {
+    let scale = |level: &Level| Scale { wavelength_m: level.wavelength_m, amplitude_m: level.amplitude_m };
+    let pressed = levels.iter().map(|level| (scale(level), level.yield_strength_pa));
+    largest_full_contact(model, pressed).map(|(index, pressure_pa)| (&levels[index], pressure_pa))
+}
+
+/// Which of the scales, each with its strength \[Pa\], takes the highest pressure to flatten, and that pressure \[Pa\].
+fn largest_full_contact(
+    model: &StackedModel,
+    scales: impl IntoIterator<Item = (Scale, Option<f64>)>,
+) -> Option<(usize, f64)> {
+    let mut largest: Option<(usize, f64)> = None;
+    for (index, (scale, strength_pa)) in scales.into_iter().enumerate() {
+        let known_pa = largest.map_or(0.0, |(_, pressure_pa)| pressure_pa);
+        let pressure_pa = match (model, strength_pa) {
+            (StackedModel::ElasticPlastic { pair, .. }, Some(strength_pa)) => {
+                let sinusoid = ElasticPlasticSinusoid::new(pair, scale.aspect_ratio(), strength_pa);
+                // Where the fit is complete has to be searched for, and lies below this.
+                if sinusoid.complete_contact_pressure_pa() <= known_pa {
+                    continue;
+                }
+                sinusoid.flattening_pressure_pa()
+            }
+            (StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. }, _) => {
+                ElasticSinusoid::new(pair, scale.aspect_ratio()).complete_contact_pressure_pa()
+            }
+        };
+        if pressure_pa > known_pa {
+            largest = Some((index, pressure_pa));
+        }
+    }
+    largest
 }
 
 #[cfg(test)]
@@ -67,5 +98,25 @@ mod tests {
         let model = StackedModel::ElasticPlastic { pair, strength };
         assert_eq!(largest_full_contact_pressure_pa(&model, scales(10)), None);
         assert_eq!(largest_full_contact_pressure_pa(&StackedModel::Elastic { pair }, []), None);
+    }
+
+    #[test]
+    fn the_setting_level_is_the_steepest_and_carries_the_limit() {
+        let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap());
+        let strength = NixGao::constant(1.8e9).unwrap();
+        let gradient = strength.with_strain_gradient(5e-6).unwrap();
+        for model in [
+            StackedModel::Elastic { pair },
+            StackedModel::ElasticPlastic { pair, strength },
+            StackedModel::ElasticPlastic { pair, strength: gradient },
+        ] {
+            let curve: Vec<Level> = levels(&model, 1e6, scales(10)).collect();
+            let (level, pressure_pa) = setting_level(&model, &curve).unwrap();
+            assert!((level.wavelength_m / 1e-8 - 1.0).abs() < 1e-9, "{}", level.wavelength_m);
+            let limit = largest_full_contact_pressure_pa(&model, scales(10));
+            assert!(limit.is_none_or(|limit_pa| limit_pa == pressure_pa));
+            assert!(curve.last().unwrap().real_pressure_pa <= pressure_pa);
+        }
+        assert_eq!(setting_level(&StackedModel::Elastic { pair }, &[]), None);
     }
 }

@@ -19,7 +19,7 @@
 //! * [`Level`]: what is known once a scale has been passed; [`levels`] yields one per scale, lazily. Cutting the stack
 //!   short at a wavelength is stopping there, so one pass answers every cutoff.
 //! * [`Convergence`]: the wavelength below which the area no longer changes; [`largest_full_contact_pressure_pa`]: the
-//!   pressure that it tends to as the spectrum is sampled more densely.
+//!   pressure that it tends to as the spectrum is sampled more densely; [`setting_level`]: the scale that sets it.
 //!
 //! Not here: where the scales come from (a spectrum, resampled or not), and units. SI throughout.
 #![deny(missing_docs)]
@@ -30,6 +30,6 @@ mod level;
 mod model;
 
 pub use convergence::{Convergence, LEAST_WAVELENGTH_RATIO_BELOW, convergence};
-pub use dense_limit::largest_full_contact_pressure_pa;
+pub use dense_limit::{largest_full_contact_pressure_pa, setting_level};
 pub use level::{Level, Regime, Scale, levels};
 pub use model::StackedModel;

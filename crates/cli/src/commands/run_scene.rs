@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::{Context, compute, say_notes};
+use crate::answer::Answer;
 use crate::args::RunArgs;
 use crate::explain::explain;
 use crate::failure::Failure;
 use crate::output::{Place, utf8};
-use crate::products;
+use crate::plan::PlanError;
+use crate::products::{self, Findings};
 use crate::scene::Scene;
 use crate::summary::summary;
 use crate::timings::Timings;
@@ -20,14 +22,20 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     if args.explain {
         return print(&explain(&scene), context);
     }
-    let results =
-        compute(&scene.plan()).map_err(|error| Failure::Input(format!("{}: {error}", args.scene)))?;
+    let blame = |error: &PlanError| Failure::Input(format!("{}: {error}", args.scene));
+    let results = compute(&scene.plan()).map_err(|error| blame(&error))?;
     timings.lap("computing");
+    let findings = match args.no_report {
+        true => None,
+        false => Some(Findings::of(&scene, &results).map_err(|error| blame(&error))?),
+    };
+    timings.lap("judging");
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
-    let written = products::write(&scene, &results, context.shared.format, &folder)?;
+    let written = products::write(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
     timings.lap("writing");
     let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
-    print(&format!("{}{files}", summary(&scene, &results)), context)?;
+    let answer = findings.map_or_else(|| Answer::of(&scene.needs, &results), |findings| findings.answer);
+    print(&format!("{}{files}", summary(&scene, &results, &answer)), context)?;
     timings.report(context.shared.timings);
     Ok(())
 }

@@ -3,7 +3,7 @@
 use super::{Context, loads, material};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
-use crate::plan::{Curve, CurveModel, CurveResult, Needs, Results};
+use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Needs, Results};
 use crate::{summary, tables};
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -12,7 +12,7 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
     let model = CurveModel::Stacked(material.stacked(args.model, gradient).map_err(Failure::input)?);
     let needs = Needs {
         amplitudes: Some(context.shared.amplitude.unwrap_or_default()),
-        curves: vec![Curve { name: "stacked".to_owned(), model }],
+        curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
         loads: loads(&args.pressures, &material)?,
         ..Needs::default()
     };

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::material::strength;
 use crate::number::number;
 use crate::output::Place;
-use crate::plan::{Curve, CurveModel, Needs, Results};
+use crate::plan::{Curve, CurveModel, Cutoffs, Needs, Results};
 use crate::progress::Progress;
 use crate::provenance::program;
 use crate::summary::{state_notes, statistical_notes};
@@ -38,6 +38,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         curves: vec![Curve {
             name: model.to_string(),
             model: CurveModel::Statistical { pair: material.pair, law },
+            cutoffs: Cutoffs::Every,
         }],
         loads: loads(&args.pressures, &material)?,
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),

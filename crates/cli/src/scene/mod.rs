@@ -74,6 +74,11 @@ impl Scene {
         choices
     }
 
+    /// The hardness H = 3 S0 \[Pa\] of its material, where there is a strength.
+    pub fn hardness_pa(&self) -> Option<f64> {
+        self.material?.hardness_pa()
+    }
+
     /// What carries the scene out.
     pub fn plan(&self) -> Plan<'_> {
         Plan { psd: &self.surface.psd, sampling: self.sampling, needs: self.needs.clone() }

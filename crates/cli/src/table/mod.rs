@@ -109,6 +109,12 @@ impl Table {
         self
     }
 
+    /// The table with a column of text appended.
+    pub fn with_text(mut self, name: &str, texts: impl IntoIterator<Item = String>) -> Self {
+        self.set(name, Cells::Typed(texts.into_iter().map(Cell::Field).collect()));
+        self
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |(_, cells)| cells.len())

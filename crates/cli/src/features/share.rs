@@ -1,0 +1,89 @@
+//! How much of a curve's fall each decade of wavelengths decides.
+
+use super::Point;
+
+/// One decade of wavelengths, between whole powers of ten, and its part in a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DecadeShare {
+    /// Its longest wavelength \[m\].
+    pub longest_m: f64,
+    /// Its shortest wavelength \[m\], a tenth of the longest.
+    pub shortest_m: f64,
+    /// Its share of the logarithm of the final value; negative where the curve rises against its final direction.
+    pub share: f64,
+}
+
+/// The share of each decade of wavelengths in ln(final value), for a curve that starts from 1 before its first point: the
+/// area of a stack is a product over its scales, so the shares of its scales add up to 1. The change from one point to the
+/// next counts for the shorter wavelength.
+///
+/// From long to short wavelengths, decades without points between others included; empty where the final value is 1 or not
+/// positive, since nothing is decided then.
+pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
+    let total = curve.last().map_or(0.0, |(_, value)| value.ln());
+    if total == 0.0 || !total.is_finite() {
+        return Vec::new();
+    }
+    let mut shares: Vec<DecadeShare> = Vec::new();
+    let (mut before, mut next) = (1.0, curve.first().map_or(0, |(wavelength_m, _)| decade(*wavelength_m)));
+    for &(wavelength_m, value) in curve {
+        while next >= decade(wavelength_m) {
+            let (longest_m, shortest_m) = (power_of_ten(next + 1), power_of_ten(next));
+            shares.push(DecadeShare { longest_m, shortest_m, share: 0.0 });
+            next -= 1;
+        }
+        if let Some(last) = shares.last_mut() {
+            last.share += (value / before).ln() / total;
+        }
+        before = value;
+    }
+    shares
+}
+
+/// The power of ten at or below a wavelength, without the rounding of a logarithm: 1e-6 m belongs to the decade that it
+/// begins.
+fn decade(wavelength_m: f64) -> i32 {
+    let power = wavelength_m.log10().floor() as i32;
+    if power_of_ten(power + 1) <= wavelength_m {
+        power + 1
+    } else if power_of_ten(power) > wavelength_m {
+        power - 1
+    } else {
+        power
+    }
+}
+
+fn power_of_ten(power: i32) -> f64 {
+    format!("1e{power}").parse().unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_add_up_to_one_and_stand_in_their_decade() {
+        let curve = [(5e-4, 0.5), (2e-4, 0.1), (3e-6, 0.01), (1e-6, 0.02), (9e-7, 0.01)];
+        let shares = decade_shares(&curve);
+        let decades: Vec<(f64, f64)> = shares.iter().map(|s| (s.longest_m, s.shortest_m)).collect();
+        assert_eq!(decades, [(1e-3, 1e-4), (1e-4, 1e-5), (1e-5, 1e-6), (1e-6, 1e-7)]);
+        let expected = [0.5, 0.0, 0.5 - 2f64.log10() / 2.0, 2f64.log10() / 2.0];
+        for (share, expected) in shares.iter().zip(expected) {
+            assert!((share.share - expected).abs() < 1e-12, "{shares:?}");
+        }
+        assert!((shares.iter().map(|s| s.share).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_rise_counts_against() {
+        let shares = decade_shares(&[(2e-3, 0.1), (2e-4, 0.5), (2e-5, 0.1)]);
+        assert!(shares[1].share < 0.0 && shares[0].share == 1.0);
+    }
+
+    #[test]
+    fn complete_contact_decides_nothing() {
+        assert_eq!(decade_shares(&[(1e-3, 1.0), (1e-4, 1.0)]), []);
+        assert_eq!(decade_shares(&[(1e-3, 0.0)]), []);
+        assert_eq!(decade_shares(&[]), []);
+    }
+}
