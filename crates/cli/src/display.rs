@@ -40,7 +40,8 @@ pub fn typeset(text: &str) -> String {
 
 fn typeset_word(word: &str) -> String {
     let end = word.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E')));
-    let (number, unit) = word.split_at(end.unwrap_or(word.len()));
+    let number = word[..end.unwrap_or(word.len())].trim_end_matches('.');
+    let unit = &word[number.len()..];
     let parts = number.split_once(['e', 'E']).and_then(|(mantissa, power)| {
         Some((mantissa.parse::<f64>().ok().map(|_| mantissa)?, power_of_ten(power.parse().ok()?)))
     });
@@ -82,6 +83,7 @@ mod tests {
             ("1e-3H", "10⁻³ H"),
             ("2.5e+06 Pa", "2.5 × 10⁶ Pa"),
             ("0.001 H", "0.001 H"),
+            ("at 2e-9.", "at 2 × 10⁻⁹."),
             ("54 N on 1e2 mm^2", "54 N on 10² mm^2"),
             ("erg", "erg"),
         ] {

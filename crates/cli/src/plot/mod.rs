@@ -19,11 +19,11 @@ use labels::{Box, Track};
 use thinned::thinned;
 
 /// Size of a picture, without the legend under it.
-const WIDTH_PX: f64 = 520.0;
-const HEIGHT_PX: f64 = 400.0;
+const WIDTH_PX: f64 = 480.0;
+const HEIGHT_PX: f64 = 380.0;
 /// Without a title, a picture is lower by what that took.
 const TITLE_PX: f64 = 36.0;
-const MOST_TITLE_LETTERS: usize = 58;
+const MOST_TITLE_LETTERS: usize = 54;
 const MINOR_TICK_PX: f64 = 3.0;
 
 /// Colours that people with any colour vision tell apart, dark enough for thin lines (Okabe & Ito), and a tint of each.
@@ -56,6 +56,7 @@ pub fn element(figure: &FigureData, id: &str, words: &str) -> String {
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX);
     let scene = drawn(figure, layout);
     let (opening, inside) = split(&scene, id);
+    let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     format!("{opening} role=\"img\" aria-label=\"{}\">{inside}", escaped(words))
 }
 
@@ -82,6 +83,7 @@ fn drawn(figure: &FigureData, layout: Layout) -> Scene {
         .with_y_tick_format(powers_of_ten())
         .with_width(WIDTH_PX)
         .with_box_axes()
+        .with_label_size(13)
         .with_x_label(figure.x_label.clone())
         .with_y_label(figure.y_label);
     let computed = ComputedLayout::from_layout(&layout);
