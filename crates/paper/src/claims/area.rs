@@ -139,7 +139,7 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
         statement: "The elastic-plastic sphere model gives nearly one curve of area against load for cutoffs at 1, 10 and 100 \
                     times the shortest wavelength; against cutoff it dips near 1 um, is level from about 100 nm and falls again \
                     in the last decade.",
-        how: "Largest ratio of areas between the three cutoffs at one load; dips of 10 % or more; widest stretch level within a \
+        how: "Largest ratio of areas between the three cutoffs at one load; dips of 10 % or more; widest stretch below the dip that is level within a \
               factor of 1.2; exponent of area against cutoff over the last decade. Reproduced if the ratio is below 2, a dip \
               lies at 0.3 to 3 um, the level stretch begins at 30 to 300 nm, and the last exponent is above 0.1.",
         unit: "largest ratio between cutoffs",
@@ -315,10 +315,13 @@ impl Shape {
     }
 }
 
-/// The widest level stretch below complete contact, which is level for another reason.
+/// The widest level stretch below the last dip, and below complete contact, which is level for another reason.
 pub(super) fn level_part(curve: &[Point]) -> Option<Plateau> {
     let open = curve.partition_point(|(_, area)| *area >= 1.0);
-    widest_plateau(&curve[open..], LEVEL)
+    let last_dip = dips(curve, VISIBLE).pop();
+    let below_dip = last_dip
+        .map_or(0, |dip| curve.partition_point(|(wavelength_m, _)| *wavelength_m >= dip.wavelength_m));
+    widest_plateau(&curve[open.max(below_dip)..], LEVEL)
 }
 
 pub(super) fn converged(curves: &[Vec<Point>], tolerance: f64) -> Vec<Convergence> {

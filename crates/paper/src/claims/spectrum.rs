@@ -183,8 +183,7 @@ fn closed_form_m2() -> f64 {
             * (1.0 + (q / Q2_RAD_PER_M).powi(2)).powf(-B / 2.0)
     };
     let values = wavelengths_m.iter().map(c1d_m3).collect();
-    let psd =
-        Psd::new(wavelengths_m, values, Convention::C1D).and_then(|psd| Ok(psd.profile().expect("C1D")));
-    let moments = psd.map(|psd| cumulative_moments(&psd, Normalisation::Parseval)).unwrap_or_default();
+    let psd = Psd::new(wavelengths_m, values, Convention::C1D).expect("a falling form of positive values");
+    let moments = cumulative_moments(&psd.profile().expect("C1D is a profile's"), Normalisation::Parseval);
     moments.last().map_or(f64::NAN, |moments| moments.m2)
 }
