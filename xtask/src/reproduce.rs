@@ -1,40 +1,69 @@
-//! The paper's figures, for every scene that comes with the program.
+//! The paper's figures, for every scene that comes with the program, and what becomes of its statements.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use cli::failure::Failure;
+use cli::output::Place;
 use cli::products::{self, Findings};
-use cli::scene::{Scene, Template};
+use cli::scene::Template;
 use cli::table::Format;
+use paper::{Evidence, Verdict};
 use tests::committed_file;
 
+/// The spectrum that goes further comes first.
+const SCENES: [Template; 2] = [Template::UncdReconstructed, Template::UncdMeasured];
+
 pub(crate) fn run() -> ExitCode {
-    let mut computing = Duration::ZERO;
-    for template in Template::RUNNABLE {
-        match reproduce(template) {
-            Ok(time) => computing += time,
-            Err(failure) => return failure.report(),
-        }
-    }
-    println!("computed in {:.1} ms", computing.as_secs_f64() * 1e3);
-    ExitCode::SUCCESS
+    reproduce(&committed_file("target/reproduce")).map_or_else(Failure::report, |()| ExitCode::SUCCESS)
 }
 
-/// Writes the figures of one scene, says where they are, and yields the time spent computing.
-fn reproduce(template: Template) -> Result<Duration, Failure> {
-    let scene = Scene::builtin(template)?;
+/// Writes figures, tables and claims, and says where they are.
+fn reproduce(folder: &Path) -> Result<(), Failure> {
     let start = Instant::now();
-    let results = scene.plan().compute().map_err(Failure::input)?;
-    let findings = Findings::of(&scene, &results).map_err(Failure::input)?;
+    let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
+    let findings = evidence.iter().map(found).collect::<Result<Vec<_>, _>>()?;
+    let ledger = paper::ledger(&evidence);
     let computing = start.elapsed();
-    let folder = committed_file("target/reproduce").join(template.name());
-    let files = products::write(&scene, &results, Some(&findings), Format::Csv, &folder)?;
-    let figures: Vec<&str> = scene.figures.iter().map(|figure| figure.name.as_str()).collect();
-    println!("{}: {} files in {}", scene.title, files.len(), folder.display());
-    println!(
-        "  {}, each as .svg and .csv; every level of the curves in the other tables",
-        figures.join(", ")
-    );
-    Ok(computing)
+    for (evidence, findings) in evidence.iter().zip(&findings) {
+        let folder = folder.join(evidence.template.name());
+        let (scene, results) = (&evidence.scene, &evidence.results);
+        let files = products::write(scene, results, Some(findings), Format::Csv, &folder)?;
+        println!("{}: {} files in {}", scene.title, files.len(), folder.display());
+    }
+    let claims = folder.join("claims.csv");
+    Place::File(claims.clone()).write(|out| paper::table(&ledger).write(Format::Csv, &[], out))?;
+    println!("{}: {}", claims.display(), verdicts(&ledger));
+    say_time("computed in", computing);
+    say_time("done in", start.elapsed());
+    Ok(())
+}
+
+fn found(evidence: &Evidence) -> Result<Findings, Failure> {
+    Findings::of(&evidence.scene, &evidence.results).map_err(Failure::input)
+}
+
+/// How many statements each spectrum reproduces.
+fn verdicts(ledger: &[paper::Row]) -> String {
+    let findings = || ledger.iter().flat_map(|row| row.findings.iter());
+    let mut spectra: Vec<&str> = findings().map(|(spectrum, _)| *spectrum).collect();
+    spectra.dedup();
+    spectra.truncate(SCENES.len());
+    let count = |spectrum: &&str| {
+        let with = |verdict: Verdict| {
+            findings().filter(|(name, finding)| name == spectrum && finding.verdict == verdict).count()
+        };
+        format!(
+            "{spectrum} {} reproduced, {} not, {} by construction",
+            with(Verdict::Reproduced),
+            with(Verdict::NotReproduced),
+            with(Verdict::ByConstruction)
+        )
+    };
+    spectra.iter().map(count).collect::<Vec<_>>().join("; ")
+}
+
+fn say_time(what: &str, time: Duration) {
+    println!("{what} {:.1} ms", time.as_secs_f64() * 1e3);
 }

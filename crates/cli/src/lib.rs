@@ -19,7 +19,7 @@ pub mod answer;
 pub mod args;
 pub mod asperity_table;
 mod commands;
-mod display;
+pub mod display;
 mod explain;
 pub mod failure;
 pub mod features;
