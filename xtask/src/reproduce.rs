@@ -39,7 +39,7 @@ fn reproduce(folder: &Path) -> Result<(), Failure> {
         title: "Real contact area of ultrananocrystalline diamond",
         scenes: scenes
             .map(|(evidence, findings)| {
-                findings.report(evidence.template.name(), &evidence.scene, &evidence.results)
+                findings.report(label(evidence.template.name()), &evidence.scene, &evidence.results)
             })
             .collect(),
         ledger: Some(&checked),
@@ -57,10 +57,19 @@ fn reproduce(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// What a spectrum is called in the report.
+fn label(spectrum: &str) -> &str {
+    match spectrum {
+        "uncd-reconstructed" => "reconstruction",
+        "uncd-measured" => "measured",
+        other => other,
+    }
+}
+
 /// The ledger as the report shows it.
 fn checked(ledger: &[paper::Row]) -> report::Ledger {
     let finding = |(spectrum, finding): &(&'static str, paper::Finding)| report::Finding {
-        label: (*spectrum).to_owned(),
+        label: label(spectrum).to_owned(),
         found: finding.found.clone(),
         verdict: match finding.verdict {
             Verdict::Reproduced => report::Verdict::Reproduced,

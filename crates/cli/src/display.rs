@@ -33,8 +33,9 @@ pub fn power_of_ten(power: i32) -> String {
     format!("10{}", power.to_string().chars().map(raised).collect::<String>())
 }
 
-/// Numbers with exponents as they are set: `10⁻³ H` of `1e-3 H`, `1.2 × 10⁻³` of `1.2e-3`. Anything else stays.
+/// Exponents as they are set: `10⁻³ H` of `1e-3 H`, `1.2 × 10⁻³` of `1.2e-3`, `mm²` of `mm^2`. Anything else stays.
 pub fn typeset(text: &str) -> String {
+    let text = text.replace("m^2", "m²").replace("m^3", "m³");
     text.split(' ').map(typeset_word).collect::<Vec<_>>().join(" ")
 }
 
@@ -54,11 +55,10 @@ fn typeset_word(word: &str) -> String {
 /// Three significant digits; below a tenth with a power of ten, e.g. `3.33 × 10⁻³`.
 pub fn typeset_digits(value: f64) -> String {
     if (1e-3..0.1).contains(&value.abs()) {
-        let text = format!("{value:.2e}");
-        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-        return typeset(&format!("{}e{power}", mantissa.trim_end_matches('0').trim_end_matches('.')));
+        typeset(&format!("{value:.2e}"))
+    } else {
+        typeset(&three_digits(value))
     }
-    typeset(&three_digits(value))
 }
 
 #[cfg(test)]
@@ -84,12 +84,13 @@ mod tests {
             ("2.5e+06 Pa", "2.5 × 10⁶ Pa"),
             ("0.001 H", "0.001 H"),
             ("at 2e-9.", "at 2 × 10⁻⁹."),
-            ("54 N on 1e2 mm^2", "54 N on 10² mm^2"),
+            ("54 N on 1e2 mm^2", "54 N on 10² mm²"),
             ("erg", "erg"),
         ] {
             assert_eq!(typeset(typed), set);
         }
-        for (value, set) in [(1.234e-5, "1.23 × 10⁻⁵"), (0.0625, "6.25 × 10⁻²"), (1e-3, "10⁻³"), (0.5, "0.5")]
+        for (value, set) in
+            [(1.234e-5, "1.23 × 10⁻⁵"), (0.0625, "6.25 × 10⁻²"), (1e-3, "1.00 × 10⁻³"), (0.5, "0.5")]
         {
             assert_eq!(typeset_digits(value), set);
         }

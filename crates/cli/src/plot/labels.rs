@@ -6,6 +6,8 @@ use super::text_width_px;
 pub(super) const SIZE_PX: f64 = 11.0;
 const GAP_PX: f64 = 4.0;
 const BERTH_PX: f64 = 7.0;
+/// How far it keeps from the frame.
+const MARGIN_PX: f64 = 2.0;
 
 /// Spacing at which lines are probed; less than a label is high.
 const PROBE_PX: f64 = 3.0;
@@ -76,7 +78,7 @@ pub(super) fn place(tracks: &[Track<'_>], frame: Box) -> Vec<Placed> {
         }
         seen.push(track.colour);
         let free = |candidate: &Box| {
-            candidate.within(&frame)
+            candidate.within(&frame.grown(-MARGIN_PX))
                 && placed.iter().all(|other| !candidate.overlaps(&other.place.grown(GAP_PX / 2.0)))
                 && probes.iter().all(|(colour, points)| {
                     let berth = if *colour == track.colour { 1.0 } else { BERTH_PX };
@@ -115,6 +117,10 @@ fn around(line: &[(f64, f64)], along: f64, label: &str) -> Vec<Box> {
         at(x - width, below),
         at(x - width / 2.0, above - GAP_PX),
         at(x - width / 2.0, below + GAP_PX),
+        at(x + GAP_PX, above),
+        at(x - GAP_PX - width, above),
+        at(x + GAP_PX, below),
+        at(x - GAP_PX - width, below),
     ]
 }
 

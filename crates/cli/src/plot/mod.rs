@@ -45,24 +45,25 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
         .with_title_wrap(MOST_TITLE_LETTERS)
         .with_subtitle(subject.to_owned())
         .with_subtitle_wrap(MOST_TITLE_LETTERS);
-    let scene = drawn(figure, layout);
+    let scene = drawn(figure, layout, &[figure]);
     let (opening, inside) = split(&scene, &figure.name);
     format!("{opening}>\n<!--\n{}\n-->\n{inside}", comment(provenance))
 }
 
 /// The figure as an element of a page, which says in words what is seen and scales with its surroundings. `id` is unique
-/// in the page; `words` is what is read out instead.
-pub fn element(figure: &FigureData, id: &str, words: &str) -> String {
+/// in the page; `words` is what is read out instead. Figures to be held against each other, itself one of them, get the
+/// same axes.
+pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX);
-    let scene = drawn(figure, layout);
+    let scene = drawn(figure, layout, beside);
     let (opening, inside) = split(&scene, id);
     let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     format!("{opening} role=\"img\" aria-label=\"{}\">{inside}", escaped(words))
 }
 
-fn drawn(figure: &FigureData, layout: Layout) -> Scene {
+fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
-    let points = || figure.series.iter().flat_map(|series| series.points.iter());
+    let points = || beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter());
     let x = Decades::around(points().map(|(x, _)| *x));
     let y = Decades::around(points().map(|(_, y)| *y));
     let compared = figure.compares_curves();
@@ -241,7 +242,8 @@ mod tests {
 
     #[test]
     fn figures_of_a_page_share_no_identifier() {
-        let (first, second) = (element(&figure("a"), "a", ""), element(&figure("b"), "b", ""));
+        let (a, b) = (figure("a"), figure("b"));
+        let (first, second) = (element(&a, &[&a], "a", ""), element(&b, &[&b], "b", ""));
         assert!(first.contains("url(#a-area)") && second.contains("url(#b-area)"), "{first}");
     }
 

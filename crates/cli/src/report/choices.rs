@@ -5,24 +5,29 @@ use maud::{Markup, html};
 use super::{SceneReport, Section, per_scene};
 use crate::display::length;
 use crate::material::Material;
+use crate::plan::Sampling;
 
-pub(super) fn section(scenes: &[SceneReport<'_>]) -> Section {
-    let body = per_scene(scenes, |report| Some(of(report))).unwrap_or_default();
-    Section { id: "choices", title: "Material and choices", body }
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let body = per_scene(scenes, of)?;
+    Some(Section { id: "choices", title: "Material and choices", body })
 }
 
-fn of(report: &SceneReport<'_>) -> Markup {
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let scene = report.scene;
     let properties = scene.material.as_ref().map(Material::properties).unwrap_or_default();
     let choices = scene.model_choices();
-    html! {
+    let sampling = scene.sampling;
+    if properties.is_empty() && choices.is_empty() && sampling == Sampling::default() {
+        return None;
+    }
+    Some(html! {
         @if !properties.is_empty() {
             dl.pairs { @for (name, value) in &properties { div { dt { (name) } dd { (value) } } } }
         }
         @if !choices.is_empty() { ul { @for choice in &choices { li { (choice) } } } }
-        @if let Some(density) = scene.sampling.scales_per_decade {
+        @if let Some(density) = sampling.scales_per_decade {
             p { "The spectrum is resampled to " (density) " scales per decade." }
         }
-        @if let Some(cutoff_m) = scene.sampling.cutoff_m { p { "Scales below " (length(cutoff_m)) " are left out." } }
-    }
+        @if let Some(cutoff_m) = sampling.cutoff_m { p { "Scales below " (length(cutoff_m)) " are left out." } }
+    })
 }

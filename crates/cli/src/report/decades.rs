@@ -37,7 +37,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
             @for (longest_m, shortest_m) in &decades {
-                th scope="col" { (length(*longest_m)) " to " (length(*shortest_m)) }
+                th scope="col" { (unbroken(*longest_m)) " to " (unbroken(*shortest_m)) }
             }
         }
     };
@@ -55,6 +55,11 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         }
     };
     Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
+}
+
+/// A length that stays on its line.
+fn unbroken(length_m: f64) -> String {
+    length(length_m).replace(' ', "\u{a0}")
 }
 
 /// The strips of each curve; neighbouring loads whose strips read the same share one.

@@ -2,6 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
+use super::answer::sentence;
 use super::{SceneReport, Section};
 use crate::figure::FigureData;
 use crate::plot;
@@ -29,6 +30,7 @@ fn figure(scenes: &[SceneReport<'_>], name: &str) -> Markup {
             scene.figures.iter().find(|figure| figure.name == name).map(|figure| (at, scene, figure))
         })
         .collect();
+    let beside: Vec<&FigureData> = panels.iter().map(|(_, _, figure)| *figure).collect();
     let Some((_, _, first)) = panels.first() else { return html! {} };
     html! {
         figure {
@@ -36,13 +38,17 @@ fn figure(scenes: &[SceneReport<'_>], name: &str) -> Markup {
                 @for (at, scene, figure) in &panels {
                     div {
                         @if scenes.len() > 1 { p.panel { (scene.label) } }
-                        (PreEscaped(plot::element(figure, &format!("scene-{at}-{name}"), &words(scene, figure))))
+                        (panel(scene, figure, &beside, &format!("scene-{at}-{name}")))
                     }
                 }
             }
-            figcaption { strong { (numbered(name)) (first.title) "." } " " (first.shows.caption()) }
+            figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (first.shows.caption()) }
         }
     }
+}
+
+fn panel(scene: &SceneReport<'_>, figure: &FigureData, beside: &[&FigureData], id: &str) -> Markup {
+    PreEscaped(plot::element(figure, beside, id, &words(scene, figure)))
 }
 
 /// What is read out in place of a panel.

@@ -73,7 +73,7 @@ impl Report<'_> {
             ledger,
             sensitivities::section(scenes),
             validity::section(scenes),
-            Some(choices::section(scenes)),
+            choices::section(scenes),
             Some(provenance::section(scenes, self.repeat)),
         ]
         .into_iter()
