@@ -1,8 +1,9 @@
-//! Golden curves: every figure of every scene that comes with the program, as text that reviewers can read.
+//! Golden curves: every curve of every figure of the scenes that come with the program, as text that reviewers can read.
 
 use std::path::PathBuf;
 
 use approx::relative_eq;
+use cli::features::convergence;
 use cli::figure::FigureData;
 use cli::output::StagedFiles;
 use cli::products;
@@ -21,24 +22,42 @@ pub const TOLERANCE: f64 = 1e-9;
 const README_PICTURE: (&str, Template, &str) =
     ("docs/contact-area.svg", Template::UncdReconstructed, "figure-4");
 
-/// A figure and the name of its snapshot.
-pub struct GoldenFigure {
-    /// `scene__figure`.
+/// One curve of a figure, under all its conditions, and the name of its snapshot.
+pub struct GoldenCurve {
+    /// `scene__figure__curve`; `scene__figure` where the figure is of one quantity.
     pub name: String,
-    /// Its data.
+    /// The figure with this curve alone.
     pub data: FigureData,
 }
 
-/// Every figure of every scene, computed now, by the code that `cargo xtask reproduce` runs.
-pub fn figures() -> Vec<GoldenFigure> {
+/// Every curve of every figure of every scene, computed now, by the code that `cargo xtask reproduce` runs.
+pub fn curves() -> Vec<GoldenCurve> {
     let of_scene = |template: Template| {
         let (scene, results) = computed(template);
-        products::figures(&scene, &results)
+        let figures = products::figures(&scene, &results);
+        figures
             .into_iter()
-            .map(move |data| GoldenFigure { name: format!("{}__{}", template.name(), data.name), data })
-            .collect::<Vec<_>>()
+            .flat_map(move |figure| curves_of(&format!("{}__{}", template.name(), figure.name), &figure))
     };
     Template::RUNNABLE.into_iter().flat_map(of_scene).collect()
+}
+
+fn curves_of(prefix: &str, figure: &FigureData) -> Vec<GoldenCurve> {
+    let mut curves: Vec<GoldenCurve> = Vec::new();
+    for series in &figure.series {
+        let name = match series.curve.as_str() {
+            "" => prefix.to_owned(),
+            curve => format!("{prefix}__{}", curve.replace(", ", "-").replace(' ', "-")),
+        };
+        match curves.iter_mut().find(|known| known.name == name) {
+            Some(known) => known.data.series.push(series.clone()),
+            None => {
+                let data = FigureData { series: vec![series.clone()], ..figure.clone() };
+                curves.push(GoldenCurve { name, data });
+            }
+        }
+    }
+    curves
 }
 
 fn computed(template: Template) -> (Scene, cli::plan::Results) {
@@ -47,8 +66,8 @@ fn computed(template: Template) -> (Scene, cli::plan::Results) {
     (scene, results)
 }
 
-impl GoldenFigure {
-    /// The figure as text: a line of column names, then a line per abscissa, with twelve digits.
+impl GoldenCurve {
+    /// The curve as text: a line of column names, then a line per abscissa, with twelve digits.
     pub fn text(&self) -> String {
         let table = self.data.table();
         let mut lines = vec![table.columns().map(|(name, _)| name.to_owned()).collect::<Vec<_>>().join(",")];
@@ -61,10 +80,7 @@ impl GoldenFigure {
             };
             lines.push(table.columns().map(|(_, cells)| cell(cells)).collect::<Vec<_>>().join(","));
         }
-        lines.join(
-            "
-",
-        )
+        lines.join("\n")
     }
 
     /// The file of the snapshot.
@@ -78,6 +94,37 @@ impl GoldenFigure {
         // A snapshot is a block of metadata between two lines of dashes, and the text.
         file.splitn(3, "---\n").nth(2).map(|text| text.trim_end().to_owned())
     }
+
+    /// Whether the curve is as accepted.
+    pub fn is_as_accepted(&self) -> bool {
+        let columns = self.accepted().and_then(|accepted| deviations(&accepted, &self.text()));
+        columns.is_some_and(|columns| columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE))
+    }
+}
+
+/// What a reviewer reads first: a line per line of a figure, with its ends, its extremes, and where it settles.
+pub fn summary(curves: &[GoldenCurve]) -> String {
+    let mut lines =
+        vec!["curve | line | points | first | last | least | most | within 1 % of the last from".to_owned()];
+    for curve in curves {
+        for series in &curve.data.series {
+            let values = || series.points.iter().map(|(_, value)| *value);
+            let (first, last) =
+                (values().next().unwrap_or(f64::NAN), values().next_back().unwrap_or(f64::NAN));
+            let against_cutoff = !series.curve.is_empty() && curve.data.x.column == "wavelength_m";
+            let settled = convergence(&series.points, 0.01).filter(|_| against_cutoff);
+            lines.push(format!(
+                "{} | {} | {} | {first:.4e} | {last:.4e} | {:.4e} | {:.4e} | {}",
+                curve.name,
+                if series.condition.is_empty() { "-" } else { &series.condition },
+                series.points.len(),
+                values().fold(f64::INFINITY, f64::min),
+                values().fold(f64::NEG_INFINITY, f64::max),
+                settled.map_or_else(|| "-".to_owned(), |found| format!("{:.4e} m", found.wavelength_m)),
+            ));
+        }
+    }
+    lines.join("\n")
 }
 
 /// Text snapshots whose numbers agree to the golden tolerance.
@@ -127,7 +174,8 @@ fn both_empty(accepted: f64, computed: f64) -> bool {
     accepted.is_nan() && computed.is_nan()
 }
 
-fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
+/// The columns of a snapshot's text by name; empty cells are NaN.
+pub(crate) fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
     let mut lines = text.lines();
     let mut columns: Vec<(String, Vec<f64>)> =
         lines.next()?.split(',').map(|name| (name.to_owned(), vec![])).collect();

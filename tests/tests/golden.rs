@@ -1,20 +1,46 @@
 //! Golden curves of every figure. `cargo xtask golden` shows how far each has moved, `--accept` rewrites them.
 
 use insta::{Settings, assert_snapshot};
-use tests::golden::{Numbers, TOLERANCE, deviations, figures, readme_picture_is_current};
+use tests::golden::{Numbers, TOLERANCE, curves, deviations, readme_picture_is_current, summary};
+use tests::write_differences;
 
-#[test]
-fn every_figure_is_as_accepted() {
+fn settings() -> Settings {
     let mut settings = Settings::clone_current();
     settings.set_snapshot_path("../golden");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
+    settings
+}
+
+#[test]
+fn every_curve_is_as_accepted() {
+    let curves = curves();
+    if let Some(page) = write_differences(&curves) {
+        println!("old and new are drawn over each other in {}", page.display());
+    }
+    let mut settings = settings();
     settings.set_comparator(Box::new(Numbers));
     settings.bind(|| {
-        for figure in figures() {
-            assert_snapshot!(figure.name.clone(), figure.text());
+        for curve in &curves {
+            assert_snapshot!(curve.name.clone(), curve.text());
         }
     });
+}
+
+#[test]
+fn the_summary_is_as_accepted() {
+    settings().bind(|| assert_snapshot!("summary", summary(&curves())));
+}
+
+#[test]
+fn every_snapshot_belongs_to_a_curve() {
+    let mut expected: Vec<_> = curves().iter().map(|curve| curve.path()).collect();
+    let folder = expected[0].parent().expect("a folder").to_owned();
+    expected.push(folder.join("summary.snap"));
+    for file in std::fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        assert!(expected.contains(&path), "{} is nobody's", path.display());
+    }
 }
 
 #[test]
@@ -27,9 +53,9 @@ fn a_change_of_1e_10_passes_and_one_of_1e_6_does_not() {
 
 #[test]
 fn golden_files_stay_readable_in_a_review() {
-    for figure in figures() {
-        let bytes = std::fs::metadata(figure.path()).unwrap().len();
-        assert!(bytes < 20 * 1024, "{} has {bytes} bytes", figure.path().display());
+    for curve in curves() {
+        let bytes = std::fs::metadata(curve.path()).unwrap().len();
+        assert!(bytes < 20 * 1024, "{} has {bytes} bytes", curve.path().display());
     }
 }
 

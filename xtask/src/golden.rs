@@ -3,14 +3,19 @@
 use std::process::{Command, ExitCode};
 
 use tests::golden::{
-    GoldenFigure, TOLERANCE, deviations, figures, readme_picture_is_current, rewrite_readme_picture,
+    GoldenCurve, TOLERANCE, curves, deviations, readme_picture_is_current, rewrite_readme_picture,
 };
+use tests::write_differences;
 
 pub(crate) fn run(accept: bool) -> ExitCode {
+    let curves = curves();
     let mut unchanged = true;
-    for figure in figures() {
-        println!("{}", figure.name);
-        unchanged &= show(&figure);
+    for curve in &curves {
+        println!("{}", curve.name);
+        unchanged &= show(curve);
+    }
+    if let Some(page) = write_differences(&curves) {
+        println!("old and new are drawn over each other in {}", page.display());
     }
     let picture_is_current = readme_picture_is_current();
     if !picture_is_current {
@@ -28,13 +33,13 @@ pub(crate) fn run(accept: bool) -> ExitCode {
     }
 }
 
-/// Prints the largest deviation of each curve; tells whether all are within the tolerance.
-fn show(figure: &GoldenFigure) -> bool {
-    let Some(accepted) = figure.accepted() else {
+/// Prints the largest deviation of each line of a curve; tells whether all are within the tolerance.
+fn show(curve: &GoldenCurve) -> bool {
+    let Some(accepted) = curve.accepted() else {
         println!("  new");
         return false;
     };
-    let Some(columns) = deviations(&accepted, &figure.text()) else {
+    let Some(columns) = deviations(&accepted, &curve.text()) else {
         println!("  other curves or another number of points");
         return false;
     };
@@ -50,7 +55,7 @@ fn rewrite() -> ExitCode {
     rewrite_readme_picture();
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
-        .args(["test", "--quiet", "--package", "tests", "--test", "golden", "every_figure"])
+        .args(["test", "--quiet", "--package", "tests", "--test", "golden", "as_accepted"])
         .env("INSTA_UPDATE", "always")
         .status();
     match status {

@@ -152,6 +152,8 @@ pub struct Work {
     pub stacked_levels: usize,
     /// States of statistical curves.
     pub statistical_states: usize,
+    /// Evaluations of the law of one asperity that these states took.
+    pub law_evaluations: usize,
     /// Samples that took part in a fit.
     pub fitted_samples: usize,
 }
@@ -263,16 +265,14 @@ impl Plan<'_> {
             .par_iter()
             .map(|sweep| self.sweep(sweep, &sampled, observe))
             .collect::<Result<Vec<_>, _>>()?;
+        let states = || curves.iter().flat_map(CurveResult::states).chain(sweeps.iter().flatten());
         let work = Work {
             moment_cutoffs: moments.len(),
             asperity_cutoffs: moments.iter().filter(|(_, asperities)| asperities.is_some()).count(),
             amplitude_scales: scales.len(),
             stacked_levels: curves.iter().map(CurveResult::levels).sum(),
-            statistical_states: curves
-                .iter()
-                .map(CurveResult::states)
-                .chain(sweeps.iter().map(Vec::len))
-                .sum(),
+            statistical_states: states().count(),
+            law_evaluations: states().map(|state| state.evaluations).sum(),
             fitted_samples: fit.as_ref().map_or(0, |fit| fit.points),
         };
         Ok(Results { psd, moments, scales, fit, curves, sweeps, work })
@@ -447,13 +447,12 @@ impl CurveResult {
     }
 
     /// States of a statistical curve.
-    fn states(&self) -> usize {
-        match self {
-            CurveResult::Stacked(_) => 0,
-            CurveResult::Statistical(blocks) => {
-                blocks.iter().flatten().filter(|row| row.contact.is_some()).count()
-            }
-        }
+    fn states(&self) -> impl Iterator<Item = &ContactState> {
+        let blocks = match self {
+            CurveResult::Stacked(_) => &[][..],
+            CurveResult::Statistical(blocks) => blocks,
+        };
+        blocks.iter().flatten().filter_map(|row| row.contact.as_ref().map(|(_, state)| state))
     }
 }
 
