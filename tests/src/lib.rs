@@ -2,6 +2,7 @@
 #![deny(missing_docs)]
 
 pub mod golden;
+pub mod pictures;
 mod reference;
 
 pub use reference::{Deviations, ReferenceTable, committed_file, shared_file};
