@@ -1,4 +1,4 @@
-//! The pictures of the documentation. `cargo xtask docs` draws them anew.
+//! The pages of `docs/` and their pictures. `cargo xtask docs` draws those anew.
 
 use std::path::PathBuf;
 
@@ -61,4 +61,25 @@ fn sections(page: &str) -> Vec<String> {
         kept.map(|c| if c == ' ' { '-' } else { c }).collect()
     };
     headings.map(name).collect()
+}
+
+#[test]
+fn the_changes_that_add_a_law_still_apply() {
+    let page = std::fs::read_to_string(committed_file("docs/adding-a-law.md")).unwrap();
+    // Names of files stand in backquotes; one that follows another may leave its folder out.
+    let mut files: Vec<PathBuf> = Vec::new();
+    for name in page.split('`').filter(|name| name.contains('.') && !name.contains([' ', '\n'])) {
+        let beside = files.last().and_then(|last| Some(last.parent()?.join(name)));
+        files
+            .extend([Some(committed_file(name)), beside].into_iter().flatten().filter(|path| path.is_file()));
+    }
+    let texts: Vec<String> = files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
+    let blocks: Vec<&str> =
+        page.split("```diff\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(blocks.len() > 30, "{} changes found", blocks.len());
+    for block in blocks {
+        let kept = block.lines().filter(|line| !line.starts_with('+'));
+        let before: String = kept.map(|line| format!("{}\n", &line[1..])).collect();
+        assert!(texts.iter().any(|text| text.contains(&before)), "no file has the lines around\n{block}");
+    }
 }
