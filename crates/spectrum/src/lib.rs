@@ -22,9 +22,11 @@
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
 //! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does
-//! not convert between one- and two-dimensional spectra, which no sampled spectrum determines.
+//! What it does not do: it opens no paths, prints nothing, and computes no spectrum from a topography. Between
+//! one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows nothing of the
+//! surface beyond them.
 
+mod abel;
 mod amplitude;
 mod approximate;
 mod convention;
