@@ -126,7 +126,7 @@ impl Psd {
     ///
     /// # Errors
     /// [`PsdError::StandardErrorCount`], and [`PsdError::BadStandardError`] for one that is not finite or below 0.
-    pub fn with_standard_errors(mut self, errors: Vec<Option<f64>>) -> Result<Self, PsdError> {
+    pub fn with_standard_errors(self, errors: Vec<Option<f64>>) -> Result<Self, PsdError> {
         if errors.len() != self.len() {
             return Err(PsdError::StandardErrorCount { errors: errors.len(), values: self.len() });
         }
@@ -134,8 +134,12 @@ impl Psd {
         if let Some(row) = errors.iter().position(is_bad) {
             return Err(PsdError::BadStandardError { row: row + 1, value: errors[row].unwrap_or(f64::NAN) });
         }
-        self.standard_errors = errors.iter().any(Option::is_some).then_some(errors);
-        Ok(self)
+        Ok(self.with_checked_standard_errors(errors))
+    }
+
+    /// The same spectrum with standard errors that already are one for each value, finite and not below 0.
+    pub(crate) fn with_checked_standard_errors(self, errors: Vec<Option<f64>>) -> Self {
+        Self { standard_errors: errors.iter().any(Option::is_some).then_some(errors), ..self }
     }
 
     /// The same spectrum in another convention.

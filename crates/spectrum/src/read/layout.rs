@@ -3,29 +3,20 @@
 use crate::convention::Convention;
 use crate::read::error::ReadError;
 use crate::read::header::{Abscissa, DensityName, Heading, Quantity, trailing_unit};
-use crate::read::options::ReadOptions;
-use crate::read::table::Table;
+use crate::read::nameless::nameless;
+use crate::read::options::{GivenUnits, ReadOptions};
+use crate::read::series::{ColumnKind, Columns};
 use crate::read::unit::Unit;
 
-/// Columns that tell one series of an export from another.
-const SERIES_COLUMNS: [&str; 4] = ["series", "data series", "subject", "subject name"];
-
-/// How the rows of a file are to be read.
+/// How the rows of a series are to be read.
 #[derive(Debug)]
 pub(crate) struct Layout {
-    /// Names of all columns, or their numbers.
-    pub(crate) names: Vec<String>,
-    /// The line in which they stand, or the first row.
-    pub(crate) names_line: usize,
     /// The column the wavelengths come from.
     pub(crate) abscissa: AbscissaColumn,
     /// Columns that must agree with it.
     pub(crate) checks: Vec<AbscissaColumn>,
     pub(crate) density: DensityColumn,
-    /// Columns in which every row must say the same.
-    pub(crate) series: Vec<usize>,
-    /// Whether the first row of the file holds names.
-    pub(crate) has_header_row: bool,
+    pub(crate) standard_error: Option<ErrorColumn>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -42,58 +33,30 @@ pub(crate) struct DensityColumn {
     pub(crate) convention: Convention,
 }
 
+/// The standard errors of the spectrum, in its convention.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ErrorColumn {
+    pub(crate) index: usize,
+    pub(crate) decimal_exponent: i32,
+}
+
 impl Layout {
-    /// Finds the columns of a file, and notes what had to be assumed.
+    /// Finds the columns of a series, and notes what had to be assumed.
     pub(crate) fn of(
-        table: &Table,
+        columns: &Columns,
         options: &ReadOptions,
+        units: &GivenUnits<'_>,
         notes: &mut Vec<String>,
     ) -> Result<Self, ReadError> {
-        if !table.is_headerless() {
-            let header = Header { line: table.first_line, names: &table.first_row, options };
-            return header.layout(true, notes);
-        }
-        match table.column_comments()[..] {
-            [] => headerless(table, options),
-            [(line, text)] => {
-                let names: Vec<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
-                Header { line, names: &names, options }.layout(false, notes)
+        match columns.kind {
+            ColumnKind::Named | ColumnKind::Arrays { named: true } => {
+                Header { line: columns.line, names: &columns.names, options, units }.layout(notes)
             }
-            [(first_line, first), (line, second), ..] => Err(ReadError::SeveralSeries {
-                line,
-                first_line,
-                first: format!("Columns: {first}"),
-                second: format!("Columns: {second}"),
-            }),
+            ColumnKind::Numbered | ColumnKind::Arrays { named: false } => {
+                nameless(columns, options, units, notes)
+            }
         }
     }
-}
-
-fn headerless(table: &Table, options: &ReadOptions) -> Result<Layout, ReadError> {
-    let line = table.first_line;
-    let columns = table.first_row.len();
-    if let Some(column) = &options.column {
-        return Err(ReadError::UnknownColumn { line, column: column.clone(), found: numbers(columns) });
-    }
-    let (Some(quantity), Some(convention)) = (options.x, options.convention) else {
-        return Err(ReadError::NoHeader { line });
-    };
-    if columns != 2 {
-        return Err(ReadError::HeaderlessColumns { line, columns });
-    }
-    Ok(Layout {
-        names: numbers(2),
-        names_line: line,
-        abscissa: AbscissaColumn { index: 0, quantity, decimal_exponent: 0 },
-        checks: Vec::new(),
-        density: DensityColumn { index: 1, decimal_exponent: 0, convention },
-        series: Vec::new(),
-        has_header_row: false,
-    })
-}
-
-fn numbers(columns: usize) -> Vec<String> {
-    (1..=columns).map(|number| number.to_string()).collect()
 }
 
 /// The names of a file's columns and what the caller says about them.
@@ -101,6 +64,7 @@ struct Header<'h> {
     line: usize,
     names: &'h [String],
     options: &'h ReadOptions,
+    units: &'h GivenUnits<'h>,
 }
 
 /// A column that could be the spectrum.
@@ -110,7 +74,7 @@ struct Candidate {
 }
 
 impl Header<'_> {
-    fn layout(&self, has_header_row: bool, notes: &mut Vec<String>) -> Result<Layout, ReadError> {
+    fn layout(&self, notes: &mut Vec<String>) -> Result<Layout, ReadError> {
         let mut abscissae = self.abscissae(notes)?;
         let chosen = match self.options.x {
             Some(x) => {
@@ -120,20 +84,15 @@ impl Header<'_> {
         };
         let abscissa = abscissae.remove(chosen);
         let Candidate { name, column: density } = self.density(abscissa.quantity)?;
-        self.note_missing_units(&[abscissa.index, density.index], notes);
-        if name == Some(DensityName::Psd) && self.options.convention.is_none() {
-            notes.push(self.psd_note(density, abscissa.quantity));
+        self.refuse_other_units(abscissa, density)?;
+        self.note_missing_units(abscissa, density, notes);
+        if let Some(name) = name
+            && self.options.convention.is_none()
+        {
+            notes.extend(self.convention_note(name, density, abscissa.quantity));
         }
-        let is_series = |name: &String| SERIES_COLUMNS.iter().any(|series| name.eq_ignore_ascii_case(series));
-        Ok(Layout {
-            names: self.names.to_vec(),
-            names_line: self.line,
-            abscissa,
-            checks: abscissae,
-            density,
-            series: (0..self.names.len()).filter(|&index| is_series(&self.names[index])).collect(),
-            has_header_row,
-        })
+        let standard_error = name.and_then(|name| self.standard_error(name, density, notes));
+        Ok(Layout { abscissa, checks: abscissae, density, standard_error })
     }
 
     /// The columns of wavelength, wavevector and frequency, in this order; at least one.
@@ -167,7 +126,8 @@ impl Header<'_> {
     }
 
     fn abscissa_unit(&self, index: usize, quantity: Abscissa, unit: Option<&str>) -> Result<Unit, ReadError> {
-        let Some(text) = unit else { return Ok(quantity.si()) };
+        let given = self.units.x.filter(|given| quantity.fits(given.unit));
+        let Some(text) = unit else { return Ok(given.map_or(quantity.si(), |given| given.unit)) };
         Unit::parse(text).filter(|&unit| quantity.fits(unit)).ok_or_else(|| ReadError::BadUnit {
             line: self.line,
             column: self.names[index].clone(),
@@ -196,13 +156,15 @@ impl Header<'_> {
                 Err(error) => unfit = unfit.or(Some(error)),
             }
         }
-        let asked_for = if self.options.convention == Some(Convention::Ciso) {
-            DensityName::Ciso
-        } else {
-            DensityName::C1d
+        let asked_for = match self.options.convention {
+            Some(Convention::Ciso) => DensityName::Ciso,
+            Some(Convention::Persson) => DensityName::C,
+            Some(Convention::W1) => DensityName::W1,
+            _ => DensityName::C1d,
         };
-        if fitting.iter().any(|candidate| candidate.name == Some(asked_for)) {
-            fitting.retain(|candidate| candidate.name == Some(asked_for));
+        let is_present = |name: &DensityName| fitting.iter().any(|candidate| candidate.name == Some(*name));
+        if let Some(preferred) = [asked_for, DensityName::C1d].into_iter().find(is_present) {
+            fitting.retain(|candidate| candidate.name == Some(preferred));
         }
         match &fitting[..] {
             [] => Err(unfit.unwrap_or_else(|| self.missing_density())),
@@ -250,11 +212,14 @@ impl Header<'_> {
         abscissa: Abscissa,
     ) -> Result<Candidate, ReadError> {
         let (line, column) = (self.line, &self.names[index]);
+        let unit = unit.or(self.units.psd.map(|given| given.text));
         let parsed = unit.and_then(Unit::parse);
         let convention = match (self.options.convention, name) {
             (Some(convention), _) => convention,
             (None, DensityName::C1d) => Convention::C1D,
+            (None, DensityName::W1 | DensityName::Psdf) => Convention::W1,
             (None, DensityName::Ciso) => Convention::Ciso,
+            (None, DensityName::C) => Convention::Persson,
             (None, DensityName::Psd) if parsed.is_some_and(|unit| unit.metre_power == 4) => {
                 return Err(ReadError::AmbiguousDensity { line, column: column.clone() });
             }
@@ -277,7 +242,8 @@ impl Header<'_> {
         let Some(convention) = self.options.convention else {
             return Err(ReadError::NoConvention { line, column: column.clone() });
         };
-        let unit = trailing_unit(column).unwrap_or(Unit::si(convention.metre_power()));
+        let given = self.units.psd.map(|given| given.unit);
+        let unit = trailing_unit(column).or(given).unwrap_or(Unit::si(convention.metre_power()));
         if unit.metre_power != convention.metre_power() {
             let unit = format!("m^{}", unit.metre_power);
             return Err(ReadError::bad_density_unit(line, column, &unit, convention));
@@ -290,29 +256,88 @@ impl Header<'_> {
         self.names.iter().enumerate().filter_map(|(index, name)| Some((index, Heading::parse(name)?)))
     }
 
-    fn note_missing_units(&self, columns: &[usize], notes: &mut Vec<String>) {
-        let names = columns.iter().map(|&index| &self.names[index]);
-        let is_bare = |name: &&String| match Heading::parse(name) {
-            Some(heading) => heading.unit.is_none(),
-            None => trailing_unit(name).is_none(),
+    /// The standard errors of the spectrum of this name, in the unit of the same dimension.
+    fn standard_error(
+        &self,
+        name: DensityName,
+        density: DensityColumn,
+        notes: &mut Vec<String>,
+    ) -> Option<ErrorColumn> {
+        let is_meant =
+            |(_, heading): &(usize, Heading<'_>)| heading.quantity == Quantity::StandardError(name);
+        let (index, heading) = self.headings().find(is_meant)?;
+        let unit = match heading.unit {
+            None => self
+                .units
+                .psd
+                .map_or(Some(Unit::si(density.convention.metre_power())), |given| Some(given.unit)),
+            Some(text) => Unit::parse(text),
         };
-        notes.extend(
-            names
-                .filter(is_bare)
-                .map(|name| format!("column '{name}' states no unit and is read in SI units")),
-        );
+        let fitting = unit.filter(|unit| unit.metre_power == density.convention.metre_power());
+        if fitting.is_none() {
+            notes.push(format!(
+                "column '{}' is not looked at: its unit is none of its quantity's",
+                self.names[index]
+            ));
+        }
+        Some(ErrorColumn { index, decimal_exponent: fitting?.decimal_exponent })
     }
 
-    fn psd_note(&self, density: DensityColumn, abscissa: Abscissa) -> String {
+    /// The unit in the name of a column.
+    fn stated_unit(&self, index: usize) -> Option<Unit> {
+        let name = &self.names[index];
+        match Heading::parse(name) {
+            Some(heading) => heading.unit.and_then(Unit::parse),
+            None => trailing_unit(name),
+        }
+    }
+
+    fn refuse_other_units(&self, abscissa: AbscissaColumn, density: DensityColumn) -> Result<(), ReadError> {
+        for (index, given) in [(abscissa.index, self.units.x), (density.index, self.units.psd)] {
+            if let Some(given) = given {
+                given.refuse_other(self.stated_unit(index), self.line, &self.names[index])?;
+            }
+        }
+        let bare = self.stated_unit(abscissa.index).is_none();
+        match self.units.x.filter(|given| bare && !abscissa.quantity.fits(given.unit)) {
+            Some(given) => {
+                self.abscissa_unit(abscissa.index, abscissa.quantity, Some(given.text)).map(|_| ())
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn note_missing_units(&self, abscissa: AbscissaColumn, density: DensityColumn, notes: &mut Vec<String>) {
+        for (index, given) in [(abscissa.index, self.units.x), (density.index, self.units.psd)] {
+            if given.is_none() && self.stated_unit(index).is_none() {
+                notes.push(format!("column '{}' states no unit and is read in SI units", self.names[index]));
+            }
+        }
+    }
+
+    /// What a name does not say by itself.
+    fn convention_note(
+        &self,
+        name: DensityName,
+        density: DensityColumn,
+        abscissa: Abscissa,
+    ) -> Option<String> {
         let column = &self.names[density.index];
-        match density.convention {
-            Convention::Frequency => format!(
+        match (name, density.convention) {
+            (DensityName::Psd, Convention::Frequency) => Some(format!(
                 "column '{column}' stands against {abscissa} and is read as the one-sided spectrum S of frequency, \
                  sigma^2 = Int S df"
-            ),
-            _ => format!(
+            )),
+            (DensityName::Psd, _) => Some(format!(
                 "column '{column}' states no convention and is read as C1D, sigma^2 = (1/pi) Int C dq"
-            ),
+            )),
+            (DensityName::Psdf, _) => {
+                Some(format!("column '{column}' is named as by Gwyddion and read as W1, sigma^2 = Int W dq"))
+            }
+            (DensityName::C, _) => {
+                Some(format!("column '{column}' is read as Persson's C, sigma^2 = 2 pi Int q C dq"))
+            }
+            (DensityName::C1d | DensityName::W1 | DensityName::Ciso, _) => None,
         }
     }
 
