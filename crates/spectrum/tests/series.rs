@@ -357,4 +357,8 @@ fn tables_of_persson_tell_their_convention() {
         );
         assert_eq!(file.psd.profile().unwrap().len(), 2);
     }
+    let with_errors = default("q_per_m,Ciso_m4,Ciso_se_m4\n1,2,1\n2,3,1\n4,5,1\n");
+    assert_eq!(with_errors.psd.standard_errors(), Some(&[Some(1.0); 3][..]));
+    assert!(with_errors.notes[0].ends_with("its last values are low; standard errors are lost on the way"));
+    assert_eq!(with_errors.psd.profile().unwrap().standard_errors_m3(), None);
 }

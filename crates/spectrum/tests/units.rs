@@ -227,7 +227,7 @@ fn json_that_is_no_series_is_refused() {
         &JSON.replace("null, 4e-3", "NaN, 4e-3"),
         &given,
         Some(2),
-        "line 2, column 15: reading a series from JSON: expected value",
+        "line 2, column 16: reading a series from JSON: expected value; a missing number is null, not NaN",
     );
     assert_refused(
         "{\"x\": 1}",

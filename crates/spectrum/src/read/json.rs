@@ -66,7 +66,10 @@ impl From<serde_json::Error> for JsonError {
     fn from(error: serde_json::Error) -> Self {
         let (line, column) = (error.line(), error.column());
         // serde_json ends its messages with the place, which is told first here.
-        let message = error.to_string().replace(&format!(" at line {line} column {column}"), "");
+        let mut message = error.to_string().replace(&format!(" at line {line} column {column}"), "");
+        if message == "expected value" {
+            message.push_str("; a missing number is null, not NaN");
+        }
         Self::Syntax { line, column, message }
     }
 }

@@ -1,6 +1,7 @@
 //! Power spectra from CSV, plain text, JSON and workbooks.
 
 mod contact_engineering;
+mod density;
 mod error;
 mod gwyddion;
 mod header;
@@ -150,7 +151,8 @@ fn area_note(psd: &Psd) -> Option<String> {
     (convention.metre_power() == 4).then(|| {
         format!(
             "the spectrum is one of areas ({convention}); as C1D it is the Abel integral over its samples, of an \
-             isotropic surface without anything beyond them: it ends one sample earlier, and its last values are low"
+             isotropic surface without anything beyond them: it ends one sample earlier, and its last values are low{}",
+            if psd.standard_errors().is_some() { "; standard errors are lost on the way" } else { "" }
         )
     })
 }

@@ -22,7 +22,7 @@ pub enum WorkbookError {
     },
     /// Another kind of ZIP archive.
     #[error(
-        "reading the workbook: the file is a ZIP archive without a workbook (xl/workbook.xml); unpack it and give one \
+        "reading the workbook: the file is a ZIP archive without a workbook; unpack it and give one \
          of its files"
     )]
     NotAWorkbook,
@@ -100,7 +100,7 @@ mod sheets {
     /// need not be true.
     fn refuse_what_swells(bytes: &[u8]) -> Result<(), WorkbookError> {
         let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
-        if archive.index_for_name("xl/workbook.xml").is_none() {
+        if ["_rels/.rels", "xl/workbook.xml"].iter().all(|name| archive.index_for_name(name).is_none()) {
             return Err(WorkbookError::NotAWorkbook);
         }
         let mut unpacked = 0;
@@ -131,8 +131,8 @@ mod sheets {
     impl Cells {
         /// `None` for what is no sheet of cells, such as a chart. Several cells may share one long text, so `room` bounds
         /// their sum.
-        fn of<'b>(
-            workbook: &mut Xlsx<Cursor<&'b [u8]>>,
+        fn of(
+            workbook: &mut Xlsx<Cursor<&[u8]>>,
             sheet: &str,
             room: &mut u64,
         ) -> Result<Option<Self>, WorkbookError> {
