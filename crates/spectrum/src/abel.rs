@@ -66,10 +66,11 @@ fn panels(
 struct Panel {
     start: f64,
     end: f64,
-    ln_ratio: f64,
     at_start: f64,
     exponent: f64,
-    /// p and f(p) dp of the Gauss rule in ln p, for every q that lies well below the panel.
+    /// From a q below this, the panel is no wider in ln p than its distance.
+    nearest_far: f64,
+    /// p and f(p) dp of the Gauss rule in ln p, for every q that far below the panel.
     nodes: [(f64, f64); 2 * HALF],
 }
 
@@ -88,15 +89,14 @@ impl Panel {
     fn new(start: f64, end: f64, ln_ratio: f64, at_start: f64, exponent: f64) -> Self {
         let nodes = gauss_nodes(0.0, ln_ratio)
             .map(|(x, weight)| (start * x.exp(), at_start * ((exponent + 1.0) * x).exp() * start * weight));
-        Self { start, end, ln_ratio, at_start, exponent, nodes }
+        Self { start, end, at_start, exponent, nearest_far: start * (start / end), nodes }
     }
 
     /// Int f(p) (p^2 - q^2)^(-1/2) dp over the part of the panel above q, which is none or all of it.
     fn integral(&self, q: f64) -> f64 {
         if self.start < q {
             0.0
-        } else if (self.start / q).ln() >= self.ln_ratio {
-            // The singularity is at least as far from the panel as the panel is wide.
+        } else if q < self.nearest_far {
             self.nodes.iter().map(|&(p, weight)| weight / ((p - q) * (p + q)).sqrt()).sum()
         } else {
             self.integral_close_to(q)

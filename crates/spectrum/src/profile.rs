@@ -78,8 +78,7 @@ impl ProfilePsd {
     ///
     /// Both ends are kept exactly. Kinks of the piecewise power law between the new points are lost, so
     /// moments of the result differ from those of the original; standard errors, which belong to the samples, are
-    /// dropped. A spectrum of one sample is returned as it
-    /// is.
+    /// dropped. A spectrum of one sample is returned as it is.
     pub fn resampled(&self, scales_per_decade: NonZeroU32) -> Self {
         let (longest_m, shortest_m) = (self.longest_wavelength_m(), self.shortest_wavelength_m());
         if self.len() == 1 {

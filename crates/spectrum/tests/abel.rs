@@ -26,8 +26,7 @@ fn tail(q: f64, end: f64, hurst: f64) -> f64 {
 #[test]
 fn a_power_law_has_the_closed_profile() {
     // Gamma(H + 1/2)/(2 sqrt(pi) Gamma(H + 1)), computed with mpmath.
-    for (hurst, factor) in [(0.3, 0.365_943_021_896_974_8), (0.5, 1.0 / PI), (0.8, 0.271_823_298_929_960_83)]
-    {
+    for (hurst, factor) in [(0.3, 0.365_943_021_896_974_8), (0.5, 1.0 / PI), (0.8, 0.271_823_298_929_960_8)] {
         for per_decade in [1, 7, 30] {
             let area = sampled(per_decade, 4, Convention::Ciso, |q| q.powf(-2.0 - 2.0 * hurst));
             let profile = area.profile().unwrap();

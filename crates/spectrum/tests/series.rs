@@ -172,6 +172,8 @@ fn standard_errors_are_kept_where_there_are_any() {
     assert_eq!(own.psd.standard_errors(), Some(&[Some(0.0), Some(0.5)][..]));
     let scaled = default("lambda_m,C1D_m3,C1D_se_nm3\n1,5,0.5\n2,6,\n");
     assert_eq!(scaled.psd.standard_errors(), Some(&[None, Some(0.5e-27)][..]));
+    let bare = default("lambda_m,C1D_nm3,C1D_se\n1,5,0.5\n2,6,\n");
+    assert_eq!(bare.psd.standard_errors(), Some(&[None, Some(0.5e-27)][..]));
     let other = default("lambda_m,C1D_m3,C1D_se_m4\n1,5,0.5\n2,6,\n");
     assert_eq!(other.psd.standard_errors(), None);
     assert_eq!(other.notes, ["column 'C1D_se_m4' is not looked at: its unit is none of its quantity's"]);
@@ -312,6 +314,10 @@ fn graphs_of_gwyddion_are_w1_in_the_unit_of_their_second_line() {
         assert_eq!(file.psd.convention(), Convention::W1);
         assert!(file.notes.is_empty(), "{:?}", file.notes);
     }
+    let uneven =
+        "A;B;\nk;W1;k;W1;\n[1/m];[m^3];[1/m];[m^3];\n1;2;1;3;\n2;1;2;4;\n;;3;5;\n;;4;6;\n;;5;7;\n;;6;8;\n";
+    assert_eq!(read(uneven, &series("A")).psd.len(), 2);
+    assert_eq!(read(uneven, &series("B")).psd.len(), 6);
     let curves = format!("{gnuplot}{}", gnuplot.replace("PSDF", "Fit").replace("4e-21", "5e-21"));
     assert_eq!(read(&curves, &series("Fit")).psd.values(), [5e-21, 1e-21]);
 
@@ -328,6 +334,10 @@ fn graphs_of_gwyddion_are_w1_in_the_unit_of_their_second_line() {
     assert_eq!(
         refusal(&single.replace("2e6  1e-21", "2e6"), &ReadOptions::default()),
         "line 4: the number of fields is 1, in line 2 it is 2; give every row the same columns"
+    );
+    assert_eq!(
+        refusal(&plain.replace("3  1e-3            -          -", "3  1e-3"), &series("fit")),
+        "line 6: the number of fields is 2, in line 3 it is 4; give every row the same columns"
     );
     assert_eq!(
         refusal(&single.replace("W<sub>1</sub>", "W<sub>r</sub>"), &ReadOptions::default()),

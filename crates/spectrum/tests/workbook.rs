@@ -103,7 +103,7 @@ fn the_header_stands_in_any_row_and_its_units_count() {
         let bytes = workbook(&[sheet("analysis-0-series-0", &about, header_row, &table)]);
         let file = read_psd(&bytes[..], &ReadOptions::default()).unwrap();
         assert_eq!(file.psd.wavelengths_m(), [TAU / 1e6, TAU / 2e6]);
-        assert_eq!(file.psd.values(), [5e-21, 1.3014851047376978e-53]);
+        assert_eq!(file.psd.values(), [5e-21, 1.301485104737698e-53]);
         assert_eq!(file.psd.convention(), Convention::C1D);
         assert_eq!(file.comments[1..3], ["Subject: scan 1", "Subject type: measurement"]);
         assert_eq!(file.notes[1], "1 row without a value is left out");

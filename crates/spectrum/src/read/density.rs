@@ -123,7 +123,7 @@ impl Header<'_> {
         Ok(Candidate { name: None, column: DensityColumn { index, decimal_exponent, convention } })
     }
 
-    /// The standard errors of the spectrum of this name, in the unit of the same dimension.
+    /// The standard errors of the spectrum of this name: in a unit of its dimension, or without one in its own.
     pub(crate) fn standard_error(
         &self,
         name: DensityName,
@@ -133,14 +133,10 @@ impl Header<'_> {
         let is_meant =
             |(_, heading): &(usize, Heading<'_>)| heading.quantity == Quantity::StandardError(name);
         let (index, heading) = self.headings().find(is_meant)?;
-        let unit = match heading.unit {
-            None => self
-                .units
-                .psd
-                .map_or(Some(Unit::si(density.convention.metre_power())), |given| Some(given.unit)),
-            Some(text) => Unit::parse(text),
+        let Some(text) = heading.unit else {
+            return Some(ErrorColumn { index, decimal_exponent: density.decimal_exponent });
         };
-        let fitting = unit.filter(|unit| unit.metre_power == density.convention.metre_power());
+        let fitting = Unit::parse(text).filter(|unit| unit.metre_power == density.convention.metre_power());
         if fitting.is_none() {
             notes.push(format!(
                 "column '{}' is not looked at: its unit is none of its quantity's",

@@ -6,11 +6,15 @@
 
 use csv::StringRecord;
 
+use crate::read::error::ReadError;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 use crate::read::table::is_number;
 
 /// The curves of an export; `None` for a file that does not begin like one.
-pub(crate) fn series(text: &str) -> Option<Vec<Series>> {
+///
+/// # Errors
+/// [`ReadError::Ragged`] for a row of another length than the units: which curve its numbers belong to is lost.
+pub(crate) fn series(text: &str) -> Result<Option<Vec<Series>>, ReadError> {
     let mut blocks: Vec<Block> = Vec::new();
     let mut heading: Vec<String> = Vec::new();
     let mut unnumbered = 0;
@@ -26,23 +30,29 @@ pub(crate) fn series(text: &str) -> Option<Vec<Series>> {
             // At most descriptions, names and units: a longer heading is another kind of file's.
             unnumbered += usize::from(!is_comment);
             if unnumbered > 3 {
-                return None;
+                return Ok(None);
             }
             continue;
         }
         if !heading.is_empty() {
-            blocks.extend(Block::under(&heading, i));
+            match Block::under(&heading, i) {
+                Some(block) => blocks.push(block),
+                None if unnumbered > 0 => return Ok(None),
+                // Comments among the numbers.
+                None => {}
+            }
             heading.clear();
             unnumbered = 0;
         }
-        // Numbers that no such heading announces.
-        blocks.last_mut()?.push(i + 1, content);
+        // Numbers that no such heading announces are another kind of file's.
+        let Some(block) = blocks.last_mut() else { return Ok(None) };
+        block.push(i + 1, content)?;
     }
-    (!blocks.is_empty()).then(|| blocks.into_iter().flat_map(|block| block.curves).collect())
+    Ok((!blocks.is_empty()).then(|| blocks.into_iter().flat_map(|block| block.curves).collect()))
 }
 
 fn begins_with_a_number(content: &str) -> bool {
-    let first = content.split([';', ' ', '\t']).next();
+    let first = content.split([';', ' ', '\t']).find(|field| !field.is_empty());
     first == Some("-") || is_number(first)
 }
 
@@ -50,7 +60,9 @@ fn begins_with_a_number(content: &str) -> bool {
 struct Block {
     curves: Vec<Series>,
     has_semicolons: bool,
+    /// Number of columns, and the line of their units.
     columns: usize,
+    line: usize,
     /// Whether the first column is the abscissa of every curve.
     is_merged: bool,
 }
@@ -84,25 +96,22 @@ impl Block {
             Series::new(name, Columns { names: titles, line, kind: ColumnKind::Named }, Vec::new())
         };
         let curves = (0..count).map(curve).collect();
-        Some(Self { curves, has_semicolons, columns, is_merged })
+        Some(Self { curves, has_semicolons, columns, line, is_merged })
     }
 
-    fn push(&mut self, line: usize, content: &str) {
+    fn push(&mut self, line: usize, content: &str) -> Result<(), ReadError> {
         let fields: Vec<&str> = if self.has_semicolons {
             content.strip_suffix(';').unwrap_or(content).split(';').map(str::trim).collect()
         } else {
             content.split_whitespace().collect()
         };
+        if fields.len() != self.columns {
+            let (found, expected) = (fields.len(), self.columns);
+            return Err(ReadError::Ragged { line, found, first_line: self.line, expected });
+        }
         for (curve, series) in self.curves.iter_mut().enumerate() {
             let (x, y) = places(self.is_merged, curve);
-            let (x, y) = match (fields.get(x), fields.get(y)) {
-                (Some(&x), Some(&y)) if fields.len() == self.columns => (x, y),
-                // A row of another length is handed on as it is, to be refused with its line.
-                _ => {
-                    series.rows.push(Row { line, fields: StringRecord::from(fields.clone()) });
-                    continue;
-                }
-            };
+            let (x, y) = (fields[x], fields[y]);
             if matches!(y, "" | "-") {
                 continue;
             }
@@ -112,6 +121,7 @@ impl Block {
             }
             series.rows.push(Row { line, fields: StringRecord::from(vec![x, y]) });
         }
+        Ok(())
     }
 }
 

@@ -59,8 +59,8 @@ pub struct PsdFile {
 ///
 /// Exports of contact.engineering (TXT, CSV, XLSX, JSON) and Gwyddion's graphs as text may hold several series, of
 /// which [`ReadOptions::series`] and [`ReadOptions::subject`] choose one. Without them that is the only one, or
-/// `1D PSD along x` of the average over the dataset or of the only subject. In these exports, rows without a value of the
-/// spectrum are left out, with a note.
+/// `1D PSD along x` of the average over the dataset or of the only subject. In these exports, rows without a value of
+/// the spectrum are left out, with a note.
 ///
 /// # Errors
 /// [`ReadError`], with line, column, value and bound, for the first thing that is wrong with the file.
@@ -151,7 +151,8 @@ fn area_note(psd: &Psd) -> Option<String> {
     (convention.metre_power() == 4).then(|| {
         format!(
             "the spectrum is one of areas ({convention}); as C1D it is the Abel integral over its samples, of an \
-             isotropic surface without anything beyond them: it ends one sample earlier, and its last values are low{}",
+             isotropic surface without anything beyond them: it ends one sample earlier, and its last values are \
+             low{}",
             if psd.standard_errors().is_some() { "; standard errors are lost on the way" } else { "" }
         )
     })

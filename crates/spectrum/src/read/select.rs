@@ -66,10 +66,11 @@ pub(crate) fn select(mut series: Vec<Series>, options: &ReadOptions) -> Result<S
     let mut chosen = series.swap_remove(at);
     if count > 1 {
         let average = if chosen.name.is_average() { ", the average over a dataset," } else { "" };
-        chosen.notes.insert(
-            0,
-            format!("of the {count} series in the file '{}'{average} is read; --series and --subject choose another", chosen.name),
+        let name = &chosen.name;
+        let note = format!(
+            "of the {count} series in the file '{name}'{average} is read; --series and --subject choose another"
         );
+        chosen.notes.insert(0, note);
     }
     Ok(chosen)
 }

@@ -46,7 +46,7 @@ impl<'t> Table<'t> {
 
     /// The series of the file, mostly one.
     pub(crate) fn series(&self) -> Result<Vec<Series>, ReadError> {
-        if let Some(curves) = gwyddion::series(self.text) {
+        if let Some(curves) = gwyddion::series(self.text)? {
             return Ok(curves);
         }
         let mut rows = self.all_rows()?;

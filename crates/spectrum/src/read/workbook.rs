@@ -129,8 +129,8 @@ mod sheets {
     }
 
     impl Cells {
-        /// `None` for what is no sheet of cells, such as a chart. Several cells may share one long text, so `room` bounds
-        /// their sum.
+        /// `None` for what is no sheet of cells, such as a chart. Several cells may share one long text, so `room`
+        /// bounds their sum.
         fn of(
             workbook: &mut Xlsx<Cursor<&[u8]>>,
             sheet: &str,
