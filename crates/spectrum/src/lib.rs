@@ -20,11 +20,13 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
-//! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
+//! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does
-//! not convert between one- and two-dimensional spectra, which no sampled spectrum determines.
+//! What it does not do: it opens no paths, prints nothing, and computes no spectrum from a topography. Between
+//! one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows nothing of the
+//! surface beyond them.
 
+mod abel;
 mod amplitude;
 mod approximate;
 mod convention;
@@ -45,6 +47,9 @@ pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments
 pub use named::UnknownName;
 pub use profile::ProfilePsd;
 pub use psd::{Psd, PsdError};
-pub use read::{Abscissa, Field, PsdFile, ReadError, ReadOptions, read_psd};
+pub use read::{
+    Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
+    WorkbookError, read_psd, series_names,
+};
 pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
