@@ -37,6 +37,7 @@ mod psd;
 mod read;
 mod scan;
 mod self_affine_fit;
+mod transform;
 
 pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
 pub use convention::{Convention, ConversionError};
@@ -48,3 +49,11 @@ pub use psd::{Psd, PsdError};
 pub use read::{Abscissa, Field, PsdFile, ReadError, ReadOptions, read_psd};
 pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
+pub use transform::{
+    ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, BinMean, Boundary, Composite,
+    CompositeBin, CompositeOptions, DerivativeOf, Detrend, LineSpectrum, LineSums, MapLines, Overlap,
+    Preparation, RadialBin, ReliableBand, RmsDerivatives, Superposition, TransformError, Window,
+    areal_spectrum, composite, fundamental_kept, line_spectrum, log_binned, map_line_spectrum,
+    nonuniform_line_spectrum, nonuniform_line_spectrum_to, overlaps, real_space_derivatives, superpose,
+    tip_cutoff_m, uniform_line_spectrum,
+};
