@@ -20,6 +20,9 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
+//! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a [`Scan`], on the bins of its own length, with the
+//!   [`ReliableBand`] it holds in;
+//! * [`Composite`]: one spectrum from many measurements;
 //! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
 //!
 //! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does

@@ -31,10 +31,11 @@ pub enum Boundary {
 /// the straight lines between them weighted with their lengths, and the change of slope at each inner point over half the
 /// length of its two neighbours, weighted with that; `boundary` is then taken as open.
 ///
-/// On periodic data and without a window this is, to rounding, what
-/// [`LineSpectrum::rms_derivatives`](super::LineSpectrum::rms_derivatives) gives for differences. With a window the
-/// spectrum weights the middle of the scan more than its ends, so the two agree as closely as the roughness is alike
-/// everywhere.
+/// To rounding this is, on periodic data and without a window, what
+/// [`LineSpectrum::rms_derivatives`](super::LineSpectrum::rms_derivatives) gives for differences. With the Hann window the
+/// two agree as closely as the roughness is alike everywhere, since the window favours the middle of the scan, and its own
+/// slope adds (2 pi/L)^2/3 times the variance to the mean square slope. Without one, the step between the two ends of a
+/// scan that is not periodic swamps the spectral values.
 pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
     match scan {
         Scan::UniformLine(line) => {

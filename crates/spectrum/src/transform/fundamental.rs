@@ -10,7 +10,7 @@ use crate::scan::Scan;
 /// The spectrum at q = 2 pi/L after detrending over that with only the mean subtracted, both without a window; `None`
 /// where there is none to begin with.
 ///
-/// 1 for [`Detrend::Mean`]. A fitted slope takes part of the fundamental mode away (of a sine wave of length L, 61 % of its
+/// 1 for [`Detrend::Mean`]. A fitted slope takes part of the fundamental mode away (of a sine wave of length L, 85 % of its
 /// power) together with the tilt of the sample, so a small value says that the first bin cannot show the surface, either
 /// because it has gone or because it was all tilt.
 pub fn fundamental_kept(scan: &Scan, detrend: Detrend) -> Option<f64> {

@@ -68,8 +68,8 @@ pub(super) struct Spread {
 impl Spread {
     /// Of the values that `value` makes of those of a slice and writes over them.
     ///
-    /// One pass: the values of a block are of either sign or not much larger than their scatter, so that the difference of
-    /// the mean square and the squared mean keeps its digits.
+    /// One pass: in a block the difference of mean square and squared mean may lose the digits of a small scatter, but by
+    /// no more than rounding of its mean square, which is part of the whole's wherever the values are detrended.
     pub(super) fn of_mapped<const K: usize>(
         inputs: [&[f64]; K],
         outputs: &mut [f64],

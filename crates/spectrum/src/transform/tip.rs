@@ -25,7 +25,7 @@ pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
     let fails = |step_m: f64| lines.sharpest_peak_per_m(step_m) < -CURVATURE_FRACTION / tip_radius_m;
     let mut passing_m = length_m / 4.0;
     if passing_m <= spacing_m {
-        return None; // too few points to see a curvature at all
+        return None; // four points or fewer: no step to try
     }
     if fails(passing_m) {
         return Some(length_m);

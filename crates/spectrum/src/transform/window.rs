@@ -11,7 +11,7 @@ use crate::named::named;
 #[serde(rename_all = "lowercase")]
 pub enum Window {
     /// The periodic Hann window (1 - cos(2 pi x/L))/2 divided by its rms, sqrt(3/8), so that it keeps the power of a
-    /// stationary surface: Jacobs, Junge & Pastewka (2017), Surf. Topogr.: Metrol. Prop. 5:013001, section 4.
+    /// stationary surface: Jacobs, Junge & Pastewka (2017), Surf. Topogr.: Metrol. Prop. 5:013001.
     ///
     /// For a map the product of one along x and one along y: unlike a window of circular symmetry it uses the whole of
     /// an elongated map, and its rms is the product of the two.
