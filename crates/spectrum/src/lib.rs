@@ -20,9 +20,12 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
+//! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a [`Scan`], on the bins of its own length, with the
+//!   [`ReliableBand`] it holds in;
+//! * [`Composite`]: one spectrum from many measurements;
 //! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, and computes no spectrum from a topography. Between
+//! What it does not do: it opens no paths, and prints nothing. Between
 //! one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows nothing of the
 //! surface beyond them.
 
@@ -39,6 +42,7 @@ mod psd;
 mod read;
 mod scan;
 mod self_affine_fit;
+mod transform;
 
 pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
 pub use convention::{Convention, ConversionError};
@@ -53,3 +57,11 @@ pub use read::{
 };
 pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
+pub use transform::{
+    ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, BinMean, Boundary, Composite,
+    CompositeBin, CompositeOptions, DerivativeOf, Detrend, LineSpectrum, LineSums, MapLines, Overlap,
+    Preparation, RadialBin, ReliableBand, RmsDerivatives, Superposition, TransformError, Window,
+    areal_spectrum, composite, fundamental_kept, line_spectrum, log_binned, map_line_spectrum,
+    nonuniform_line_spectrum, nonuniform_line_spectrum_to, overlaps, real_space_derivatives, superpose,
+    tip_cutoff_m, uniform_line_spectrum,
+};
