@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use cli::failure::Failure;
 use cli::output::Place;
 use cli::products::{self, Findings};
+use cli::report::{self, Report};
 use cli::scene::Template;
 use cli::table::Format;
 use paper::{Evidence, Verdict};
@@ -32,12 +33,58 @@ fn reproduce(folder: &Path) -> Result<(), Failure> {
         let files = products::write(scene, results, Some(findings), Format::Csv, &folder)?;
         println!("{}: {} files in {}", scene.title, files.len(), folder.display());
     }
+    let checked = checked(&ledger);
+    let scenes = evidence.iter().zip(&findings);
+    let report = Report {
+        title: "Real contact area of ultrananocrystalline diamond",
+        scenes: scenes
+            .map(|(evidence, findings)| {
+                findings.report(label(evidence.template.name()), &evidence.scene, &evidence.results)
+            })
+            .collect(),
+        ledger: Some(&checked),
+        repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
+    };
+    let page = folder.join("report.html");
+    let html = report.html();
+    Place::File(page.clone()).write(|out| out.write_all(html.as_bytes()))?;
     let claims = folder.join("claims.csv");
     Place::File(claims.clone()).write(|out| paper::table(&ledger).write(Format::Csv, &[], out))?;
     println!("{}: {}", claims.display(), verdicts(&ledger));
+    println!("the report: {}", page.display());
     say_time("computed in", computing);
     say_time("done in", start.elapsed());
     Ok(())
+}
+
+/// What a spectrum is called in the report.
+fn label(spectrum: &str) -> &str {
+    match spectrum {
+        "uncd-reconstructed" => "reconstruction",
+        "uncd-measured" => "measured",
+        other => other,
+    }
+}
+
+/// The ledger as the report shows it.
+fn checked(ledger: &[paper::Row]) -> report::Ledger {
+    let finding = |(spectrum, finding): &(&'static str, paper::Finding)| report::Finding {
+        label: label(spectrum).to_owned(),
+        found: finding.found.clone(),
+        verdict: match finding.verdict {
+            Verdict::Reproduced => report::Verdict::Reproduced,
+            Verdict::NotReproduced => report::Verdict::NotReproduced,
+            Verdict::ByConstruction => report::Verdict::ByConstruction,
+        },
+        remark: finding.remark.clone(),
+    };
+    let row = |row: &paper::Row| report::LedgerRow {
+        number: row.statement.number,
+        statement: row.statement.statement.to_owned(),
+        how: row.statement.how.to_owned(),
+        findings: row.findings.iter().map(finding).collect(),
+    };
+    report::Ledger { rows: ledger.iter().map(row).collect() }
 }
 
 fn found(evidence: &Evidence) -> Result<Findings, Failure> {

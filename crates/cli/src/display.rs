@@ -26,6 +26,41 @@ pub fn three_digits(value: f64) -> String {
     if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
 }
 
+/// A power of ten as it is set, e.g. `10⁻³`.
+pub fn power_of_ten(power: i32) -> String {
+    const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| SUPERSCRIPTS[digit as usize]);
+    format!("10{}", power.to_string().chars().map(raised).collect::<String>())
+}
+
+/// Exponents as they are set: `10⁻³ H` of `1e-3 H`, `1.2 × 10⁻³` of `1.2e-3`, `mm²` of `mm^2`. Anything else stays.
+pub fn typeset(text: &str) -> String {
+    let text = text.replace("m^2", "m²").replace("m^3", "m³");
+    text.split(' ').map(typeset_word).collect::<Vec<_>>().join(" ")
+}
+
+fn typeset_word(word: &str) -> String {
+    let end = word.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E')));
+    let number = word[..end.unwrap_or(word.len())].trim_end_matches('.');
+    let unit = &word[number.len()..];
+    let parts = number.split_once(['e', 'E']).and_then(|(mantissa, power)| {
+        Some((mantissa.parse::<f64>().ok().map(|_| mantissa)?, power_of_ten(power.parse().ok()?)))
+    });
+    let Some((mantissa, power)) = parts else { return word.to_owned() };
+    let space = if unit.starts_with(char::is_alphabetic) { " " } else { "" };
+    let times = if mantissa == "1" { String::new() } else { format!("{mantissa} × ") };
+    format!("{times}{power}{space}{unit}")
+}
+
+/// Three significant digits; below a tenth with a power of ten, e.g. `3.33 × 10⁻³`.
+pub fn typeset_digits(value: f64) -> String {
+    if (1e-3..0.1).contains(&value.abs()) {
+        typeset(&format!("{value:.2e}"))
+    } else {
+        typeset(&three_digits(value))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -39,5 +74,25 @@ mod tests {
         assert_eq!(pressure(5.4e6), "5.4 MPa");
         assert_eq!(pressure(1.234e-5), "1.23e-5 Pa");
         assert_eq!(three_digits(123456.0), "1.23e5");
+    }
+
+    #[test]
+    fn exponents_are_set_as_powers_of_ten() {
+        for (typed, set) in [
+            ("1e-3 H", "10⁻³ H"),
+            ("1e-3H", "10⁻³ H"),
+            ("2.5e+06 Pa", "2.5 × 10⁶ Pa"),
+            ("0.001 H", "0.001 H"),
+            ("at 2e-9.", "at 2 × 10⁻⁹."),
+            ("54 N on 1e2 mm^2", "54 N on 10² mm²"),
+            ("erg", "erg"),
+        ] {
+            assert_eq!(typeset(typed), set);
+        }
+        for (value, set) in
+            [(1.234e-5, "1.23 × 10⁻⁵"), (0.0625, "6.25 × 10⁻²"), (1e-3, "1.00 × 10⁻³"), (0.5, "0.5")]
+        {
+            assert_eq!(typeset_digits(value), set);
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use stacked_contact::Scale;
 
-use crate::display::length;
-use crate::plan::{Needs, Results};
+use crate::display::{length, pressure, typeset, typeset_digits};
+use crate::plan::{Load, Needs, Results};
 use crate::table::Table;
 
 /// What a figure shows.
@@ -22,6 +22,30 @@ pub enum Shows {
     Area,
     /// Contact area of statistical curves against nominal pressure, at some cutoffs.
     AreaAgainstLoad,
+}
+
+impl Shows {
+    /// What is seen, in a line.
+    pub fn caption(self) -> &'static str {
+        match self {
+            Shows::Psd => "The spectrum that everything else is computed from.",
+            Shows::Moments => {
+                "Variance of height (m0), slope (m2) and curvature (m4) of the wavelengths down to the abscissa, each over \
+                 its value for the whole spectrum."
+            }
+            Shows::Amplitude => "The height of the sinusoid that stands for each wavelength.",
+            Shows::AspectRatio => {
+                "Height over wavelength of each scale: the steepest scale takes the largest pressure to flatten."
+            }
+            Shows::Area => {
+                "The contact area when only the wavelengths down to the abscissa take part: finer roughness comes in \
+                 towards the left, and a line that levels off is settled."
+            }
+            Shows::AreaAgainstLoad => {
+                "The contact area under growing load, the spectrum cut off at some wavelengths."
+            }
+        }
+    }
 }
 
 /// A figure as asked for.
@@ -46,8 +70,10 @@ pub struct Series {
     pub column: String,
     /// The curve it belongs to, which its dash pattern stands for.
     pub curve: String,
-    /// The load or cutoff it is drawn for, which its colour stands for; empty where it is alone.
+    /// The load or cutoff it is drawn for, which its colour stands for, as it stands at the line; empty where it is alone.
     pub condition: String,
+    /// The same in the legend: a load also in units of the hardness.
+    pub condition_in_full: String,
     /// Which lines share a colour.
     pub colour: usize,
     /// Which lines share a dash pattern; 0 is solid.
@@ -61,10 +87,14 @@ pub struct Series {
 pub struct FigureData {
     /// The name of its files.
     pub name: String,
+    /// What it shows.
+    pub shows: Shows,
     /// Its title.
     pub title: String,
     /// The abscissa.
     pub x: Axis,
+    /// The abscissa's label, with the hardness where pressures are drawn and it is known.
+    pub x_label: String,
     /// The ordinate's label.
     pub y_label: &'static str,
     /// The lines.
@@ -98,8 +128,9 @@ impl Figure {
         }
     }
 
-    /// The figure's data, from the results of the plan that asked for it.
-    pub fn data(&self, results: &Results, needs: &Needs) -> FigureData {
+    /// The figure's data, from the results of the plan that asked for it; loads are labelled in units of the hardness
+    /// \[Pa\] as well, where there is one.
+    pub fn data(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> FigureData {
         let (x, y_label, series) = match self.shows {
             Shows::Psd => (WAVEVECTOR, "power spectral density C1D (m³)", psd_series(results)),
             Shows::Moments => (CUTOFF, "moment over its final value", moment_series(results)),
@@ -113,19 +144,24 @@ impl Figure {
                 "aspect ratio B = Δ/λ",
                 scale_series(results, "aspect_ratio", Scale::aspect_ratio),
             ),
-            Shows::Area => (CUTOFF, AREA, self.area_series(results, needs)),
+            Shows::Area => (CUTOFF, AREA, self.area_series(results, needs, hardness_pa)),
             Shows::AreaAgainstLoad => (PRESSURE, AREA, self.load_series(results, needs)),
         };
         let title = self.title.clone().unwrap_or_else(|| y_label.to_owned());
-        FigureData { name: self.name.clone(), title, x, y_label, series }
+        let x_label = match hardness_pa.filter(|_| x == PRESSURE) {
+            Some(hardness_pa) => format!("{}; H = {}", x.label, pressure(hardness_pa)),
+            None => x.label.to_owned(),
+        };
+        FigureData { name: self.name.clone(), shows: self.shows, title, x, x_label, y_label, series }
     }
 
-    fn area_series(&self, results: &Results, needs: &Needs) -> Vec<Series> {
+    fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {
         let mut series = Vec::new();
         for (place, &curve) in self.curves.iter().enumerate() {
             for (colour, load) in needs.loads.iter().enumerate() {
                 let points = results.curves[curve].area_fractions(colour);
-                series.push(self.line(&needs.curves[curve].name, &load.label, place, colour, points));
+                let line = self.line(&needs.curves[curve].name, &load.label, place, colour, points);
+                series.push(Series { condition_in_full: load_in_full(load, hardness_pa), ..line });
             }
         }
         series
@@ -145,7 +181,8 @@ impl Figure {
             let points =
                 asked.pressures_pa.iter().zip(states).map(|(&p, state)| (p, state.area_fraction)).collect();
             let cutoff = length(multiple * results.psd.shortest_wavelength_m());
-            self.line(&needs.curves[asked.curve].name, &cutoff, place, colour, points)
+            let line = self.line(&needs.curves[asked.curve].name, &cutoff, place, colour, points);
+            Series { condition_in_full: format!("cutoff {cutoff}"), ..line }
         };
         self.sweeps.iter().map(line).collect()
     }
@@ -164,11 +201,23 @@ impl Figure {
         Series {
             column: format!("{curve} at {condition}"),
             curve: curve.replace("-strain-gradient", ", strain gradient"),
-            condition: condition.to_owned(),
+            condition: typeset(condition),
+            condition_in_full: typeset(condition),
             colour,
             dash,
             points,
         }
+    }
+}
+
+/// A load as typed; one typed in units of pressure or force also in units of the hardness.
+pub fn load_in_full(load: &Load, hardness_pa: Option<f64>) -> String {
+    let typed = typeset(&load.label);
+    match hardness_pa.filter(|_| !load.label.ends_with('H')) {
+        Some(hardness_pa) => {
+            format!("{typed} = {} H", typeset_digits(load.nominal_pressure_pa / hardness_pa))
+        }
+        None => typed,
     }
 }
 
@@ -189,6 +238,7 @@ fn moment_series(results: &Results) -> Vec<Series> {
             column: format!("{name}_over_final"),
             curve: String::new(),
             condition: name.to_owned(),
+            condition_in_full: name.to_owned(),
             colour,
             dash: 0,
             points: results
@@ -202,11 +252,23 @@ fn moment_series(results: &Results) -> Vec<Series> {
 }
 
 fn alone(column: &str, points: Vec<(f64, f64)>) -> Series {
-    let column = column.to_owned();
-    Series { column, curve: String::new(), condition: String::new(), colour: 0, dash: 0, points }
+    Series {
+        column: column.to_owned(),
+        curve: String::new(),
+        condition: String::new(),
+        condition_in_full: String::new(),
+        colour: 0,
+        dash: 0,
+        points,
+    }
 }
 
 impl FigureData {
+    /// Whether its lines belong to several curves.
+    pub fn compares_curves(&self) -> bool {
+        self.series.iter().any(|series| series.dash > 0)
+    }
+
     /// What is drawn, as a table: every abscissa of any line, and a column per line.
     pub fn table(&self) -> Table {
         let abscissas = self.abscissas();
@@ -239,11 +301,22 @@ mod tests {
     use crate::table::Cells;
 
     #[test]
+    fn a_load_is_also_given_in_units_of_the_hardness() {
+        let load = |label: &str, nominal_pressure_pa| Load { nominal_pressure_pa, label: label.to_owned() };
+        assert_eq!(load_in_full(&load("1e-3 H", 3e6), Some(3e9)), "10⁻³ H");
+        assert_eq!(load_in_full(&load("10 MPa", 1e7), Some(3e9)), "10 MPa = 3.33 × 10⁻³ H");
+        assert_eq!(load_in_full(&load("5 MPa", 5e6), Some(3e10)), "5 MPa = 1.67 × 10⁻⁴ H");
+        assert_eq!(load_in_full(&load("10 MPa", 1e7), None), "10 MPa");
+    }
+
+    #[test]
     fn lines_of_different_abscissas_share_a_table() {
         let figure = FigureData {
             name: "f".to_owned(),
+            shows: Shows::Area,
             title: String::new(),
             x: WAVELENGTH,
+            x_label: String::new(),
             y_label: AREA,
             series: vec![
                 alone("a", vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),

@@ -33,6 +33,7 @@ pub mod products;
 mod progress;
 mod provenance;
 pub mod quantity;
+pub mod report;
 pub mod scene;
 pub mod sensitivity;
 mod stderr;

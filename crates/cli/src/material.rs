@@ -4,6 +4,7 @@ use asperity::{AsperityError, Bound, ElasticBody, Hardness, MaterialPair, NixGao
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw, Model};
 
+use crate::display::{length, pressure};
 use crate::number::number;
 use crate::quantity::Pressure;
 
@@ -152,6 +153,25 @@ impl Material {
         add("strength cap", self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa())), "Pa");
         add("h*", self.strain_gradient_length_m, "m");
         text
+    }
+
+    /// What is known of it, each with its name, for people.
+    pub fn properties(&self) -> Vec<(&'static str, String)> {
+        let body = self.pair.body();
+        let mut properties = vec![
+            ("Young’s modulus E", pressure(body.youngs_modulus_pa())),
+            ("Poisson’s ratio ν", number(body.poisson_ratio())),
+            ("composite modulus E*, with the counterface", pressure(self.pair.composite_modulus_pa())),
+        ];
+        let strength_pa = self.yield_strength.and_then(|strength| strength.pascals(None));
+        let cap_pa = self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()));
+        properties.extend(strength_pa.map(|strength_pa| ("yield strength S₀", pressure(strength_pa))));
+        properties.extend(self.hardness_pa().map(|hardness_pa| ("hardness H = 3 S₀", pressure(hardness_pa))));
+        properties.extend(cap_pa.map(|cap_pa| ("cap of the strength", pressure(cap_pa))));
+        properties.extend(
+            self.strain_gradient_length_m.map(|length_m| ("strain-gradient length h*", length(length_m))),
+        );
+        properties
     }
 
     /// A pressure > 0 \[Pa\], in units of the hardness or not.

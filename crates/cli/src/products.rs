@@ -1,14 +1,15 @@
-//! The files of a scene: a table per curve, a table and an SVG per figure.
+//! The files of a scene: a table per curve, a table and an SVG per figure, the report and its tables.
 
 use std::path::Path;
 
 use crate::answer::Answer;
 use crate::failure::Failure;
-use crate::figure::FigureData;
+use crate::figure::{Figure, FigureData};
 use crate::output::StagedFiles;
 use crate::plan::{PlanError, Results};
 use crate::plot;
 use crate::provenance::provenance;
+use crate::report::{Report, SceneReport};
 use crate::scene::Scene;
 use crate::sensitivity::{self, Sensitivity, sensitivities};
 use crate::table::{Format, Table};
@@ -16,13 +17,17 @@ use crate::tables;
 
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
-    scene.figures.iter().map(|figure| figure.data(results, &scene.needs)).collect()
+    scene.figures.iter().map(|figure| data(scene, results, figure)).collect()
 }
 
 /// One figure of a scene as an SVG document; `None` where it has no figure of that name.
 pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name)?;
-    Some(drawn(scene, &figure.data(results, &scene.needs)))
+    Some(drawn(scene, &data(scene, results, figure)))
+}
+
+fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
+    figure.data(results, &scene.needs, scene.hardness_pa())
 }
 
 fn drawn(scene: &Scene, figure: &FigureData) -> String {
@@ -51,6 +56,18 @@ impl Findings {
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
         let answer = Answer::of(&scene.needs, results);
         Ok(Findings { answer, sensitivities: sensitivities(scene, results)? })
+    }
+
+    /// The part of a report that they make.
+    pub fn report<'a>(&'a self, label: &'a str, scene: &'a Scene, results: &'a Results) -> SceneReport<'a> {
+        SceneReport {
+            label,
+            scene,
+            results,
+            answer: &self.answer,
+            sensitivities: &self.sensitivities,
+            figures: figures(scene, results),
+        }
     }
 
     fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
@@ -99,6 +116,16 @@ pub fn write(
         names.push(format!("{}.svg", figure.name));
         let svg = drawn(scene, figure);
         files.stage(&folder.join(&names[names.len() - 1]), |out| out.write_all(svg.as_bytes()))?;
+    }
+    if let Some(findings) = findings {
+        let report = Report {
+            title: &scene.title,
+            scenes: vec![findings.report(&scene.title, scene, results)],
+            ledger: None,
+            repeat: "truearea run with the scene; the tables beside this page hold every number of its figures.",
+        };
+        names.push("report.html".to_owned());
+        files.stage(&folder.join("report.html"), |out| out.write_all(report.html().as_bytes()))?;
     }
     files.publish()?;
     Ok(names)

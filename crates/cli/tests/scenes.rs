@@ -53,7 +53,19 @@ fn a_scene_writes_a_table_per_curve_and_a_table_and_picture_per_figure() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     files.sort();
-    assert_eq!(files, ["area-fraction.csv", "area-fraction.svg", "elastic.csv", "hardening.csv"]);
+    assert_eq!(
+        files,
+        [
+            "area-fraction.csv",
+            "area-fraction.svg",
+            "elastic.csv",
+            "hardening.csv",
+            "report-decades.csv",
+            "report-scales.csv",
+            "report-sensitivity.csv",
+            "report.html"
+        ]
+    );
     let table = bench.read("s-results/hardening.csv");
     assert!(table.starts_with(
         "# truearea 0.1.0: scene \"small\", curve hardening\n# spectrum: builtin:uncd-measured\n"

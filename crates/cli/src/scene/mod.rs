@@ -63,6 +63,13 @@ impl Scene {
     /// The choices that its numbers depend on, besides the spectrum.
     pub fn choices(&self) -> Vec<String> {
         let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
+        choices.extend(self.model_choices());
+        choices
+    }
+
+    /// Those of them that the models leave open.
+    pub fn model_choices(&self) -> Vec<String> {
+        let mut choices = Vec::new();
         choices.extend(self.needs.amplitudes.map(|definition| format!("amplitude: {definition}")));
         choices.extend(
             self.needs.moments.map(|normalisation| format!("normalisation of moments: {normalisation}")),

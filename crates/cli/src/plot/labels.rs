@@ -1,0 +1,187 @@
+//! Labels at the lines themselves: one per colour, where it overlaps nothing; none where there is no such place.
+
+use super::text_width_px;
+
+/// Height of a label's letters, and how far it keeps from lines: from its own, and from those of other colours.
+pub(super) const SIZE_PX: f64 = 11.0;
+const GAP_PX: f64 = 4.0;
+const BERTH_PX: f64 = 7.0;
+/// How far it keeps from the frame.
+const MARGIN_PX: f64 = 2.0;
+
+/// Spacing at which lines are probed; less than a label is high.
+const PROBE_PX: f64 = 3.0;
+
+/// Where along a line a label may stand: at the ends, the one at which the line ends first, then on the way.
+const PLACES: [f64; 7] = [1.0, 0.0, 0.75, 0.25, 0.5, 0.875, 0.125];
+
+/// A line in pixels. Of lines that share a colour, the label goes to the first that has room for it.
+pub(super) struct Track<'a> {
+    /// Its label.
+    pub label: &'a str,
+    /// Lines that share it share a label.
+    pub colour: usize,
+    /// Its points.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Left, top, right and bottom in pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Box {
+    pub left: f64,
+    pub top: f64,
+    pub right: f64,
+    pub bottom: f64,
+}
+
+impl Box {
+    fn grown(self, by: f64) -> Self {
+        Box { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+    }
+
+    fn holds(&self, (x, y): (f64, f64)) -> bool {
+        (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
+    }
+
+    fn overlaps(&self, other: &Box) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+
+    fn within(&self, other: &Box) -> bool {
+        self.left >= other.left
+            && self.right <= other.right
+            && self.top >= other.top
+            && self.bottom <= other.bottom
+    }
+}
+
+/// A label and its place.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Placed {
+    pub text: String,
+    pub colour: usize,
+    pub place: Box,
+}
+
+/// The labels that find a place inside the frame.
+pub(super) fn place(tracks: &[Track<'_>], frame: Box) -> Vec<Placed> {
+    let probes: Vec<(usize, Vec<(f64, f64)>)> =
+        tracks.iter().map(|track| (track.colour, probed(&track.points))).collect();
+    let mut placed: Vec<Placed> = Vec::new();
+    let mut seen: Vec<usize> = Vec::new();
+    for track in tracks.iter().filter(|track| !track.label.is_empty()) {
+        if seen.contains(&track.colour) {
+            continue;
+        }
+        seen.push(track.colour);
+        let free = |candidate: &Box| {
+            candidate.within(&frame.grown(-MARGIN_PX))
+                && placed.iter().all(|other| !candidate.overlaps(&other.place.grown(GAP_PX / 2.0)))
+                && probes.iter().all(|(colour, points)| {
+                    let berth = if *colour == track.colour { 1.0 } else { BERTH_PX };
+                    let kept_clear = candidate.grown(berth);
+                    !points.iter().any(|point| kept_clear.holds(*point))
+                })
+        };
+        let of_colour = || probes.iter().filter(|(colour, _)| *colour == track.colour);
+        let found = PLACES.iter().find_map(|&along| {
+            of_colour()
+                .flat_map(|(_, line)| around(line, along, track.label))
+                .find(|candidate| free(candidate))
+        });
+        placed.extend(found.map(|place| Placed {
+            text: track.label.to_owned(),
+            colour: track.colour,
+            place,
+        }));
+    }
+    placed
+}
+
+/// The places around a point of a line: beside it on either side, above and below.
+fn around(line: &[(f64, f64)], along: f64, label: &str) -> Vec<Box> {
+    let Some(last) = line.len().checked_sub(1) else { return Vec::new() };
+    let (x, y) = line[(along * last as f64).round() as usize];
+    let (width, half) = (text_width_px(label, SIZE_PX), SIZE_PX / 2.0);
+    let at = |left: f64, top: f64| Box { left, top, right: left + width, bottom: top + SIZE_PX };
+    let (above, below) = (y - GAP_PX - SIZE_PX, y + GAP_PX);
+    vec![
+        at(x - GAP_PX - width, y - half),
+        at(x + GAP_PX, y - half),
+        at(x, above),
+        at(x - width, above),
+        at(x, below),
+        at(x - width, below),
+        at(x - width / 2.0, above - GAP_PX),
+        at(x - width / 2.0, below + GAP_PX),
+        at(x + GAP_PX, above),
+        at(x - GAP_PX - width, above),
+        at(x + GAP_PX, below),
+        at(x - GAP_PX - width, below),
+    ]
+}
+
+/// Points along a line, close to each other.
+fn probed(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut probes: Vec<(f64, f64)> = points.first().copied().into_iter().collect();
+    for pair in points.windows(2) {
+        let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
+        let steps = ((x1 - x0).hypot(y1 - y0) / PROBE_PX).ceil().max(1.0);
+        probes.extend((1..=steps as usize).map(|i| {
+            let along = i as f64 / steps;
+            (x0 + along * (x1 - x0), y0 + along * (y1 - y0))
+        }));
+    }
+    probes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FRAME: Box = Box { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
+
+    fn level(colour: usize, y: f64) -> Track<'static> {
+        let label = ["first", "second", "third"][colour];
+        Track { label, colour, points: vec![(350.0, y), (60.0, y)] }
+    }
+
+    #[test]
+    fn lines_apart_are_labelled_beside_their_ends() {
+        let placed = place(&[level(0, 50.0), level(1, 150.0)], FRAME);
+        assert_eq!(placed.iter().map(|label| label.text.as_str()).collect::<Vec<_>>(), ["first", "second"]);
+        for (label, y) in placed.iter().zip([50.0, 150.0]) {
+            assert!(label.place.right < 60.0 && label.place.top < y && label.place.bottom > y, "{label:?}");
+        }
+    }
+
+    #[test]
+    fn labels_keep_clear_of_each_other_and_of_other_lines() {
+        let tracks = [level(0, 50.0), level(1, 58.0), level(2, 66.0)];
+        let placed = place(&tracks, FRAME);
+        for (i, label) in placed.iter().enumerate() {
+            assert!(placed[..i].iter().all(|other| !label.place.overlaps(&other.place)));
+            let others = tracks.iter().filter(|track| track.colour != label.colour);
+            assert!(others.flat_map(|track| probed(&track.points)).all(|point| !label.place.holds(point)));
+        }
+        assert!(
+            !placed.iter().any(|label| label.text == "second"),
+            "no room between its neighbours: {placed:?}"
+        );
+    }
+
+    #[test]
+    fn one_label_stands_for_every_line_of_a_colour() {
+        assert_eq!(place(&[level(0, 50.0), level(0, 100.0)], FRAME).len(), 1);
+    }
+
+    #[test]
+    fn a_point_alone_is_labelled_inside_the_frame() {
+        let alone = Track { label: "first", colour: 0, points: vec![(1.0, 1.0)] };
+        let placed = place(&[alone], FRAME);
+        assert!(placed[0].place.within(&FRAME), "{placed:?}");
+    }
+}

@@ -1,0 +1,78 @@
+//! Where the data come from, and how to make the report again.
+
+use maud::{Markup, html};
+
+use super::answer::sentence;
+use super::{SceneReport, Section, per_scene};
+use crate::summary::sampling;
+
+pub(super) fn section(scenes: &[SceneReport<'_>], repeat: &str) -> Section {
+    let body = html! {
+        (per_scene(scenes, |report| Some(of(report))).unwrap_or_default())
+        p { "Made by truearea " (env!("CARGO_PKG_VERSION")) ". To make it again: " (repeat) }
+    };
+    Section { id: "provenance", title: "Data and provenance", body }
+}
+
+fn of(report: &SceneReport<'_>) -> Markup {
+    let surface = &report.scene.surface;
+    html! {
+        p { "Spectrum: " code { (surface.name) } ", " (sampling(report.results)) "." }
+        @if surface.remarks.is_empty() { p { "Its file says nothing about where it comes from." } }
+        @else {
+            p { "Its file says:" }
+            blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }
+        }
+        @for note in &surface.notes { p { (sentence(note)) } }
+    }
+}
+
+/// Text in which addresses and DOIs are links.
+fn with_links(text: &str) -> Markup {
+    html! {
+        @for (place, word) in text.split(' ').enumerate() {
+            @if place > 0 { " " }
+            (linked(word))
+        }
+    }
+}
+
+fn linked(word: &str) -> Markup {
+    let begin =
+        ["https://", "http://", "doi:", "DOI:", "10."].iter().filter_map(|start| word.find(start)).min();
+    let (before, rest) = word.split_at(begin.unwrap_or(word.len()));
+    let kept = rest.trim_end_matches(['.', ',', ';', ':', ')', ']', '>', '"', '\'']);
+    let (name, after) = rest.split_at(kept.len());
+    match address(name) {
+        Some(address) => html! { (before) a href=(address) { (name) } (after) },
+        None => html! { (word) },
+    }
+}
+
+fn address(name: &str) -> Option<String> {
+    if name.starts_with("https://") || name.starts_with("http://") {
+        return Some(name.to_owned());
+    }
+    let doi = name.trim_start_matches("doi:").trim_start_matches("DOI:");
+    // A DOI has a registrant of four digits or more and something after the slash; 10.5/2 has not.
+    let (registrant, item) = doi.strip_prefix("10.")?.split_once('/')?;
+    let digits = registrant.chars().take_while(char::is_ascii_digit).count();
+    (digits >= 4 && !item.is_empty()).then(|| format!("https://doi.org/{doi}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_and_dois_become_links() {
+        let linked = with_links("(DOI 10.57703/ce-5cz7a). See https://example.org/a?b=1, and 10.5/2 <b>")
+            .into_string();
+        assert_eq!(
+            linked,
+            "(DOI <a href=\"https://doi.org/10.57703/ce-5cz7a\">10.57703/ce-5cz7a</a>). See \
+             <a href=\"https://example.org/a?b=1\">https://example.org/a?b=1</a>, and 10.5/2 &lt;b&gt;"
+        );
+        assert!(with_links("doi:10.1000/x").into_string().contains("https://doi.org/10.1000/x"));
+    }
+}

@@ -1,0 +1,163 @@
+//! The report of a scene: whole, self-contained, and about that scene alone.
+
+mod support;
+
+use std::collections::HashSet;
+
+use roxmltree::{Document, ParsingOptions};
+use support::Bench;
+
+const STEEL: &str = r#"
+title = "Bearing ring, <ground> & honed"
+[surface]
+psd = "ring.csv"
+[material]
+youngs_modulus = "210 GPa"
+poisson_ratio = 0.3
+yield_strength = "1 GPa"
+[loads]
+pressures = ["5 MPa", "1e-2 H"]
+[[curve]]
+model = "elastic"
+[[curve]]
+model = "elastic-plastic"
+[[curve]]
+model = "ep-sphere"
+[[figure]]
+name = "spectrum"
+shows = "psd"
+[[figure]]
+name = "figure-2"
+shows = "moments"
+title = "Moments of the ring"
+[[figure]]
+name = "area"
+shows = "area"
+[[figure]]
+name = "loads"
+shows = "area-against-load"
+curves = ["ep-sphere"]
+loads = { from = "1 MPa", to = "1 GPa", points = 5 }
+cutoff_multiples = [1, 10]
+"#;
+
+/// A spectrum of a user's own, falling over five decades.
+fn ring() -> String {
+    let row = |i: i32| {
+        let wavelength_m = 1e-3 * 10f64.powf(-f64::from(i) / 6.0);
+        format!("{wavelength_m:e},{:e}\n", 3e-18 / (1.0 + (1e-4 / wavelength_m).powf(2.6)))
+    };
+    let rows: String = (0..30).map(row).collect();
+    format!("# Ground steel ring, CC BY 4.0, doi:10.1234/ring.5\nwavelength_m,C1D_m3\n{rows}")
+}
+
+fn report(bench: &Bench, scene: &str) -> String {
+    bench.write("ring.csv", ring());
+    bench.write("s.toml", scene).run(&["run", "s.toml"]).ok();
+    bench.read("s-results/report.html")
+}
+
+/// The page as a tree; it is written so that XML's stricter rules hold as well.
+fn parsed(page: &str) -> Document<'_> {
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    Document::parse_with_options(page, options).expect("well-formed")
+}
+
+#[test]
+fn a_scene_of_one_s_own_has_a_report_with_every_figure_and_section() {
+    let bench = Bench::new();
+    let page = report(&bench, STEEL);
+    let tree = parsed(&page);
+    assert!(page.len() < 2_000_000, "{}", page.len());
+    let count = |name: &str| tree.descendants().filter(|node| node.has_tag_name(name)).count();
+    assert_eq!((count("svg"), count("figcaption"), count("h1")), (4, 4, 1));
+    let sections: Vec<&str> = tree
+        .descendants()
+        .filter(|node| node.has_tag_name("section"))
+        .filter_map(|node| node.attribute("id"))
+        .collect();
+    assert_eq!(
+        sections,
+        [
+            "answer",
+            "key-numbers",
+            "decades",
+            "disagreements",
+            "figures",
+            "sensitivities",
+            "validity",
+            "choices",
+            "provenance"
+        ]
+    );
+    let text: String = tree.descendants().filter_map(|node| node.text()).collect();
+    for said in [
+        "Bearing ring, <ground> & honed",
+        "5 MPa = 1.67 × 10⁻³ H",
+        "Figure 2. Moments of the ring.",
+        "CC BY 4.0",
+    ] {
+        assert!(text.contains(said), "{said}");
+    }
+}
+
+#[test]
+fn a_report_asks_the_network_for_nothing_and_knows_only_its_scene() {
+    let bench = Bench::new();
+    let page = report(&bench, STEEL);
+    assert!(!page.to_lowercase().contains("uncd") && !page.contains("@import") && !page.contains("url(h"));
+    let tree = parsed(&page);
+    for node in tree.descendants().filter(roxmltree::Node::is_element) {
+        let name = node.tag_name().name();
+        assert!(!["script", "link", "img", "iframe", "object"].contains(&name), "{name}");
+        for attribute in node.attributes().filter(|attribute| attribute.value().contains("//")) {
+            assert_eq!((name, attribute.value()), ("a", "https://doi.org/10.1234/ring.5"));
+        }
+    }
+}
+
+#[test]
+fn a_report_can_be_read_without_seeing_it() {
+    let bench = Bench::new();
+    let page = report(&bench, STEEL);
+    let tree = parsed(&page);
+    assert_eq!(tree.root_element().attribute("lang"), Some("en"));
+    let mut ids = HashSet::new();
+    let mut level = 0;
+    for node in tree.descendants().filter(roxmltree::Node::is_element) {
+        assert!(node.attribute("id").is_none_or(|id| ids.insert(id)), "{:?} twice", node.attribute("id"));
+        match node.tag_name().name() {
+            "svg" => assert!(node.attribute("role") == Some("img") && node.has_attribute("aria-label")),
+            "th" => assert!(node.has_attribute("scope")),
+            name @ ("h1" | "h2" | "h3") => {
+                let depth = name[1..].parse::<usize>().unwrap();
+                assert!(depth <= level + 1, "{name} after h{level}");
+                level = depth;
+            }
+            _ => {}
+        }
+    }
+    let links = tree.descendants().filter_map(|node| node.attribute("href"));
+    assert!(links.filter_map(|link| link.strip_prefix('#')).all(|id| ids.contains(id)));
+}
+
+#[test]
+fn scenes_of_little_have_reports_too() {
+    let bench = Bench::new();
+    let alone = "title = \"t\"\n[surface]\npsd = \"ring.csv\"\n[[figure]]\nname = \"p\"\nshows = \"psd\"\n";
+    let page = report(&bench, alone);
+    assert!(parsed(&page).descendants().any(|node| node.has_tag_name("svg")));
+    assert!(page.contains("the scene has no curves"));
+    let elastic = STEEL.split("[[curve]]").next().unwrap().replace("yield_strength = \"1 GPa\"\n", "");
+    let elastic = elastic.replace(", \"1e-2 H\"", "") + "[[curve]]\nmodel = \"elastic\"\n";
+    let page = report(&bench, &elastic);
+    parsed(&page);
+    assert!(page.contains("5 MPa") && !page.contains(" H<"), "no unit H without a strength");
+}
+
+#[test]
+fn no_report_is_written_where_none_is_wanted() {
+    let bench = Bench::new();
+    bench.write("ring.csv", ring()).write("s.toml", STEEL).run(&["run", "s.toml", "--no-report"]).ok();
+    assert!(!bench.path("s-results/report.html").exists());
+}
