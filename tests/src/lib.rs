@@ -1,8 +1,21 @@
-//! What the cross-crate tests share: reference tables, golden curves, and how far results lie from them.
+//! What the cross-crate tests share: reference tables, golden curves, pictures, and how far results lie from them.
+//!
+//! ```
+//! use tests::{Deviations, ReferenceTable};
+//!
+//! let table = ReferenceTable::committed("sphere.csv");
+//! let (radii_m, interferences_m) = (table.numbers("radius_m"), table.numbers("interference_m"));
+//! let mut deviations = Deviations::default();
+//! for ((radius_m, w_m), area_m2) in radii_m.iter().zip(interferences_m).zip(table.numbers("hertz_area_m2")) {
+//!     deviations.note(std::f64::consts::PI * radius_m * w_m, area_m2);
+//! }
+//! deviations.assert_within("Hertz's area", 1e-15, 1e-15);
+//! ```
 #![deny(missing_docs)]
 
 mod differences;
 pub mod golden;
+pub mod pictures;
 mod reference;
 
 pub use differences::write_differences;

@@ -1,5 +1,6 @@
-//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`.
+//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`, `cargo xtask docs`.
 
+mod docs;
 mod golden;
 mod reproduce;
 
@@ -10,17 +11,20 @@ use lexopt::prelude::*;
 const HELP: &str = "\
 cargo xtask reproduce          the paper's figures as tables and SVG, under target/reproduce
 cargo xtask golden [--accept]  how far every golden curve has moved; --accept rewrites those that have
+cargo xtask docs [--check]     draws the pictures of docs/; --check only tells which of the committed ones differ
 ";
 
 enum Task {
     Reproduce,
     Golden { accept: bool },
+    Docs { check: bool },
 }
 
 fn main() -> ExitCode {
     match parse() {
         Ok(Some(Task::Reproduce)) => reproduce::run(),
         Ok(Some(Task::Golden { accept })) => golden::run(accept),
+        Ok(Some(Task::Docs { check })) => docs::run(check),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -39,6 +43,8 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
         match (arg, &mut task) {
             (Value(name), None) if name == "reproduce" => task = Some(Task::Reproduce),
             (Value(name), None) if name == "golden" => task = Some(Task::Golden { accept: false }),
+            (Value(name), None) if name == "docs" => task = Some(Task::Docs { check: false }),
+            (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
             (arg, _) => return Err(arg.unexpected()),

@@ -38,8 +38,9 @@ const ROWS: usize = 22;
 const FIRST: f64 = SOLVED[0].0;
 const LAST: f64 = SOLVED[ROWS - 1].0;
 
-/// A sinusoidal surface in elastic contact with a flat, interpolated between boundary-element solutions: monotone cubics
-/// of the logarithms of the area fraction and of deformation over gap, against that of the pressure.
+/// A sinusoidal surface in elastic contact with a flat (`docs/models.md`, section 3.3), interpolated between 22
+/// boundary-element solutions: monotone cubics of the logarithms of the area fraction and of deformation over gap,
+/// against that of the pressure.
 ///
 /// Below the first solution, at p* 1e-4, both are Hertz's, times a factor 1 + c (p/p*)^(1/3) that meets it: the neighbours
 /// push the surface down in proportion to p, w is of the order of p^(2/3), and the second solution confirms c to 0.1 % of

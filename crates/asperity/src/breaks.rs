@@ -1,9 +1,10 @@
 //! Where a law is not smooth: what a quadrature over it must not step across.
 
-/// A kink or a jump of a law, at one value of its variable (an interference in m, or a pressure in Pa).
+/// A kink or a jump of a law, at one value of its variable (an interference in m, or a pressure in Pa, as the law's own
+/// documentation says). A quadrature ends a panel there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Break {
-    /// The value of the law's variable.
+    /// The value of the law's variable \[m or Pa\], above 0.
     pub at: f64,
     /// What happens there, in the law's own words.
     pub what: &'static str,

@@ -10,7 +10,8 @@ use crate::{Break, ElasticSinusoid, MaterialPair};
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.
 pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
 
-/// A sinusoidal surface, of one aspect ratio and strength, in contact with a flat.
+/// A sinusoidal surface, of one aspect ratio and strength, in contact with a flat: Krithivasan & Jackson (2007), as in
+/// `docs/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
 ///
 /// It is elastic where its aspect ratio is at most the critical one, and below the critical pressure p_c; elsewhere
 /// plastic flow lowers the pressure of complete contact and raises the area.
@@ -70,7 +71,8 @@ impl ElasticPlasticSinusoid {
         self.critical_aspect_ratio
     }
 
-    /// r = B/B_c.
+    /// r = B/B_c >= 0; at most 1 is elastic, and above
+    /// [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`] results are not to be trusted.
     pub fn aspect_ratio_over_critical(&self) -> f64 {
         self.aspect_ratio_over_critical
     }
@@ -81,7 +83,8 @@ impl ElasticPlasticSinusoid {
         self.complete_contact_pressure_pa
     }
 
-    /// Mean pressure p_c \[Pa\] of first yield, where r > 1.
+    /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It counts only
+    /// where r > 1.
     pub fn critical_pressure_pa(&self) -> f64 {
         self.critical_pressure_pa
     }
@@ -91,8 +94,9 @@ impl ElasticPlasticSinusoid {
         self.aspect_ratio_over_critical > 1.0 && pressure_pa > self.critical_pressure_pa
     }
 
-    /// Fraction of the nominal area in contact, in (0, 1], at the mean pressure p > 0 \[Pa\]. It steps up by up to 4 % at
-    /// the critical pressure.
+    /// Fraction of the nominal area in contact, in (0, 1\], at the mean pressure p > 0 \[Pa\]: the elastic one for r <=
+    /// 1 and up to p_c, else min(1, phi_p (1 - x^1.51) + phi_2 x^1.04), x = p/p*_ep < 1, and 1 from there on. The
+    /// published fit is held at 1, and steps up by up to 4 % at the critical pressure.
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
             return self.elastic.area_fraction(pressure_pa);
@@ -107,8 +111,10 @@ impl ElasticPlasticSinusoid {
         (light + heavy).min(1.0)
     }
 
-    /// Mean gap over amplitude g/Delta in \[0, 1) at the mean pressure p > 0 \[Pa\] (Rostami & Jackson 2013; Jackson &
-    /// Jacobs, Eqs. 9-12). It jumps at the critical pressure.
+    /// Mean gap over amplitude g/Delta = (1 - x^(A1 x + A2))^(5/2) in \[0, 1), x = p/p*_ep, at the mean pressure p > 0
+    /// \[Pa\] (Rostami & Jackson 2013; Jackson & Jacobs, Eqs. 9-12); the elastic one for r <= 1 and up to p_c. It jumps
+    /// at the critical pressure, upwards, by the share of the deformation that
+    /// [`deformation_breaks`](Self::deformation_breaks) tells.
     pub fn mean_gap_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
             return self.elastic.mean_gap_over_amplitude(pressure_pa);

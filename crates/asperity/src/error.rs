@@ -55,13 +55,13 @@ fn short(value: f64) -> String {
     if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
-/// A quantity outside the range in which the laws make sense.
+/// A quantity outside the range in which the laws make sense; its message names quantity, value and bound.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{quantity} is {}; it must be {bound}", short(*.value))]
 pub struct AsperityError {
     /// What was being given, with its unit.
     pub quantity: &'static str,
-    /// The value given.
+    /// The value given, in that unit.
     pub value: f64,
     /// What it must satisfy.
     pub bound: Bound,

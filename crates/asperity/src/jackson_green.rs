@@ -18,7 +18,8 @@ pub enum Hardness {
     #[default]
     #[serde(rename = "2005")]
     JacksonGreen2005,
-    /// 2.84 - 0.92 [1 - cos(pi a/R)].
+    /// 2.84 - 0.92 [1 - cos(pi a/R)]: up to 2 % above the other for small contacts, below it from a/R = 0.36 on (1.00
+    /// against 1.59 at a/R = 1).
     #[serde(rename = "cosine")]
     Cosine,
 }
@@ -43,7 +44,12 @@ impl Hardness {
     }
 }
 
-/// A sphere that yields, pressed by a flat to an interference.
+/// A sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in `docs/models.md`,
+/// section 2.2.
+///
+/// Hertz's below 1.9 w_c, fitted to finite elements above, for contact radii up to 0.41 R and Sy/E* up to 0.01 or so
+/// ([`in_fitted_range`](Self::in_fitted_range)); evaluated for every w >= 0, a/R being held at 1. With w' = w/w_c and
+/// C = 1.295 exp(0.736 nu).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JacksonGreen {
     hertz: Hertz,
@@ -76,7 +82,7 @@ impl JacksonGreen {
         }
     }
 
-    /// Interference at first yield, w_c = (pi C Sy/(2 E*))^2 R \[m\].
+    /// Interference at first yield, w_c = (pi C Sy/(2 E*))^2 R \[m\]; infinite for an infinite strength.
     pub fn critical_interference_m(&self) -> f64 {
         self.critical_interference_m
     }
@@ -86,7 +92,11 @@ impl JacksonGreen {
         YIELD_INTERFERENCE_RATIO * self.critical_interference_m
     }
 
-    /// Force F \[N\] at the interference w >= 0 \[m\]. It jumps at 1.9 w_c, downwards for nu > 0.32 or so when Sy is small against E*.
+    /// Force F \[N\] at the interference w >= 0 \[m\]: Hertz's below 1.9 w_c, and from there on
+    /// P_c {exp(-w'^(5/12)/4) w'^(3/2) + 4 H_G/(C Sy) \[1 - exp(-w'^(5/9)/25)\] w'}, P_c = (2/3) C Sy pi R w_c.
+    ///
+    /// It jumps at 1.9 w_c, downwards for nu > 0.32 or so when Sy is small against E* ([`breaks`](Self::breaks) tells
+    /// by how much), and is not capped with the area.
     pub fn force_n(&self, interference_m: f64) -> f64 {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
@@ -95,8 +105,9 @@ impl JacksonGreen {
         }
     }
 
-    /// Contact area A = A_c w' (w'/1.9)^b \[m^2\] at the interference w >= 0 \[m\], Hertz's below 1.9 w_c, and never more
-    /// than the sphere's cross-section pi R^2 (Jackson & Jacobs), on Hertz's branch too. Continuous.
+    /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
+    /// \[m\], Hertz's below 1.9 w_c, and never more than the sphere's cross-section pi R^2 (Jackson & Jacobs), on
+    /// Hertz's branch too. Continuous.
     pub fn area_m2(&self, interference_m: f64) -> f64 {
         let area_m2 = self.hertz.area_m2(interference_m) * self.area_over_hertz(interference_m);
         area_m2.min(PI * self.radius_m * self.radius_m)

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 use crate::error::{AsperityError, Bound};
 
-/// An isotropic elastic body.
+/// An isotropic elastic body; its values were checked when it was made.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct ElasticBody {
     youngs_modulus_pa: f64,
@@ -26,12 +26,12 @@ impl ElasticBody {
         })
     }
 
-    /// Young's modulus E \[Pa\].
+    /// Young's modulus E \[Pa\], above 0.
     pub fn youngs_modulus_pa(&self) -> f64 {
         self.youngs_modulus_pa
     }
 
-    /// Poisson's ratio nu.
+    /// Poisson's ratio nu, in (-1, 0.5\].
     pub fn poisson_ratio(&self) -> f64 {
         self.poisson_ratio
     }
@@ -54,12 +54,12 @@ pub struct MaterialPair {
 }
 
 impl MaterialPair {
-    /// The body against a rigid counterface, which adds nothing to the compliance.
+    /// The body against a rigid counterface, which adds nothing to the compliance: E* = E/(1 - nu^2).
     pub fn against_rigid(body: ElasticBody) -> Self {
         Self::with_composite_modulus(body, body.plane_strain_modulus_pa())
     }
 
-    /// The body against an elastic counterface: 1/E* = sum (1 - nu^2)/E. Only the body yields.
+    /// The body against an elastic counterface: 1/E* = sum (1 - nu^2)/E over both. Only the body yields.
     pub fn against(body: ElasticBody, counterface: ElasticBody) -> Self {
         let (first, second) = (body.plane_strain_modulus_pa(), counterface.plane_strain_modulus_pa());
         Self::with_composite_modulus(body, 1.0 / (1.0 / first + 1.0 / second))
@@ -80,7 +80,7 @@ impl MaterialPair {
         self.body
     }
 
-    /// Composite modulus E* \[Pa\].
+    /// Composite modulus E* \[Pa\], finite and above 0 for bodies whose moduli are.
     pub fn composite_modulus_pa(&self) -> f64 {
         self.composite_modulus_pa
     }

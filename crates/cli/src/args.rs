@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use asperity::Hardness;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand};
+use clap_complete::Shell;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use stat_contact::{InterferenceLaw, Model};
 
@@ -130,6 +131,29 @@ Example:
         /// Which one: an empty one to fill in, or UNCD
         template: Template,
     },
+    /// Print what a shell needs to complete commands and options
+    #[command(after_help = "\
+Examples:
+  truearea completions bash --output ~/.local/share/bash-completion/completions/truearea
+  truearea completions fish --output ~/.config/fish/completions/truearea.fish
+  source <(truearea completions zsh)")]
+    Completions {
+        /// Which shell
+        shell: Shell,
+    },
+    /// Write manual pages: one for the program, one for each command
+    #[command(after_help = "\
+Examples:
+  truearea man --out ~/.local/share/man/man1
+  man -l man/truearea-stacked.1")]
+    Man(ManArgs),
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct ManArgs {
+    /// The folder for the pages, made where absent
+    #[arg(long, value_name = "DIR", default_value = "man")]
+    pub out: PathBuf,
 }
 
 /// Options named once for every command.

@@ -101,11 +101,11 @@ const SINUSOID_RANGE: &str = "B/B_c <= 100, up to which the elastic-plastic sinu
 /// The laws by the names of their tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AsperityTable {
-    /// A sphere at an interference.
+    /// A sphere at an interference (`docs/models.md`, sections 2.1 and 2.2).
     Sphere,
-    /// A sinusoid at a mean pressure.
+    /// A sinusoid at a mean pressure (sections 2.3 to 2.5).
     Sinusoid,
-    /// A sinusoid pressed to an interference.
+    /// A sinusoid pressed to an interference (section 2.6).
     SinusoidInterference,
 }
 
@@ -119,7 +119,8 @@ impl AsperityTable {
         }
     }
 
-    /// Sets the result columns of a table from its input columns; yields a note where rows lie beyond the law's range.
+    /// Sets the result columns of a table from its input columns, against a counterface or a rigid one where absent;
+    /// yields a note where rows lie beyond the law's range.
     ///
     /// # Errors
     /// [`Failure::Input`] for a missing column, or listing the first bad cells with line, column, value and bound.

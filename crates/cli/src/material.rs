@@ -35,7 +35,7 @@ pub struct GivenMaterial {
     pub yield_strength: Option<Pressure>,
     /// The cap of its growth.
     pub strength_cap: Option<Pressure>,
-    /// h* \[m\].
+    /// h* \[m\], the strain-gradient length of Eq. (8).
     pub strain_gradient_length_m: Option<f64>,
 }
 
@@ -130,12 +130,12 @@ impl Material {
         }
     }
 
-    /// The hardness H = 3 S0 \[Pa\], where there is a strength.
+    /// The hardness H = 3 S0 \[Pa\], a unit for pressures (Jackson & Jacobs), where there is a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
         Some(HARDNESS_OVER_STRENGTH * self.yield_strength?.pascals(None)?)
     }
 
-    /// The material in a line, for the record; what presses on the body shows in E*.
+    /// The material in a line, in SI units, for the record; what presses on the body shows in E*.
     pub fn describe(&self) -> String {
         let body = self.pair.body();
         let mut text = format!(
@@ -174,19 +174,20 @@ impl Material {
         properties
     }
 
-    /// A pressure \[Pa\], in units of the hardness or not.
+    /// A pressure > 0 \[Pa\], in units of the hardness or not.
     ///
     /// # Errors
-    /// [`MaterialError::NoHardness`].
+    /// [`MaterialError::NoHardness`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is
+    /// not finite and positive.
     pub fn pascals(&self, pressure: Pressure) -> Result<f64, MaterialError> {
         let pressure_pa = pressure.pascals(self.hardness_pa()).ok_or(MaterialError::NoHardness)?;
         Ok(Bound::Positive.check("pressure in Pa", pressure_pa)?)
     }
 
-    /// The stacked model of this name for this material.
+    /// The stacked model of this name for this material; `strain_gradient` lets its strength grow at small depths.
     ///
     /// # Errors
-    /// [`MaterialError`] where the model needs what the material lacks.
+    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
     pub fn stacked(
         &self,
         name: StackedModelName,
@@ -201,10 +202,11 @@ impl Material {
         }
     }
 
-    /// The statistical law of this model for this material.
+    /// The statistical law of this model for this material; `strain_gradient` lets its strength grow at small depths,
+    /// and the options that the law does not have are not looked at.
     ///
     /// # Errors
-    /// [`MaterialError`] where the model needs what the material lacks.
+    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
     pub fn statistical(
         &self,
         model: Model,
@@ -232,10 +234,11 @@ impl Material {
     }
 }
 
-/// A strength S0 \[Pa\], growing with a strain-gradient length \[m\] where there is one, up to a cap where there is one.
+/// A strength S0 > 0 \[Pa\], growing with a strain-gradient length > 0 \[m\] where there is one (Eq. 8), up to a cap,
+/// at least S0, where there is one.
 ///
 /// # Errors
-/// [`AsperityError`] for what is out of bounds.
+/// [`AsperityError`] for what is out of these bounds.
 pub fn strength(
     strength_pa: f64,
     length_m: Option<f64>,

@@ -73,9 +73,9 @@ pub struct Load {
 pub struct LoadSweep {
     /// Which of the curves, by index.
     pub curve: usize,
-    /// The cutoff, in multiples of the shortest wavelength.
+    /// The cutoff, in multiples (at least 1) of the shortest wavelength that takes part.
     pub cutoff_multiple: f64,
-    /// The nominal pressures \[Pa\].
+    /// The nominal pressures > 0 \[Pa\].
     pub pressures_pa: Vec<f64>,
 }
 
@@ -88,13 +88,13 @@ pub struct Needs {
     pub asperities: bool,
     /// Amplitudes; stacked curves always need them.
     pub amplitudes: Option<AmplitudeDefinition>,
-    /// The self-affine fit, to the wavelengths \[m\] between these.
+    /// The self-affine fit, to the wavelengths \[m\] between these, the shorter first; 0 and infinity leave an end open.
     pub fit_band_m: Option<(f64, f64)>,
     /// Curves against cutoff, each under every load.
     pub curves: Vec<Curve>,
     /// The loads.
     pub loads: Vec<Load>,
-    /// Separations \[m\] at which statistical curves are wanted besides the loads.
+    /// Separations \[m\], of either sign, at which statistical curves are wanted besides the loads.
     pub separations_m: Vec<f64>,
     /// Statistical curves against load.
     pub sweeps: Vec<LoadSweep>,
@@ -117,7 +117,7 @@ impl Tolerance {
         Self::BOUND.check("tolerance", tolerance).map(Tolerance)
     }
 
-    /// As a number.
+    /// As a number, in (0, 0.01\].
     pub fn value(self) -> f64 {
         self.0
     }
@@ -230,7 +230,8 @@ impl Plan<'_> {
     /// Carries the plan out. Curves and loads run in parallel; the digits do not depend on the number of threads.
     ///
     /// # Errors
-    /// [`PlanError`].
+    /// [`PlanError`] where the cutoff leaves no scale, the resampled spectrum would be too large, a fit has too few
+    /// samples, or a value lies outside its bounds.
     pub fn compute(&self) -> Result<Results, PlanError> {
         self.compute_observed(&|| ())
     }
@@ -238,7 +239,7 @@ impl Plan<'_> {
     /// The same, with a call of `observe` after each statistical state, from any thread.
     ///
     /// # Errors
-    /// [`PlanError`].
+    /// Those of [`compute`](Self::compute).
     pub fn compute_observed(&self, observe: &(dyn Fn() + Sync)) -> Result<Results, PlanError> {
         let sampled = self.sampled()?;
         let psd = match self.sampling.cutoff_m {
@@ -426,6 +427,9 @@ impl CurveResult {
     }
 
     /// A block as points of wavelength \[m\] and area fraction; cutoffs without asperities have none.
+    ///
+    /// # Panics
+    /// Unless `block` is below [`blocks`](Self::blocks).
     pub fn area_fractions(&self, block: usize) -> Vec<(f64, f64)> {
         match self {
             CurveResult::Stacked(blocks) => {

@@ -8,7 +8,8 @@ use crate::failure::Failure;
 use crate::output::{Place, utf8};
 use crate::table::{Format, InputTable};
 
-/// Spectra that come with the program, under the names by which they are asked for.
+/// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
+/// and licence stand in their comments.
 pub const BUILTIN: [(&str, &str); 2] = [
     ("builtin:uncd-measured", include_str!("../../../data/uncd_psd_measured.csv")),
     ("builtin:uncd-reconstructed", include_str!("../../../data/uncd_psd_reconstructed.csv")),

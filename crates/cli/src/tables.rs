@@ -7,7 +7,8 @@ use stat_contact::ContactState;
 use crate::plan::{CurveResult, CutoffState, Load, Results};
 use crate::table::Table;
 
-/// Moments and McCool's parameters: a row per wavelength; the first has no interval yet and empty cells.
+/// Moments and McCool's parameters (Jackson & Jacobs, Eqs. 1, 3, 4), in SI units: a row per wavelength; the first has
+/// no interval yet and empty cells.
 pub fn moments(results: &Results) -> Table {
     let none_yet = std::iter::once(None);
     let rows = || none_yet.clone().chain(results.moments.iter().map(Some));
@@ -30,7 +31,7 @@ pub fn moments(results: &Results) -> Table {
         .with_numbers("nayak_alpha", parameter(|p| p.nayak_alpha))
 }
 
-/// Amplitude and aspect ratio: a row per wavelength.
+/// Amplitude \[m\] and aspect ratio (Jackson & Jacobs, Eq. 5): a row per wavelength.
 pub fn amplitude(results: &Results) -> Table {
     let scales = &results.scales;
     Table::default()
@@ -39,7 +40,7 @@ pub fn amplitude(results: &Results) -> Table {
         .with_numbers("aspect_ratio", scales.iter().map(stacked_contact::Scale::aspect_ratio))
 }
 
-/// The self-affine fit: one row.
+/// The self-affine fit, lengths in m: one row, its cells empty where nothing could be identified.
 pub fn fit(results: &Results) -> Table {
     let fit = results.fit.as_ref();
     let rolloff = fit.and_then(|fit| fit.rolloff);
@@ -54,7 +55,8 @@ pub fn fit(results: &Results) -> Table {
         .with_numbers("points", [fit.map(|fit| fit.points as f64)])
 }
 
-/// A curve against cutoff, block after block.
+/// A curve against cutoff, block after block, a block per load (and per separation); `details` appends how each row was
+/// found.
 pub fn curve(curve: &CurveResult, loads: &[Load], details: bool) -> Table {
     match curve {
         CurveResult::Stacked(blocks) => stacked(blocks, loads, details),

@@ -15,6 +15,8 @@ fn every_command_shows_an_example() {
         &["run"],
         &["scene"],
         &["statistical"],
+        &["completions"],
+        &["man"],
         &["asperity"],
         &["asperity", "sphere"],
         &["asperity", "sinusoid"],
@@ -50,4 +52,66 @@ fn a_closed_pipe_ends_quietly() {
             .unwrap();
         assert!(status.success(), "{format}");
     }
+}
+
+/// The commands that `--help` lists.
+const COMMANDS: [&str; 10] = [
+    "asperity",
+    "moments",
+    "amplitude",
+    "stacked",
+    "statistical",
+    "fit",
+    "run",
+    "scene",
+    "completions",
+    "man",
+];
+
+#[test]
+fn every_shell_completes_every_command() {
+    let bench = Bench::new();
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = bench.run(&["completions", shell]).ok();
+        for word in COMMANDS.iter().chain(&["sinusoid-interference", "youngs-modulus", "elastic-plastic"]) {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+        bench.run(&["completions", shell, "--output", "script"]).ok();
+        assert_eq!(bench.read("script"), script);
+    }
+    assert!(bench.run(&["completions", "tcsh"]).refused().contains("possible values: bash, elvish"));
+}
+
+#[cfg(unix)]
+#[test]
+fn bash_takes_the_completions_and_completes_a_model() {
+    let script = format!(
+        "source <({} completions bash) && COMP_WORDS=(truearea stacked --model elastic-) COMP_CWORD=3 \
+         && _truearea truearea elastic- --model && echo \"${{COMPREPLY[@]}}\"",
+        env!("CARGO_BIN_EXE_truearea")
+    );
+    let output = std::process::Command::new("bash").args(["-c", &script]).output().unwrap();
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), "elastic-plastic\n", "{:?}", output.stderr);
+}
+
+#[test]
+fn every_command_has_a_manual_page_with_its_example() {
+    let bench = Bench::new();
+    let said = bench.run(&["man", "--out", "pages"]).ok();
+    assert!(said.contains(" pages in pages: truearea.1, "), "{said}");
+    let below = COMMANDS.map(|command| format!("-{command}"));
+    let laws = ["sphere", "sinusoid", "sinusoid-interference"].map(|law| format!("-asperity-{law}"));
+    for page in below.iter().chain(&laws).map(String::as_str).chain([""]) {
+        let text = bench.read(&format!("pages/truearea{page}.1"));
+        // roff takes a plain hyphen for one that may break a line.
+        let (head, examples) = text.split_once(".SH EXAMPLES\n").unwrap_or_else(|| panic!("{page}: {text}"));
+        assert!(head.contains(".SH NAME") && head.contains(".SH SYNOPSIS"), "{page}");
+        assert!(examples.contains("\n  truearea ") || examples.contains("\n  man "), "{page}: {examples}");
+    }
+    let stacked = bench.read("pages/truearea-stacked.1");
+    assert!(stacked.contains("\\-\\-pressure 5.4MPa \\-\\-pressure 1e\\-2H"), "{stacked}");
+    // Written again over the first ones; a folder that cannot be made is the system's fault.
+    bench.run(&["man", "--out", "pages"]).ok();
+    bench.write("file", "");
+    assert_eq!(bench.run(&["man", "--out", "file/pages"]).status, 1);
 }

@@ -33,18 +33,55 @@ named!(Convention, "convention", {
     C1D => "c1d", W1 => "w1", Frequency => "frequency", Ciso => "ciso", Persson => "persson",
 });
 
-/// A conversion that no pointwise factor performs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error(
-    "converting a spectrum from {from} (m^{}) to {to} (m^{}): no factor does this, because the Abel integral \
-     between line and area spectra needs the spectrum beyond the last sample; export the '1D PSD along x' instead",
-    from.metre_power(), to.metre_power()
-)]
-pub struct ConversionError {
-    /// The convention of the data.
-    pub from: Convention,
-    /// The convention asked for.
-    pub to: Convention,
+/// A conversion that fails.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ConversionError {
+    /// Between line and area spectra, where no pointwise factor exists.
+    #[error(
+        "converting values of a spectrum from {from} (m^{}) to {to} (m^{}): no factor does this; convert the whole \
+         spectrum, by the Abel integral over its samples",
+        from.metre_power(), to.metre_power()
+    )]
+    NoFactor {
+        /// The convention of the data.
+        from: Convention,
+        /// The convention asked for.
+        to: Convention,
+    },
+    /// Fewer than three samples for the Abel integral, which drops the last.
+    #[error(
+        "converting a spectrum from {from} (m^{}) to {to} (m^{}): the number of samples is {samples}, it must be at \
+         least 3, as the Abel integral between line and area spectra ends one sample earlier; give more of the \
+         spectrum",
+        from.metre_power(), to.metre_power()
+    )]
+    TooFewSamples {
+        /// The convention of the data.
+        from: Convention,
+        /// The convention asked for.
+        to: Convention,
+        /// Number of samples.
+        samples: usize,
+    },
+    /// An Abel integral that is no spectrum: a C1D that rises with the wavevector belongs to no isotropic surface,
+    /// and numbers near the limits of doubles overflow.
+    #[error(
+        "converting a spectrum from {from} (m^{}) to {to} (m^{}): at the wavelength {wavelength_m:e} m the Abel \
+         integral is {value:e}, it must be finite and above 0; smooth the spectrum, or cut it where it stops falling \
+         with the wavevector",
+        from.metre_power(), to.metre_power()
+    )]
+    NotPositive {
+        /// The convention of the data.
+        from: Convention,
+        /// The convention asked for.
+        to: Convention,
+        /// Wavelength in m.
+        wavelength_m: f64,
+        /// The integral, in the unit of the reference convention (C1D in m^3 or Ciso in m^4).
+        value: f64,
+    },
 }
 
 impl Convention {
@@ -59,14 +96,14 @@ impl Convention {
     /// The dimensionless factor that turns values of this convention into values of `to`.
     ///
     /// # Errors
-    /// [`ConversionError`] between a profile and an area convention.
+    /// [`ConversionError::NoFactor`] between a profile and an area convention; [`crate::Psd::to`] converts those.
     pub fn factor_to(self, to: Self) -> Result<f64, ConversionError> {
         if self == to {
             Ok(1.0)
         } else if self.metre_power() == to.metre_power() {
             Ok(to.per_reference() / self.per_reference())
         } else {
-            Err(ConversionError { from: self, to })
+            Err(ConversionError::NoFactor { from: self, to })
         }
     }
 
@@ -101,13 +138,12 @@ mod tests {
     }
 
     #[test]
-    fn profile_and_area_conventions_are_not_converted_into_each_other() {
+    fn no_factor_joins_profile_and_area_conventions() {
         let error = Convention::Ciso.factor_to(Convention::C1D).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "converting a spectrum from ciso (m^4) to c1d (m^3): no factor does this, because the Abel integral \
-             between line and area spectra needs the spectrum beyond the last sample; export the '1D PSD along x' \
-             instead"
+            "converting values of a spectrum from ciso (m^4) to c1d (m^3): no factor does this; convert the whole \
+             spectrum, by the Abel integral over its samples"
         );
         for &from in Convention::ALL {
             for &to in Convention::ALL {

@@ -20,11 +20,16 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
-//! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
+//! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a [`Scan`], on the bins of its own length, with the
+//!   [`ReliableBand`] it holds in;
+//! * [`Composite`]: one spectrum from many measurements;
+//! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does
-//! not convert between one- and two-dimensional spectra, which no sampled spectrum determines.
+//! What it does not do: it opens no paths, and prints nothing. Between
+//! one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows nothing of the
+//! surface beyond them.
 
+mod abel;
 mod amplitude;
 mod approximate;
 mod convention;
@@ -37,6 +42,7 @@ mod psd;
 mod read;
 mod scan;
 mod self_affine_fit;
+mod transform;
 
 pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
 pub use convention::{Convention, ConversionError};
@@ -45,6 +51,17 @@ pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments
 pub use named::UnknownName;
 pub use profile::ProfilePsd;
 pub use psd::{Psd, PsdError};
-pub use read::{Abscissa, Field, PsdFile, ReadError, ReadOptions, read_psd};
+pub use read::{
+    Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
+    WorkbookError, read_psd, series_names,
+};
 pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
+pub use transform::{
+    ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, BinMean, Boundary, Composite,
+    CompositeBin, CompositeOptions, DerivativeOf, Detrend, LineSpectrum, LineSums, MapLines, Overlap,
+    Preparation, RadialBin, ReliableBand, RmsDerivatives, Superposition, TransformError, Window,
+    areal_spectrum, composite, fundamental_kept, line_spectrum, log_binned, map_line_spectrum,
+    nonuniform_line_spectrum, nonuniform_line_spectrum_to, overlaps, real_space_derivatives, superpose,
+    tip_cutoff_m, uniform_line_spectrum,
+};

@@ -9,17 +9,25 @@ use crate::interval::{Interval, Sample, ln_ratio};
 /// A sampled one-dimensional power spectrum C1D in m^3, sigma^2 = (1/pi) Int_0^inf C1D dq, which is a power
 /// law of the wavevector between neighbouring samples (a straight line in log-log axes).
 ///
-/// At least one sample; wavelengths strictly from long to short; every number finite and above 0.
+/// At least one sample; wavelengths strictly from long to short; every number finite and above 0. The standard errors
+/// of the values are kept where the source has them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProfilePsd {
     wavelengths_m: Vec<f64>,
     c1d_m3: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    standard_errors_m3: Option<Vec<Option<f64>>>,
 }
 
 impl ProfilePsd {
     /// Samples that already are what the type promises.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Self {
-        Self { wavelengths_m, c1d_m3 }
+        Self { wavelengths_m, c1d_m3, standard_errors_m3: None }
+    }
+
+    /// The same spectrum with standard errors that already are one for each value.
+    pub(crate) fn with_standard_errors(self, standard_errors_m3: Option<Vec<Option<f64>>>) -> Self {
+        Self { standard_errors_m3, ..self }
     }
 
     /// Wavelengths in m, from long to short.
@@ -30,6 +38,12 @@ impl ProfilePsd {
     /// Spectrum C1D in m^3, one value for each wavelength.
     pub fn c1d_m3(&self) -> &[f64] {
         &self.c1d_m3
+    }
+
+    /// Standard errors of C1D in m^3, one for each value, `None` where one is unknown; none at all where no value has
+    /// one.
+    pub fn standard_errors_m3(&self) -> Option<&[Option<f64>]> {
+        self.standard_errors_m3.as_deref()
     }
 
     /// Number of samples, at least 1.
@@ -63,8 +77,8 @@ impl ProfilePsd {
     /// least 2.
     ///
     /// Both ends are kept exactly. Kinks of the piecewise power law between the new points are lost, so
-    /// moments of the result differ from those of the original. A spectrum of one sample is returned as it
-    /// is.
+    /// moments of the result differ from those of the original; standard errors, which belong to the samples, are
+    /// dropped. A spectrum of one sample is returned as it is.
     pub fn resampled(&self, scales_per_decade: NonZeroU32) -> Self {
         let (longest_m, shortest_m) = (self.longest_wavelength_m(), self.shortest_wavelength_m());
         if self.len() == 1 {
@@ -85,7 +99,7 @@ impl ProfilePsd {
         }
         wavelengths_m.push(shortest_m);
         c1d_m3.push(self.c1d_m3[self.len() - 1]);
-        Self { wavelengths_m, c1d_m3 }
+        Self::from_samples(wavelengths_m, c1d_m3)
     }
 
     /// The samples at wavelengths from the cutoff (in m) up; `None` where the cutoff lies above all of them
@@ -95,6 +109,7 @@ impl ProfilePsd {
         (kept > 0).then(|| Self {
             wavelengths_m: self.wavelengths_m[..kept].to_vec(),
             c1d_m3: self.c1d_m3[..kept].to_vec(),
+            standard_errors_m3: self.standard_errors_m3.as_ref().map(|errors| errors[..kept].to_vec()),
         })
     }
 

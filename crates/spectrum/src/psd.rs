@@ -3,16 +3,21 @@
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::abel::{area_of_profile, profile_of_area};
 use crate::convention::{Convention, ConversionError};
 use crate::profile::ProfilePsd;
 
 /// A sampled power spectrum: at least two wavelengths, finite and above 0, from long to short without
-/// repeats, and as many finite values above 0 in the stated convention.
+/// repeats, and as many finite values above 0 in the stated convention; perhaps the standard errors of the
+/// values.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Psd {
     wavelengths_m: Vec<f64>,
     values: Vec<f64>,
     convention: Convention,
+    /// Options rather than NaN, so that equal spectra compare equal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    standard_errors: Option<Vec<Option<f64>>>,
 }
 
 /// Samples that make no power spectrum. Rows are counted from 1 in the order given.
@@ -58,6 +63,27 @@ pub enum PsdError {
         /// The wavelength in m.
         wavelength_m: f64,
     },
+    /// Not one standard error for each value.
+    #[error(
+        "building a spectrum: the number of standard errors is {errors}, that of values {values}; give one, or none, \
+         for each value"
+    )]
+    StandardErrorCount {
+        /// Number of standard errors.
+        errors: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// A standard error that is no finite number from 0 up.
+    #[error(
+        "building a spectrum: the standard error in row {row} is {value}, it must be finite and at least 0"
+    )]
+    BadStandardError {
+        /// Row.
+        row: usize,
+        /// Standard error in the unit of the convention.
+        value: f64,
+    },
 }
 
 impl Psd {
@@ -87,23 +113,76 @@ impl Psd {
             return Err(PsdError::RepeatedWavelength { wavelength_m: pair[0].0 });
         }
         let (wavelengths_m, values) = rows.into_iter().unzip();
-        Ok(Self { wavelengths_m, values, convention })
+        Ok(Self::from_samples(wavelengths_m, values, convention))
     }
 
     /// Samples that already are what the type promises.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, values: Vec<f64>, convention: Convention) -> Self {
-        Self { wavelengths_m, values, convention }
+        Self { wavelengths_m, values, convention, standard_errors: None }
+    }
+
+    /// The same spectrum with the standard errors of its values, in their unit: one for each sample, in the order
+    /// of [`Psd::wavelengths_m`], `None` where it is unknown.
+    ///
+    /// # Errors
+    /// [`PsdError::StandardErrorCount`], and [`PsdError::BadStandardError`] for one that is not finite or below 0.
+    pub fn with_standard_errors(self, errors: Vec<Option<f64>>) -> Result<Self, PsdError> {
+        if errors.len() != self.len() {
+            return Err(PsdError::StandardErrorCount { errors: errors.len(), values: self.len() });
+        }
+        let is_bad = |error: &Option<f64>| error.is_some_and(|error| !(error.is_finite() && error >= 0.0));
+        if let Some(row) = errors.iter().position(is_bad) {
+            return Err(PsdError::BadStandardError { row: row + 1, value: errors[row].unwrap_or(f64::NAN) });
+        }
+        Ok(self.with_checked_standard_errors(errors))
+    }
+
+    /// The same spectrum with standard errors that already are one for each value, finite and not below 0.
+    pub(crate) fn with_checked_standard_errors(self, errors: Vec<Option<f64>>) -> Self {
+        Self { standard_errors: errors.iter().any(Option::is_some).then_some(errors), ..self }
     }
 
     /// The same spectrum in another convention.
     ///
+    /// Among profile conventions, and among area conventions, values and standard errors take a factor. From one to
+    /// the other goes the Abel integral over the piecewise power law between the samples, zero outside them: it ends
+    /// one sample earlier, its last values tell of the end of the band as much as of the surface, and standard errors
+    /// are lost, because those of neighbouring samples are correlated in a way that no file tells. The surface is
+    /// taken to be isotropic.
+    ///
     /// # Errors
-    /// [`ConversionError`] between a profile and an area convention: the Abel integral between them needs the
-    /// spectrum beyond the last sample.
+    /// From a profile to an area convention or back: [`ConversionError::TooFewSamples`] for 2 samples,
+    /// [`ConversionError::NotPositive`] where a C1D rises so steeply that no isotropic surface has it.
     pub fn to(&self, convention: Convention) -> Result<Self, ConversionError> {
+        if self.convention.metre_power() != convention.metre_power() {
+            return self.transformed()?.to(convention);
+        }
         let factor = self.convention.factor_to(convention)?;
         let values = self.values.iter().map(|value| value * factor).collect();
-        Ok(Self { wavelengths_m: self.wavelengths_m.clone(), values, convention })
+        let scaled = |error: &Option<f64>| error.map(|error| error * factor);
+        let standard_errors = self.standard_errors.as_ref().map(|errors| errors.iter().map(scaled).collect());
+        Ok(Self { wavelengths_m: self.wavelengths_m.clone(), values, convention, standard_errors })
+    }
+
+    /// The Abel transform: Ciso of a profile, C1D of an area.
+    fn transformed(&self) -> Result<Self, ConversionError> {
+        let (reference, other) = match self.convention.metre_power() {
+            4 => (Convention::Ciso, Convention::C1D),
+            _ => (Convention::C1D, Convention::Ciso),
+        };
+        let (from, samples) = (self.convention, self.len());
+        if samples < 3 {
+            return Err(ConversionError::TooFewSamples { from, to: other, samples });
+        }
+        let Self { mut wavelengths_m, values, .. } = self.to(reference)?;
+        let transform = if other == Convention::C1D { profile_of_area } else { area_of_profile };
+        let values = transform(&wavelengths_m, &values);
+        if let Some(row) = values.iter().position(|&value| !is_positive(value)) {
+            let (wavelength_m, value) = (wavelengths_m[row], values[row]);
+            return Err(ConversionError::NotPositive { from, to: other, wavelength_m, value });
+        }
+        wavelengths_m.pop();
+        Ok(Self::from_samples(wavelengths_m, values, other))
     }
 
     /// The spectrum as C1D, on which everything else is computed.
@@ -112,7 +191,7 @@ impl Psd {
     /// [`ConversionError`] for an area convention, as in [`Psd::to`].
     pub fn profile(&self) -> Result<ProfilePsd, ConversionError> {
         let c1d = self.to(Convention::C1D)?;
-        Ok(ProfilePsd::from_samples(c1d.wavelengths_m, c1d.values))
+        Ok(ProfilePsd::from_samples(c1d.wavelengths_m, c1d.values).with_standard_errors(c1d.standard_errors))
     }
 
     /// Wavelengths in m, from long to short.
@@ -123,6 +202,12 @@ impl Psd {
     /// Values in m^3 or m^4, whichever the convention says, one for each wavelength.
     pub fn values(&self) -> &[f64] {
         &self.values
+    }
+
+    /// Standard errors of the values, in their unit and one for each, `None` where one is unknown; none at all where
+    /// no value has one.
+    pub fn standard_errors(&self) -> Option<&[Option<f64>]> {
+        self.standard_errors.as_deref()
     }
 
     /// What the values mean.
@@ -201,6 +286,31 @@ mod tests {
         }
         let area = Psd::new(vec![2.0, 1.0], vec![3.0, 4.0], Convention::Persson).unwrap();
         assert_eq!(area.to(Convention::Ciso).unwrap().values(), [12.0 * PI * PI, 16.0 * PI * PI]);
-        assert!(ProfilePsd::try_from(&area).is_err());
+        assert_eq!(
+            ProfilePsd::try_from(&area).unwrap_err().to_string(),
+            "converting a spectrum from persson (m^4) to c1d (m^3): the number of samples is 2, it must be at least 3, \
+             as the Abel integral between line and area spectra ends one sample earlier; give more of the spectrum"
+        );
+    }
+
+    #[test]
+    fn standard_errors_follow_their_values() {
+        let psd = Psd::new(vec![2.0, 1.0], vec![3.0, 4.0], Convention::Frequency).unwrap();
+        let with = |errors: &[Option<f64>]| psd.clone().with_standard_errors(errors.to_vec());
+        let psd_with_errors = with(&[Some(0.2), None]).unwrap();
+        assert_eq!(psd_with_errors.standard_errors(), Some(&[Some(0.2), None][..]));
+        let profile = psd_with_errors.profile().unwrap();
+        assert_eq!(profile.standard_errors_m3(), Some(&[Some(0.1), None][..]));
+        assert_eq!(profile.truncated_at(1.5).unwrap().standard_errors_m3(), Some(&[Some(0.1)][..]));
+        assert_eq!(profile.resampled(std::num::NonZeroU32::MIN).standard_errors_m3(), None);
+        assert_eq!(with(&[None, None]).unwrap().standard_errors(), None);
+        assert_eq!(
+            with(&[None]).unwrap_err().to_string(),
+            "building a spectrum: the number of standard errors is 1, that of values 2; give one, or none, for each value"
+        );
+        assert_eq!(
+            with(&[None, Some(-1.0)]).unwrap_err().to_string(),
+            "building a spectrum: the standard error in row 2 is -1, it must be finite and at least 0"
+        );
     }
 }

@@ -129,4 +129,60 @@ proptest! {
             }
         }
     }
+
+    #[test]
+    fn profiles_of_areas_are_positive_and_scale_with_the_unit_of_length(rows in rows(), log_scale in -3.0..3.0) {
+        prop_assume!(rows.len() > 2);
+        let scale = 10f64.powf(log_scale);
+        let area = |scale: f64| {
+            let (wavelengths_m, values) = rows.iter().map(|(wavelength, value)| (scale * wavelength, scale.powi(4) * value)).unzip();
+            Psd::new(wavelengths_m, values, Convention::Ciso).unwrap().profile().unwrap()
+        };
+        let (original, enlarged) = (area(1.0), area(scale));
+        prop_assert_eq!(original.len(), rows.len() - 1);
+        for (original, enlarged) in original.c1d_m3().iter().zip(enlarged.c1d_m3()) {
+            prop_assert!(*original > 0.0);
+            assert_relative_eq!(*enlarged, scale.powi(3) * original, max_relative = 1e-9, epsilon = 0.0);
+        }
+    }
+
+    #[test]
+    fn mangled_files_are_read_or_refused(
+        file in prop::sample::select(FILES.to_vec()),
+        cuts in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 1..4),
+    ) {
+        // Rows, cells and signs are lost or moved.
+        let mut characters: Vec<char> = file.chars().collect();
+        for (from, to) in cuts {
+            let (from, to) = (from.index(characters.len()), to.index(characters.len()));
+            let length = from.abs_diff(to) % 12;
+            let moved: Vec<char> = characters.drain(from..(from + length).min(characters.len())).collect();
+            let to = to.min(characters.len());
+            characters.splice(to..to, moved.into_iter().step_by(2));
+            if characters.is_empty() {
+                break;
+            }
+        }
+        let text: String = characters.into_iter().collect();
+        for options in [
+            ReadOptions::default(),
+            ReadOptions { series: Some("1D PSD along x".into()), x_unit: Some("1/um".into()), psd_unit: Some("um^3".into()), ..ReadOptions::default() },
+        ] {
+            match read_psd(text.as_bytes(), &options) {
+                Ok(read) => prop_assert!(read.psd.values().iter().all(|value| value.is_finite() && *value > 0.0)),
+                Err(error) => prop_assert!(!error.to_string().is_empty()),
+            }
+        }
+    }
 }
+
+/// A small file of every layout of text.
+const FILES: [&str; 7] = [
+    "# a\nlambda_m,C1D_m3,C1D_se_m3\n1,2,3\n2,3,4\n",
+    "Subject type;Subject name;Data series;Wavevector (1/m);PSD (m³)\nsurface;a;1D PSD along x;1;2\nsurface;a;1D PSD along x;2;\nsurface;b;1D PSD along y;2;3\n",
+    "# t: a\n# ====\n#\n# 1D PSD along x\n# ----\n# Columns: Wavevector (1/m), PSD (m³)\n1 2\n2 nan\n\n# y\n# ----\n# Columns: q, PSD (m³)\n1 2\n",
+    "{\"name\": \"1D PSD along x\", \"x\": [1, 2, 3], \"y\": [1e-3, null, 4], \"std_err_y\": [1, 2, null]}",
+    "PSDF   Fit\nk   W<sub>1</sub>   k   W<sub>1</sub>\n[1/µm]   [µm^3]   [1/µm]   [µm^3]\n0 1   1 2\n2 3   -  -\n",
+    "k;W1;\n[1/m];[m^3];\n1;2;\n2;3;\n",
+    "# q (1/m)  C (m^4)\n1 2\n2 3\n3 4\n",
+];

@@ -113,8 +113,11 @@ fn a_unit_that_is_none_is_passed_over_where_another_column_does() {
 #[test]
 fn the_caller_may_name_the_column_and_its_convention() {
     let text = "lambda_m,C1D_m3,Ciso_m4,Ciso_approx_m4,C (nm^4)\n2,1,5,7,1\n1,3,6,8,2\n";
-    let options =
-        |column: &str, convention| ReadOptions { column: Some(column.to_owned()), convention, x: None };
+    let options = |column: &str, convention| ReadOptions {
+        column: Some(column.to_owned()),
+        convention,
+        ..ReadOptions::default()
+    };
     let values = |column: &str, convention| read_with(text, &options(column, convention)).psd;
     assert_eq!(values("Ciso_m4", None).convention(), Convention::Ciso);
     assert_eq!(values("ciso_M4", None).values(), [5.0, 6.0]);
@@ -165,7 +168,8 @@ fn where_several_abscissae_stand_the_wavelength_counts() {
 
 #[test]
 fn two_columns_without_a_header_are_read_as_the_caller_says() {
-    let options = |x, convention| ReadOptions { column: None, convention: Some(convention), x: Some(x) };
+    let options =
+        |x, convention| ReadOptions { convention: Some(convention), x: Some(x), ..ReadOptions::default() };
     let text = "# measured\n1 2e-30\n2 1e-30\n";
     let file = read_with(text, &options(Abscissa::Wavevector, Convention::Persson));
     assert_samples(&file, &[TAU, TAU / 2.0], &[2e-30, 1e-30], Convention::Persson);
@@ -175,8 +179,11 @@ fn two_columns_without_a_header_are_read_as_the_caller_says() {
 
 #[test]
 fn names_separated_by_blanks_keep_their_units() {
-    let options =
-        ReadOptions { column: Some("C (m^4)".into()), convention: Some(Convention::Persson), x: None };
+    let options = ReadOptions {
+        column: Some("C (m^4)".into()),
+        convention: Some(Convention::Persson),
+        ..ReadOptions::default()
+    };
     let file = read_with("q (1/m)  C (m^4)\n1 2\n2 3\n", &options);
     assert_samples(&file, &[TAU, TAU / 2.0], &[2.0, 3.0], Convention::Persson);
     assert_eq!(read("lambda / nm  C1D [ nm^3 ]\n2 2\n1 3\n").psd.wavelengths_m(), [2e-9, 1e-9]);

@@ -215,24 +215,6 @@ fn numbers_without_a_header_are_refused_unless_the_caller_knows_them() {
 }
 
 #[test]
-fn several_series_in_a_file_are_refused() {
-    assert_refused(
-        "# 1D PSD along x\n# Columns: Wavevector (1/m), PSD (m³)\n1 2\n2 3\n\n# 1D PSD along y\n\
-         # Columns: Wavevector (1/m), PSD (m³)\n1 2\n2 3\n",
-        7,
-        "line 7: another series begins (Columns: Wavevector (1/m), PSD (m³)), after Columns: Wavevector (1/m), PSD \
-         (m³) in line 2; one file must hold one series: keep the rows of one, such as '1D PSD along x'",
-    );
-    assert_refused(
-        "Subject,Series,Wavevector (µm⁻¹),PSD (µm³)\ns,1D PSD along x,1,2\ns,1D PSD along x,2,3\n\
-         s,1D PSD along y,1.5,2\n",
-        4,
-        "line 4: another series begins (Series '1D PSD along y'), after '1D PSD along x' in line 2; one file must hold \
-         one series: keep the rows of one, such as '1D PSD along x'",
-    );
-}
-
-#[test]
 fn fields_that_are_no_positive_finite_numbers_are_refused() {
     let refuse = |field: &str, complaint: &str| {
         let text = format!("# comment\n\nlambda_nm;C1D_m3\n1;2\r\n# comment\n\n2;{field}\n3;4\n");

@@ -20,7 +20,8 @@ impl Convergence {
 }
 
 /// Where a curve of (wavelength \[m\], area) points, from long to short cutoffs, has come within `tolerance` (relative,
-/// e.g. 0.01) of its final area, for good. `None` of no points.
+/// above 0, e.g. 0.01) of its final area, for good. `None` of no points. A choice of this project: the definition in
+/// `docs/models.md`, section 4.
 pub fn convergence(curve: &[(f64, f64)], tolerance: f64) -> Option<Convergence> {
     let &(shortest_m, final_area) = curve.last()?;
     let settled = |(_, area): &&(f64, f64)| (area / final_area - 1.0).abs() <= tolerance;

@@ -18,7 +18,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Aspect ratio B = Delta/lambda.
+    /// Aspect ratio B = Delta/lambda, above 0 (Jackson & Jacobs, section 1.6 of `docs/models.md`).
     pub fn aspect_ratio(&self) -> f64 {
         self.amplitude_m / self.wavelength_m
     }
@@ -56,13 +56,14 @@ pub struct Level {
     pub amplitude_m: f64,
     /// Mean pressure \[Pa\] on the contact before this scale.
     pub pressure_in_pa: f64,
-    /// Mean pressure \[Pa\] on the contact after this scale.
+    /// Mean pressure \[Pa\] on the contact after this scale, the load over the real area.
     pub real_pressure_pa: f64,
     /// Contact area over nominal area, in (0, 1].
     pub area_fraction: f64,
     /// Yield strength \[Pa\] at this scale; absent in the elastic model, infinite where nothing was deformed above.
     pub yield_strength_pa: Option<f64>,
-    /// Aspect ratio over the critical one; absent in the elastic model.
+    /// Aspect ratio over the critical one, r = B/B_c, 0 for an infinite strength; absent in the elastic model. Above
+    /// 100 the law is beyond trust.
     pub aspect_ratio_over_critical: Option<f64>,
     /// What the scale does.
     pub regime: Regime,

@@ -13,7 +13,8 @@ use crate::sine::{BemSines, ElasticPlasticSines, ElasticSines};
 use crate::sphere::{ElasticPlasticSpheres, ElasticSpheres};
 use crate::{AsperityLaw, ContactState, InterferenceLaw, Population};
 
-/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966), under any of the laws.
+/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
+/// the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1.
 #[derive(Debug)]
 pub struct StatisticalContact {
     asperities: Box<dyn Asperities>,

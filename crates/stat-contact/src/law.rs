@@ -5,24 +5,26 @@ use std::str::FromStr;
 
 use asperity::{Hardness, NixGao};
 
-/// How one asperity answers to the flat that presses on it.
+/// How one asperity answers to the flat that presses on it (`docs/models.md`, sections 2 and 3.1).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub enum AsperityLaw {
     /// An elastic sphere (Greenwood & Williamson 1966).
     Hertz,
-    /// The elastic-plastic sphere of Jackson & Green; the area of one never exceeds pi R^2.
+    /// The elastic-plastic sphere of Jackson & Green (2005; section 2.2); the area of one never exceeds pi R^2.
     EpSphere {
         /// Yield strength, at the depth of the interference.
         strength: NixGao,
         /// How the hardness falls as the contact grows.
         hardness: Hardness,
     },
-    /// The elastic sinusoid of Johnson, Greenwood & Higginson.
+    /// The elastic sinusoid of Johnson, Greenwood & Higginson (1985; section 2.3), with the density and the curvature
+    /// of the population (Jackson & Jacobs, Eqs. 6 and 7).
     ElasticSine {
         /// What ties its pressure to its interference.
         interference: InterferenceLaw,
     },
-    /// The elastic-plastic sinusoid of Krithivasan & Jackson, pressed by the mean gap of Rostami & Jackson.
+    /// The elastic-plastic sinusoid of Krithivasan & Jackson (2007; section 2.4), pressed by the mean gap of Rostami &
+    /// Jackson (2013; section 2.6).
     EpSine {
         /// Yield strength, at the depth of the interference.
         strength: NixGao,
@@ -82,7 +84,7 @@ pub enum InterferenceLaw {
     /// The fit of Rostami & Jackson (2013), not Hertzian at light pressure.
     #[default]
     RostamiJackson,
-    /// Boundary-element solutions, Hertzian at light pressure.
+    /// Boundary-element solutions, Hertzian at light pressure (section 3.3).
     Bem,
 }
 
@@ -99,7 +101,7 @@ impl InterferenceLaw {
     }
 }
 
-/// A name that stands for nothing here.
+/// A name that stands for nothing here; its message lists those that do.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{given:?} is no {what}; there are {known}")]
 pub struct UnknownName {

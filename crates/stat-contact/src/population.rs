@@ -2,7 +2,8 @@
 
 use asperity::{AsperityError, Bound};
 
-/// Asperities of one radius, spread evenly over the nominal area, with Gaussian heights of zero mean.
+/// Asperities of one radius, spread evenly over the nominal area, with Gaussian heights of zero mean (Greenwood &
+/// Williamson 1966). McCool's parameters of a spectrum (`docs/models.md`, section 1.5) are one way to them.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Population {
     radius_m: f64,
@@ -24,17 +25,17 @@ impl Population {
         })
     }
 
-    /// Summit radius R \[m\].
+    /// Summit radius R \[m\], above 0.
     pub fn radius_m(&self) -> f64 {
         self.radius_m
     }
 
-    /// Number of asperities per nominal area, eta \[m^-2\].
+    /// Number of asperities per nominal area, eta \[m^-2\], above 0.
     pub fn density_per_m2(&self) -> f64 {
         self.density_per_m2
     }
 
-    /// Standard deviation of the asperity heights, sigma_s \[m\].
+    /// Standard deviation of the asperity heights, sigma_s \[m\], above 0.
     pub fn sigma_s_m(&self) -> f64 {
         self.sigma_s_m
     }

@@ -18,11 +18,13 @@ pub struct ContactState {
     pub ln_pressure_pa: f64,
     /// Natural logarithm of the area fraction, at most 0.
     pub ln_area_fraction: f64,
-    /// Estimate, on the side of caution, of the relative error of pressure and area fraction at the separation.
+    /// Estimate, on the side of caution, of the relative numerical error of pressure and area fraction at the
+    /// separation; it says nothing about the law.
     pub error_estimate: f64,
     /// How often the law of one asperity was evaluated to find this.
     pub evaluations: usize,
-    /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in.
+    /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in: those that
+    /// yield with Sy/E* > 0.01 or a/R > 0.41 (spheres) or r > 100 (sinusoids); 0 for elastic laws.
     pub out_of_range_load_share: f64,
     /// Whether the sum of the areas exceeds the nominal area and was held at it.
     pub clamped: bool,

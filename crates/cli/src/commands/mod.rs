@@ -1,5 +1,7 @@
 //! One module per command: from what was typed to a plan, and from its results to the output.
 
+mod completions;
+mod man_pages;
 mod one_asperity;
 mod run_scene;
 mod spectrum_tables;
@@ -36,6 +38,8 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Stacked(args) => stacked::run(&args, &context),
         Command::Statistical(args) => statistical::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
+        Command::Completions { shell } => completions::run(shell, &context),
+        Command::Man(args) => man_pages::run(&args, &context),
         Command::Scene { template } => {
             context.shared.output.write(|out| out.write_all(template.text().as_bytes()))
         }

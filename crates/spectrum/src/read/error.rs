@@ -3,6 +3,10 @@
 use thiserror::Error;
 
 use crate::convention::Convention;
+use crate::read::json::JsonError;
+use crate::read::options::UnitError;
+use crate::read::select::SeriesError;
+use crate::read::workbook::WorkbookError;
 
 /// A file that holds no power spectrum, or more than one, or does not say what its numbers mean.
 ///
@@ -51,20 +55,25 @@ pub enum ReadError {
         /// Number of columns.
         columns: usize,
     },
-    /// Several series in one file.
-    #[error(
-        "line {line}: another series begins ({second}), after {first} in line {first_line}; one file must hold one \
-         series: keep the rows of one, such as '1D PSD along x'"
-    )]
-    SeveralSeries {
-        /// Line in which the second series begins.
-        line: usize,
-        /// Line in which the first series begins.
-        first_line: usize,
-        /// What the first is called.
-        first: String,
-        /// What the second is called.
-        second: String,
+    /// A choice of series that the file does not offer, or that has to be made.
+    #[error(transparent)]
+    Series(#[from] SeriesError),
+    /// A unit given by the caller that does not do.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+    /// JSON that holds no series.
+    #[error(transparent)]
+    Json(#[from] JsonError),
+    /// A workbook that cannot be read.
+    #[error(transparent)]
+    Workbook(#[from] WorkbookError),
+    /// Any of the others in a sheet of a workbook, whose rows are its lines.
+    #[error("sheet '{sheet}', {error}")]
+    InSheet {
+        /// Name of the sheet.
+        sheet: String,
+        /// What is wrong there.
+        error: Box<ReadError>,
     },
     /// No column for a quantity.
     #[error("line {line}: no column holds the {quantity} ({accepted}); the columns are {}", list(.found))]
@@ -194,6 +203,18 @@ pub enum ReadError {
         /// The field.
         text: String,
     },
+    /// A standard error that is infinite or negative.
+    #[error(
+        "line {line}: column '{column}' is '{text}', it must be finite and at least 0; correct it, or leave it empty"
+    )]
+    BadStandardError {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: String,
+        /// The field.
+        text: String,
+    },
     /// Two abscissae that contradict each other.
     #[error(
         "line {line}: {first} and {second}, wavelengths in the ratio {ratio}, which must be 1 within 0.001{hint}; \
@@ -253,11 +274,13 @@ impl ReadError {
     /// The line to look at, counted from 1; `None` where the whole file is at fault.
     pub fn line(&self) -> Option<usize> {
         match *self {
-            Self::Io(_) | Self::Empty => None,
+            Self::Io(_) | Self::Empty | Self::Series(_) | Self::Workbook(_) => None,
+            Self::Unit(ref error) => error.line(),
+            Self::Json(ref error) => error.line(),
+            Self::InSheet { ref error, .. } => error.line(),
             Self::NotText { line, .. }
             | Self::NoHeader { line }
             | Self::HeaderlessColumns { line, .. }
-            | Self::SeveralSeries { line, .. }
             | Self::MissingColumn { line, .. }
             | Self::UnknownColumn { line, .. }
             | Self::DuplicateColumn { line, .. }
@@ -269,6 +292,7 @@ impl ReadError {
             | Self::EmptyField { line, .. }
             | Self::NotANumber { line, .. }
             | Self::OutOfRange { line, .. }
+            | Self::BadStandardError { line, .. }
             | Self::Inconsistent { line, .. }
             | Self::RepeatedWavelength { line, .. }
             | Self::TooFewRows { line, .. } => Some(line),

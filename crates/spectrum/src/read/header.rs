@@ -52,8 +52,14 @@ impl Abscissa {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DensityName {
     C1d,
+    W1,
     Ciso,
+    /// `C`, only in m^4: Persson's.
+    C,
+    /// Whatever its abscissa and its unit say.
     Psd,
+    /// Gwyddion's word.
+    Psdf,
 }
 
 /// A quantity that a column may hold.
@@ -61,19 +67,30 @@ pub(crate) enum DensityName {
 pub(crate) enum Quantity {
     Abscissa(Abscissa),
     Density(DensityName),
+    /// The standard error of a spectrum.
+    StandardError(DensityName),
 }
 
-const NAMES: [(&str, Quantity); 11] = [
+/// Names that begin like another one stand before it.
+const NAMES: [(&str, Quantity); 19] = [
+    ("standard error of psd", Quantity::StandardError(DensityName::Psd)),
+    ("psd_se", Quantity::StandardError(DensityName::Psd)),
+    ("c1d_se", Quantity::StandardError(DensityName::C1d)),
+    ("ciso_se", Quantity::StandardError(DensityName::Ciso)),
     ("wavelength", Quantity::Abscissa(Abscissa::Wavelength)),
     ("lambda", Quantity::Abscissa(Abscissa::Wavelength)),
     ("λ", Quantity::Abscissa(Abscissa::Wavelength)),
     ("wavevector", Quantity::Abscissa(Abscissa::Wavevector)),
     ("q", Quantity::Abscissa(Abscissa::Wavevector)),
+    ("k", Quantity::Abscissa(Abscissa::Wavevector)),
     ("frequency", Quantity::Abscissa(Abscissa::Frequency)),
     ("f", Quantity::Abscissa(Abscissa::Frequency)),
     ("psd", Quantity::Density(DensityName::Psd)),
+    ("psdf", Quantity::Density(DensityName::Psdf)),
     ("c1d", Quantity::Density(DensityName::C1d)),
+    ("w1", Quantity::Density(DensityName::W1)),
     ("ciso", Quantity::Density(DensityName::Ciso)),
+    ("c", Quantity::Density(DensityName::C)),
     ("Λ", Quantity::Abscissa(Abscissa::Wavelength)),
 ];
 
@@ -94,8 +111,18 @@ impl<'h> Heading<'h> {
         NAMES.iter().find_map(|&(base, quantity)| {
             let (start, rest) = name.split_at_checked(base.len())?;
             let unit = if start.eq_ignore_ascii_case(base) { unit_suffix(rest)? } else { return None };
-            Some(Self { quantity, unit })
+            is_meant(quantity, base, unit).then_some(Self { quantity, unit })
         })
+    }
+}
+
+/// Whether a name of one letter that stands for many other things has the unit that tells.
+fn is_meant(quantity: Quantity, base: &str, unit: Option<&str>) -> bool {
+    let power = unit.map(|unit| Unit::parse(unit).map(|unit| unit.metre_power));
+    match (quantity, base) {
+        (Quantity::Density(DensityName::C), _) => power == Some(Some(4)),
+        (_, "k") => matches!(power, None | Some(Some(-1))),
+        _ => true,
     }
 }
 
@@ -156,8 +183,23 @@ mod tests {
             ("c1d", DensityName::C1d, None),
             ("Ciso_um4", DensityName::Ciso, Some("um4")),
             ("C1D_furlong", DensityName::C1d, Some("furlong")),
+            ("W1 [m^3]", DensityName::W1, Some("m^3")),
+            ("PSDF", DensityName::Psdf, None),
+            ("C (m^4)", DensityName::C, Some("m^4")),
         ] {
             let expected = Heading { quantity: Quantity::Density(density), unit };
+            assert_eq!(Heading::parse(name), Some(expected), "{name}");
+        }
+    }
+
+    #[test]
+    fn standard_errors_are_those_of_a_spectrum() {
+        for (name, density, unit) in [
+            ("standard error of PSD (m³)", DensityName::Psd, Some("m³")),
+            ("C1D_se_m3", DensityName::C1d, Some("m3")),
+            ("psd_se", DensityName::Psd, None),
+        ] {
+            let expected = Heading { quantity: Quantity::StandardError(density), unit };
             assert_eq!(Heading::parse(name), Some(expected), "{name}");
         }
     }
@@ -167,8 +209,12 @@ mod tests {
         for name in [
             "PSD_error_m3",
             "Ciso_approx_m4",
-            "standard error of PSD (m³)",
             "quality",
+            "kurtosis",
+            "k_factor",
+            "C (m^3)",
+            "C",
+            "column",
             "PSD error",
             "λmax",
             "F0",

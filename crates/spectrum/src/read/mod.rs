@@ -1,108 +1,139 @@
-//! Power spectra from CSV and plain text.
+//! Power spectra from CSV, plain text, JSON and workbooks.
 
+mod contact_engineering;
+mod density;
 mod error;
+mod gwyddion;
 mod header;
+mod json;
 mod layout;
+mod nameless;
 mod options;
+mod rows;
+mod select;
+mod series;
 mod table;
 mod unit;
+mod workbook;
 
 pub use error::{Field, ReadError};
 pub use header::Abscissa;
-pub use options::ReadOptions;
+pub use json::JsonError;
+pub use options::{ReadOptions, UnitError};
+pub use select::SeriesError;
+pub use series::SeriesName;
+pub use workbook::WorkbookError;
 
-use std::f64::consts::TAU;
 use std::io::Read;
 
-use csv::StringRecord;
 use serde::Serialize;
 
 use crate::psd::Psd;
-use layout::{AbscissaColumn, Layout};
-use table::Table;
-use unit::parse_scaled;
-
-/// How far the wavelengths of two columns may differ.
-const AGREEMENT: f64 = 1e-3;
+use layout::Layout;
+use options::GivenUnits;
+use rows::samples;
+use select::select;
+use series::Series;
+use table::{Table, decode};
 
 /// A power spectrum with what its file says about it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PsdFile {
     /// The spectrum.
     pub psd: Psd,
-    /// The comment lines before the first row, without `#` and surrounding blanks.
+    /// The comment lines before the first row, without `#` and surrounding blanks; of a workbook, the names and values
+    /// above the table.
     pub comments: Vec<String>,
-    /// Assumptions made where the file is silent, a sentence each.
+    /// Choices and assumptions made where the file is silent, a sentence each.
     pub notes: Vec<String>,
 }
 
-/// Reads a power spectrum from CSV (`,`, `;` or tab) or text with blanks between its columns, in UTF-8.
+/// Reads a power spectrum from text in UTF-8 (CSV with `,`, `;` or tab, or blanks between the columns), JSON or, with
+/// the feature `xlsx`, a workbook; which one is told by the content.
 ///
-/// The columns go by their names, in any order and case: `wavelength` or `lambda`, `wavevector` or `q`,
-/// `frequency` or `f`, and `c1d`, `psd` or `ciso`, each with its unit (`lambda_nm`, `q_rad_per_m`,
-/// `PSD (µm³)`) or without in SI. Others are ignored. Wavelength counts before wavevector before frequency, and the others must agree with
-/// it to 0.001; C1D counts before other spectra. A line `# Columns: ...` names the columns of a file without
-/// a header. Lines that begin with `#` are comments.
+/// The columns go by their names, in any order and case: `wavelength` or `lambda`, `wavevector`, `q` or `k`,
+/// `frequency` or `f`, and `c1d`, `w1`, `psd`, `ciso` or Persson's `C (m^4)`, each with its unit (`lambda_nm`,
+/// `q_rad_per_m`, `PSD (µm³)`) or without in SI. Others are ignored, but for standard errors (`standard error of PSD
+/// (m³)`, `C1D_se_m3`). Wavelength counts before wavevector before frequency, and the others must agree with it to
+/// 0.001; C1D counts before other spectra. Lines that begin with `#` are comments.
+///
+/// Exports of contact.engineering (TXT, CSV, XLSX, JSON) and Gwyddion's graphs as text may hold several series, of
+/// which [`ReadOptions::series`] and [`ReadOptions::subject`] choose one. Without them that is the only one, or
+/// `1D PSD along x` of the average over the dataset or of the only subject. In these exports, rows without a value of
+/// the spectrum are left out, with a note.
 ///
 /// # Errors
 /// [`ReadError`], with line, column, value and bound, for the first thing that is wrong with the file.
-pub fn read_psd(mut input: impl Read, options: &ReadOptions) -> Result<PsdFile, ReadError> {
-    let mut bytes = Vec::new();
-    input.read_to_end(&mut bytes)?;
-    let table = Table::open(&bytes)?;
-    let mut notes = Vec::new();
-    let layout = Layout::of(&table, options, &mut notes)?;
-    let (mut rows, series) = read_rows(&table, &layout)?;
-    refuse_repeated_wavelengths(&mut rows)?;
-    notes.extend(area_series_note(table.comments.iter().chain(&series)));
-    let wavelengths_m = rows.iter().map(|row| row.wavelength_m).collect();
-    let values = rows.iter().map(|row| row.value).collect();
+pub fn read_psd(input: impl Read, options: &ReadOptions) -> Result<PsdFile, ReadError> {
+    let units = options.units()?;
+    let Content { mut comments, series } = Content::read(input)?;
+    let is_only = series.len() == 1;
+    let series = select(series, options)?;
+    let in_sheet = |error| match &series.sheet {
+        Some(sheet) => ReadError::InSheet { sheet: sheet.clone(), error: Box::new(error) },
+        None => error,
+    };
+    let (psd, mut notes) = read_series(&series, options, &units).map_err(in_sheet)?;
+    comments.extend(series.comments);
+    // The comments of a file of several series name them all.
+    let commented = if is_only { &comments[..] } else { &[] };
+    notes.extend(area_series_note(commented.iter().chain(&[series.name.to_string()])));
+    notes.extend(area_note(&psd));
+    Ok(PsdFile { psd, comments, notes })
+}
+
+/// The names of the spectra in a file that [`read_psd`] reads, in their order.
+///
+/// # Errors
+/// [`ReadError`] for a file that cannot be taken apart; its numbers are not looked at.
+pub fn series_names(input: impl Read) -> Result<Vec<SeriesName>, ReadError> {
+    Ok(Content::read(input)?.series.into_iter().map(|series| series.name).collect())
+}
+
+/// A file taken apart into its series.
+struct Content {
+    comments: Vec<String>,
+    series: Vec<Series>,
+}
+
+impl Content {
+    fn read(mut input: impl Read) -> Result<Self, ReadError> {
+        let mut bytes = Vec::new();
+        input.read_to_end(&mut bytes)?;
+        if workbook::is_archive(&bytes) {
+            return Ok(Self { comments: Vec::new(), series: workbook::series(&bytes)? });
+        }
+        let text = decode(&bytes)?;
+        if json::is_json(text) {
+            return Ok(Self { comments: Vec::new(), series: json::series(text)? });
+        }
+        let table = Table::open(text)?;
+        Ok(Self { series: table.series()?, comments: table.comments })
+    }
+}
+
+/// The spectrum of a series, and what was chosen, left out and assumed.
+fn read_series(
+    series: &Series,
+    options: &ReadOptions,
+    units: &GivenUnits,
+) -> Result<(Psd, Vec<String>), ReadError> {
+    let mut notes = series.notes.clone();
+    let layout = Layout::of(&series.columns, options, units, &mut notes)?;
+    let (samples, missing) = samples(series, &layout)?;
+    if missing > 0 {
+        let rows = if missing == 1 {
+            "1 row without a value is"
+        } else {
+            &format!("{missing} rows without a value are")
+        };
+        notes.push(format!("{rows} left out"));
+    }
+    let wavelengths_m = samples.iter().map(|sample| sample.wavelength_m).collect();
+    let values = samples.iter().map(|sample| sample.value).collect();
+    let errors = samples.iter().map(|sample| sample.standard_error).collect();
     let psd = Psd::from_samples(wavelengths_m, values, layout.density.convention);
-    Ok(PsdFile { psd, comments: table.comments, notes })
-}
-
-struct Row {
-    line: usize,
-    wavelength_m: f64,
-    value: f64,
-}
-
-/// The rows and what they say about the series they belong to.
-fn read_rows(table: &Table, layout: &Layout) -> Result<(Vec<Row>, Vec<String>), ReadError> {
-    let mut lines = table.rows();
-    let mut record = StringRecord::new();
-    let mut last_line = table.first_line;
-    if layout.has_header_row {
-        lines.read(&mut record)?;
-    }
-    let mut first_series: Option<(usize, Vec<String>)> = None;
-    let mut rows = Vec::new();
-    while let Some(line) = lines.read(&mut record)? {
-        let fields = Fields { line, record: &record, layout };
-        fields.refuse_other_length()?;
-        fields.refuse_other_series(&mut first_series)?;
-        rows.push(fields.row()?);
-        last_line = line;
-    }
-    if rows.len() < 2 {
-        return Err(ReadError::TooFewRows { line: last_line, rows: rows.len() });
-    }
-    Ok((rows, first_series.map(|(_, labels)| labels).unwrap_or_default()))
-}
-
-/// Sorts the rows from long to short wavelengths.
-fn refuse_repeated_wavelengths(rows: &mut [Row]) -> Result<(), ReadError> {
-    // A stable sort: repetitions keep the order of their lines.
-    rows.sort_by(|a, b| b.wavelength_m.total_cmp(&a.wavelength_m));
-    let repeated = rows.windows(2).filter(|pair| pair[0].wavelength_m == pair[1].wavelength_m);
-    match repeated.min_by_key(|pair| pair[1].line) {
-        None => Ok(()),
-        Some(pair) => Err(ReadError::RepeatedWavelength {
-            line: pair[1].line,
-            first_line: pair[0].line,
-            wavelength_m: pair[1].wavelength_m,
-        }),
-    }
+    Ok((psd.with_checked_standard_errors(errors), notes))
 }
 
 /// contact.engineering's series 'q/π × 2D PSD' comes in the unit of C1D but is another quantity.
@@ -114,123 +145,15 @@ fn area_series_note<'n>(mut names: impl Iterator<Item = &'n String>) -> Option<S
     ))
 }
 
-/// One row of a file.
-struct Fields<'f> {
-    line: usize,
-    record: &'f StringRecord,
-    layout: &'f Layout,
-}
-
-impl Fields<'_> {
-    fn refuse_other_length(&self) -> Result<(), ReadError> {
-        let &Layout { ref names, names_line: first_line, .. } = self.layout;
-        let (found, expected) = (self.record.len(), names.len());
-        if found == expected {
-            Ok(())
-        } else {
-            Err(ReadError::Ragged { line: self.line, found, first_line, expected })
-        }
-    }
-
-    fn refuse_other_series(&self, first: &mut Option<(usize, Vec<String>)>) -> Result<(), ReadError> {
-        let series = &self.layout.series;
-        let (first_line, labels) = first.get_or_insert_with(|| {
-            (self.line, series.iter().map(|&index| self.text(index).to_owned()).collect())
-        });
-        match series.iter().zip(labels).find(|(index, label)| self.text(**index) != label.as_str()) {
-            None => Ok(()),
-            Some((&index, label)) => Err(ReadError::SeveralSeries {
-                line: self.line,
-                first_line: *first_line,
-                first: format!("'{label}'"),
-                second: format!("{} '{}'", self.layout.names[index], self.text(index)),
-            }),
-        }
-    }
-
-    fn row(&self) -> Result<Row, ReadError> {
-        let abscissa = &self.layout.abscissa;
-        let wavelength_m = self.wavelength_m(abscissa)?;
-        for check in &self.layout.checks {
-            let ratio = wavelength_m / self.wavelength_m(check)?;
-            if (ratio - 1.0).abs() > AGREEMENT {
-                return Err(self.inconsistent(abscissa, check, ratio));
-            }
-        }
-        let density = &self.layout.density;
-        let value = self.positive(density.index, density.decimal_exponent)?;
-        Ok(Row { line: self.line, wavelength_m, value })
-    }
-
-    fn wavelength_m(&self, column: &AbscissaColumn) -> Result<f64, ReadError> {
-        let value = self.positive(column.index, column.decimal_exponent)?;
-        self.in_range(column.index, column.quantity.wavelength_m(value))
-    }
-
-    /// The number in a column, in SI units.
-    fn positive(&self, index: usize, decimal_exponent: i32) -> Result<f64, ReadError> {
-        let text = self.text(index);
-        match parse_scaled(text, decimal_exponent) {
-            Some(value) => self.in_range(index, value),
-            None if text.is_empty() => {
-                Err(ReadError::EmptyField { line: self.line, column: self.name(index) })
-            }
-            None => Err(ReadError::NotANumber {
-                line: self.line,
-                column: self.name(index),
-                text: text.to_owned(),
-            }),
-        }
-    }
-
-    fn in_range(&self, index: usize, value: f64) -> Result<f64, ReadError> {
-        if value.is_finite() && value > 0.0 {
-            return Ok(value);
-        }
-        Err(ReadError::OutOfRange {
-            line: self.line,
-            column: self.name(index),
-            text: self.text(index).to_owned(),
-        })
-    }
-
-    fn inconsistent(&self, first: &AbscissaColumn, second: &AbscissaColumn, ratio: f64) -> ReadError {
-        let field = |index| Box::new(Field { column: self.name(index), text: self.text(index).to_owned() });
-        ReadError::Inconsistent {
-            line: self.line,
-            first: field(first.index),
-            second: field(second.index),
-            ratio: six_digits(ratio),
-            hint: two_pi_hint(second.quantity, ratio),
-        }
-    }
-
-    fn text(&self, index: usize) -> &str {
-        self.record.get(index).unwrap_or_default().trim()
-    }
-
-    fn name(&self, index: usize) -> String {
-        self.layout.names[index].clone()
-    }
-}
-
-/// A factor of 2 pi tells which quantity a mislabelled second column really holds.
-fn two_pi_hint(second: Abscissa, ratio: f64) -> &'static str {
-    let is_one = |factor: f64| (factor - 1.0).abs() <= AGREEMENT;
-    match second {
-        Abscissa::Wavevector if is_one(ratio * TAU) => {
-            ": a factor of 2 pi, so the second holds the frequency 1/lambda, not the wavevector 2 pi/lambda"
-        }
-        Abscissa::Frequency if is_one(ratio / TAU) => {
-            ": a factor of 2 pi, so the second holds the wavevector 2 pi/lambda, not the frequency 1/lambda"
-        }
-        _ if is_one(ratio * TAU) || is_one(ratio / TAU) => {
-            ": a factor of 2 pi, as between wavevector and frequency"
-        }
-        _ => "",
-    }
-}
-
-fn six_digits(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
+/// What becomes of an area spectrum on the way to C1D.
+fn area_note(psd: &Psd) -> Option<String> {
+    let convention = psd.convention();
+    (convention.metre_power() == 4).then(|| {
+        format!(
+            "the spectrum is one of areas ({convention}); as C1D it is the Abel integral over its samples, of an \
+             isotropic surface without anything beyond them: it ends one sample earlier, and its last values are \
+             low{}",
+            if psd.standard_errors().is_some() { "; standard errors are lost on the way" } else { "" }
+        )
+    })
 }

@@ -2,16 +2,20 @@
 
 use csv::{ReaderBuilder, StringRecord};
 
+use crate::read::contact_engineering::{blocks, grouped, has_columns_comment};
 use crate::read::error::ReadError;
+use crate::read::gwyddion;
+use crate::read::header::{Heading, Quantity};
+use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
 /// A text file cut into comments, a possible header and rows.
 pub(crate) struct Table<'t> {
     /// Comment lines before the first other line, without `#` and surrounding blanks.
     pub(crate) comments: Vec<String>,
     /// The first line that is no comment.
-    pub(crate) first_line: usize,
+    first_line: usize,
     /// The names in it, or its numbers where there is no header.
-    pub(crate) first_row: Vec<String>,
+    first_row: Vec<String>,
     text: &'t str,
     separator: Separator,
 }
@@ -24,8 +28,7 @@ enum Separator {
 
 impl<'t> Table<'t> {
     /// Looks at a file up to its first row.
-    pub(crate) fn open(bytes: &'t [u8]) -> Result<Self, ReadError> {
-        let text = decode(bytes)?;
+    pub(crate) fn open(text: &'t str) -> Result<Self, ReadError> {
         let comments = leading_comments(text).map(str::to_owned).collect();
         let content = text.lines().find(|line| !is_blank_or_comment(line)).ok_or(ReadError::Empty)?;
         let separator = Separator::in_line(content);
@@ -41,13 +44,64 @@ impl<'t> Table<'t> {
         Ok(table)
     }
 
+    /// The series of the file, mostly one.
+    pub(crate) fn series(&self) -> Result<Vec<Series>, ReadError> {
+        if let Some(curves) = gwyddion::series(self.text)? {
+            return Ok(curves);
+        }
+        let mut rows = self.all_rows()?;
+        let line = self.first_line;
+        if !self.is_headerless() {
+            rows.remove(0);
+            return grouped(self.first_row.clone(), line, rows);
+        }
+        if has_columns_comment(self.text) {
+            return Ok(blocks(self.text, rows));
+        }
+        let columns = self.commented_header().unwrap_or_else(|| {
+            let names = (1..=self.first_row.len()).map(|number| number.to_string()).collect();
+            Columns { names, line, kind: ColumnKind::Numbered }
+        });
+        Ok(vec![Series::new(SeriesName::default(), columns, rows)])
+    }
+
+    /// A comment right above the numbers that names as many columns as there are, an abscissa and a spectrum among
+    /// them: `# q (1/m)  C (m^4)`.
+    fn commented_header(&self) -> Option<Columns> {
+        let above = self.text.lines().enumerate().take(self.first_line - 1);
+        let (i, text) = above.filter_map(|(i, line)| Some((i, comment(line)?))).last()?;
+        let names = match Separator::in_line(text) {
+            Separator::Character(separator) => {
+                text.split(char::from(separator)).map(|name| name.trim().to_owned()).collect()
+            }
+            Separator::Blanks => join_units(&text.split_whitespace().collect()),
+        };
+        let has = |is_meant: fn(Quantity) -> bool| {
+            names.iter().filter_map(|name| Heading::parse(name)).any(|heading| is_meant(heading.quantity))
+        };
+        let is_header = names.len() == self.first_row.len()
+            && has(|quantity| matches!(quantity, Quantity::Abscissa(_)))
+            && has(|quantity| matches!(quantity, Quantity::Density(_)));
+        is_header.then_some(Columns { names, line: i + 1, kind: ColumnKind::Named })
+    }
+
+    fn all_rows(&self) -> Result<Vec<Row>, ReadError> {
+        let mut lines = self.rows();
+        let mut record = StringRecord::new();
+        let mut rows = Vec::new();
+        while let Some(line) = lines.read(&mut record)? {
+            rows.push(Row { line, fields: record.clone() });
+        }
+        Ok(rows)
+    }
+
     /// Whether the first row holds numbers rather than names.
-    pub(crate) fn is_headerless(&self) -> bool {
+    fn is_headerless(&self) -> bool {
         is_number(self.first_row.first().map(String::as_str))
     }
 
     /// The rows, the first row included.
-    pub(crate) fn rows(&self) -> Rows<'t> {
+    fn rows(&self) -> Rows<'t> {
         match self.separator {
             Separator::Character(delimiter) => {
                 Rows::Delimited(Box::new(DelimitedRows::new(self.text, delimiter)))
@@ -55,24 +109,17 @@ impl<'t> Table<'t> {
             Separator::Blanks => Rows::Blanks(self.text.lines().enumerate()),
         }
     }
-
-    /// Lines `# Columns: ...` anywhere, with the text after the colon: contact.engineering writes one for
-    /// each series.
-    pub(crate) fn column_comments(&self) -> Vec<(usize, &'t str)> {
-        let lines = self.text.lines().enumerate();
-        lines.filter_map(|(i, line)| Some((i + 1, comment(line)?.strip_prefix("Columns:")?.trim()))).collect()
-    }
 }
 
 /// The rows of a table, one by one.
-pub(crate) enum Rows<'t> {
+enum Rows<'t> {
     Delimited(Box<DelimitedRows<'t>>),
     Blanks(std::iter::Enumerate<std::str::Lines<'t>>),
 }
 
 impl Rows<'_> {
     /// Reads the next row into `record` and returns its line, counted from 1; `None` at the end.
-    pub(crate) fn read(&mut self, record: &mut StringRecord) -> Result<Option<usize>, ReadError> {
+    fn read(&mut self, record: &mut StringRecord) -> Result<Option<usize>, ReadError> {
         match self {
             Self::Delimited(rows) => rows.read(record),
             Self::Blanks(lines) => Ok(lines.find(|(_, line)| !is_blank_or_comment(line)).map(|(i, line)| {
@@ -86,7 +133,7 @@ impl Rows<'_> {
 
 /// Rows of a CSV file. The CSV reader passes over comments and empty lines silently, so lines are counted
 /// here.
-pub(crate) struct DelimitedRows<'t> {
+struct DelimitedRows<'t> {
     reader: csv::Reader<&'t [u8]>,
     is_tabbed: bool,
     bytes: &'t [u8],
@@ -159,9 +206,9 @@ impl Separator {
     }
 }
 
-/// Checks that a file is UTF-8 text without zero bytes, the mark of binary files, and takes its byte order
+/// The text of a file: checks that it is UTF-8 without zero bytes, the mark of binary files, and takes its byte order
 /// mark off.
-fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
+pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
     let (text, end) = match std::str::from_utf8(bytes) {
         Ok(text) => (text, text.find('\0')),
         Err(error) => ("", Some(error.valid_up_to())),
@@ -179,7 +226,7 @@ fn leading_comments(text: &str) -> impl Iterator<Item = &str> {
     text.lines().take_while(|line| is_blank_or_comment(line)).filter_map(comment)
 }
 
-fn comment(line: &str) -> Option<&str> {
+pub(crate) fn comment(line: &str) -> Option<&str> {
     line.trim_start().strip_prefix('#').map(|rest| rest.trim_start_matches('#').trim())
 }
 
@@ -188,7 +235,7 @@ fn is_blank_or_comment(line: &str) -> bool {
     line.is_empty() || line.starts_with('#')
 }
 
-fn is_number(field: Option<&str>) -> bool {
+pub(crate) fn is_number(field: Option<&str>) -> bool {
     field.is_some_and(|field| field.parse::<f64>().is_ok())
 }
 

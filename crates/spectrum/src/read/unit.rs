@@ -17,6 +17,11 @@ impl Unit {
         Self { metre_power, decimal_exponent: 0, angular: false }
     }
 
+    /// Whether one of it is as much as one of the other; radians do not count.
+    pub(crate) fn is_same_size(self, other: Self) -> bool {
+        (self.metre_power, self.decimal_exponent) == (other.metre_power, other.decimal_exponent)
+    }
+
     /// Reads a unit as headers write it: `nm`, `1/µm`, `µm⁻¹`, `um^-1`, `rad/m`, `rad_per_m`, `m3`, `nm^3`,
     /// `µm³`.
     pub(crate) fn parse(text: &str) -> Option<Self> {
@@ -44,6 +49,26 @@ impl Unit {
             return None;
         }
         Some(Self { metre_power, decimal_exponent: metre_power * decimal_prefix(metre)?, angular })
+    }
+}
+
+impl std::fmt::Display for Unit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let metre = match self.decimal_exponent.checked_div(self.metre_power).unwrap_or(0) {
+            0 => "m",
+            -2 => "cm",
+            -3 => "mm",
+            -6 => "um",
+            -9 => "nm",
+            -10 => "angstrom",
+            _ => "pm",
+        };
+        match self.metre_power {
+            1 => f.write_str(metre),
+            -1 if self.angular => write!(f, "rad/{metre}"),
+            -1 => write!(f, "1/{metre}"),
+            power => write!(f, "{metre}^{power}"),
+        }
     }
 }
 

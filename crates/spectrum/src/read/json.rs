@@ -1,0 +1,225 @@
+//! Series as JSON: `{name, x, y, std_err_y}` of contact.engineering, one or an array of them, or the whole analysis
+//! with its units.
+
+use csv::StringRecord;
+use serde::Deserialize;
+use serde_json::value::RawValue;
+use thiserror::Error;
+
+use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
+
+/// A JSON file that holds no series.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum JsonError {
+    /// No JSON, or values of other kinds than a series has.
+    #[error("line {line}, column {column}: reading a series from JSON: {message}")]
+    Syntax {
+        /// Line.
+        line: usize,
+        /// Character in the line.
+        column: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// No array x or y.
+    #[error(
+        "reading a series from JSON: {place} has no array '{missing}'; a series is {{\"name\": ..., \"x\": [...], \
+         \"y\": [...], \"std_err_y\": [...]}}, the last of which may be missing"
+    )]
+    NoArray {
+        /// Which object.
+        place: String,
+        /// The array it lacks.
+        missing: &'static str,
+    },
+    /// Arrays of different lengths.
+    #[error(
+        "reading a series from JSON: {place} has {x} numbers in 'x' and {other} in '{array}'; give one for each"
+    )]
+    UnequalLengths {
+        /// Which object.
+        place: String,
+        /// Length of x.
+        x: usize,
+        /// The other array.
+        array: &'static str,
+        /// Its length.
+        other: usize,
+    },
+    /// No series at all.
+    #[error("reading a series from JSON: the array of series is empty, it must hold at least 1")]
+    Empty,
+}
+
+impl JsonError {
+    /// The line to look at, where there is one.
+    pub(crate) fn line(&self) -> Option<usize> {
+        match *self {
+            Self::Syntax { line, .. } => Some(line),
+            _ => None,
+        }
+    }
+}
+
+impl From<serde_json::Error> for JsonError {
+    fn from(error: serde_json::Error) -> Self {
+        let (line, column) = (error.line(), error.column());
+        // serde_json ends its messages with the place, which is told first here.
+        let mut message = error.to_string().replace(&format!(" at line {line} column {column}"), "");
+        if message == "expected value" {
+            message.push_str("; a missing number is null, not NaN");
+        }
+        Self::Syntax { line, column, message }
+    }
+}
+
+/// The numbers stay text: their unit moves the decimal point before they are rounded.
+type Numbers<'d> = Vec<Option<&'d RawValue>>;
+
+#[derive(Deserialize)]
+struct JsonSeries<'d> {
+    name: Option<String>,
+    #[serde(borrow)]
+    x: Option<Numbers<'d>>,
+    #[serde(borrow)]
+    y: Option<Numbers<'d>>,
+    #[serde(borrow)]
+    std_err_y: Option<Numbers<'d>>,
+}
+
+/// An analysis: its series, and what its axes hold.
+#[derive(Deserialize)]
+struct Analysis<'d> {
+    #[serde(borrow)]
+    series: Vec<JsonSeries<'d>>,
+    xlabel: Option<String>,
+    ylabel: Option<String>,
+    xunit: Option<String>,
+    yunit: Option<String>,
+}
+
+/// Whether an object of JSON is an analysis.
+#[derive(Deserialize)]
+struct Probe<'d> {
+    #[serde(borrow)]
+    series: Option<&'d RawValue>,
+}
+
+/// Whether a text is a JSON object or array.
+pub(crate) fn is_json(text: &str) -> bool {
+    let text = text.trim_start();
+    text.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']))
+        || text.strip_prefix('[').is_some_and(|rest| rest.trim_start().starts_with(['{', ']']))
+}
+
+/// The series of a JSON text.
+pub(crate) fn series(text: &str) -> Result<Vec<Series>, JsonError> {
+    let (analysis, is_single) = if text.trim_start().starts_with('[') {
+        (bare(serde_json::from_str(text)?), false)
+    } else if serde_json::from_str::<Probe<'_>>(text)?.series.is_some() {
+        (serde_json::from_str(text)?, false)
+    } else {
+        (bare(vec![serde_json::from_str(text)?]), true)
+    };
+    if analysis.series.is_empty() {
+        return Err(JsonError::Empty);
+    }
+    let names = analysis.names();
+    let one = |(i, series): (usize, &JsonSeries<'_>)| {
+        let place = match &series.name {
+            Some(name) => format!("the series '{name}'"),
+            None if is_single => "the object".to_owned(),
+            None => format!("series {}", i + 1),
+        };
+        series.rows(text, &names, place)
+    };
+    analysis.series.iter().enumerate().map(one).collect()
+}
+
+fn bare(series: Vec<JsonSeries<'_>>) -> Analysis<'_> {
+    Analysis { series, xlabel: None, ylabel: None, xunit: None, yunit: None }
+}
+
+/// What the arrays are called in messages, and whether that tells quantity and unit.
+struct Names {
+    x: String,
+    y: String,
+    std_err_y: String,
+    named: bool,
+}
+
+impl Analysis<'_> {
+    fn names(&self) -> Names {
+        let label = |label: &Option<String>, usual: &str| label.clone().unwrap_or_else(|| usual.to_owned());
+        match (&self.xunit, &self.yunit) {
+            (Some(x), Some(y)) => Names {
+                x: format!("{} ({x})", label(&self.xlabel, "Wavevector")),
+                y: format!("{} ({y})", label(&self.ylabel, "PSD")),
+                std_err_y: format!("standard error of {} ({y})", label(&self.ylabel, "PSD")),
+                named: true,
+            },
+            _ => Names { x: "x".into(), y: "y".into(), std_err_y: "std_err_y".into(), named: false },
+        }
+    }
+}
+
+impl JsonSeries<'_> {
+    fn rows(&self, text: &str, names: &Names, place: String) -> Result<Series, JsonError> {
+        let missing = |missing| JsonError::NoArray { place: place.clone(), missing };
+        let x = self.x.as_ref().ok_or_else(|| missing("x"))?;
+        let y = self.y.as_ref().ok_or_else(|| missing("y"))?;
+        let mut columns = vec![names.x.clone(), names.y.clone()];
+        let mut arrays = vec![x, y];
+        if let Some(errors) = &self.std_err_y {
+            columns.push(names.std_err_y.clone());
+            arrays.push(errors);
+        }
+        for (array, of) in arrays.iter().zip(["x", "y", "std_err_y"]) {
+            if array.len() != x.len() {
+                let (x, other) = (x.len(), array.len());
+                return Err(JsonError::UnequalLengths { place, x, array: of, other });
+            }
+        }
+        let mut place = Place { text, byte: 0, line: 1 };
+        let mut rows = Vec::with_capacity(x.len());
+        for i in 0..x.len() {
+            let fields: Vec<&str> = arrays.iter().map(|array| array[i].map_or("", number_text)).collect();
+            if let Some(raw) = y[i].or(x[i]) {
+                place.advance_to(raw.get());
+            }
+            rows.push(Row { line: place.line, fields: StringRecord::from(fields) });
+        }
+        let line = rows.first().map_or(1, |row| row.line);
+        let columns = Columns { names: columns, line, kind: ColumnKind::Arrays { named: names.named } };
+        let name = SeriesName { series: self.name.clone(), ..SeriesName::default() };
+        let mut series = Series::new(name, columns, rows);
+        series.may_miss_values = true;
+        Ok(series)
+    }
+}
+
+/// A number as it stands, or the text of a string.
+fn number_text(raw: &RawValue) -> &str {
+    let text = raw.get();
+    text.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(text)
+}
+
+/// A line in the text, found by going forward.
+struct Place<'t> {
+    text: &'t str,
+    byte: usize,
+    line: usize,
+}
+
+impl Place<'_> {
+    /// To a part of the text itself, at or after the last.
+    fn advance_to(&mut self, part: &str) {
+        let byte = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize);
+        if (self.byte..self.text.len()).contains(&byte) {
+            let between = &self.text.as_bytes()[self.byte..byte];
+            self.line += between.iter().filter(|&&byte| byte == b'\n').count();
+            self.byte = byte;
+        }
+    }
+}

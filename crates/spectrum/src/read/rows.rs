@@ -1,0 +1,193 @@
+//! The rows of a series as numbers.
+
+use std::f64::consts::TAU;
+
+use crate::read::error::{Field, ReadError};
+use crate::read::header::Abscissa;
+use crate::read::layout::{AbscissaColumn, Layout};
+use crate::read::series::{ColumnKind, Row, Series};
+use crate::read::unit::parse_scaled;
+
+/// How far the wavelengths of two columns may differ.
+const AGREEMENT: f64 = 1e-3;
+
+/// A sample with the line it comes from.
+pub(crate) struct Sample {
+    line: usize,
+    pub(crate) wavelength_m: f64,
+    pub(crate) value: f64,
+    pub(crate) standard_error: Option<f64>,
+}
+
+/// The samples of a series from long to short wavelengths, and how many rows have no value.
+pub(crate) fn samples(series: &Series, layout: &Layout) -> Result<(Vec<Sample>, usize), ReadError> {
+    let mut samples = Vec::new();
+    let mut missing = 0;
+    for (at, row) in series.rows.iter().enumerate() {
+        let fields = Fields { at, row, series, layout };
+        fields.refuse_other_length()?;
+        if series.may_miss_values && fields.is_missing(layout.density.index) {
+            missing += 1;
+        } else {
+            samples.push(fields.sample()?);
+        }
+    }
+    if samples.len() < 2 {
+        return Err(ReadError::TooFewRows { line: series.last_line(), rows: samples.len() });
+    }
+    refuse_repeated_wavelengths(&mut samples)?;
+    Ok((samples, missing))
+}
+
+/// Sorts the rows from long to short wavelengths.
+fn refuse_repeated_wavelengths(rows: &mut [Sample]) -> Result<(), ReadError> {
+    // A stable sort: repetitions keep the order of their lines.
+    rows.sort_by(|a, b| b.wavelength_m.total_cmp(&a.wavelength_m));
+    let repeated = rows.windows(2).filter(|pair| pair[0].wavelength_m == pair[1].wavelength_m);
+    match repeated.min_by_key(|pair| pair[1].line) {
+        None => Ok(()),
+        Some(pair) => Err(ReadError::RepeatedWavelength {
+            line: pair[1].line,
+            first_line: pair[0].line,
+            wavelength_m: pair[1].wavelength_m,
+        }),
+    }
+}
+
+/// One row of a file.
+struct Fields<'f> {
+    /// Its place in the series, from 0.
+    at: usize,
+    row: &'f Row,
+    series: &'f Series,
+    layout: &'f Layout,
+}
+
+impl Fields<'_> {
+    fn refuse_other_length(&self) -> Result<(), ReadError> {
+        let columns = &self.series.columns;
+        let (first_line, found, expected) = (columns.line, self.row.fields.len(), columns.names.len());
+        if found == expected {
+            Ok(())
+        } else {
+            Err(ReadError::Ragged { line: self.row.line, found, first_line, expected })
+        }
+    }
+
+    /// Whether a field is empty or NaN.
+    fn is_missing(&self, index: usize) -> bool {
+        let text = self.text(index);
+        text.is_empty() || text.parse().is_ok_and(f64::is_nan)
+    }
+
+    fn sample(&self) -> Result<Sample, ReadError> {
+        let abscissa = &self.layout.abscissa;
+        let wavelength_m = self.wavelength_m(abscissa)?;
+        for check in &self.layout.checks {
+            let ratio = wavelength_m / self.wavelength_m(check)?;
+            if (ratio - 1.0).abs() > AGREEMENT {
+                return Err(self.inconsistent(abscissa, check, ratio));
+            }
+        }
+        let density = &self.layout.density;
+        let value = self.positive(density.index, density.decimal_exponent)?;
+        let standard_error = self.standard_error()?;
+        Ok(Sample { line: self.row.line, wavelength_m, value, standard_error })
+    }
+
+    /// The standard error of the value; none where its field is empty or NaN.
+    fn standard_error(&self) -> Result<Option<f64>, ReadError> {
+        let Some(column) = self.layout.standard_error.filter(|column| !self.is_missing(column.index)) else {
+            return Ok(None);
+        };
+        let error = self.number(column.index, column.decimal_exponent)?;
+        if error.is_finite() && error >= 0.0 {
+            return Ok(Some(error));
+        }
+        Err(ReadError::BadStandardError {
+            line: self.row.line,
+            column: self.name(column.index),
+            text: self.text(column.index).to_owned(),
+        })
+    }
+
+    fn wavelength_m(&self, column: &AbscissaColumn) -> Result<f64, ReadError> {
+        let value = self.positive(column.index, column.decimal_exponent)?;
+        self.in_range(column.index, column.quantity.wavelength_m(value))
+    }
+
+    fn positive(&self, index: usize, decimal_exponent: i32) -> Result<f64, ReadError> {
+        self.in_range(index, self.number(index, decimal_exponent)?)
+    }
+
+    /// The number in a column, in SI units.
+    fn number(&self, index: usize, decimal_exponent: i32) -> Result<f64, ReadError> {
+        let text = self.text(index);
+        match parse_scaled(text, decimal_exponent) {
+            Some(value) => Ok(value),
+            None if text.is_empty() => {
+                Err(ReadError::EmptyField { line: self.row.line, column: self.name(index) })
+            }
+            None => Err(ReadError::NotANumber {
+                line: self.row.line,
+                column: self.name(index),
+                text: text.to_owned(),
+            }),
+        }
+    }
+
+    fn in_range(&self, index: usize, value: f64) -> Result<f64, ReadError> {
+        if value.is_finite() && value > 0.0 {
+            return Ok(value);
+        }
+        Err(ReadError::OutOfRange {
+            line: self.row.line,
+            column: self.name(index),
+            text: self.text(index).to_owned(),
+        })
+    }
+
+    fn inconsistent(&self, first: &AbscissaColumn, second: &AbscissaColumn, ratio: f64) -> ReadError {
+        let field = |index| Box::new(Field { column: self.name(index), text: self.text(index).to_owned() });
+        ReadError::Inconsistent {
+            line: self.row.line,
+            first: field(first.index),
+            second: field(second.index),
+            ratio: six_digits(ratio),
+            hint: two_pi_hint(second.quantity, ratio),
+        }
+    }
+
+    fn text(&self, index: usize) -> &str {
+        self.row.fields.get(index).unwrap_or_default().trim()
+    }
+
+    fn name(&self, index: usize) -> String {
+        let name = &self.series.columns.names[index];
+        match self.series.columns.kind {
+            ColumnKind::Arrays { .. } => format!("{name}[{}]", self.at),
+            _ => name.clone(),
+        }
+    }
+}
+
+/// A factor of 2 pi tells which quantity a mislabelled second column really holds.
+fn two_pi_hint(second: Abscissa, ratio: f64) -> &'static str {
+    let is_one = |factor: f64| (factor - 1.0).abs() <= AGREEMENT;
+    match second {
+        Abscissa::Wavevector if is_one(ratio * TAU) => {
+            ": a factor of 2 pi, so the second holds the frequency 1/lambda, not the wavevector 2 pi/lambda"
+        }
+        Abscissa::Frequency if is_one(ratio / TAU) => {
+            ": a factor of 2 pi, so the second holds the wavevector 2 pi/lambda, not the frequency 1/lambda"
+        }
+        _ if is_one(ratio * TAU) || is_one(ratio / TAU) => {
+            ": a factor of 2 pi, as between wavevector and frequency"
+        }
+        _ => "",
+    }
+}
+
+fn six_digits(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}

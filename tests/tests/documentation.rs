@@ -1,0 +1,89 @@
+//! The pages of `docs/` and their pictures. `cargo xtask docs` draws those anew.
+
+use std::path::PathBuf;
+
+use tests::committed_file;
+use tests::pictures::{MOST_BYTES, path, pictures, stale};
+
+#[test]
+fn the_committed_pictures_are_as_drawn_now() {
+    let stale = stale();
+    assert!(stale.is_empty(), "docs/pictures: {stale:?} differ; run cargo xtask docs");
+}
+
+#[test]
+fn pictures_stay_small_and_every_one_is_shown_with_words() {
+    let pages: Vec<String> = pages().map(|page| std::fs::read_to_string(page).unwrap()).collect();
+    for picture in pictures() {
+        assert!(picture.svg.len() <= MOST_BYTES, "{} has {} bytes", picture.name, picture.svg.len());
+        let shown = format!("](pictures/{}.svg)", picture.name);
+        let page = pages.iter().find(|page| page.contains(&shown));
+        let page = page.unwrap_or_else(|| panic!("{} is shown nowhere", path(picture.name).display()));
+        assert!(
+            !page.contains(&format!("![]{shown}")),
+            "{} has no text for those who cannot see it",
+            picture.name
+        );
+    }
+}
+
+#[test]
+fn every_link_between_the_pages_leads_somewhere() {
+    let top = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"].map(committed_file);
+    for page in top.into_iter().chain(pages()) {
+        let text = std::fs::read_to_string(&page).unwrap();
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let (file, section) = link.split_once('#').unwrap_or((link, ""));
+            if link.contains("://") {
+                continue;
+            }
+            let file = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            assert!(file.exists(), "{}: {link}", page.display());
+            if !section.is_empty() {
+                let sections = sections(&std::fs::read_to_string(&file).unwrap());
+                assert!(sections.iter().any(|other| other == section), "{}: {link}", page.display());
+            }
+        }
+    }
+}
+
+fn pages() -> impl Iterator<Item = PathBuf> {
+    let files = std::fs::read_dir(committed_file("docs")).unwrap().map(|entry| entry.unwrap().path());
+    files.filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+}
+
+/// The names under which GitHub links to the headings of a page.
+fn sections(page: &str) -> Vec<String> {
+    let headings = page.lines().filter_map(|line| line.strip_prefix('#'));
+    let name = |heading: &str| {
+        let heading = heading.trim_start_matches('#').trim().to_lowercase();
+        let kept = heading.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+        kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+    };
+    headings.map(name).collect()
+}
+
+#[test]
+fn the_changes_that_add_a_law_still_apply() {
+    let page = std::fs::read_to_string(committed_file("docs/adding-a-law.md")).unwrap();
+    // Names of files stand in backquotes; one that follows another may leave its folder out.
+    let mut files: Vec<PathBuf> = Vec::new();
+    for name in page.split('`').filter(|name| name.contains('.') && !name.contains([' ', '\n'])) {
+        let beside = files.last().and_then(|last| Some(last.parent()?.join(name)));
+        files
+            .extend([Some(committed_file(name)), beside].into_iter().flatten().filter(|path| path.is_file()));
+    }
+    let texts: Vec<String> = files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
+    let blocks: Vec<&str> =
+        page.split("```diff\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(blocks.len() > 30, "{} changes found", blocks.len());
+    for block in blocks {
+        // Who has followed the page has the lines after the change.
+        let [before, after] = ['+', '-'].map(|left_out| {
+            let lines = block.lines().filter(|line| !line.starts_with(left_out));
+            lines.map(|line| format!("{}\n", &line[1..])).collect::<String>()
+        });
+        let found = texts.iter().any(|text| text.contains(&before) || text.contains(&after));
+        assert!(found, "no file has the lines around\n{block}");
+    }
+}

@@ -1,0 +1,26 @@
+//! The pictures of `docs/`, drawn from the program's own laws.
+
+use std::process::ExitCode;
+
+use tests::pictures::{pictures, rewrite, stale};
+
+pub(crate) fn run(check: bool) -> ExitCode {
+    let stale = stale();
+    for name in &stale {
+        println!("docs/pictures/{name}.svg is not what the program draws");
+    }
+    match (stale.is_empty(), check) {
+        (true, _) => println!("{} pictures in docs/pictures, as the program draws them", pictures().len()),
+        (false, true) => {
+            println!("\ncargo xtask docs draws them anew");
+            return ExitCode::FAILURE;
+        }
+        (false, false) => {
+            if let Err(failure) = rewrite() {
+                return failure.report();
+            }
+            println!("drawn anew; a file that is no picture of the program is for you to delete");
+        }
+    }
+    ExitCode::SUCCESS
+}
