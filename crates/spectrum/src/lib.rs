@@ -47,4 +47,11 @@ pub use profile::ProfilePsd;
 pub use psd::{Psd, PsdError};
 pub use read::{Abscissa, Field, PsdFile, ReadError, ReadOptions, read_psd};
 pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
+pub use scan::{
+    LengthUnit, MeasurementMetadata, Place, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize,
+};
+pub use scan::{UnknownLengthUnit, read_scans};
+
+#[cfg(feature = "container")]
+pub use scan::read_metadata;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};

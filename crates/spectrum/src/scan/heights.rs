@@ -169,7 +169,7 @@ impl HeightMap {
         heights_m: Vec<f64>,
     ) -> Result<Self, ScanError> {
         refuse_few("columns", columns)?;
-        if heights_m.len() % columns != 0 {
+        if !heights_m.len().is_multiple_of(columns) {
             return Err(ScanError::LengthMismatch {
                 heights: heights_m.len(),
                 what: format!("rows of {columns} columns"),
