@@ -49,10 +49,10 @@ fn choose<'i, 'h>(images: &'i [Image<'h>], options: &ScanOptions) -> Result<&'i 
     if let Some(source) = options.metadata.as_ref().and_then(|metadata| metadata.data_source) {
         return images.get(source).ok_or_else(|| none(format!("image number {source}, counted from 0")));
     }
-    let mut heights = images.iter().filter(|image| image.is_length() && image.is_named_after_height());
-    heights
-        .next()
-        .ok_or_else(|| none("channel of heights; name one that holds them with --channel".to_owned()))
+    let heights = || images.iter().filter(|image| image.is_named_after_height());
+    // Where none can be scaled, the first will say why.
+    let found = heights().find(|image| image.is_length()).or_else(|| heights().next());
+    found.ok_or_else(|| none("channel of heights; name one that holds them with --channel".to_owned()))
 }
 
 /// Force curves and unevenly spaced profiles have image sections that hold no map.

@@ -12,15 +12,20 @@ pub(crate) struct Columns {
     /// The first line of numbers.
     pub(crate) first_line: usize,
     pub(crate) separator: Separator,
-    /// The coarsest last digit printed in the first two columns; zero for whole matrices, where nobody asks.
-    pub(crate) last_digits: [f64; 2],
+    /// How the first two columns are printed; empty for matrices, where nobody asks.
+    printed: [Precision; 2],
 }
 
 impl Columns {
     pub(crate) fn read(text: &str) -> Result<Self, ScanReadError> {
         let separator = Separator::of(text)?;
-        let mut columns =
-            Self { count: 0, values: Vec::new(), first_line: 0, separator, last_digits: [0.0; 2] };
+        let mut columns = Self {
+            count: 0,
+            values: Vec::new(),
+            first_line: 0,
+            separator,
+            printed: [Precision::default(); 2],
+        };
         let mut decimals = Decimals::default();
         let mut scratch = String::new();
         for (line, row) in rows(text) {
@@ -28,8 +33,8 @@ impl Columns {
             for (index, field) in separator.split(row).enumerate() {
                 let field = decimals.with_point(field, line, &mut scratch)?;
                 columns.values.push(number(field, line, index + 1)?);
-                if let (true, Some(last)) = (columns.count <= 3, columns.last_digits.get_mut(index)) {
-                    *last = last.max(last_digit(field));
+                if let (true, Some(printed)) = (columns.count <= 3, columns.printed.get_mut(index)) {
+                    printed.take(field);
                 }
             }
             let found = columns.values.len() - start;
@@ -57,7 +62,7 @@ impl Columns {
     /// instruments round or cut off, and the rounding of the numbers themselves.
     pub(crate) fn rounding(&self, column: usize) -> f64 {
         let largest = self.column(column).fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        self.last_digits[column] * (1.0 + 1e-6) + 4.0 * f64::EPSILON * largest
+        self.printed[column].last_digit(largest) * (1.0 + 1e-6) + 4.0 * f64::EPSILON * largest
     }
 }
 
@@ -114,14 +119,38 @@ fn number(field: &str, line: usize, column: usize) -> Result<f64, ScanReadError>
     }
 }
 
-/// The value of one in the last digit of a number as printed: 1e-3 for `0.250`, 1e-5 for `1.3381669e+02`.
-fn last_digit(field: &str) -> f64 {
-    let (mantissa, exponent) = match field.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, exponent.parse().unwrap_or(0)),
-        None => (field, 0i32),
-    };
-    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    10f64.powi(exponent.saturating_sub(decimals.try_into().unwrap_or(i32::MAX)))
+/// Most decimals and most significant digits of printed numbers. The most, since trailing zeros may be left out.
+#[derive(Clone, Copy, Default)]
+struct Precision {
+    /// 3 for `0.250`, 5 for `1.3381669e+02`, -2 for `1e2`.
+    decimals: Option<i32>,
+    digits: i32,
+}
+
+impl Precision {
+    fn take(&mut self, field: &str) {
+        let (mantissa, exponent) = match field.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse().unwrap_or(0)),
+            None => (field, 0i32),
+        };
+        let length = |text: &str| i32::try_from(text.len()).unwrap_or(i32::MAX);
+        let decimals =
+            mantissa.split_once('.').map_or(0, |(_, decimals)| length(decimals)).saturating_sub(exponent);
+        let significant = mantissa.trim_start_matches(['+', '-', '0', '.']);
+        let digits = length(significant) - i32::from(significant.contains('.'));
+        self.decimals = self.decimals.max(Some(decimals));
+        self.digits = self.digits.max(digits);
+    }
+
+    /// The value of one in the last digit of numbers up to `largest`.
+    fn last_digit(self, largest: f64) -> f64 {
+        let Some(decimals) = self.decimals else { return 0.0 };
+        let of_decimals = 10f64.powi(decimals.saturating_neg());
+        if largest == 0.0 {
+            return of_decimals;
+        }
+        of_decimals.max(10f64.powi(largest.log10().floor() as i32 + 1 - self.digits))
+    }
 }
 
 #[cfg(test)]
@@ -129,13 +158,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_digit_is_that_printed() {
-        for (field, digit) in
-            [("0.250", 1e-3), ("12", 1.0), ("1.3381669e+02", 1e-5), ("-5E-9", 1e-9), ("1.", 1.0)]
-        {
-            assert!((last_digit(field) / digit - 1.0).abs() < 1e-12, "{field}");
+    fn the_last_digit_is_the_finest_printed() {
+        for (fields, largest, digit) in [
+            (&["0.000", "0.250", "12.500"][..], 12.5, 1e-3),
+            (&["0", "0.5", "1.25"], 1.25, 1e-2),
+            (&["1.3381669e+01", "2.0057210e+02"], 200.6, 1e-5),
+            (&["0.123456", "123.456"], 123.5, 1e-3),
+            (&["0", "5", "10"], 10.0, 1.0),
+            (&["-5E-9", "1e-8"], 1e-8, 1e-8),
+            (&["0", "1e99999999999"], 0.0, 1.0),
+        ] {
+            let mut printed = Precision::default();
+            fields.iter().for_each(|field| printed.take(field));
+            let found = printed.last_digit(largest);
+            assert!((found / digit - 1.0).abs() < 1e-12, "{fields:?}: {found}");
         }
-        assert_eq!(last_digit("1e99999999999"), 1.0);
     }
 
     #[test]

@@ -46,21 +46,29 @@ impl Axis {
         let rounding = columns.rounding(column);
         let mut values: Vec<f64> = columns.column(column).collect();
         values.sort_by(f64::total_cmp);
-        // Instruments print the same position with a last digit that varies. The first of a group stands for it, so
-        // that a creeping sequence of close values does not merge into one.
-        values.dedup_by(|value, group| *value - *group <= 2.0 * rounding);
-        let (first, last, count) = (values[0], values[values.len() - 1], values.len());
-        if count == 1 {
+        values.dedup();
+        let (first, last) = (values[0], values[values.len() - 1]);
+        if values.len() == 1 {
             // One column or row, which the map refuses with its own words.
-            return Ok(Self { first, spacing: 1.0, count });
+            return Ok(Self { first, spacing: 1.0, count: 1 });
         }
-        if let Some(spacing) = even_spacing(&values, 3.0 * rounding) {
-            return Ok(Self { first, spacing, count });
+        if let Some(spacing) = even_spacing(&values, rounding) {
+            return Ok(Self { first, spacing, count: values.len() });
         }
+        // Instruments print the same position with a last digit that varies. The first of a group stands for it, so
+        // that a creeping sequence of close values does not merge into one; groups must lie well apart.
+        let mut groups = values.clone();
+        groups.dedup_by(|value, group| *value - *group <= 2.0 * rounding);
+        if let Some(spacing) = even_spacing(&groups, 3.0 * rounding)
+            && spacing > 8.0 * rounding
+        {
+            return Ok(Self { first, spacing, count: groups.len() });
+        }
+        let count = values.len();
         let axis = Self { first, spacing: (last - first) / (count - 1) as f64, count };
         let off = |value: f64| (value - axis.position(axis.index(value))).abs();
         let (row, position) = (columns.column(column).enumerate())
-            .max_by(|a, b| off(a.1).total_cmp(&off(b.1)))
+            .reduce(|worst, next| if off(next.1) > off(worst.1) { next } else { worst })
             .unwrap_or((0, first));
         let (line, axis) = (line_of_row(text, row), ['x', 'y'][column]);
         Err(ScanReadError::NotAGrid { line, axis, position, count, first, last })
