@@ -20,7 +20,8 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
-//! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made.
+//! * [`PsdFile`]: a [`Psd`] as read from text, with the comments and the assumptions made;
+//! * [`ScanFile`]: measured heights, a [`Scan`], as read from the files of instruments and containers.
 //!
 //! What it does not do: it opens no paths, prints nothing, computes no spectrum from a topography, and does
 //! not convert between one- and two-dimensional spectra, which no sampled spectrum determines.

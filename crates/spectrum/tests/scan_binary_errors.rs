@@ -94,7 +94,7 @@ fn nanoscope_channels_go_by_name() {
     assert!(read_one(&file.to_bytes(), &wanted("Height Sensor")).is_ok());
     assert_eq!(
         refusal(&file.to_bytes(), &wanted("Amplitude")),
-        "reading Nanoscope: there is no channel 'Amplitude'; the channels are 'Phase (Trace)', 'Height Sensor (Retrace)'"
+        "reading Nanoscope: there is no channel 'Amplitude'; there are 'Phase (Trace)', 'Height Sensor (Retrace)'"
     );
     assert!(
         refusal(&file.to_bytes(), &wanted("Phase"))

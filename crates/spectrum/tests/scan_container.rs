@@ -74,7 +74,7 @@ fn one_measurement_can_be_chosen() {
     assert_eq!(scans(&chosen("afm.001")).unwrap()[0].name, "afm");
     assert_eq!(
         scans(&chosen("tem")).unwrap_err().to_string(),
-        "reading container: there is no measurement 'tem'; the channels are 'afm', 'stylus'"
+        "reading container: there is no measurement 'tem'; there are 'afm', 'stylus'"
     );
 }
 
@@ -181,7 +181,8 @@ fn paths_that_lead_outside_are_refused() {
             )
         );
     }
-    let index = YAML.replace("stylus.txt", "../stylus.txt");
+    // No processed copy stands in for a file that is not where it should be.
+    let index = YAML.replace("stylus.txt", "../stylus.txt, squeezed-netcdf: afm.nc");
     let archive = zipped(&[("meta.yml", index.as_bytes())]);
     let options = ScanOptions { measurement: Some("stylus".to_owned()), ..ScanOptions::default() };
     let message = read_scans(&archive, "container.zip", &options).unwrap_err().to_string();

@@ -84,14 +84,14 @@ pub enum ScanReadError {
         /// What can be done.
         mend: &'static str,
     },
-    /// No channel of the name asked for, or none that holds heights.
-    #[error("reading {format}: there is no {wanted}; the channels are {}", list(.channels))]
+    /// No channel or measurement of the name asked for, or none that holds heights.
+    #[error("reading {format}: there is no {wanted}; there {}", list(.channels))]
     NoChannel {
         /// Format of the file.
         format: ScanFormat,
         /// What was asked for.
         wanted: String,
-        /// The channels there are.
+        /// Those that there are.
         channels: Vec<String>,
     },
     /// Lengths or heights without a unit.
@@ -338,8 +338,9 @@ impl fmt::Display for Place {
 
 fn list(names: &[String]) -> String {
     match names {
-        [] => "none".to_owned(),
-        _ => names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", "),
+        [] => "are none".to_owned(),
+        [name] => format!("is '{name}'"),
+        _ => format!("are {}", names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")),
     }
 }
 

@@ -42,7 +42,8 @@ pub(crate) enum Magic {
 }
 
 /// Beginnings of formats that are not read, with the way to one that is.
-const FOREIGN: [(&[u8], &str); 8] = [
+const FOREIGN: [(&[u8], &str); 9] = [
+    (b"\\*Force file list", ": this is a Nanoscope force curve; export an image of heights"),
     (b"\x89HDF\r\n\x1a\n", ": this is HDF5 or NetCDF-4; save it as NetCDF-3 ('NETCDF3_64BIT_OFFSET')"),
     (b"GWYP", ": this is Gwyddion's own format; export it as X3P or as an ASCII matrix with its header"),
     (b"GWYO", ": this is Gwyddion's own format; export it as X3P or as an ASCII matrix with its header"),

@@ -9,7 +9,9 @@ mod metadata;
 mod nanoscope;
 mod netcdf;
 mod options;
+mod size;
 mod text;
+mod units;
 
 #[cfg(any(feature = "x3p", feature = "container"))]
 mod archive;

@@ -4,10 +4,12 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use crate::scan::archive::{Archive, leads_outside};
 use crate::scan::error::{Place, ScanReadError};
-use crate::scan::file::{Reading, own_scale_note, refuse_unit};
+use crate::scan::file::Reading;
 use crate::scan::format::ScanFormat;
 use crate::scan::heights::{NonuniformLineScan, Scan};
 use crate::scan::options::{ScanOptions, ScanSize};
+use crate::scan::size::refuse_size;
+use crate::scan::units::{own_scale_note, refuse_unit};
 
 const FORMAT: ScanFormat = ScanFormat::X3p;
 const INDEX: &str = "main.xml";
@@ -62,6 +64,7 @@ pub(crate) fn read(archive: &mut Archive, options: &ScanOptions) -> Result<Readi
     let (positions_m, heights_m) = description.values(archive)?;
     let Description { columns, rows, .. } = description;
     let Some(spacing_x_m) = description.spacing_x_m else {
+        refuse_size(FORMAT, Place::Element("Record1/Axes/CX".to_owned()), options)?;
         let line = NonuniformLineScan::new(positions_m, heights_m)?;
         return Ok(Reading::new(Scan::NonuniformLine(line), notes));
     };

@@ -85,6 +85,8 @@ fn measurement(
     };
     let reason = match original {
         Some(Ok(scan)) => return Ok(scan),
+        // An archive that means harm is not read at all.
+        Some(Err(error)) if means_harm(&error) => return Err(error),
         Some(Err(error)) => {
             format!("the instrument's file cannot be read ({error}): its processed copy '{path}' is")
         }
@@ -111,4 +113,11 @@ fn data_file(
     }
     let bytes = archive.read(&format!("{folder}{path}"))?;
     read_one(&bytes, path, options)
+}
+
+fn means_harm(error: &ScanReadError) -> bool {
+    match error {
+        ScanReadError::Measurement { source, .. } => means_harm(source),
+        _ => matches!(error, ScanReadError::PathOutside { .. } | ScanReadError::ArchiveTooLarge { .. }),
+    }
 }

@@ -4,9 +4,10 @@ mod header;
 mod image;
 
 use crate::scan::error::{Place, ScanReadError};
-use crate::scan::file::{Reading, own_scale_note, refuse_unit};
+use crate::scan::file::Reading;
 use crate::scan::format::ScanFormat;
 use crate::scan::options::{ScanOptions, ScanSize};
+use crate::scan::units::{own_scale_note, refuse_unit};
 use header::Header;
 use image::Image;
 

@@ -5,11 +5,13 @@ mod classic;
 mod cursor;
 
 use crate::scan::error::{Place, ScanReadError};
-use crate::scan::file::{Reading, Units};
+use crate::scan::file::Reading;
 use crate::scan::format::ScanFormat;
 use crate::scan::heights::{NonuniformLineScan, Scan};
 use crate::scan::length::LengthUnit;
 use crate::scan::options::{ScanOptions, ScanSize};
+use crate::scan::size::refuse_size;
+use crate::scan::units::Units;
 use classic::{Classic, Variable};
 
 const FORMAT: ScanFormat = ScanFormat::NetCdf;
@@ -154,14 +156,7 @@ fn points(
     options: &ScanOptions,
     heights_m: Vec<f64>,
 ) -> Result<Scan, ScanReadError> {
-    if options.size.is_some() {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: Place::File,
-            found: "a line at uneven spacing with another size than its own".to_owned(),
-            mend: "leave out --size",
-        });
-    }
+    refuse_size(FORMAT, Place::File, options)?;
     let x = file.variable("x").ok_or_else(|| ScanReadError::MissingField {
         format: FORMAT,
         place: Place::File,

@@ -1,13 +1,13 @@
 //! Points `x y h` on a regular grid, in any order.
 
 use crate::scan::error::ScanReadError;
-use crate::scan::file::Units;
 use crate::scan::heights::{HeightMap, Scan};
 use crate::scan::options::{ScanOptions, ScanSize};
 use crate::scan::text::FORMAT;
 use crate::scan::text::columns::{Columns, line_of_row};
 use crate::scan::text::header::Header;
 use crate::scan::text::profile::even_spacing;
+use crate::scan::units::Units;
 
 /// One axis of a grid.
 struct Axis {

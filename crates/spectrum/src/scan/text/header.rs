@@ -1,12 +1,12 @@
 //! What the header of a text file says: sizes, spacings, units, the channel.
 
 use crate::scan::error::{Place, ScanReadError};
-use crate::scan::file::Units;
 use crate::scan::length::LengthUnit;
 use crate::scan::options::{ScanOptions, ScanSize};
 use crate::scan::text::FORMAT;
 use crate::scan::text::columns::Columns;
 use crate::scan::text::style::{is_comment, shortened};
+use crate::scan::units::Units;
 
 /// What the lines before the first numbers say.
 #[derive(Default)]

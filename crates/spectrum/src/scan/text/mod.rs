@@ -7,10 +7,11 @@ mod profile;
 mod style;
 
 use crate::scan::error::ScanReadError;
-use crate::scan::file::{Reading, Units};
+use crate::scan::file::Reading;
 use crate::scan::format::ScanFormat;
 use crate::scan::heights::Scan;
 use crate::scan::options::{ScanOptions, ScanSize};
+use crate::scan::units::Units;
 use columns::Columns;
 use header::Header;
 

@@ -1,12 +1,13 @@
 //! Profiles `x h`.
 
 use crate::scan::error::{Place, ScanReadError};
-use crate::scan::file::Units;
 use crate::scan::heights::{NonuniformLineScan, Scan, UniformLineScan};
 use crate::scan::options::{ScanOptions, ScanSize};
+use crate::scan::size::refuse_size;
 use crate::scan::text::FORMAT;
 use crate::scan::text::columns::{Columns, line_of_row};
 use crate::scan::text::header::Header;
+use crate::scan::units::Units;
 
 /// The share of the spacing that the rounding of printed positions may take up before even spacing is a guess.
 const DISCERNIBLE: f64 = 0.25;
@@ -44,13 +45,8 @@ pub(crate) fn read(
                 _ => Ok(Scan::UniformLine(UniformLineScan::new(length_to_m(spacing), heights_m)?)),
             }
         }
-        None if options.size.is_some() => Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: Place::Line(columns.first_line),
-            found: "a profile at uneven spacing with another size than its own".to_owned(),
-            mend: "leave out --size",
-        }),
         None => {
+            refuse_size(FORMAT, Place::Line(columns.first_line), options)?;
             positions.iter_mut().for_each(|position| *position = length_to_m(*position));
             Ok(Scan::NonuniformLine(NonuniformLineScan::new(positions, heights_m)?))
         }
