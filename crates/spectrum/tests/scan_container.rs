@@ -110,6 +110,7 @@ fn processed_copies_stand_in_for_originals_that_cannot_be_read() {
         ("folder/a-squeezed.nc", &copy),
     ]);
     let scans = read_scans(&archive, "container.zip", &ScanOptions::default()).unwrap();
+    assert!(scans[0].is_periodic);
     assert_close(heights_m(&scans[0].scan), &map, 1e-22);
     assert!(scans[0].notes[0].starts_with("the instrument's file cannot be read ("), "{:?}", scans[0].notes);
     let gone = zipped(&[("index.json", json.as_bytes())]);

@@ -136,9 +136,12 @@ fn joined(format: ScanFormat, reading: Reading, name: &str, options: &ScanOption
         scan: reading.scan,
         channel: reading.channel,
         channels: reading.channels,
-        is_periodic: metadata.map(|metadata| metadata.is_periodic).or(reading.is_periodic).unwrap_or(false),
-        tip_radius_m: metadata.and_then(|metadata| metadata.tip_radius_m).or(reading.tip_radius_m),
-        resolution_m: metadata.and_then(|metadata| metadata.resolution_m).or(reading.resolution_m),
+        is_periodic: reading
+            .is_periodic
+            .or(metadata.and_then(|metadata| metadata.is_periodic))
+            .unwrap_or(false),
+        tip_radius_m: reading.tip_radius_m.or(metadata.and_then(|metadata| metadata.tip_radius_m)),
+        resolution_m: reading.resolution_m.or(metadata.and_then(|metadata| metadata.resolution_m)),
         notes,
     }
 }

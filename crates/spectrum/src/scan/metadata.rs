@@ -22,7 +22,7 @@ pub struct MeasurementMetadata {
     /// instrument files that carry their own scale.
     pub height_scale: Option<f64>,
     /// Whether the heights repeat themselves.
-    pub is_periodic: bool,
+    pub is_periodic: Option<bool>,
     /// Which of the images of an instrument's file was chosen, counted from 0.
     pub data_source: Option<usize>,
     /// Radius of the tip of the instrument, in m, above 0.

@@ -94,7 +94,7 @@ impl Entry<'_> {
             sizes: self.sizes()?,
             unit: unit.transpose()?,
             height_scale: height_scale.transpose()?,
-            is_periodic: is_periodic.transpose()?.unwrap_or(false),
+            is_periodic: is_periodic.transpose()?,
             data_source: data_source.transpose()?,
             tip_radius_m: instrument_length_m(self.value, "tip_radius"),
             resolution_m: instrument_length_m(self.value, "resolution"),

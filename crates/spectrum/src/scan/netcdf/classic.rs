@@ -115,24 +115,23 @@ impl<'b> Classic<'b> {
         let scaled = |raw: f64| if fills.contains(&Some(raw)) { f64::NAN } else { raw * scale + shift };
         let records =
             if self.is_record(variable) { self.dimensions[variable.dimensions[0]].length } else { 1 };
+        let (size, stride) = (self.record_size(variable), self.stride(variable));
         let mut values = Vec::new();
-        if self.record_size(variable) == Some(0) {
+        if size == Some(0) {
             return Ok(values);
         }
+        let block = |record: usize| {
+            let begin = usize::try_from(variable.begin).ok()?;
+            let start = begin.checked_add(stride?.checked_mul(record)?)?;
+            self.bytes.get(start..)?.get(..size?)
+        };
         for record in 0..records {
-            let block = self.record(variable, record).ok_or_else(|| self.truncated(variable, records))?;
+            let block = block(record).ok_or_else(|| self.truncated(variable, records))?;
             values.extend(
                 block.chunks_exact(variable.kind.size()).map(|raw| scaled(variable.kind.number(raw))),
             );
         }
         Ok(values)
-    }
-
-    /// The bytes of one record, or of the whole variable; none beyond the end of the file.
-    fn record(&self, variable: &Variable, record: usize) -> Option<&'b [u8]> {
-        let begin = usize::try_from(variable.begin).ok()?;
-        let start = begin.checked_add(self.stride(variable)?.checked_mul(record)?)?;
-        self.bytes.get(start..)?.get(..self.record_size(variable)?)
     }
 
     fn truncated(&self, variable: &Variable, records: usize) -> ScanReadError {
