@@ -72,6 +72,7 @@ fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
             column: name.clone(),
             curve: "accepted".to_owned(),
             condition: String::new(),
+            condition_in_full: String::new(),
             colour,
             dash: 0,
             points: points.filter(|(_, value)| !value.is_nan()).collect(),

@@ -70,9 +70,9 @@ pub struct Series {
     pub column: String,
     /// The curve it belongs to, which its dash pattern stands for.
     pub curve: String,
-    /// The load or cutoff it is drawn for, which its colour stands for, as it stands at the line; empty where it is alone.
+    /// The load or cutoff it is drawn for, as typed, which its colour stands for; empty where it is alone.
     pub condition: String,
-    /// The same in the legend: a load also in units of the hardness.
+    /// The same for the legend: a load also in units of the hardness.
     pub condition_in_full: String,
     /// Which lines share a colour.
     pub colour: usize,
@@ -201,7 +201,7 @@ impl Figure {
         Series {
             column: format!("{curve} at {condition}"),
             curve: curve.replace("-strain-gradient", ", strain gradient"),
-            condition: typeset(condition),
+            condition: condition.to_owned(),
             condition_in_full: typeset(condition),
             colour,
             dash,

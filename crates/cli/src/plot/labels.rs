@@ -16,9 +16,9 @@ const PROBE_PX: f64 = 3.0;
 const PLACES: [f64; 7] = [1.0, 0.0, 0.75, 0.25, 0.5, 0.875, 0.125];
 
 /// A line in pixels. Of lines that share a colour, the label goes to the first that has room for it.
-pub(super) struct Track<'a> {
+pub(super) struct Track {
     /// Its label.
-    pub label: &'a str,
+    pub label: String,
     /// Lines that share it share a label.
     pub colour: usize,
     /// Its points.
@@ -67,7 +67,7 @@ pub(super) struct Placed {
 }
 
 /// The labels that find a place inside the frame.
-pub(super) fn place(tracks: &[Track<'_>], frame: Box) -> Vec<Placed> {
+pub(super) fn place(tracks: &[Track], frame: Box) -> Vec<Placed> {
     let probes: Vec<(usize, Vec<(f64, f64)>)> =
         tracks.iter().map(|track| (track.colour, probed(&track.points))).collect();
     let mut placed: Vec<Placed> = Vec::new();
@@ -89,14 +89,10 @@ pub(super) fn place(tracks: &[Track<'_>], frame: Box) -> Vec<Placed> {
         let of_colour = || probes.iter().filter(|(colour, _)| *colour == track.colour);
         let found = PLACES.iter().find_map(|&along| {
             of_colour()
-                .flat_map(|(_, line)| around(line, along, track.label))
+                .flat_map(|(_, line)| around(line, along, &track.label))
                 .find(|candidate| free(candidate))
         });
-        placed.extend(found.map(|place| Placed {
-            text: track.label.to_owned(),
-            colour: track.colour,
-            place,
-        }));
+        placed.extend(found.map(|place| Placed { text: track.label.clone(), colour: track.colour, place }));
     }
     placed
 }
@@ -144,8 +140,8 @@ mod tests {
 
     const FRAME: Box = Box { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
 
-    fn level(colour: usize, y: f64) -> Track<'static> {
-        let label = ["first", "second", "third"][colour];
+    fn level(colour: usize, y: f64) -> Track {
+        let label = ["first", "second", "third"][colour].to_owned();
         Track { label, colour, points: vec![(350.0, y), (60.0, y)] }
     }
 
@@ -180,7 +176,7 @@ mod tests {
 
     #[test]
     fn a_point_alone_is_labelled_inside_the_frame() {
-        let alone = Track { label: "first", colour: 0, points: vec![(1.0, 1.0)] };
+        let alone = Track { label: "first".to_owned(), colour: 0, points: vec![(1.0, 1.0)] };
         let placed = place(&[alone], FRAME);
         assert!(placed[0].place.within(&FRAME), "{placed:?}");
     }

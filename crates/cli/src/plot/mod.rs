@@ -13,6 +13,7 @@ use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
+use crate::display::typeset;
 use crate::figure::{FigureData, Series};
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
@@ -94,10 +95,10 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
     };
-    let tracks: Vec<Track<'_>> = traces
+    let tracks: Vec<Track> = traces
         .iter()
         .map(|(series, points)| Track {
-            label: &series.condition,
+            label: typeset(&series.condition),
             colour: series.colour,
             points: in_pixels(points),
         })
@@ -218,7 +219,7 @@ mod tests {
         let series = Series {
             column: String::new(),
             curve: String::new(),
-            condition: "10⁻³ H".to_owned(),
+            condition: "1e-3 H".to_owned(),
             condition_in_full: "10 MPa = 10⁻³ H".to_owned(),
             colour: 0,
             dash: 0,

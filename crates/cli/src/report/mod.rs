@@ -103,7 +103,6 @@ impl Report<'_> {
                             section id=(section.id) { h2 { (section.title) } (section.body) }
                         }
                     }
-                    footer { p { "Made by truearea " (env!("CARGO_PKG_VERSION")) "." } }
                 }
             }
         };
