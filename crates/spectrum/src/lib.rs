@@ -23,11 +23,12 @@
 //! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a [`Scan`], on the bins of its own length, with the
 //!   [`ReliableBand`] it holds in;
 //! * [`Composite`]: one spectrum from many measurements;
-//! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
+//! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made;
+//! * [`ScanFile`]: measured heights, a [`Scan`], as read from the files of instruments and containers.
 //!
-//! What it does not do: it opens no paths, and prints nothing. Between
-//! one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows nothing of the
-//! surface beyond them.
+//! What it does not do: it opens no paths, prints nothing, and runs on one thread; maps come in blocks of rows for callers
+//! that have more. Between one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows
+//! nothing of the surface beyond them.
 
 mod abel;
 mod amplitude;
@@ -55,7 +56,12 @@ pub use read::{
     Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
     WorkbookError, read_psd, series_names,
 };
-pub use scan::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
+#[cfg(feature = "container")]
+pub use scan::read_metadata;
+pub use scan::{
+    HeightMap, LengthUnit, MeasurementMetadata, NonuniformLineScan, Place, Scan, ScanError, ScanFile,
+    ScanFormat, ScanOptions, ScanReadError, ScanSize, UniformLineScan, UnknownLengthUnit, read_scans,
+};
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use transform::{
     ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, BinMean, Boundary, Composite,

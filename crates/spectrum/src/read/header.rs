@@ -121,7 +121,7 @@ fn is_meant(quantity: Quantity, base: &str, unit: Option<&str>) -> bool {
     let power = unit.map(|unit| Unit::parse(unit).map(|unit| unit.metre_power));
     match (quantity, base) {
         (Quantity::Density(DensityName::C), _) => power == Some(Some(4)),
-        (_, "k") => matches!(power, None | Some(Some(-1))),
+        (_, "k") => power == Some(Some(-1)),
         _ => true,
     }
 }
@@ -212,6 +212,7 @@ mod tests {
             "quality",
             "kurtosis",
             "k_factor",
+            "k",
             "C (m^3)",
             "C",
             "column",

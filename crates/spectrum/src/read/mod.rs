@@ -51,11 +51,12 @@ pub struct PsdFile {
 /// Reads a power spectrum from text in UTF-8 (CSV with `,`, `;` or tab, or blanks between the columns), JSON or, with
 /// the feature `xlsx`, a workbook; which one is told by the content.
 ///
-/// The columns go by their names, in any order and case: `wavelength` or `lambda`, `wavevector`, `q` or `k`,
-/// `frequency` or `f`, and `c1d`, `w1`, `psd`, `ciso` or Persson's `C (m^4)`, each with its unit (`lambda_nm`,
-/// `q_rad_per_m`, `PSD (µm³)`) or without in SI. Others are ignored, but for standard errors (`standard error of PSD
-/// (m³)`, `C1D_se_m3`). Wavelength counts before wavevector before frequency, and the others must agree with it to
-/// 0.001; C1D counts before other spectra. Lines that begin with `#` are comments.
+/// The columns go by their names, in any order and case: `wavelength` or `lambda`, `wavevector` or `q`,
+/// `frequency` or `f`, and `c1d`, `w1`, `psd` or `ciso`, each with its unit (`lambda_nm`, `q_rad_per_m`, `PSD (µm³)`)
+/// or without in SI; Gwyddion's `k (1/m)` and Persson's `C (m^4)` go by name and unit together. Others are ignored,
+/// but for standard errors (`standard error of PSD (m³)`, `C1D_se_m3`). Wavelength counts before wavevector before
+/// frequency, and the others must agree with it to 0.001; C1D counts before other spectra. Lines that begin with `#`
+/// are comments.
 ///
 /// Exports of contact.engineering (TXT, CSV, XLSX, JSON) and Gwyddion's graphs as text may hold several series, of
 /// which [`ReadOptions::series`] and [`ReadOptions::subject`] choose one. Without them that is the only one, or

@@ -15,6 +15,7 @@ use crate::psd::Psd;
 /// The ring k = 1, 2, ... gathers the modes with k - 1/2 <= q/dq < k + 1/2; every mode but q = 0 is in one, so that
 /// Sum C2D/(Lx Ly) over all of them is the variance of the prepared heights. Rings beyond the smaller Nyquist wavevector
 /// of the two directions are cut by the edge of the sampled rectangle: they belong to the variance, not to the spectrum.
+/// Where sides or pixels differ so much that this made more than a million rings, they are as much wider.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ArealSpectrum {
     pub(super) sizes_m: [f64; 2],

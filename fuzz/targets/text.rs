@@ -1,0 +1,4 @@
+//! Text: profiles, points, matrices, headers.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzz::read(bytes));
