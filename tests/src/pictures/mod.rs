@@ -15,7 +15,7 @@ mod strength;
 use std::path::PathBuf;
 
 use asperity::{Break, ElasticBody, MaterialPair};
-use cli::figure::{Axis, FigureData, Series};
+use cli::figure::{Axis, FigureData, Series, Shows};
 use cli::output::StagedFiles;
 use cli::plot;
 
@@ -106,8 +106,10 @@ fn picture(
 ) -> Picture {
     let figure = FigureData {
         name: name.to_owned(),
+        shows: Shows::Area,
         title: title.to_owned(),
         x: Axis { column: "x", label: x_label },
+        x_label: x_label.to_owned(),
         y_label,
         series,
     };
@@ -121,6 +123,7 @@ fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
         column: condition.to_owned(),
         curve: String::new(),
         condition: condition.to_owned(),
+        condition_in_full: condition.to_owned(),
         colour,
         dash: 0,
         points,

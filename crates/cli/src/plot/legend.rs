@@ -76,7 +76,7 @@ fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
 fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
     let compared = figure.compares_curves();
     let mut entries: Vec<Entry<'_>> = Vec::new();
-    for series in figure.series.iter().filter(|_| compared) {
+    for series in figure.series.iter().filter(|series| compared && !series.curve.is_empty()) {
         if !entries.iter().any(|entry| entry.label == series.curve) {
             let (dark, pale) = COLOURS[COLOURS.len() - 1];
             let (colour, width_px) = if series.dash == 0 { (pale, 3.5) } else { (dark, 1.6) };
