@@ -61,6 +61,14 @@ pub fn typeset_digits(value: f64) -> String {
     }
 }
 
+/// A load as typed; one typed in units of pressure or force also in units of the hardness, e.g. `10 MPa = 3.33 × 10⁻³ H`.
+pub fn load_in_full(typed: &str, pressure_pa: f64, hardness_pa: Option<f64>) -> String {
+    match hardness_pa.filter(|_| !typed.ends_with('H')) {
+        Some(hardness_pa) => format!("{} = {} H", typeset(typed), typeset_digits(pressure_pa / hardness_pa)),
+        None => typeset(typed),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -94,5 +102,12 @@ mod tests {
         {
             assert_eq!(typeset_digits(value), set);
         }
+    }
+
+    #[test]
+    fn a_load_is_also_given_in_units_of_the_hardness() {
+        assert_eq!(load_in_full("1e-3 H", 3e6, Some(3e9)), "10⁻³ H");
+        assert_eq!(load_in_full("10 MPa", 1e7, Some(3e9)), "10 MPa = 3.33 × 10⁻³ H");
+        assert_eq!(load_in_full("10 MPa", 1e7, None), "10 MPa");
     }
 }

@@ -2,8 +2,8 @@
 
 use stacked_contact::Scale;
 
-use crate::display::{length, pressure, typeset, typeset_digits};
-use crate::plan::{Load, Needs, Results};
+use crate::display::{length, load_in_full, pressure, typeset};
+use crate::plan::{Needs, Results};
 use crate::table::Table;
 
 /// What a figure shows.
@@ -22,30 +22,6 @@ pub enum Shows {
     Area,
     /// Contact area of statistical curves against nominal pressure, at some cutoffs.
     AreaAgainstLoad,
-}
-
-impl Shows {
-    /// What is seen, in a line.
-    pub fn caption(self) -> &'static str {
-        match self {
-            Shows::Psd => "The spectrum that everything else is computed from.",
-            Shows::Moments => {
-                "Variance of height (m0), slope (m2) and curvature (m4) of the wavelengths down to the abscissa, each over \
-                 its value for the whole spectrum."
-            }
-            Shows::Amplitude => "The height of the sinusoid that stands for each wavelength.",
-            Shows::AspectRatio => {
-                "Height over wavelength of each scale: the steepest scale takes the largest pressure to flatten."
-            }
-            Shows::Area => {
-                "The contact area when only the wavelengths down to the abscissa take part: finer roughness comes in \
-                 towards the left, and a line that levels off is settled."
-            }
-            Shows::AreaAgainstLoad => {
-                "The contact area under growing load, the spectrum cut off at some wavelengths."
-            }
-        }
-    }
 }
 
 /// A figure as asked for.
@@ -162,7 +138,10 @@ impl Figure {
             for (colour, load) in needs.loads.iter().enumerate() {
                 let points = results.curves[curve].area_fractions(colour);
                 let line = self.line(&needs.curves[curve].name, &load.label, place, colour, points);
-                series.push(Series { condition_in_full: load_in_full(load, hardness_pa), ..line });
+                series.push(Series {
+                    condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa, hardness_pa),
+                    ..line
+                });
             }
         }
         series
@@ -208,17 +187,6 @@ impl Figure {
             dash,
             points,
         }
-    }
-}
-
-/// A load as typed; one typed in units of pressure or force also in units of the hardness.
-pub fn load_in_full(load: &Load, hardness_pa: Option<f64>) -> String {
-    let typed = typeset(&load.label);
-    match hardness_pa.filter(|_| !load.label.ends_with('H')) {
-        Some(hardness_pa) => {
-            format!("{typed} = {} H", typeset_digits(load.nominal_pressure_pa / hardness_pa))
-        }
-        None => typed,
     }
 }
 
@@ -313,15 +281,6 @@ impl FigureData {
 mod tests {
     use super::*;
     use crate::table::Cells;
-
-    #[test]
-    fn a_load_is_also_given_in_units_of_the_hardness() {
-        let load = |label: &str, nominal_pressure_pa| Load { nominal_pressure_pa, label: label.to_owned() };
-        assert_eq!(load_in_full(&load("1e-3 H", 3e6), Some(3e9)), "10⁻³ H");
-        assert_eq!(load_in_full(&load("10 MPa", 1e7), Some(3e9)), "10 MPa = 3.33 × 10⁻³ H");
-        assert_eq!(load_in_full(&load("5 MPa", 5e6), Some(3e10)), "5 MPa = 1.67 × 10⁻⁴ H");
-        assert_eq!(load_in_full(&load("10 MPa", 1e7), None), "10 MPa");
-    }
 
     #[test]
     fn lines_of_different_abscissas_share_a_table() {

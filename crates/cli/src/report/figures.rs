@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::answer::sentence;
 use super::{SceneReport, Section};
-use crate::figure::FigureData;
+use crate::figure::{FigureData, Shows};
 use crate::plot;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -42,7 +42,7 @@ fn figure(scenes: &[SceneReport<'_>], name: &str) -> Markup {
                     }
                 }
             }
-            figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (first.shows.caption()) }
+            figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (caption(first.shows)) }
         }
     }
 }
@@ -59,4 +59,26 @@ fn words(scene: &SceneReport<'_>, figure: &FigureData) -> String {
 /// `Figure 3a. ` of `figure-3a`; other names say nothing that the title does not.
 fn numbered(name: &str) -> String {
     name.strip_prefix("figure-").map_or_else(String::new, |number| format!("Figure {number}. "))
+}
+
+/// What is seen, in a line.
+fn caption(shows: Shows) -> &'static str {
+    match shows {
+        Shows::Psd => "The spectrum that everything else is computed from.",
+        Shows::Moments => {
+            "Variance of height (m0), slope (m2) and curvature (m4) of the wavelengths down to the abscissa, each over \
+             its value for the whole spectrum."
+        }
+        Shows::Amplitude => "The height of the sinusoid that stands for each wavelength.",
+        Shows::AspectRatio => {
+            "Height over wavelength of each scale: the steepest scale takes the largest pressure to flatten."
+        }
+        Shows::Area => {
+            "The contact area when only the wavelengths down to the abscissa take part: finer roughness comes in \
+             towards the left, and a line that levels off is settled."
+        }
+        Shows::AreaAgainstLoad => {
+            "The contact area under growing load, the spectrum cut off at some wavelengths."
+        }
+    }
 }

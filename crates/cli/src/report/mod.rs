@@ -19,8 +19,8 @@ pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::{Answer, LoadAnswer};
-use crate::display::{pressure, typeset_digits};
-use crate::figure::{FigureData, load_in_full};
+use crate::display::{load_in_full, pressure, typeset_digits};
+use crate::figure::FigureData;
 use crate::plan::Results;
 use crate::scene::Scene;
 use crate::sensitivity::Sensitivity;
@@ -128,7 +128,7 @@ fn per_scene(
     })
 }
 
-/// A table that scrolls by itself where the page is narrower. Many columns are set smaller.
+/// A table that scrolls by itself where the page is narrower.
 fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
     html! {
         // Reached by keyboard, since it may have to be scrolled.
@@ -141,7 +141,11 @@ fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
 impl SceneReport<'_> {
     /// A load as typed, and in units of the hardness.
     fn load(&self, load: usize) -> String {
-        load_in_full(&self.scene.needs.loads[load], self.scene.hardness_pa())
+        load_in_full(
+            &self.scene.needs.loads[load].label,
+            self.scene.needs.loads[load].nominal_pressure_pa,
+            self.scene.hardness_pa(),
+        )
     }
 
     /// A curve's name.
