@@ -7,7 +7,7 @@ use asperity::Hardness;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
-use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Detrend, LengthUnit, Normalisation, Window};
 use stat_contact::{InterferenceLaw, Model};
 
 use crate::material::StackedModelName;
@@ -16,6 +16,7 @@ use crate::plan::Tolerance;
 use crate::quantity::{Length, Modulus, Pressure, SignedLength};
 use crate::scene::Template;
 use crate::table::Format;
+use crate::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
 
 /// How much of two rough surfaces really touches, and which scales of roughness decide it.
 ///
@@ -103,6 +104,22 @@ Examples:
       --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
   truearea statistical --input rows.csv --given pressure --output rows.csv")]
     Statistical(StatisticalArgs),
+    /// The power spectrum of scans, each in the band that shows the surface, and their composite
+    #[command(after_help = "\
+Reads text (profiles, points, matrices), Nanoscope/Dimension, NetCDF-3, X3P,
+and containers of contact.engineering. Unit and size come from the file, else
+from a meta.yml or index.json beside it that names it, else from --unit.
+Options of a single file follow it after a colon.
+
+Columns: wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3 (standard error
+where several scans share a bin), measurements; a row per bin from long to
+short. Every other command takes this table. How far each spectrum can be
+believed is said on standard error.
+
+Examples:
+  truearea psd map.001 trace.asc:unit=nm,shortest=5nm stylus.txt --out psd.csv
+  truearea psd map.001 --areal --out ciso.csv")]
+    Psd(ScansArgs),
     /// Fit a self-affine spectrum: Hurst exponent and roll-off
     #[command(after_help = "\
 Columns: hurst_exponent, hurst_exponent_se, rolloff_wavelength_m,
@@ -228,6 +245,72 @@ pub(crate) struct ReadingArgs {
     /// The convention of the spectrum, where the header does not tell
     #[arg(long, value_parser = one_of::<Convention, _>(Convention::ALL))]
     pub convention: Option<Convention>,
+    /// The series to read, of files that hold several, e.g. '1D PSD along y'
+    #[arg(long, value_name = "NAME")]
+    pub series: Option<String>,
+    /// The subject whose series is read, of files that hold several
+    #[arg(long, value_name = "NAME")]
+    pub subject: Option<String>,
+    /// Unit of the abscissa where the file states none, e.g. 1/um
+    #[arg(long, value_name = "UNIT")]
+    pub x_unit: Option<String>,
+    /// Unit of the spectrum where the file states none, e.g. um^3
+    #[arg(long, value_name = "UNIT")]
+    pub psd_unit: Option<String>,
+}
+
+/// Scans and how their spectra are made.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct ScansArgs {
+    /// The scans, each perhaps with options of its own:
+    /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<ScanRequest>,
+    /// What is subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
+    #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
+    pub detrend: Option<Detrend>,
+    /// The window: by default Hann, for periodic data none
+    #[arg(long, value_parser = one_of::<Window, _>(Window::ALL))]
+    pub window: Option<Window>,
+    /// How scans are averaged where they share a bin
+    #[arg(long, value_enum, default_value_t)]
+    pub average: Average,
+    /// Logarithmic bins per decade of wavevectors
+    #[arg(long, value_name = "N", value_parser = parse_count, default_value_t = DEFAULT_BINS_PER_DECADE)]
+    pub bins_per_decade: NonZeroU32,
+    /// Radius of the tip, for every scan that has no other: wavelengths that it cannot follow are left out
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub tip_radius: Option<Length>,
+    /// Unit of lengths and heights where neither the file nor metadata beside it tell
+    #[arg(long, value_name = "UNIT")]
+    pub unit: Option<LengthUnit>,
+    /// The channel to read, of files that have several
+    #[arg(long, value_name = "NAME")]
+    pub channel: Option<String>,
+    /// Where the table goes; the same as --output
+    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    pub out: Option<Place>,
+    /// Write the spectrum of every scan, one after the other under its name in the column series, and the composite last
+    #[arg(long)]
+    pub per_scan: bool,
+    /// Draw the spectra and their composite
+    #[arg(long, value_name = "FILE.svg")]
+    pub figure: Option<PathBuf>,
+    /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
+    #[arg(long, conflicts_with_all = ["per_scan", "figure"])]
+    pub areal: bool,
+}
+
+impl ScansArgs {
+    /// A file with what is said for all of them where it says nothing itself.
+    pub fn with_common_options(&self, file: &ScanRequest) -> ScanRequest {
+        ScanRequest {
+            unit: file.unit.or(self.unit),
+            channel: file.channel.clone().or_else(|| self.channel.clone()),
+            tip_radius_m: file.tip_radius_m.or(self.tip_radius.map(|radius| radius.m)),
+            ..file.clone()
+        }
+    }
 }
 
 /// A material: the rough body.

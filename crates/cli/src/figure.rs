@@ -90,6 +90,7 @@ const WAVEVECTOR: Axis = Axis { column: "wavevector_rad_per_m", label: "wavevect
 const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
 const CUTOFF: Axis = Axis { column: "wavelength_m", label: "shortest wavelength included (m)" };
 const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
+const PSD: &str = "power spectral density C1D (m³)";
 const AREA: &str = "contact area / nominal area";
 
 impl Figure {
@@ -108,7 +109,7 @@ impl Figure {
     /// \[Pa\] as well, where there is one.
     pub fn data(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> FigureData {
         let (x, y_label, series) = match self.shows {
-            Shows::Psd => (WAVEVECTOR, "power spectral density C1D (m³)", psd_series(results)),
+            Shows::Psd => (WAVEVECTOR, PSD, psd_series(results)),
             Shows::Moments => (CUTOFF, "moment over its final value", moment_series(results)),
             Shows::Amplitude => (
                 WAVELENGTH,
@@ -186,6 +187,19 @@ impl Figure {
             dash,
             points,
         }
+    }
+}
+
+/// A figure of spectra.
+pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
+    FigureData {
+        name: name.to_owned(),
+        shows: Shows::Psd,
+        title: PSD.to_owned(),
+        x: WAVEVECTOR,
+        x_label: WAVEVECTOR.label.to_owned(),
+        y_label: PSD,
+        series,
     }
 }
 

@@ -42,6 +42,7 @@ pub mod surface;
 pub mod table;
 pub mod tables;
 mod timings;
+pub mod topography;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

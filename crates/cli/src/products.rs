@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::answer::Answer;
 use crate::failure::Failure;
-use crate::figure::{Figure, FigureData};
+use crate::figure::{Figure, FigureData, Shows};
 use crate::output::StagedFiles;
 use crate::plan::{PlanError, Results};
 use crate::plot;
@@ -27,7 +27,11 @@ pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String
 }
 
 fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
-    figure.data(results, &scene.needs, scene.hardness_pa())
+    let data = figure.data(results, &scene.needs, scene.hardness_pa());
+    match (&scene.surface.made_from, figure.shows) {
+        (Some(scans), Shows::Psd) => scans.beneath(data),
+        _ => data,
+    }
 }
 
 fn drawn(scene: &Scene, figure: &FigureData) -> String {

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
-use spectrum::{ProfilePsd, PsdFile, ReadOptions, read_psd};
+use spectrum::{ProfilePsd, PsdFile, ReadOptions, read_psd, superpose};
 
+use crate::display::length;
 use crate::failure::Failure;
 use crate::output::{Place, utf8};
 use crate::table::{Format, InputTable};
+use crate::topography::{CompositeSpectrum, Recipe, ScanRequest};
 
 /// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
 /// and licence stand in their comments.
@@ -30,6 +32,8 @@ pub struct Surface {
     pub remarks: Vec<String>,
     /// What reading took for granted.
     pub notes: Vec<String>,
+    /// The scans it is the composite of, where it is not given as a spectrum.
+    pub made_from: Option<CompositeSpectrum>,
 }
 
 impl Surface {
@@ -59,7 +63,54 @@ impl Surface {
         if name == RECONSTRUCTION.0 {
             notes.push(RECONSTRUCTION.1.to_owned());
         }
-        Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes })
+        Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes, made_from: None })
+    }
+
+    /// The composite spectrum of scans, relative to `folder`.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the file, and place, value and bound where they are to blame.
+    pub fn from_scans(requests: &[ScanRequest], folder: &Path, recipe: &Recipe) -> Result<Self, Failure> {
+        let scans = CompositeSpectrum::of_files(requests, folder, recipe)?;
+        let psd = scans.psd()?.profile().map_err(Failure::input)?;
+        let files: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();
+        Ok(Surface {
+            name: files.join(" + "),
+            psd,
+            remarks: scans.provenance(),
+            notes: scans.notes(),
+            made_from: Some(scans),
+        })
+    }
+
+    /// The sum of two surfaces that know nothing of each other: their spectra add where both have one, and elsewhere the
+    /// one that does stands alone.
+    pub fn against(self, other: Surface) -> Self {
+        let sum = superpose(&self.psd, &other.psd);
+        let shared = match sum.shared_m {
+            Some([longest_m, shortest_m]) => format!(
+                "both surfaces have a spectrum from {} to {}, where the two add; elsewhere one stands alone",
+                length(longest_m),
+                length(shortest_m)
+            ),
+            None => "the two spectra share no wavelength: each stands alone on its own".to_owned(),
+        };
+        let of_each = |what: fn(&Surface) -> &Vec<String>| -> Vec<String> {
+            let prefixed = |surface: &Surface| {
+                let name = surface.name.clone();
+                what(surface).iter().map(move |line| format!("{name}: {line}")).collect::<Vec<_>>()
+            };
+            [prefixed(&self), prefixed(&other)].concat()
+        };
+        let mut notes = of_each(|surface| &surface.notes);
+        notes.push(shared);
+        Surface {
+            name: format!("{} against {}", self.name, other.name),
+            psd: sum.psd,
+            remarks: of_each(|surface| &surface.remarks),
+            notes,
+            made_from: None,
+        }
     }
 }
 
@@ -69,6 +120,10 @@ fn json_as_csv(bytes: &[u8], name: &str) -> Result<Option<Vec<u8>>, Failure> {
         return Ok(None);
     }
     let rows = InputTable::from_json(utf8(bytes, name, "spectrum")?, name.to_owned())?;
+    // An array of series, each with its points, is not one of rows.
+    if rows.table.column("x").is_some() && rows.table.column("y").is_some() {
+        return Ok(None);
+    }
     let mut csv = Vec::new();
     rows.table.write(Format::Csv, &[], &mut csv).map_err(|error| Failure::reading(name, &error))?;
     Ok(Some(csv))

@@ -3,6 +3,7 @@
 mod completions;
 mod man_pages;
 mod one_asperity;
+mod psd;
 mod run_scene;
 mod spectrum_tables;
 mod stacked;
@@ -34,6 +35,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(psd) => spectrum_tables::moments(&psd, &context),
         Command::Amplitude(psd) => spectrum_tables::amplitude(&psd, &context),
+        Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
         Command::Statistical(args) => statistical::run(&args, &context),
@@ -103,9 +105,13 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// Writes a table; what is written to a file carries its provenance, stdout carries the table alone.
     fn write(&self, table: &Table, comments: &[String]) -> Result<(), Failure> {
-        let comments = match self.shared.output {
+        self.write_to(&self.shared.output, table, comments)
+    }
+
+    /// Writes a table; what is written to a file carries its provenance, stdout carries the table alone.
+    fn write_to(&self, output: &Place, table: &Table, comments: &[String]) -> Result<(), Failure> {
+        let comments = match output {
             Place::Standard => &[],
             Place::File(_) => comments,
         };
@@ -115,7 +121,7 @@ impl Context<'_> {
                 "{unrepresentable} results lie beyond the range of double-precision numbers: their cells are empty"
             )]);
         }
-        self.shared.output.write(|out| table.write(self.shared.format, comments, out))
+        output.write(|out| table.write(self.shared.format, comments, out))
     }
 }
 
@@ -126,8 +132,15 @@ fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
 }
 
 fn load(psd: &str, reading: &ReadingArgs) -> Result<Surface, Failure> {
-    let options =
-        ReadOptions { column: reading.column.clone(), x: reading.x, convention: reading.convention };
+    let options = ReadOptions {
+        column: reading.column.clone(),
+        x: reading.x,
+        convention: reading.convention,
+        series: reading.series.clone(),
+        subject: reading.subject.clone(),
+        x_unit: reading.x_unit.clone(),
+        psd_unit: reading.psd_unit.clone(),
+    };
     Surface::load(psd, Path::new(""), &options)
 }
 

@@ -4,7 +4,7 @@ use asperity::ElasticBody;
 use serde_spanned::Spanned;
 
 use super::diagnostic::SceneError;
-use super::raw::{RawMaterial, RawQuantity};
+use super::raw::{RawCounterface, RawMaterial, RawQuantity};
 use super::values::{optional, quantity};
 use crate::material::{GivenMaterial, Material};
 use crate::quantity::{Length, Modulus, Pressure};
@@ -25,7 +25,21 @@ pub(super) fn resolve_material(
     }))
 }
 
-pub(super) fn elastic_body(
+/// The body of the counterface; rigid where only its surface is given.
+pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<Option<ElasticBody>, SceneError> {
+    let counterface = raw.get_ref();
+    match (&counterface.youngs_modulus, &counterface.poisson_ratio) {
+        (Some(modulus), Some(ratio)) => elastic_body("counterface", modulus, ratio).map(Some),
+        (None, None) if counterface.surface.is_some() => Ok(None),
+        _ => {
+            let message = "[counterface] needs both youngs_modulus and poisson_ratio; with neither of them, only a surface, it \
+                           is rigid";
+            Err(SceneError::at(raw.span(), message))
+        }
+    }
+}
+
+fn elastic_body(
     section: &str,
     youngs_modulus: &RawQuantity,
     poisson_ratio: &Spanned<f64>,

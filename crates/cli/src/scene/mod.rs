@@ -9,6 +9,7 @@ mod figures;
 mod loads;
 mod raw;
 mod resolve;
+mod surfaces;
 mod template;
 mod values;
 

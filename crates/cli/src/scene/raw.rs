@@ -2,12 +2,13 @@
 
 use serde::Deserialize;
 use serde_spanned::Spanned;
-use spectrum::{AmplitudeDefinition, Normalisation};
+use spectrum::{AmplitudeDefinition, Detrend, Normalisation, Window};
 use stat_contact::InterferenceLaw;
 
 use super::diagnostic::SceneError;
 use crate::figure::Shows;
 use crate::material::ModelName;
+use crate::topography::Average;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
 pub(super) type RawQuantity = Spanned<toml::Value>;
@@ -16,9 +17,9 @@ pub(super) type RawQuantity = Spanned<toml::Value>;
 #[serde(deny_unknown_fields)]
 pub(super) struct RawScene {
     pub title: Option<String>,
-    pub surface: RawSurface,
+    pub surface: Spanned<RawSurface>,
     pub material: Option<RawMaterial>,
-    pub counterface: Option<RawCounterface>,
+    pub counterface: Option<Spanned<RawCounterface>>,
     pub loads: Option<Spanned<RawLoads>>,
     #[serde(default)]
     pub curve: Vec<Spanned<RawCurve>>,
@@ -33,10 +34,31 @@ pub(super) struct RawScene {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawSurface {
-    pub psd: Spanned<String>,
+    pub psd: Option<Spanned<String>>,
     pub column: Option<String>,
     pub x: Option<Spanned<String>>,
     pub convention: Option<Spanned<String>>,
+    pub series: Option<String>,
+    pub subject: Option<String>,
+    pub x_unit: Option<String>,
+    pub psd_unit: Option<String>,
+    #[serde(default)]
+    pub scans: Vec<Spanned<RawScan>>,
+    pub detrend: Option<Detrend>,
+    pub window: Option<Window>,
+    pub average: Option<Average>,
+    pub bins_per_decade: Option<Spanned<i64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawScan {
+    pub file: String,
+    pub unit: Option<Spanned<String>>,
+    pub channel: Option<String>,
+    pub size: Option<RawQuantity>,
+    pub tip_radius: Option<RawQuantity>,
+    pub shortest_wavelength: Option<RawQuantity>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -51,8 +73,9 @@ pub(super) struct RawMaterial {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCounterface {
-    pub youngs_modulus: RawQuantity,
-    pub poisson_ratio: Spanned<f64>,
+    pub youngs_modulus: Option<RawQuantity>,
+    pub poisson_ratio: Option<Spanned<f64>>,
+    pub surface: Option<Spanned<RawSurface>>,
 }
 
 #[derive(Debug, Deserialize)]

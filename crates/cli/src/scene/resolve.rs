@@ -4,21 +4,20 @@ use std::num::NonZeroU32;
 use std::path::Path;
 
 use asperity::{ElasticBody, Hardness};
-use spectrum::{AmplitudeDefinition, Normalisation, ReadOptions};
+use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
-use super::bodies::{elastic_body, resolve_material};
+use super::bodies::{resolve_counterface, resolve_material};
 use super::curves::{LawOptions, resolve_curves};
 use super::diagnostic::SceneError;
 use super::figures::resolve_figures;
 use super::loads::resolve_loads;
-use super::raw::{RawScene, RawSurface};
-use super::values::{optional, parsed, scales_per_decade, tolerance};
-use crate::failure::Failure;
+use super::raw::RawScene;
+use super::surfaces::resolve_surface;
+use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
 use crate::plan::{CurveModel, Needs, Sampling};
 use crate::quantity::{Length, Pressure};
-use crate::surface::Surface;
 
 /// Options given outside the scene, which count more than the scene's own.
 #[derive(Debug, Clone, Default)]
@@ -47,7 +46,7 @@ pub(super) fn resolve(raw: RawScene, folder: &Path, overrides: &Overrides) -> Re
     };
     let counterface = match (overrides.counterface, &raw.counterface) {
         (Some(body), _) => Some(body),
-        (None, Some(raw)) => Some(elastic_body("counterface", &raw.youngs_modulus, &raw.poisson_ratio)?),
+        (None, Some(raw)) => resolve_counterface(raw)?,
         (None, None) => None,
     };
     let material = raw
@@ -57,7 +56,8 @@ pub(super) fn resolve(raw: RawScene, folder: &Path, overrides: &Overrides) -> Re
         .transpose()?;
     let cutoff: Option<Length> =
         optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
-    let per_decade = options.scales_per_decade.as_ref().map(scales_per_decade).transpose()?;
+    let per_decade =
+        options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
     let hardness = overrides.hardness.or(options.hardness).unwrap_or_default();
     let law_options = LawOptions { hardness, interference: options.interference_law.unwrap_or_default() };
     let curves = resolve_curves(&raw.curve, material.as_ref(), law_options)?;
@@ -79,9 +79,14 @@ pub(super) fn resolve(raw: RawScene, folder: &Path, overrides: &Overrides) -> Re
     let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
     let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
+    let own = resolve_surface("surface", &raw.surface, folder)?;
+    let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
+        Some(other) => own.against(resolve_surface("counterface.surface", other, folder)?),
+        None => own,
+    };
     Ok(Scene {
-        title: raw.title.unwrap_or_else(|| raw.surface.psd.get_ref().clone()),
-        surface: resolve_surface(&raw.surface, folder)?,
+        title: raw.title.unwrap_or_else(|| surface.name.clone()),
+        surface,
         material,
         sampling: Sampling {
             scales_per_decade: overrides.scales_per_decade.or(per_decade),
@@ -98,17 +103,5 @@ pub(super) fn resolve(raw: RawScene, folder: &Path, overrides: &Overrides) -> Re
             ..Needs::default()
         },
         figures,
-    })
-}
-
-fn resolve_surface(raw: &RawSurface, folder: &Path) -> Result<Surface, SceneError> {
-    let options = ReadOptions {
-        column: raw.column.clone(),
-        x: raw.x.as_ref().map(|text| parsed("surface.x", text)).transpose()?,
-        convention: raw.convention.as_ref().map(|text| parsed("surface.convention", text)).transpose()?,
-    };
-    Surface::load(raw.psd.get_ref(), folder, &options).map_err(|failure| match failure {
-        Failure::Input(message) => SceneError::at(raw.psd.span(), message),
-        other => SceneError::anywhere(format!("{other:?}")),
     })
 }

@@ -35,10 +35,10 @@ pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(
     text.get_ref().parse().map_err(|error| SceneError::at(text.span(), format!("key {key}: {error}")))
 }
 
-pub(super) fn scales_per_decade(raw: &Spanned<i64>) -> Result<NonZeroU32, SceneError> {
+/// A whole number from 1 on.
+pub(super) fn count(key: &str, raw: &Spanned<i64>) -> Result<NonZeroU32, SceneError> {
     u32::try_from(*raw.get_ref()).ok().and_then(NonZeroU32::new).ok_or_else(|| {
-        let message =
-            format!("key options.scales_per_decade: {} must be a whole number from 1 on", raw.get_ref());
+        let message = format!("key {key}: {} must be a whole number from 1 on", raw.get_ref());
         SceneError::at(raw.span(), message)
     })
 }

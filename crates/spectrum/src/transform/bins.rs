@@ -23,7 +23,7 @@ named!(BinMean, "mean of spectra", { Geometric => "geometric", Arithmetic => "ar
 /// The samples of a spectrum in one bin.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bin {
-    /// j of the centre 10^(j/N) rad/m.
+    /// j of the lower edge 10^(j/N) rad/m.
     pub(super) index: i64,
     /// Geometric mean of the wavelengths in m of the samples.
     pub(super) wavelength_m: f64,
@@ -31,7 +31,7 @@ pub(super) struct Bin {
     pub(super) c1d_m3: f64,
 }
 
-/// The spectrum averaged in bins: the bin j of N per decade covers 10^((j - 1/2)/N) <= q < 10^((j + 1/2)/N), q in rad/m.
+/// The spectrum averaged in bins: the bin j of N per decade covers 10^(j/N) <= q < 10^((j + 1)/N), q in rad/m.
 ///
 /// One sample for each bin that holds any, at the geometric mean of their wavelengths: bins of a single sample, the rule at
 /// the long end of a scan, keep it as it is, and a power law stays one. With [`BinMean::Arithmetic`] the noise of a
@@ -63,12 +63,12 @@ pub(super) fn log_bins(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinM
 
 /// The bin of a wavevector.
 pub(super) fn bin_index(q_rad_per_m: f64, bins_per_decade: NonZeroU32) -> i64 {
-    (q_rad_per_m.log10() * f64::from(bins_per_decade.get()) + 0.5).floor() as i64
+    (q_rad_per_m.log10() * f64::from(bins_per_decade.get())).floor() as i64
 }
 
-/// The wavelength in m of the centre of a bin.
+/// The wavelength in m of the centre of a bin, in the logarithm.
 pub(super) fn centre_m(index: i64, bins_per_decade: NonZeroU32) -> f64 {
-    TAU / 10f64.powf(index as f64 / f64::from(bins_per_decade.get()))
+    TAU / 10f64.powf((index as f64 + 0.5) / f64::from(bins_per_decade.get()))
 }
 
 impl BinMean {

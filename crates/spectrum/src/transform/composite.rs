@@ -12,7 +12,7 @@ use crate::profile::ProfilePsd;
 /// How measurements are averaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CompositeOptions {
-    /// N: the bins are centred at 10^(j/N) rad/m.
+    /// N: the bins begin at 10^(j/N) rad/m.
     pub bins_per_decade: NonZeroU32,
     /// The mean over the samples of a measurement inside a bin. Arithmetic by default: it estimates the spectrum, where
     /// the geometric mean of a periodogram lies below it.
@@ -38,10 +38,10 @@ pub struct Composite {
     bins: Vec<CompositeBin>,
 }
 
-/// One bin of a composite, 10^((j - 1/2)/N) <= q < 10^((j + 1/2)/N) in rad/m.
+/// One bin of a composite, 10^(j/N) <= q < 10^((j + 1)/N) in rad/m.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CompositeBin {
-    /// Wavelength in m of the centre, q = 10^(j/N) rad/m.
+    /// Wavelength in m of the centre, q = 10^((j + 1/2)/N) rad/m.
     pub centre_m: f64,
     /// Geometric mean of the wavelengths in m at which the measurements were sampled inside the bin.
     pub wavelength_m: f64,

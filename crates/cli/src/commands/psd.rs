@@ -1,0 +1,49 @@
+//! `psd`: from scans to their composite spectrum.
+
+use std::path::Path;
+
+use super::{Context, say_notes};
+use crate::args::ScansArgs;
+use crate::failure::Failure;
+use crate::output::Place;
+use crate::plot;
+use crate::provenance::program;
+use crate::timings::Timings;
+use crate::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_table};
+
+pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let recipe = Recipe {
+        detrend: args.detrend,
+        window: args.window,
+        average: args.average,
+        bins_per_decade: args.bins_per_decade,
+    };
+    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.with_common_options(file)).collect();
+    let output = args.out.as_ref().unwrap_or(&context.shared.output);
+    if args.areal {
+        let [request] = &requests[..] else {
+            return Err(Failure::Input(format!(
+                "--areal takes one map, and {} files are given",
+                requests.len()
+            )));
+        };
+        let comments = [program(context.typed), format!("map: {}; {}", request.path, recipe.describe())];
+        return context.write_to(output, &areal_table(request, Path::new(""), &recipe)?, &comments);
+    }
+    let mut timings = Timings::start();
+    let found = CompositeSpectrum::of_files(&requests, Path::new(""), &recipe)?;
+    timings.lap("reading and transforming");
+    say_notes(found.notes());
+    let mut comments = vec![program(context.typed)];
+    comments.extend(found.provenance());
+    if let Some(path) = &args.figure {
+        let title = format!("{} scans", found.scans.len());
+        let svg = plot::svg(&found.figure("psd"), &title, &comments);
+        Place::File(path.clone()).write(|out| out.write_all(svg.as_bytes()))?;
+    }
+    let table = if args.per_scan { found.series_table() } else { found.table() };
+    context.write_to(output, &table, &comments)?;
+    timings.lap("writing");
+    timings.report(context.shared.timings);
+    Ok(())
+}

@@ -1,0 +1,95 @@
+//! The surfaces of a scene: a spectrum, or scans to make one of; the counterface's added where it has one.
+
+use std::path::Path;
+
+use serde_spanned::Spanned;
+use spectrum::ReadOptions;
+
+use super::diagnostic::SceneError;
+use super::raw::{RawScan, RawSurface};
+use super::values::{count, optional, parsed};
+use crate::failure::Failure;
+use crate::quantity::Length;
+use crate::surface::Surface;
+use crate::topography::{DEFAULT_BINS_PER_DECADE, Recipe, ScanRequest};
+
+/// The surface under this key of the scene, files relative to `folder`.
+pub(super) fn resolve_surface(
+    key: &str,
+    raw: &Spanned<RawSurface>,
+    folder: &Path,
+) -> Result<Surface, SceneError> {
+    let surface = raw.get_ref();
+    match (&surface.psd, &surface.scans[..]) {
+        (Some(psd), []) => spectrum(key, surface, psd, folder),
+        (None, [_, ..]) => composite(key, surface, folder),
+        (Some(_), _) => {
+            Err(SceneError::at(raw.span(), format!("[{key}] has both psd and scans; keep one of them")))
+        }
+        (None, []) => {
+            let message = format!("[{key}] needs psd = \"...\", or scans = [{{ file = \"...\" }}]");
+            Err(SceneError::at(raw.span(), message))
+        }
+    }
+}
+
+fn spectrum(
+    key: &str,
+    surface: &RawSurface,
+    psd: &Spanned<String>,
+    folder: &Path,
+) -> Result<Surface, SceneError> {
+    let options = ReadOptions {
+        column: surface.column.clone(),
+        x: surface.x.as_ref().map(|text| parsed(&format!("{key}.x"), text)).transpose()?,
+        convention: surface
+            .convention
+            .as_ref()
+            .map(|text| parsed(&format!("{key}.convention"), text))
+            .transpose()?,
+        series: surface.series.clone(),
+        subject: surface.subject.clone(),
+        x_unit: surface.x_unit.clone(),
+        psd_unit: surface.psd_unit.clone(),
+    };
+    Surface::load(psd.get_ref(), folder, &options).map_err(|failure| blamed(failure, psd.span()))
+}
+
+fn composite(key: &str, surface: &RawSurface, folder: &Path) -> Result<Surface, SceneError> {
+    let bins_per_decade = surface.bins_per_decade.as_ref();
+    let recipe = Recipe {
+        detrend: surface.detrend,
+        window: surface.window,
+        average: surface.average.unwrap_or_default(),
+        bins_per_decade: bins_per_decade
+            .map(|raw| count(&format!("{key}.bins_per_decade"), raw))
+            .transpose()?
+            .unwrap_or(DEFAULT_BINS_PER_DECADE),
+    };
+    let requests =
+        surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;
+    let span = surface.scans[0].span().start..surface.scans[surface.scans.len() - 1].span().end;
+    Surface::from_scans(&requests, folder, &recipe).map_err(|failure| blamed(failure, span))
+}
+
+fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
+    let length = |name: &str, raw| -> Result<Option<f64>, SceneError> {
+        let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
+        Ok(length.map(|length| length.m))
+    };
+    Ok(ScanRequest {
+        path: raw.file.clone(),
+        unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
+        channel: raw.channel.clone(),
+        size_m: length("size", raw.size.as_ref())?,
+        tip_radius_m: length("tip_radius", raw.tip_radius.as_ref())?,
+        shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
+    })
+}
+
+fn blamed(failure: Failure, span: std::ops::Range<usize>) -> SceneError {
+    match failure {
+        Failure::Input(message) => SceneError::at(span, message),
+        other => SceneError::anywhere(format!("{other:?}")),
+    }
+}

@@ -1,0 +1,59 @@
+//! The two-dimensional spectrum of a map.
+
+use std::path::Path;
+
+use rayon::prelude::*;
+use spectrum::{
+    ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, HeightMap, Preparation, ReliableBand,
+    Scan,
+};
+
+use super::load::load;
+use super::request::{Recipe, ScanRequest};
+use crate::failure::Failure;
+use crate::table::Table;
+
+/// The radial mean of the two-dimensional spectrum of the one map in a file, relative to `folder`: `wavelength_m,
+/// wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, as far as it shows the surface.
+///
+/// # Errors
+/// [`Failure::Input`] where the file holds no map, or several.
+pub fn areal_table(request: &ScanRequest, folder: &Path, recipe: &Recipe) -> Result<Table, Failure> {
+    let refused = |what: String| Failure::Input(format!("{}: {what}", request.path));
+    let scans = load(request, folder)?.scans;
+    let [file] = &scans[..] else {
+        return Err(refused(format!("{} scans; an areal spectrum is that of one map", scans.len())));
+    };
+    let Scan::Map(map) = &file.scan else {
+        return Err(refused("a line scan has no areal spectrum; leave --areal out".to_owned()));
+    };
+    let preparation = recipe.preparation(file.is_periodic);
+    let limits = BandLimits {
+        tip_radius_m: request.tip_radius_m.or(file.tip_radius_m),
+        shortest_m: request.shortest_m,
+    };
+    let band = ReliableBand::of(&file.scan, limits).map_err(|error| refused(error.to_string()))?;
+    let spectrum = transformed(map, preparation);
+    let shown = spectrum.ciso(&band).map_err(|error| refused(error.to_string()))?;
+    let modes = |wavelength_m: &f64| {
+        let q = std::f64::consts::TAU / wavelength_m;
+        let near = |bin: &&spectrum::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
+        spectrum.bins().iter().find(near).map(|bin| bin.modes as f64)
+    };
+    let wavelengths_m = shown.wavelengths_m();
+    Ok(Table::default()
+        .with_numbers("wavelength_m", wavelengths_m.iter().copied())
+        .with_numbers("wavevector_rad_per_m", wavelengths_m.iter().map(|l| std::f64::consts::TAU / l))
+        .with_numbers("Ciso_m4", shown.values().iter().copied())
+        .with_numbers("modes", wavelengths_m.iter().map(modes).collect::<Vec<_>>()))
+}
+
+/// The spectrum of a map, on all threads, with the same digits on any number of them.
+fn transformed(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
+    let transform = ArealTransform::new(map, preparation);
+    let rows: Vec<ArealRows> =
+        (0..transform.row_blocks()).into_par_iter().map(|block| transform.rows(block)).collect();
+    let sums: Vec<ArealSums> =
+        (0..transform.column_blocks()).into_par_iter().map(|block| transform.columns(&rows, block)).collect();
+    transform.spectrum(&rows, &sums)
+}

@@ -1,0 +1,103 @@
+//! How far a spectrum can be believed: checks that run by themselves.
+
+use spectrum::{
+    Boundary, DerivativeOf, LineSpectrum, Preparation, Scan, fundamental_kept, real_space_derivatives,
+};
+
+use crate::display::three_digits;
+
+/// From here on a deviation is worth a sentence of warning.
+const LARGE_PARSEVAL: f64 = 1e-9;
+const LARGE_DERIVATIVE: f64 = 0.1;
+
+/// What is known of a spectrum besides its values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Checks {
+    /// Variance from the spectrum over that of the prepared heights: 1 by Parseval's theorem, of unevenly spaced points the
+    /// share at the wavelengths of the spectrum.
+    pub parseval_share: f64,
+    /// Whether the points are evenly spaced, so that the former has to be 1.
+    pub evenly_spaced: bool,
+    /// Root mean square slope along the scan lines from neighbouring points.
+    pub real_slope: f64,
+    /// The same from the spectrum of the heights as they are.
+    pub spectral_slope: Option<f64>,
+    /// Root mean square curvature \[1/m\] from neighbouring points.
+    pub real_curvature_per_m: Option<f64>,
+    /// The same from the spectrum.
+    pub spectral_curvature_per_m: Option<f64>,
+    /// The share of the mode of the whole length that detrending left; absent for one that was not there.
+    pub fundamental_kept: Option<f64>,
+    /// Whether the spectrum holds that mode.
+    pub holds_fundamental: bool,
+}
+
+impl Checks {
+    /// Checks the spectrum of a scan. Slopes are compared without a window, which would weigh the middle of a line: the
+    /// spectrum of differences of neighbouring points against these differences themselves.
+    pub(super) fn of(
+        scan: &Scan,
+        spectrum: &LineSpectrum,
+        preparation: Preparation,
+        is_periodic: bool,
+    ) -> Self {
+        let boundary = if is_periodic { Boundary::Periodic } else { Boundary::Open };
+        let real = real_space_derivatives(scan, preparation.detrend, boundary);
+        let spectral = spectrum.rms_derivatives(match scan {
+            Scan::NonuniformLine(_) => DerivativeOf::Continuum,
+            _ => DerivativeOf::Differences,
+        });
+        Checks {
+            parseval_share: spectrum.parseval_share(),
+            evenly_spaced: !matches!(scan, Scan::NonuniformLine(_)),
+            real_slope: real.slope,
+            spectral_slope: spectral.map(|spectral| spectral.slope),
+            real_curvature_per_m: real.curvature_per_m,
+            spectral_curvature_per_m: spectral.and_then(|spectral| spectral.curvature_per_m),
+            fundamental_kept: fundamental_kept(scan, preparation.detrend),
+            holds_fundamental: spectrum.holds_fundamental(),
+        }
+    }
+
+    /// The checks in a sentence each.
+    pub fn sentences(&self) -> Vec<String> {
+        let mut sentences = Vec::new();
+        let deviation = (self.parseval_share - 1.0).abs();
+        sentences.push(match (self.evenly_spaced, deviation > LARGE_PARSEVAL) {
+            (true, false) => format!("the spectrum holds the variance of the heights to {deviation:.0e}"),
+            (true, true) => format!(
+                "WARNING: the spectrum holds {} of the variance of the heights",
+                three_digits(self.parseval_share)
+            ),
+            (false, _) => format!(
+                "the spectrum holds {} of the variance of the trace, the rest lies below its points' spacing",
+                three_digits(self.parseval_share)
+            ),
+        });
+        let compare = |what: &str, unit: &str, real: f64, spectral: Option<f64>| {
+            spectral.map(|spectral| {
+                let off = spectral / real - 1.0;
+                let warning = if off.abs() > LARGE_DERIVATIVE { "WARNING: " } else { "" };
+                format!(
+                    "{warning}rms {what} {}{unit} from neighbouring points, {}{unit} from the spectrum ({:+.1} %)",
+                    three_digits(real),
+                    three_digits(spectral),
+                    100.0 * off
+                )
+            })
+        };
+        sentences.extend(compare("slope", "", self.real_slope, self.spectral_slope));
+        sentences.extend(
+            self.real_curvature_per_m
+                .and_then(|real| compare("curvature", " 1/m", real, self.spectral_curvature_per_m)),
+        );
+        sentences.push(match (self.holds_fundamental, self.fundamental_kept) {
+            (false, _) => "the mode of the whole length is absent".to_owned(),
+            (true, Some(kept)) => {
+                format!("{} of the mode of the whole length is left after detrending", three_digits(kept))
+            }
+            (true, None) => "the mode of the whole length was made by the window alone".to_owned(),
+        });
+        sentences
+    }
+}

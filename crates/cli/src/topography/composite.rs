@@ -1,0 +1,172 @@
+//! Several spectra become one.
+
+use std::path::Path;
+
+use rayon::prelude::*;
+use spectrum::{BinMean, Composite, CompositeOptions, Convention, Overlap, Psd, composite, overlaps};
+
+use super::measure::ScanSpectrum;
+use super::request::{Average, Recipe, ScanRequest};
+use crate::display::{length, three_digits};
+use crate::failure::Failure;
+use crate::number::number;
+use crate::table::Table;
+
+/// The spectra of some scans and their composite.
+#[derive(Debug, Clone)]
+pub struct CompositeSpectrum {
+    /// How they were made.
+    pub recipe: Recipe,
+    /// Each scan.
+    pub scans: Vec<ScanSpectrum>,
+    /// What neighbouring instruments say of the wavelengths that they share.
+    pub overlaps: Vec<Overlap>,
+    /// The composite.
+    pub composite: Composite,
+}
+
+impl CompositeSpectrum {
+    /// Reads the scans, relative to `folder`, transforms them, on several threads, and averages them.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the file, and place, value and bound where they are to blame.
+    pub fn of_files(requests: &[ScanRequest], folder: &Path, recipe: &Recipe) -> Result<Self, Failure> {
+        let spectra = |request| ScanSpectrum::of_file(request, folder, recipe);
+        let scans: Vec<ScanSpectrum> =
+            requests.par_iter().map(spectra).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
+        let options = CompositeOptions {
+            bins_per_decade: recipe.bins_per_decade,
+            across: match recipe.average {
+                Average::Log => BinMean::Geometric,
+                Average::Arithmetic => BinMean::Arithmetic,
+            },
+            ..CompositeOptions::default()
+        };
+        let overlaps = overlaps(&reliable, recipe.bins_per_decade);
+        let composite = composite(&reliable, &options).map_err(Failure::input)?;
+        Ok(CompositeSpectrum { recipe: *recipe, scans, overlaps, composite })
+    }
+
+    /// The composite as a spectrum with standard errors.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where its bins are too few to be one.
+    pub fn psd(&self) -> Result<Psd, Failure> {
+        let bins = self.composite.bins();
+        let wavelengths_m = bins.iter().map(|bin| bin.wavelength_m).collect();
+        let values = bins.iter().map(|bin| bin.c1d_m3).collect();
+        let errors = bins.iter().map(|bin| bin.standard_error_m3).collect();
+        let psd = Psd::new(wavelengths_m, values, Convention::C1D).map_err(|error| {
+            Failure::Input(format!(
+                "{error}: the scans fill {} bins; give more of them, or more bins per decade",
+                bins.len()
+            ))
+        })?;
+        psd.with_standard_errors(errors).map_err(Failure::input)
+    }
+
+    /// The composite: `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3, measurements`, a row per bin from long to short
+    /// wavelengths.
+    pub fn table(&self) -> Table {
+        let bins = self.composite.bins();
+        Table::default()
+            .with_numbers("wavelength_m", bins.iter().map(|bin| bin.wavelength_m))
+            .with_numbers("wavevector_rad_per_m", bins.iter().map(|bin| wavevector(bin.wavelength_m)))
+            .with_numbers("C1D_m3", bins.iter().map(|bin| bin.c1d_m3))
+            .with_numbers("C1D_se_m3", bins.iter().map(|bin| bin.standard_error_m3))
+            .with_numbers("measurements", bins.iter().map(|bin| bin.measurements as f64))
+    }
+
+    /// Every spectrum in blocks, the composite last: `series, wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3, reliable`.
+    pub fn series_table(&self) -> Table {
+        let names = self.series_names();
+        let mut rows: Vec<(&str, f64, f64, Option<f64>, &'static str)> = Vec::new();
+        for (scan, name) in self.scans.iter().zip(&names) {
+            let flagged = scan.spectrum.flagged_bins();
+            let samples = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3());
+            for (index, (wavelength_m, &c1d_m3)) in
+                samples.enumerate().filter(|(_, (_, c1d_m3))| **c1d_m3 > 0.0)
+            {
+                let reliable = index >= flagged && scan.band.contains(wavelength_m);
+                rows.push((name, wavelength_m, c1d_m3, None, if reliable { "yes" } else { "no" }));
+            }
+        }
+        rows.extend(
+            self.composite
+                .bins()
+                .iter()
+                .map(|bin| ("composite", bin.wavelength_m, bin.c1d_m3, bin.standard_error_m3, "yes")),
+        );
+        Table::default()
+            .with_text("series", rows.iter().map(|row| row.0.to_owned()))
+            .with_numbers("wavelength_m", rows.iter().map(|row| row.1))
+            .with_numbers("wavevector_rad_per_m", rows.iter().map(|row| wavevector(row.1)))
+            .with_numbers("C1D_m3", rows.iter().map(|row| row.2))
+            .with_numbers("C1D_se_m3", rows.iter().map(|row| row.3))
+            .with_words("reliable", rows.iter().map(|row| row.4))
+    }
+
+    /// The names of the scans, told apart where two are the same.
+    pub fn series_names(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for scan in &self.scans {
+            let taken = |name: &String| name == "composite" || names.contains(name);
+            let numbered = (2..).map(|number| format!("{} ({number})", scan.name));
+            let name = std::iter::once(scan.name.clone()).chain(numbered).find(|name| !taken(name));
+            names.extend(name);
+        }
+        names
+    }
+
+    /// How the composite was made: the recipe, and the files with their SHA-256.
+    pub fn provenance(&self) -> Vec<String> {
+        let mut lines = vec![format!("composite of {} scans; {}", self.scans.len(), self.recipe.describe())];
+        for scan in &self.scans {
+            let channel =
+                scan.channel.as_ref().map_or(String::new(), |channel| format!(", channel {channel}"));
+            lines.push(format!(
+                "scan: {} ({}{channel}), SHA-256 {}, detrend {}, window {}, trusted from {} m on",
+                scan.file,
+                scan.format,
+                scan.sha256,
+                scan.preparation.detrend,
+                scan.preparation.window,
+                number(scan.band.shortest_m)
+            ));
+        }
+        lines
+    }
+
+    /// What reading took for granted, and how far each spectrum and their overlaps can be believed.
+    pub fn notes(&self) -> Vec<String> {
+        let names = self.series_names();
+        let mut notes = Vec::new();
+        for (scan, name) in self.scans.iter().zip(&names) {
+            notes.extend(scan.notes.iter().map(|note| format!("{name}: {note}")));
+            let wavelengths_m = scan.reliable.wavelengths_m();
+            notes.push(format!(
+                "{name}: {} to {}; {}",
+                length(wavelengths_m[0]),
+                length(wavelengths_m[wavelengths_m.len() - 1]),
+                scan.checks.sentences().join("; ")
+            ));
+        }
+        for overlap in &self.overlaps {
+            notes.push(format!(
+                "{} over {}: {} in the mean of {} shared bins from {} to {}",
+                names[overlap.first],
+                names[overlap.second],
+                three_digits(overlap.ratio),
+                overlap.bins,
+                length(overlap.longest_m),
+                length(overlap.shortest_m)
+            ));
+        }
+        notes
+    }
+}
+
+fn wavevector(wavelength_m: f64) -> f64 {
+    std::f64::consts::TAU / wavelength_m
+}

@@ -1,0 +1,71 @@
+//! A file becomes heights, with what lies beside it.
+
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+use spectrum::{
+    MeasurementMetadata, ScanFile, ScanOptions, ScanReadError, ScanSize, read_metadata, read_scans,
+};
+
+use super::request::ScanRequest;
+use crate::failure::Failure;
+use crate::output::{Place, utf8};
+
+/// Files that describe the scans beside them.
+const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
+
+/// The scans of one file.
+pub(super) struct Loaded {
+    pub scans: Vec<ScanFile>,
+    /// SHA-256 of the file, in hexadecimal digits.
+    pub sha256: String,
+}
+
+/// Reads the scans in a file, relative to `folder`.
+pub(super) fn load(request: &ScanRequest, folder: &Path) -> Result<Loaded, Failure> {
+    let path = folder.join(&request.path);
+    let bytes = Place::File(path.clone()).read()?;
+    let mut options = ScanOptions {
+        channel: request.channel.clone(),
+        metadata: metadata_beside(&path)?,
+        ..ScanOptions::default()
+    };
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut scans = read_scans(&bytes, &name, &options);
+    // What the file and its metadata say counts; what was given stands in where they say nothing.
+    if matches!(scans, Err(ScanReadError::NoSize { .. })) && request.size_m.is_some() {
+        options.size = request.size_m.map(|x_m| ScanSize { x_m, y_m: None });
+        scans = read_scans(&bytes, &name, &options);
+    }
+    if matches!(scans, Err(ScanReadError::NoUnit { .. })) && request.unit.is_some() {
+        options.unit = request.unit;
+        scans = read_scans(&bytes, &name, &options);
+    }
+    let mut scans = scans.map_err(|error| Failure::Input(format!("{}: {error}", request.path)))?;
+    if let (Some(unit), None, Some(first)) = (request.unit, options.unit, scans.first_mut()) {
+        first
+            .notes
+            .push(format!("the unit {unit} given is not used: the file or its metadata tell their own"));
+    }
+    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
+}
+
+/// What a `meta.yml` or `index.json` in the same folder says of a file, where there is one that names it.
+fn metadata_beside(path: &Path) -> Result<Option<MeasurementMetadata>, Failure> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    for beside in METADATA_FILES {
+        let beside: PathBuf = folder.join(beside);
+        if !beside.is_file() || beside == path {
+            continue;
+        }
+        let shown = beside.display().to_string();
+        let bytes = Place::File(beside).read()?;
+        let entries = read_metadata(utf8(&bytes, &shown, "metadata")?, &shown)
+            .map_err(|error| Failure::Input(format!("{shown}: {error}")))?;
+        if let Some(entry) = entries.into_iter().find(|entry| entry.names_file(&name)) {
+            return Ok(Some(entry));
+        }
+    }
+    Ok(None)
+}
