@@ -40,17 +40,10 @@ pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
     shares
 }
 
-/// The power of ten at or below a wavelength, without the rounding of a logarithm: 1e-6 m belongs to the decade that it
-/// begins.
+/// The power of ten at the short end of the decade that a wavelength \[m\] belongs to. A decade has its long end, to a part
+/// in a million: a spectrum that begins at 1 mm, whatever the rounding, begins in the decade from 1 mm to 100 um.
 fn decade(wavelength_m: f64) -> i32 {
-    let power = wavelength_m.log10().floor() as i32;
-    if power_of_ten(power + 1) <= wavelength_m {
-        power + 1
-    } else if power_of_ten(power) > wavelength_m {
-        power - 1
-    } else {
-        power
-    }
+    (wavelength_m * (1.0 - 1e-6)).log10().floor() as i32
 }
 
 fn power_of_ten(power: i32) -> f64 {
@@ -63,7 +56,7 @@ mod tests {
 
     #[test]
     fn shares_add_up_to_one_and_stand_in_their_decade() {
-        let curve = [(5e-4, 0.5), (2e-4, 0.1), (3e-6, 0.01), (1e-6, 0.02), (9e-7, 0.01)];
+        let curve = [(5e-4, 0.5), (2e-4, 0.1), (3e-6, 0.01), (2e-6, 0.02), (9e-7, 0.01)];
         let shares = decade_shares(&curve);
         let decades: Vec<(f64, f64)> = shares.iter().map(|s| (s.longest_m, s.shortest_m)).collect();
         assert_eq!(decades, [(1e-3, 1e-4), (1e-4, 1e-5), (1e-5, 1e-6), (1e-6, 1e-7)]);
@@ -72,6 +65,15 @@ mod tests {
             assert!((share.share - expected).abs() < 1e-12, "{shares:?}");
         }
         assert!((shares.iter().map(|s| s.share).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_decade_has_its_long_end() {
+        for longest_m in [1e-3, 1e-3 * (1.0 + 1e-9), 1e-3 * (1.0 - 1e-9)] {
+            let shares = decade_shares(&[(longest_m, 0.5), (2e-4, 0.1), (1e-4, 0.05)]);
+            let decades: Vec<(f64, f64)> = shares.iter().map(|s| (s.longest_m, s.shortest_m)).collect();
+            assert_eq!(decades, [(1e-3, 1e-4), (1e-4, 1e-5)]);
+        }
     }
 
     #[test]
