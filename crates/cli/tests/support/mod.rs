@@ -55,8 +55,17 @@ impl Bench {
         self.run_with_input(args, "")
     }
 
+    /// Runs with an environment variable set.
+    pub fn run_with_env(&self, args: &[&str], name: &str, value: &str) -> Ran {
+        self.spawn(Command::new(env!("CARGO_BIN_EXE_truearea")).env(name, value), args, "")
+    }
+
     pub fn run_with_input(&self, args: &[&str], input: &str) -> Ran {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_truearea"))
+        self.spawn(&mut Command::new(env!("CARGO_BIN_EXE_truearea")), args, input)
+    }
+
+    fn spawn(&self, command: &mut Command, args: &[&str], input: &str) -> Ran {
+        let mut child = command
             .args(args)
             .current_dir(self.folder.path())
             .stdin(Stdio::piped())

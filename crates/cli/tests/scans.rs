@@ -1,0 +1,159 @@
+//! Scans from file to spectrum to area, as scripts use them.
+
+mod support;
+
+use support::{Bench, DIAMOND, numbers};
+
+/// A line of `points` heights in nm every 5 nm: a sinusoid of amplitude 3 nm and wavelength 160 nm, and some roughness.
+fn line(points: usize, spacing_nm: f64) -> String {
+    let height = |i: usize| {
+        let x_nm = spacing_nm * i as f64;
+        let rough = ((i * 7919) % 101) as f64 / 101.0 - 0.5;
+        format!("{x_nm:.3} {:.6}", 3.0 * (std::f64::consts::TAU * x_nm / 160.0).sin() + 0.02 * rough)
+    };
+    (0..points).map(height).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn a_composite_is_a_spectrum_that_every_command_takes() {
+    let bench = Bench::new();
+    bench.write("coarse.txt", line(1024, 20.0)).write("fine.txt", line(1024, 5.0));
+    let run = bench.run(&["psd", "coarse.txt:unit=nm", "fine.txt", "--unit", "nm", "--out", "psd.csv"]);
+    assert!(run.stderr.contains("coarse.txt: 10.2 µm to 40"), "{}", run.stderr);
+    assert!(run.stderr.contains("the spectrum holds the variance of the heights to"), "{}", run.stderr);
+    assert!(run.stderr.contains("coarse.txt over fine.txt: "), "{}", run.stderr);
+    run.ok();
+    let table = bench.read("psd.csv");
+    assert!(table.starts_with("# truearea 0.1.0: psd coarse.txt:unit=nm fine.txt --unit nm --out psd.csv\n"));
+    assert!(table.contains("# composite of 2 scans; detrend: as fits the scan"), "{table}");
+    assert!(table.contains("# scan: fine.txt (text), SHA-256 "), "{table}");
+    assert!(table.contains("\nwavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,measurements\n"), "{table}");
+    // The sinusoid is the highest bin in terms of variance; it is a tenth of a decade wide.
+    let (wavelengths, values) = (numbers(&table, "wavelength_m"), numbers(&table, "C1D_m3"));
+    let peak = (0..values.len())
+        .max_by(|&a, &b| (values[a] / wavelengths[a]).total_cmp(&(values[b] / wavelengths[b])));
+    assert!((wavelengths[peak.unwrap()] / 160e-9).log10().abs() < 0.1);
+    assert!(bench.run(&["moments", "psd.csv"]).ok().lines().count() > 20);
+    let mut args = vec!["stacked", "psd.csv", "--model", "elastic-plastic", "--pressure", "1e-3H"];
+    args.extend(DIAMOND);
+    bench.run(&args).ok();
+}
+
+#[test]
+fn a_periodic_sinusoid_has_its_variance() {
+    let bench = Bench::new();
+    let heights = |i: usize| {
+        let x_nm = 2.5 * i as f64;
+        format!("{x_nm} {:.12}", 3.0 * (std::f64::consts::TAU * x_nm / 160.0).sin())
+    };
+    bench.write("sine.txt", (0..256).map(heights).collect::<Vec<_>>().join("\n"));
+    let args = ["psd", "sine.txt", "--unit", "nm", "--detrend", "mean", "--window", "none", "--per-scan"];
+    let table = bench.run(&args).ok();
+    assert!(
+        table.starts_with("series,wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,reliable\nsine.txt,")
+    );
+    // sigma^2 = (1/pi) C dq of the one bin, dq = 2 pi/L.
+    let highest = numbers(&table, "C1D_m3").into_iter().fold(0.0, f64::max);
+    assert!((highest * 2.0 / 640e-9 / 4.5e-18 - 1.0).abs() < 1e-9, "{highest:e}");
+}
+
+#[test]
+fn metadata_beside_a_file_give_its_unit_and_size() {
+    let bench = Bench::new();
+    bench.write("line.txt", line(256, 5.0));
+    let refused = bench.run(&["psd", "line.txt"]).refused();
+    assert!(refused.contains("line.txt: reading text") && refused.contains("--unit"), "{refused}");
+    let meta = "surfaces:\n- topographies:\n  - name: my line\n    datafile:\n      original: line.txt\n    \
+                size: !!python/tuple [1280.0]\n    unit: nm\n    height_scale: 2.0\n";
+    let plain = bench.run(&["psd", "line.txt", "--unit", "nm"]).ok();
+    bench.write("meta.yml", meta);
+    let run = bench.run(&["psd", "line.txt", "--unit", "um"]);
+    assert!(run.stderr.contains("my line: the unit µm given is not used"), "{}", run.stderr);
+    let scaled = run.ok();
+    for (plain, scaled) in numbers(&plain, "C1D_m3").iter().zip(numbers(&scaled, "C1D_m3")) {
+        assert!((scaled / plain / 4.0 - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_map_in_two_dimensions_is_read_back_by_the_exact_conversion() {
+    let bench = Bench::new();
+    let row = |y: usize| {
+        let height =
+            |x: usize| format!("{:.6}", (((x * 7919 + y * 104_729) % 1009) as f64 / 1009.0) + 0.1 * x as f64);
+        (0..64).map(height).collect::<Vec<_>>().join("\t")
+    };
+    let rows: Vec<String> = (0..64).map(row).collect();
+    bench.write(
+        "map.txt",
+        format!(
+            "# Channel: Height\n# Width: 640 nm\n# Height: 640 nm\n# Value units: nm\n{}",
+            rows.join("\n")
+        ),
+    );
+    bench.run(&["psd", "map.txt", "--areal", "--out", "ciso.csv"]).ok();
+    let table = bench.read("ciso.csv");
+    assert!(table.contains("\nwavelength_m,wavevector_rad_per_m,Ciso_m4,modes\n"), "{table}");
+    let run = bench.run(&["moments", "ciso.csv"]);
+    assert!(run.stderr.contains("Abel"), "{}", run.stderr);
+    run.ok();
+    let refused =
+        bench.write("line.txt", line(64, 5.0)).run(&["psd", "line.txt:unit=nm", "--areal"]).refused();
+    assert!(refused.contains("a line scan has no areal spectrum"), "{refused}");
+}
+
+#[test]
+fn a_scene_takes_scans_and_a_rough_counterface() {
+    let bench = Bench::new();
+    bench.write("a.txt", line(512, 5.0)).write("b.txt", line(512, 20.0));
+    let scene = "[surface]\nscans = [{ file = \"a.txt\", unit = \"nm\", shortest_wavelength = \"20 nm\" }, \
+                 { file = \"b.txt\", unit = \"nm\" }]\naverage = \"arithmetic\"\n[material]\nyoungs_modulus = \"1 GPa\"\n\
+                 poisson_ratio = 0.3\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n\
+                 [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
+    bench.write("s.toml", scene);
+    bench.run(&["run", "s.toml"]).ok();
+    let header = bench.read("s-results/psd.csv");
+    assert!(header.contains("\nwavevector_rad_per_m,c1d_m3 of a.txt,c1d_m3 of b.txt,c1d_m3\n"), "{header}");
+    bench.write("both.toml", format!("{scene}[counterface.surface]\npsd = \"builtin:uncd-measured\"\n"));
+    let run = bench.run(&["run", "both.toml"]);
+    assert!(run.stderr.contains("both surfaces have a spectrum from "), "{}", run.stderr);
+    run.ok();
+    let half = format!("{scene}[counterface]\nyoungs_modulus = \"70 GPa\"\n");
+    assert!(bench.write("half.toml", half).run(&["run", "half.toml"]).refused().contains("needs both"));
+    let both = scene.replace("[surface]", "[surface]\npsd = \"x.csv\"");
+    assert!(bench.write("x.toml", both).run(&["run", "x.toml"]).refused().contains("both psd and scans"));
+}
+
+#[test]
+fn the_same_digits_come_out_on_any_number_of_threads() {
+    let bench = Bench::new();
+    let row = |y: usize| {
+        let height = |x: usize| format!("{:.4}", ((x * 31 + y * y * 17) % 257) as f64 / 257.0);
+        (0..96).map(height).collect::<Vec<_>>().join(" ")
+    };
+    let rows: Vec<String> = (0..300).map(row).collect();
+    bench.write("map.txt", format!("# Width: 1 um\n# Height: 3 um\n# Value units: nm\n{}", rows.join("\n")));
+    let with = |threads: &str| bench.run_with_env(&["psd", "map.txt"], "RAYON_NUM_THREADS", threads).ok();
+    assert_eq!(with("1"), with("7"));
+}
+
+#[test]
+fn wrong_scans_are_refused_with_what_is_wrong() {
+    let bench = Bench::new();
+    bench
+        .write("gap.txt", "0 1\n1 nan\n2 1\n3 2\n")
+        .write("one.txt", "0 1\n")
+        .write("flat.txt", "0 1\n1 1\n2 1\n3 1\n");
+    bench.write("other.bin", "\u{1}\u{2}\u{3}");
+    for (file, expected) in [
+        ("gap.txt", "gap.txt: "),
+        ("one.txt", "one.txt: "),
+        ("flat.txt", "flat.txt: "),
+        ("other.bin", "other.bin"),
+        ("absent.txt", "absent.txt"),
+        ("one.txt:width=3nm", "there is no option 'width'"),
+    ] {
+        let refused = bench.run(&["psd", file, "--unit", "nm"]).refused();
+        assert!(refused.contains(expected), "{file}: {refused}");
+    }
+}

@@ -1,0 +1,97 @@
+//! The real UNCD scans, from the files of the instruments to the contact area, where the shared folder lies beside the
+//! checkout: "Demo UNCD data", L. Pastewka, CC BY 4.0, and MIT-licensed test scans of SurfaceTopography.
+
+use std::path::Path;
+
+use cli::scene::{Overrides, Scene};
+use cli::surface::Surface;
+use cli::topography::{CompositeSpectrum, Recipe, ScanRequest};
+use tests::shared_file;
+
+const SCANS: [&str; 7] = [
+    "uncd_scans/uncd_stylus_300um_5mar_3_k0HpKJt.txt:shortest=2.07um",
+    "uncd_scans/gain_control_uncd_35_z03tr3R.001:shortest=46nm",
+    "uncd_scans/80_Scale10.472_FIXEDv2p1_D7eHXiT.asc",
+    "afm_tem_mit/di-1.di:shortest=70nm",
+    "afm_tem_mit/di-6.di:shortest=300nm",
+    "afm_tem_mit/nonuniform.asc:unit=nm",
+    "afm_tem_mit/xy-1.txt:unit=nm",
+];
+
+fn composite() -> Option<CompositeSpectrum> {
+    let folder = shared_file("data/uncd_scans")?.parent()?.to_owned();
+    let requests: Vec<ScanRequest> = SCANS.iter().map(|scan| scan.parse().unwrap()).collect();
+    Some(CompositeSpectrum::of_files(&requests, &folder, &Recipe::default()).unwrap())
+}
+
+#[test]
+fn the_composite_is_the_measured_spectrum() {
+    let Some(found) = composite() else { return };
+    let measured = Surface::load("builtin:uncd-measured", Path::new(""), &Default::default()).unwrap().psd;
+    let profile = found.composite.profile();
+    let decades: Vec<f64> = measured
+        .wavelengths_m()
+        .iter()
+        .zip(measured.c1d_m3())
+        .filter_map(|(&wavelength_m, c1d_m3)| Some((profile.value_at(wavelength_m)? / c1d_m3).log10()))
+        .collect();
+    assert!(decades.len() >= 44, "{}", decades.len());
+    let rms = (decades.iter().map(|off| off * off).sum::<f64>() / decades.len() as f64).sqrt();
+    assert!(rms < 0.065, "{rms} decades");
+    // All but a few bins, where one scan more or less reaches them, agree within the reference's six digits and its
+    // arithmetic mean of wavevectors.
+    let mut sizes: Vec<f64> = decades.iter().map(|off| off.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    assert!(sizes[sizes.len() * 9 / 10] < 0.025, "{sizes:?}");
+}
+
+#[test]
+fn slopes_agree_in_real_and_in_fourier_space() {
+    let Some(found) = composite() else { return };
+    let map = &found.scans[1];
+    assert_eq!(map.name, "gain_control_uncd_35.001");
+    let spectral = map.checks.spectral_slope.unwrap();
+    assert!((spectral / map.checks.real_slope - 1.0).abs() < 0.02, "{:?}", map.checks);
+    for scan in &found.scans {
+        assert!(
+            !scan.checks.evenly_spaced || (scan.checks.parseval_share - 1.0).abs() < 1e-12,
+            "{}",
+            scan.name
+        );
+    }
+    // The AFM file carries its own scale; that of the metadata must not be applied.
+    assert!(map.notes.iter().any(|note| note.contains("height_scale")), "{:?}", map.notes);
+}
+
+#[test]
+fn one_scene_leads_from_the_scans_to_stacked_and_statistical_areas() {
+    let Some(folder) = shared_file("data/uncd_scans") else { return };
+    let entry = |scan: &&str| {
+        let request: ScanRequest = scan.parse().unwrap();
+        let mut entry = format!("{{ file = \"{}\"", request.path);
+        if let Some(shortest_m) = request.shortest_m {
+            entry += &format!(", shortest_wavelength = \"{shortest_m:e} m\"");
+        }
+        if let Some(unit) = request.unit {
+            entry += &format!(", unit = \"{unit}\"");
+        }
+        entry + " }"
+    };
+    let text = format!(
+        "[surface]\nscans = [{}]\n[material]\nyoungs_modulus = \"463 GPa\"\npoisson_ratio = 0.2\nyield_strength = \"1.8 GPa\"\n\
+         [loads]\npressures = [\"1e-3 H\"]\n[[curve]]\nmodel = \"elastic-plastic\"\n[[curve]]\nmodel = \"ep-sphere\"\n",
+        SCANS.iter().map(entry).collect::<Vec<_>>().join(", ")
+    );
+    let areas = |text: &str, folder: &Path| -> Vec<f64> {
+        let scene = Scene::parse(text, "scans", folder, &Overrides::default()).unwrap();
+        let results = scene.plan().compute().unwrap();
+        results.curves.iter().map(|curve| curve.area_fractions(0).last().unwrap().1).collect()
+    };
+    let from_scans = areas(&text, folder.parent().unwrap());
+    let scans = text.find("scans = [").unwrap()..text.find("[material]").unwrap();
+    let mut from_spectrum = text.clone();
+    from_spectrum.replace_range(scans, "psd = \"builtin:uncd-measured\"\n");
+    for (scans, spectrum) in from_scans.iter().zip(areas(&from_spectrum, Path::new(""))) {
+        assert!((scans / spectrum).ln().abs() < 0.05, "{scans} {spectrum}");
+    }
+}
