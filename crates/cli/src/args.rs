@@ -284,6 +284,9 @@ pub(crate) struct ScansArgs {
     /// Unit of lengths and heights where neither the file nor metadata beside it tell
     #[arg(long, value_name = "UNIT")]
     pub unit: Option<LengthUnit>,
+    /// Size along the scan lines where neither the file nor metadata beside it tell
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub size: Option<Length>,
     /// The channel to read, of files that have several
     #[arg(long, value_name = "NAME")]
     pub channel: Option<String>,
@@ -307,7 +310,7 @@ impl ScansArgs {
         ScanRequest {
             unit: file.unit.or(self.unit),
             channel: file.channel.clone().or_else(|| self.channel.clone()),
-            tip_radius_m: file.tip_radius_m.or(self.tip_radius.map(|radius| radius.m)),
+            size_m: file.size_m.or(self.size.map(|size| size.m)),
             ..file.clone()
         }
     }

@@ -96,9 +96,13 @@ impl Surface {
             None => "the two spectra share no wavelength: each stands alone on its own".to_owned(),
         };
         let of_each = |what: fn(&Surface) -> &Vec<String>| -> Vec<String> {
-            let prefixed = |surface: &Surface| {
-                let name = surface.name.clone();
-                what(surface).iter().map(move |line| format!("{name}: {line}")).collect::<Vec<_>>()
+            // What is said of scans begins with their names.
+            let prefixed = |surface: &Surface| -> Vec<String> {
+                let named = |line: &String| match surface.made_from {
+                    Some(_) => line.clone(),
+                    None => format!("{}: {line}", surface.name),
+                };
+                what(surface).iter().map(named).collect()
             };
             [prefixed(&self), prefixed(&other)].concat()
         };

@@ -68,11 +68,33 @@ fn metadata_beside_a_file_give_its_unit_and_size() {
     let plain = bench.run(&["psd", "line.txt", "--unit", "nm"]).ok();
     bench.write("meta.yml", meta);
     let run = bench.run(&["psd", "line.txt", "--unit", "um"]);
-    assert!(run.stderr.contains("my line: the unit µm given is not used"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("my line: the unit µm given is not used for lengths: they are told to be in nm"),
+        "{}",
+        run.stderr
+    );
     let scaled = run.ok();
     for (plain, scaled) in numbers(&plain, "C1D_m3").iter().zip(numbers(&scaled, "C1D_m3")) {
         assert!((scaled / plain / 4.0 - 1.0).abs() < 1e-9);
     }
+}
+
+#[test]
+fn what_is_given_fills_gaps_and_overrules_nothing() {
+    let bench = Bench::new();
+    let heights: Vec<String> =
+        line(256, 5.0).lines().map(|row| row.split(' ').nth(1).unwrap().to_owned()).collect();
+    bench.write("column.txt", heights.join("\n"));
+    let of_column = bench.run(&["psd", "column.txt:unit=nm,size=1280nm"]).ok();
+    assert_eq!(of_column, bench.run(&["psd", "column.txt", "--unit", "nm", "--size", "1.28um"]).ok());
+    bench.write("half.txt", format!("x_um h\n{}", line(256, 0.005)));
+    bench.write("whole.txt", line(256, 5.0));
+    let (half, whole) = (
+        bench.run(&["psd", "half.txt", "--unit", "nm"]).ok(),
+        bench.run(&["psd", "whole.txt", "--unit", "nm"]).ok(),
+    );
+    let (half, whole) = (numbers(&half, "wavelength_m"), numbers(&whole, "wavelength_m"));
+    assert!((half[0] / whole[0] - 1.0).abs() < 1e-9, "{} {}", half[0], whole[0]);
 }
 
 #[test]
@@ -120,7 +142,11 @@ fn a_scene_takes_scans_and_a_rough_counterface() {
     run.ok();
     let half = format!("{scene}[counterface]\nyoungs_modulus = \"70 GPa\"\n");
     assert!(bench.write("half.toml", half).run(&["run", "half.toml"]).refused().contains("needs both"));
-    let both = scene.replace("[surface]", "[surface]\npsd = \"x.csv\"");
+    let idle = scene.replace("[surface]", "[surface]\ncolumn = \"C1D\"");
+    let refused = bench.write("idle.toml", idle).run(&["run", "idle.toml"]).refused();
+    assert!(refused.contains("key surface.column is for a psd, and scans is given"), "{refused}");
+    let both =
+        scene.replace("average = \"arithmetic\"\n", "").replace("[surface]", "[surface]\npsd = \"x.csv\"");
     assert!(bench.write("x.toml", both).run(&["run", "x.toml"]).refused().contains("both psd and scans"));
 }
 

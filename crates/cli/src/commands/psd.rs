@@ -9,7 +9,7 @@ use crate::output::Place;
 use crate::plot;
 use crate::provenance::program;
 use crate::timings::Timings;
-use crate::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_table};
+use crate::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
     let recipe = Recipe {
@@ -17,6 +17,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         window: args.window,
         average: args.average,
         bins_per_decade: args.bins_per_decade,
+        tip_radius_m: args.tip_radius.map(|radius| radius.m),
     };
     let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.with_common_options(file)).collect();
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
@@ -27,8 +28,9 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
                 requests.len()
             )));
         };
-        let comments = [program(context.typed), format!("map: {}; {}", request.path, recipe.describe())];
-        return context.write_to(output, &areal_table(request, Path::new(""), &recipe)?, &comments);
+        let found = areal_spectrum(request, Path::new(""), &recipe)?;
+        say_notes(found.notes);
+        return context.write_to(output, &found.table, &[program(context.typed), found.provenance]);
     }
     let mut timings = Timings::start();
     let found = CompositeSpectrum::of_files(&requests, Path::new(""), &recipe)?;

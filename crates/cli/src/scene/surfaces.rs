@@ -20,6 +20,7 @@ pub(super) fn resolve_surface(
     folder: &Path,
 ) -> Result<Surface, SceneError> {
     let surface = raw.get_ref();
+    refuse_idle_keys(key, raw)?;
     match (&surface.psd, &surface.scans[..]) {
         (Some(psd), []) => spectrum(key, surface, psd, folder),
         (None, [_, ..]) => composite(key, surface, folder),
@@ -30,6 +31,37 @@ pub(super) fn resolve_surface(
             let message = format!("[{key}] needs psd = \"...\", or scans = [{{ file = \"...\" }}]");
             Err(SceneError::at(raw.span(), message))
         }
+    }
+}
+
+/// Refuses keys that say nothing about what is given: a scene that is not carried out as it reads is worse than none.
+fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneError> {
+    let surface = raw.get_ref();
+    let of_spectra = [
+        ("column", surface.column.is_some()),
+        ("x", surface.x.is_some()),
+        ("convention", surface.convention.is_some()),
+        ("series", surface.series.is_some()),
+        ("subject", surface.subject.is_some()),
+        ("x_unit", surface.x_unit.is_some()),
+        ("psd_unit", surface.psd_unit.is_some()),
+    ];
+    let of_scans = [
+        ("detrend", surface.detrend.is_some()),
+        ("window", surface.window.is_some()),
+        ("average", surface.average.is_some()),
+        ("bins_per_decade", surface.bins_per_decade.is_some()),
+    ];
+    let (idle, without, what): (&[(&str, bool)], _, _) = match surface.psd {
+        Some(_) => (&of_scans, "psd", "scans"),
+        None => (&of_spectra, "scans", "a psd"),
+    };
+    match idle.iter().find(|(_, given)| *given) {
+        Some((name, _)) => {
+            let message = format!("key {key}.{name} is for {what}, and {without} is given; leave it out");
+            Err(SceneError::at(raw.span(), message))
+        }
+        None => Ok(()),
     }
 }
 
@@ -65,6 +97,7 @@ fn composite(key: &str, surface: &RawSurface, folder: &Path) -> Result<Surface, 
             .map(|raw| count(&format!("{key}.bins_per_decade"), raw))
             .transpose()?
             .unwrap_or(DEFAULT_BINS_PER_DECADE),
+        tip_radius_m: None,
     };
     let requests =
         surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;

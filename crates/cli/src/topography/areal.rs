@@ -4,23 +4,35 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use spectrum::{
-    ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, HeightMap, Preparation, ReliableBand,
-    Scan,
+    ArealRows, ArealSpectrum, ArealSums, ArealTransform, HeightMap, Preparation, ReliableBand, Scan,
 };
 
-use super::load::load;
+use super::load::{Loaded, load};
 use super::request::{Recipe, ScanRequest};
 use crate::failure::Failure;
 use crate::table::Table;
 
-/// The radial mean of the two-dimensional spectrum of the one map in a file, relative to `folder`: `wavelength_m,
-/// wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, as far as it shows the surface.
+/// The two-dimensional spectrum of a map, averaged radially.
+pub struct AreaSpectrum {
+    /// `wavelength_m, wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, as far as it shows the surface.
+    pub table: Table,
+    /// How it was made: the file with its SHA-256, and what was done to the heights.
+    pub provenance: String,
+    /// What reading took for granted.
+    pub notes: Vec<String>,
+}
+
+/// The spectrum of the one map in a file, relative to `folder`.
 ///
 /// # Errors
 /// [`Failure::Input`] where the file holds no map, or several.
-pub fn areal_table(request: &ScanRequest, folder: &Path, recipe: &Recipe) -> Result<Table, Failure> {
+pub fn areal_spectrum(
+    request: &ScanRequest,
+    folder: &Path,
+    recipe: &Recipe,
+) -> Result<AreaSpectrum, Failure> {
     let refused = |what: String| Failure::Input(format!("{}: {what}", request.path));
-    let scans = load(request, folder)?.scans;
+    let Loaded { scans, sha256 } = load(request, folder)?;
     let [file] = &scans[..] else {
         return Err(refused(format!("{} scans; an areal spectrum is that of one map", scans.len())));
     };
@@ -28,11 +40,8 @@ pub fn areal_table(request: &ScanRequest, folder: &Path, recipe: &Recipe) -> Res
         return Err(refused("a line scan has no areal spectrum; leave --areal out".to_owned()));
     };
     let preparation = recipe.preparation(file.is_periodic);
-    let limits = BandLimits {
-        tip_radius_m: request.tip_radius_m.or(file.tip_radius_m),
-        shortest_m: request.shortest_m,
-    };
-    let band = ReliableBand::of(&file.scan, limits).map_err(|error| refused(error.to_string()))?;
+    let band = ReliableBand::of(&file.scan, request.limits(file, recipe))
+        .map_err(|error| refused(error.to_string()))?;
     let spectrum = transformed(map, preparation);
     let shown = spectrum.ciso(&band).map_err(|error| refused(error.to_string()))?;
     let modes = |wavelength_m: &f64| {
@@ -41,11 +50,16 @@ pub fn areal_table(request: &ScanRequest, folder: &Path, recipe: &Recipe) -> Res
         spectrum.bins().iter().find(near).map(|bin| bin.modes as f64)
     };
     let wavelengths_m = shown.wavelengths_m();
-    Ok(Table::default()
+    let table = Table::default()
         .with_numbers("wavelength_m", wavelengths_m.iter().copied())
         .with_numbers("wavevector_rad_per_m", wavelengths_m.iter().map(|l| std::f64::consts::TAU / l))
         .with_numbers("Ciso_m4", shown.values().iter().copied())
-        .with_numbers("modes", wavelengths_m.iter().map(modes).collect::<Vec<_>>()))
+        .with_numbers("modes", wavelengths_m.iter().map(modes).collect::<Vec<_>>());
+    let provenance = format!(
+        "map: {} ({}), SHA-256 {sha256}, detrend {}, window {}",
+        request.path, file.format, preparation.detrend, preparation.window
+    );
+    Ok(AreaSpectrum { table, provenance, notes: file.notes.clone() })
 }
 
 /// The spectrum of a map, on all threads, with the same digits on any number of them.

@@ -20,7 +20,7 @@ pub struct Checks {
     pub evenly_spaced: bool,
     /// Root mean square slope along the scan lines from neighbouring points.
     pub real_slope: f64,
-    /// The same from the spectrum of the heights as they are.
+    /// The same from the spectrum, of the heights as prepared for it.
     pub spectral_slope: Option<f64>,
     /// Root mean square curvature \[1/m\] from neighbouring points.
     pub real_curvature_per_m: Option<f64>,
@@ -33,8 +33,8 @@ pub struct Checks {
 }
 
 impl Checks {
-    /// Checks the spectrum of a scan. Slopes are compared without a window, which would weigh the middle of a line: the
-    /// spectrum of differences of neighbouring points against these differences themselves.
+    /// Checks the spectrum of a scan. Slopes are those of neighbouring points: of the detrended heights themselves, and of
+    /// the spectrum, whose window weighs the middle of a line more.
     pub(super) fn of(
         scan: &Scan,
         spectrum: &LineSpectrum,
@@ -65,19 +65,19 @@ impl Checks {
         let deviation = (self.parseval_share - 1.0).abs();
         sentences.push(match (self.evenly_spaced, deviation > LARGE_PARSEVAL) {
             (true, false) => format!("the spectrum holds the variance of the heights to {deviation:.0e}"),
-            (true, true) => format!(
-                "WARNING: the spectrum holds {} of the variance of the heights",
-                three_digits(self.parseval_share)
-            ),
+            (true, true) => {
+                format!("WARNING: the spectrum holds {:.1} % of the variance of the heights", 100.0 * self.parseval_share)
+            }
             (false, _) => format!(
-                "the spectrum holds {} of the variance of the trace, the rest lies below its points' spacing",
-                three_digits(self.parseval_share)
+                "the spectrum holds {:.1} % of the variance of the trace, the rest lies below the distance of its points",
+                100.0 * self.parseval_share
             ),
         });
         let compare = |what: &str, unit: &str, real: f64, spectral: Option<f64>| {
             spectral.map(|spectral| {
                 let off = spectral / real - 1.0;
-                let warning = if off.abs() > LARGE_DERIVATIVE { "WARNING: " } else { "" };
+                // The straight lines between uneven points have slopes beyond the last wavelength of the spectrum.
+                let warning = if self.evenly_spaced && off.abs() > LARGE_DERIVATIVE { "WARNING: " } else { "" };
                 format!(
                     "{warning}rms {what} {}{unit} from neighbouring points, {}{unit} from the spectrum ({:+.1} %)",
                     three_digits(real),

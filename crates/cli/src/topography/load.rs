@@ -3,9 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
-use spectrum::{
-    MeasurementMetadata, ScanFile, ScanOptions, ScanReadError, ScanSize, read_metadata, read_scans,
-};
+use spectrum::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_metadata, read_scans};
 
 use super::request::ScanRequest;
 use crate::failure::Failure;
@@ -25,28 +23,17 @@ pub(super) struct Loaded {
 pub(super) fn load(request: &ScanRequest, folder: &Path) -> Result<Loaded, Failure> {
     let path = folder.join(&request.path);
     let bytes = Place::File(path.clone()).read()?;
-    let mut options = ScanOptions {
+    // What the file and its metadata say counts; what was given stands in where they say nothing.
+    let options = ScanOptions {
         channel: request.channel.clone(),
         metadata: metadata_beside(&path)?,
+        fallback_unit: request.unit,
+        fallback_size: request.size_m.map(|x_m| ScanSize { x_m, y_m: None }),
         ..ScanOptions::default()
     };
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let mut scans = read_scans(&bytes, &name, &options);
-    // What the file and its metadata say counts; what was given stands in where they say nothing.
-    if matches!(scans, Err(ScanReadError::NoSize { .. })) && request.size_m.is_some() {
-        options.size = request.size_m.map(|x_m| ScanSize { x_m, y_m: None });
-        scans = read_scans(&bytes, &name, &options);
-    }
-    if matches!(scans, Err(ScanReadError::NoUnit { .. })) && request.unit.is_some() {
-        options.unit = request.unit;
-        scans = read_scans(&bytes, &name, &options);
-    }
-    let mut scans = scans.map_err(|error| Failure::Input(format!("{}: {error}", request.path)))?;
-    if let (Some(unit), None, Some(first)) = (request.unit, options.unit, scans.first_mut()) {
-        first
-            .notes
-            .push(format!("the unit {unit} given is not used: the file or its metadata tell their own"));
-    }
+    let scans = read_scans(&bytes, &name, &options)
+        .map_err(|error| Failure::Input(format!("{}: {error}", request.path)))?;
     Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
 }
 

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use spectrum::{
-    BandLimits, HeightMap, LineSpectrum, LineSums, MapLines, Preparation, ProfilePsd, ReliableBand, Scan,
-    ScanFile, ScanFormat, nonuniform_line_spectrum, uniform_line_spectrum,
+    HeightMap, LineSpectrum, LineSums, MapLines, Preparation, ProfilePsd, ReliableBand, Scan, ScanFile,
+    ScanFormat, nonuniform_line_spectrum, uniform_line_spectrum,
 };
 
 use super::checks::Checks;
@@ -67,11 +67,7 @@ impl ScanSpectrum {
         recipe: &Recipe,
     ) -> Result<Self, spectrum::TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let limits = BandLimits {
-            tip_radius_m: request.tip_radius_m.or(file.tip_radius_m),
-            shortest_m: [request.shortest_m, file.resolution_m].into_iter().flatten().reduce(f64::max),
-        };
-        let band = ReliableBand::of(&file.scan, limits)?;
+        let band = ReliableBand::of(&file.scan, request.limits(&file, recipe))?;
         let spectrum = line_spectrum(&file.scan, preparation);
         let reliable = spectrum.profile(&band)?;
         let checks = Checks::of(&file.scan, &spectrum, preparation, file.is_periodic);

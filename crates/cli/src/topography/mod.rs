@@ -17,7 +17,7 @@ mod load;
 mod measure;
 mod request;
 
-pub use areal::areal_table;
+pub use areal::{AreaSpectrum, areal_spectrum};
 pub use checks::Checks;
 pub use composite::CompositeSpectrum;
 pub use measure::ScanSpectrum;

@@ -4,7 +4,7 @@ use std::num::NonZeroU32;
 use std::str::FromStr;
 
 use serde::Deserialize;
-use spectrum::{Detrend, LengthUnit, Preparation, Window};
+use spectrum::{BandLimits, Detrend, LengthUnit, Preparation, ScanFile, Window};
 
 use crate::quantity::Length;
 
@@ -36,6 +36,19 @@ pub struct Recipe {
     pub average: Average,
     /// Logarithmic bins per decade of wavevectors.
     pub bins_per_decade: NonZeroU32,
+    /// Radius of the tip \[m\] of scans that have no other.
+    pub tip_radius_m: Option<f64>,
+}
+
+impl ScanRequest {
+    /// What limits the wavelengths that a scan of this file shows: the tip, and the shortest one that user and instrument
+    /// both vouch for.
+    pub(super) fn limits(&self, file: &ScanFile, recipe: &Recipe) -> BandLimits {
+        BandLimits {
+            tip_radius_m: self.tip_radius_m.or(file.tip_radius_m).or(recipe.tip_radius_m),
+            shortest_m: [self.shortest_m, file.resolution_m].into_iter().flatten().reduce(f64::max),
+        }
+    }
 }
 
 /// How the spectra of several measurements are averaged in a bin.
@@ -66,6 +79,7 @@ impl Default for Recipe {
             window: None,
             average: Average::Log,
             bins_per_decade: DEFAULT_BINS_PER_DECADE,
+            tip_radius_m: None,
         }
     }
 }

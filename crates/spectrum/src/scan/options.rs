@@ -5,7 +5,8 @@ use crate::scan::metadata::MeasurementMetadata;
 
 /// What the caller knows about a scan.
 ///
-/// An option counts before the file, with a note where it contradicts it; the file counts before the metadata.
+/// An option counts before the file, with a note where it contradicts it; the file counts before the metadata, and these
+/// before what is given to fall back on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ScanOptions {
     /// The channel to read, by one of the names in [`ScanFile::channels`](crate::ScanFile::channels), or such a name
@@ -19,6 +20,10 @@ pub struct ScanOptions {
     pub height_unit: Option<LengthUnit>,
     /// Size of the scan.
     pub size: Option<ScanSize>,
+    /// Unit of lengths and heights where neither the options above, nor the file, nor the metadata tell one.
+    pub fallback_unit: Option<LengthUnit>,
+    /// Size of the scan where neither of them gives one.
+    pub fallback_size: Option<ScanSize>,
     /// What a container says about the scan; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies
     /// beside a file.
     pub metadata: Option<MeasurementMetadata>,

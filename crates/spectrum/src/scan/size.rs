@@ -6,14 +6,20 @@ use crate::scan::heights::{HeightMap, Scan, UniformLineScan};
 use crate::scan::options::{ScanOptions, ScanSize};
 
 impl ScanSize {
-    /// The size that counts: that of the options, else that of the file, else that of the metadata.
+    /// The size that counts: that of the options, else of the file, else of the metadata, else that to fall back on.
     pub(crate) fn of(options: &ScanOptions, stated: Option<Self>, notes: &mut Vec<String>) -> Option<Self> {
         if let (Some(wanted), Some(stated)) = (options.size, stated)
             && wanted != stated
         {
             notes.push(format!("the size {wanted} asked for replaces that of the file, {stated}"));
         }
-        options.size.or(stated).or_else(|| options.metadata_size())
+        let told = options.size.or(stated).or_else(|| options.metadata_size());
+        if let (Some(told), Some(unused)) = (told, options.fallback_size)
+            && told != unused
+        {
+            notes.push(format!("the size {unused} given is not used: it is told to be {told}"));
+        }
+        told.or(options.fallback_size)
     }
 
     /// The line with this size.

@@ -5,7 +5,8 @@ use crate::scan::format::ScanFormat;
 use crate::scan::length::LengthUnit;
 use crate::scan::options::ScanOptions;
 
-/// Units of a file whose numbers carry none of their own: those of the options, else of the file, else of the metadata.
+/// Units of a file whose numbers carry none of their own: those of the options, else of the file, else of the metadata,
+/// else those to fall back on.
 pub(crate) struct Units {
     pub(crate) lateral: Option<LengthUnit>,
     pub(crate) height: Option<LengthUnit>,
@@ -29,7 +30,15 @@ impl Units {
                     "the unit {wanted} of {what} asked for replaces that of the file, {stated}"
                 ));
             }
-            wanted.or(stated).or_else(|| metadata.and_then(|metadata| metadata.unit))
+            let told = wanted.or(stated).or_else(|| metadata.and_then(|metadata| metadata.unit));
+            if let (Some(told), Some(unused)) = (told, options.fallback_unit)
+                && told != unused
+            {
+                notes.push(format!(
+                    "the unit {unused} given is not used for {what}: they are told to be in {told}"
+                ));
+            }
+            told.or(options.fallback_unit)
         };
         let lateral_unit = counting("lengths", options.unit, lateral);
         let height_unit = counting("heights", options.height_unit(), height);
