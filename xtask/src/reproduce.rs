@@ -71,11 +71,7 @@ fn checked(ledger: &[paper::Row]) -> report::Ledger {
     let finding = |(spectrum, finding): &(&'static str, paper::Finding)| report::Finding {
         label: label(spectrum).to_owned(),
         found: finding.found.clone(),
-        verdict: match finding.verdict {
-            Verdict::Reproduced => report::Verdict::Reproduced,
-            Verdict::NotReproduced => report::Verdict::NotReproduced,
-            Verdict::ByConstruction => report::Verdict::ByConstruction,
-        },
+        verdict: finding.verdict,
         remark: finding.remark.clone(),
     };
     let row = |row: &paper::Row| report::LedgerRow {

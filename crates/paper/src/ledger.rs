@@ -2,31 +2,11 @@
 
 use cli::table::Table;
 
-/// How a statement fares against computed curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// The curves show it.
-    Reproduced,
-    /// They do not.
-    NotReproduced,
-    /// They show it because the spectrum was made to: no evidence.
-    ByConstruction,
-}
+pub use cli::report::Verdict;
 
-impl Verdict {
-    /// As written in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Verdict::Reproduced => "reproduced",
-            Verdict::NotReproduced => "not reproduced",
-            Verdict::ByConstruction => "by construction",
-        }
-    }
-
-    /// Reproduced if `holds`.
-    pub(crate) fn of(holds: bool) -> Self {
-        if holds { Verdict::Reproduced } else { Verdict::NotReproduced }
-    }
+/// Reproduced if `holds`.
+pub(crate) fn verdict(holds: bool) -> Verdict {
+    if holds { Verdict::Reproduced } else { Verdict::NotReproduced }
 }
 
 /// A statement of the paper and how it is measured, in our words.
@@ -79,6 +59,6 @@ pub fn table(rows: &[Row]) -> Table {
         .with_numbers("value", each().map(|(_, _, finding)| finding.value))
         .with_words("unit", each().map(|(statement, ..)| statement.unit))
         .with_text("found", each().map(|(_, _, finding)| finding.found.clone()))
-        .with_words("verdict", each().map(|(_, _, finding)| finding.verdict.name()))
+        .with_words("verdict", each().map(|(_, _, finding)| finding.verdict.words()))
         .with_text("remark", each().map(|(_, _, finding)| finding.remark.clone()))
 }

@@ -9,7 +9,7 @@ use stacked_contact::largest_full_contact_pressure_pa;
 use super::spectrum::PRINTED_WAVELENGTH_M;
 use super::{Check, LEVEL, VISIBLE, final_slopes, highest, lengths, lowest, numbers};
 use crate::evidence::{ALL, ELASTIC, Evidence, HERTZ, PLASTIC, SINE, SINE_ELASTIC, SPHERE};
-use crate::ledger::{Finding, Statement, Verdict};
+use crate::ledger::{Finding, Statement, verdict};
 
 pub(super) const STACK_CONVERGES: (Statement, Check) = (
     Statement {
@@ -37,7 +37,7 @@ pub(super) const STACK_CONVERGES: (Statement, Check) = (
                 list(&at(PLASTIC, 0.001)),
                 length(evidence.shortest_m())
             ),
-            verdict: Verdict::of(certain && near && same),
+            verdict: verdict(certain && near && same),
             remark: match (certain, near && same) {
                 (true, true) => {
                     "It converges there under every load; the two models differ by a sample or two, and both wavelengths follow \
@@ -83,7 +83,7 @@ pub(super) const PROPORTIONAL_TO_LOAD: (Statement, Check) = (
                 numbers(exponents),
                 three_digits(exponent(PLASTIC))
             ),
-            verdict: Verdict::of(holds),
+            verdict: verdict(holds),
             remark: if holds {
                 "Every model is proportional within a few per cent over three decades of load.".to_owned()
             } else {
@@ -122,7 +122,7 @@ pub(super) const ELASTIC_DECADES: (Statement, Check) = (
                 decades.len(),
                 numbers(decades.iter().copied())
             ),
-            verdict: Verdict::of(holds),
+            verdict: verdict(holds),
             remark: if holds {
                 "With a Hurst exponent near one half the slope grows as the root of the wavevector, and the area falls with it."
             } else {
@@ -169,7 +169,7 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
                 lengths(plateaus.iter().map(|plateau| plateau.shortest_m)),
                 numbers(slopes)
             ),
-            verdict: Verdict::of(parts.iter().all(|(holds, _)| *holds)),
+            verdict: verdict(parts.iter().all(|(holds, _)| *holds)),
             remark: which_parts(&parts),
         }
     },
@@ -195,7 +195,7 @@ pub(super) const NEVER_LEVEL: (Statement, Check) = (
                 numbers(all[1].iter().copied()),
                 numbers(all[2].iter().copied())
             ),
-            verdict: Verdict::of(least > 0.1),
+            verdict: verdict(least > 0.1),
             remark: if least > 0.1 {
                 "All three still fall at the shortest wavelength, so what they give there is the end of the data."
             } else {
@@ -239,7 +239,7 @@ pub(super) const STEEPEST_SCALE_DECIDES: (Statement, Check) = (
                 lengths(found.iter().map(|found| found.wavelength_m)),
                 numbers(shares.iter().copied())
             ),
-            verdict: Verdict::of(together && certain && close),
+            verdict: verdict(together && certain && close),
             remark: match (together && close, certain) {
                 (true, true) => "Both hold: Jackson's limit of dense sampling is reached within the sampling's own effect.",
                 (true, false) => "Both hold, but the spectrum ends too soon below that scale to speak of convergence.",
@@ -289,7 +289,7 @@ pub(super) const LAST_FALL: (Statement, Check) = (
                 lengths(found.iter().map(|found| found.wavelength_m)),
                 if certain { "" } else { ", which is the end of the spectrum and no convergence" }
             ),
-            verdict: Verdict::of(above && same && certain),
+            verdict: verdict(above && same && certain),
             remark: which_parts(&[
                 (above, "the last area above the dip"),
                 (same && certain, "one wavelength of convergence for every load"),

@@ -7,7 +7,7 @@ use stacked_contact::{StackedModel, setting_level};
 
 use super::{Check, lengths, lowest, numbers};
 use crate::evidence::{ALL, Evidence, Name, PLASTIC, PLASTIC_AND_ELASTIC};
-use crate::ledger::{Finding, Statement, Verdict};
+use crate::ledger::{Finding, Statement, verdict};
 
 pub(super) const CONVERGED_PRESSURE: (Statement, Check) = (
     Statement {
@@ -38,7 +38,7 @@ pub(super) const CONVERGED_PRESSURE: (Statement, Check) = (
                 three_digits(complete),
                 three_digits(2.0 * complete)
             ),
-            verdict: Verdict::of(holds),
+            verdict: verdict(holds),
             remark: "The area law exceeds complete contact and is held at it, so scales flatten at about half of p*_ep; p*_ep and \
                      twice that are given beside it, and nothing is tuned towards 8 H."
                 .to_owned(),
@@ -83,7 +83,7 @@ pub(super) const PLASTIC_ABOVE_ELASTIC: (Statement, Check) = (
                 length(evidence.shortest_m()),
                 numbers(finals)
             ),
-            verdict: Verdict::of(all_part && within),
+            verdict: verdict(all_part && within),
             remark: match (all_part, within) {
                 (true, true) => "All three part in that range and end above.",
                 (true, false) => "All three end above the elastic ones, but not all part within 1 to 10 um.",
@@ -110,7 +110,7 @@ pub(super) const BEYOND_HARDNESS: (Statement, Check) = (
         Finding {
             value: least,
             found: format!("in H: {}", pressures.iter().map(list).collect::<Vec<_>>().join(", ")),
-            verdict: Verdict::of(least > 1.0),
+            verdict: verdict(least > 1.0),
             remark: if least > 1.0 {
                 "Every model ends above the hardness: neighbouring scales carry each other, or the strength has grown."
             } else {

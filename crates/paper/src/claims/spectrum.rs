@@ -7,7 +7,7 @@ use cli::features::{between, log_slope, log_slopes};
 use spectrum::{Convention, Moments, Normalisation, Psd, cumulative_moments};
 
 use super::{Check, numbers};
-use crate::ledger::{Finding, Statement, Verdict};
+use crate::ledger::{Finding, Statement, Verdict, verdict};
 
 /// The largest aspect ratio as printed, and its wavelength.
 pub(super) const PRINTED_ASPECT_RATIO: f64 = 0.0463;
@@ -29,7 +29,7 @@ pub(super) const LARGEST_ASPECT_RATIO: (Statement, Check) = (
         Finding {
             value: largest,
             found: format!("B = {largest:.4} at {}", length(wavelength_m)),
-            verdict: if evidence.is_reconstruction() { Verdict::ByConstruction } else { Verdict::of(agrees) },
+            verdict: if evidence.is_reconstruction() { Verdict::ByConstruction } else { verdict(agrees) },
             remark: if evidence.is_reconstruction() {
                 "The reconstruction is pinned to these two numbers, so their return tests nothing.".to_owned()
             } else if wavelength_m == evidence.shortest_m() {
@@ -71,7 +71,7 @@ pub(super) const COURSE_OF_ASPECT_RATIO: (Statement, Check) = (
                 three_digits(slope),
                 three_digits(rms)
             ),
-            verdict: Verdict::of(constant && straight),
+            verdict: verdict(constant && straight),
             remark: match (constant, straight) {
                 (true, true) => "Level below and straight above, as stated.",
                 (true, false) => {
@@ -108,7 +108,7 @@ pub(super) const MOMENTS: (Statement, Check) = (
                 three_digits(m2),
                 three_digits(m4)
             ),
-            verdict: Verdict::of(holds),
+            verdict: verdict(holds),
             remark: if holds {
                 "The order is that of the powers of q, whatever self-affine spectrum is taken.".to_owned()
             } else {
@@ -146,7 +146,7 @@ pub(super) const SLOPE: (Statement, Check) = (
         Finding {
             value: own,
             found,
-            verdict: Verdict::of(agrees),
+            verdict: verdict(agrees),
             remark: if agrees {
                 "The factor 1/pi, which Parseval's theorem asks for, keeps the published slope; Eq. (1) as printed does not."
             } else {

@@ -11,7 +11,7 @@ use crate::evidence::{
     ELASTIC, Evidence, GRADIENT_AND_PLAIN, HERTZ, Name, PLASTIC_GRADIENT, SINE_ELASTIC, SINE_GRADIENT,
     SPHERE_GRADIENT,
 };
-use crate::ledger::{Finding, Statement, Verdict};
+use crate::ledger::{Finding, Statement, verdict};
 
 pub(super) const STACK_RETURNS_TO_ELASTIC: (Statement, Check) = (
     Statement {
@@ -39,7 +39,7 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: (Statement, Check) = (
                 numbers(ratios.iter().flatten().map(|(_, ratio)| *ratio)),
                 levels.iter().flatten().count()
             ),
-            verdict: Verdict::of(returns),
+            verdict: verdict(returns),
             remark: match (returns, yielding) {
                 (true, 0) => {
                     "It is the elastic area throughout: no scale yields at these loads, so there is nothing to return from."
@@ -70,7 +70,7 @@ pub(super) const STATISTICAL_STAY_PLASTIC: (Statement, Check) = (
         Finding {
             value: nearest.unwrap_or(f64::NAN),
             found: format!("spheres {}, sinusoids {}", numbers(spheres.iter().copied()), numbers(sines.iter().copied())),
-            verdict: Verdict::of(differ),
+            verdict: verdict(differ),
             remark: match (differ, below) {
                 (true, true) => {
                     "They differ, but some lie below the elastic area: the sphere's law is used far beyond the strengths it was \
@@ -116,7 +116,7 @@ pub(super) const STRENGTH_AT_DEPTH: (Statement, Check) = (
                 pressure(deep_pa),
                 range(met, pressure)
             ),
-            verdict: Verdict::of(holds),
+            verdict: verdict(holds),
             remark: if holds {
                 "Formula and stack agree with the printed strengths in order of magnitude."
             } else {
@@ -155,7 +155,7 @@ pub(super) const LOWERS_AREA: (Statement, Check) = (
                 numbers(finals[2].iter().copied()),
                 if raised.is_empty() { "nowhere".to_owned() } else { raised.join(", ") }
             ),
-            verdict: Verdict::of(largest < 1.0),
+            verdict: verdict(largest < 1.0),
             remark: match (largest < 1.0, raised.is_empty()) {
                 (true, true) => "It does, at every cutoff.",
                 (true, false) => "It does at the last cutoff, though not at every longer one, where the published laws step down.",
@@ -186,7 +186,7 @@ pub(super) const STACK_CONVERGES: (Statement, Check) = (
                 lengths(converged(&curves, 0.001).iter().map(|found| found.wavelength_m)),
                 length(evidence.shortest_m())
             ),
-            verdict: Verdict::of(certain && within),
+            verdict: verdict(certain && within),
             remark: match (certain, within) {
                 (true, true) => "It converges there, at every load, as the elastic stack does.",
                 (true, false) => "It converges elsewhere.",
@@ -231,7 +231,7 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
                 numbers(slopes.iter().copied()),
                 length(from_m)
             ),
-            verdict: Verdict::of(level && falls),
+            verdict: verdict(level && falls),
             remark,
         }
     },
