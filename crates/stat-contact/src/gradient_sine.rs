@@ -102,7 +102,7 @@ impl GradientSines {
             (law.pressure_at_interference_pa(ratio) / law.critical_pressure_pa()).ln()
         }));
         breaks_m.extend(self.crossing_m(edge_m, to_m, |law, ratio| {
-            (law.pressure_at_interference_pa(ratio) / law.flattening_pressure_pa()).ln()
+            law.flattening_margin(law.pressure_at_interference_pa(ratio))
         }));
         breaks_m
     }
@@ -110,10 +110,9 @@ impl GradientSines {
 
 impl Asperities for GradientSines {
     fn at_interference(&self, interference_m: f64) -> Response {
-        let law = self.at_depth(interference_m);
         let ratio = interference_m / self.amplitude_m;
-        let pressure_pa = law.pressure_at_interference_pa(ratio);
-        let area_fraction = if ratio >= 1.0 { 1.0 } else { law.area_fraction(pressure_pa) };
+        let (pressure_pa, area_fraction) =
+            self.at_depth(interference_m).pressure_and_area_at_interference(ratio);
         Response { pressure_pa, area_fraction }
     }
 
@@ -144,8 +143,12 @@ impl Asperities for GradientSines {
     }
 
     fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
-        let (interference_m, slope_m, _) = self.shape.at_coordinate(chart, coordinate);
-        Point { interference_m, slope_m, response: self.at_interference(interference_m) }
+        let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, coordinate);
+        if interference_m >= self.amplitude_m {
+            return Point { interference_m, slope_m, response: self.at_interference(interference_m) };
+        }
+        let (pressure_pa, area_fraction) = self.at_depth(interference_m).pressure_and_area_at_power(t);
+        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
     }
 
     fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {
