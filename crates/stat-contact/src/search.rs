@@ -167,7 +167,9 @@ impl<'a> Search<'a> {
             let Some(next) = self.next(u, &frame.sums_at(u), &mut bracket) else { break };
             let step = next - u;
             u = next;
-            if step.abs() < 0.05 * (1.0 + u.abs()) {
+            // Steps converge with the fourth power, on the scale of 1 + |u|; cells are as wide as their separation is positive.
+            let left = step.abs() * (step / (1.0 + u.abs())).abs().powi(3);
+            if left < 0.005 * (1.0 + u.max(0.0)) {
                 break;
             }
         }
