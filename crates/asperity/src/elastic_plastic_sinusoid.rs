@@ -1,9 +1,9 @@
 //! The elastic-plastic sinusoid: Krithivasan & Jackson (2007), Tribol. Lett. 27:31; Jackson, Krithivasan & Wilson (2008).
 
 use crate::elastic_sinusoid::{
-    FULL_CONTACT_SLOPE, HEAVY_EXPONENT, LIGHT_EXPONENT, heavy_limit, log_of_fraction,
+    FULL_CONTACT_SLOPE, HEAVY_EXPONENT, LIGHT_EXPONENT, heavy_limit, joining_powers, log_of_fraction,
 };
-use crate::mean_gap::GapExponent;
+use crate::mean_gap::{GapExponent, power_at};
 use crate::root::newton_in_bracket;
 use crate::{Break, ElasticSinusoid, MaterialPair};
 
@@ -22,13 +22,13 @@ pub struct ElasticPlasticSinusoid {
     aspect_ratio_over_critical: f64,
     /// p*_ep \[Pa\], p* where the aspect ratio is at most the critical one.
     complete_contact_pressure_pa: f64,
+    /// ln(p*_ep/p*).
+    log_softening: f64,
     critical_pressure_pa: f64,
     /// E* B/Sy, from which the exponent d of the plastic area follows.
     slope_over_yield_slope: f64,
-    /// C Sy \[Pa\].
-    yield_pressure_pa: f64,
-    /// C Sy/(8 E* B), from which the critical area fraction follows.
-    critical_area_root: f64,
+    /// ln C.
+    log_yield_coefficient: f64,
 }
 
 impl ElasticPlasticSinusoid {
@@ -41,22 +41,23 @@ impl ElasticPlasticSinusoid {
         let critical_aspect_ratio =
             pair.sinusoidal_yield_coefficient() * (yield_strength_pa / pair.composite_modulus_pa());
         let aspect_ratio_over_critical = aspect_ratio / critical_aspect_ratio;
-        let softening = if aspect_ratio_over_critical > 1.0 {
-            (11.0 / (4.0 * aspect_ratio_over_critical + 7.0)).powf(0.6)
+        let (log_softening, softening) = if aspect_ratio_over_critical > 1.0 {
+            let logarithm = 0.6 * (11.0 / (4.0 * aspect_ratio_over_critical + 7.0)).ln();
+            (logarithm, logarithm.exp())
         } else {
-            1.0
+            (0.0, 1.0)
         };
         ElasticPlasticSinusoid {
             elastic,
             critical_aspect_ratio,
             aspect_ratio_over_critical,
             complete_contact_pressure_pa: elastic.complete_contact_pressure_pa() * softening,
+            log_softening,
             // (C Sy/2)^3/(6 pi (E* B)^2), arranged so that no power over- or underflows.
             critical_pressure_pa: yield_pressure_pa * (yield_pressure_pa / slope_pa).powi(2)
                 / (48.0 * std::f64::consts::PI),
             slope_over_yield_slope: slope_pa / yield_strength_pa,
-            yield_pressure_pa,
-            critical_area_root: yield_pressure_pa / (8.0 * slope_pa),
+            log_yield_coefficient: pair.log_spherical_yield_coefficient(),
         }
     }
 
@@ -105,10 +106,7 @@ impl ElasticPlasticSinusoid {
         if x >= 1.0 {
             return 1.0;
         }
-        let log_x = x.ln();
-        let light = -self.plastic_area_fraction(pressure_pa) * (LIGHT_EXPONENT * log_x).exp_m1();
-        let heavy = heavy_limit(x) * (HEAVY_EXPONENT * log_x).exp();
-        (light + heavy).min(1.0)
+        self.plastic_area().fraction(x, x.ln())
     }
 
     /// Mean gap over amplitude g/Delta = (1 - x^(A1 x + A2))^(5/2) in \[0, 1), x = p/p*_ep, at the mean pressure p > 0
@@ -135,27 +133,59 @@ impl ElasticPlasticSinusoid {
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and the
     /// elastic-plastic one, since plastic flow can only soften; p*_ep from w = Delta on.
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
-        let elastic_pa = self.elastic.pressure_at_interference_pa(interference_over_amplitude);
-        if self.aspect_ratio_over_critical <= 1.0 {
-            elastic_pa
-        } else if interference_over_amplitude >= 1.0 {
-            self.complete_contact_pressure_pa
-        } else {
-            let log_x = self.gap_exponent().log_x_at(interference_over_amplitude);
-            elastic_pa.min(self.complete_contact_pressure_pa * log_x.exp())
+        if interference_over_amplitude >= 1.0 {
+            return self.complete_contact_pressure_pa;
         }
+        self.log_pressure_at_power(power_at(interference_over_amplitude)).pressure_pa
     }
 
-    /// Interference over amplitude at which the elastic-plastic mean gap is reached at the mean pressure p*_ep x, and its
-    /// derivative by ln x, for r > 1 and ln x < 0. Explicit, where the pressure at an interference has to be solved for.
-    pub fn flow_interference_over_amplitude(&self, log_x: f64) -> (f64, f64) {
-        self.gap_exponent().deformation_and_slope(log_x)
+    /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
+    /// [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) and [`area_fraction`](Self::area_fraction), at
+    /// two thirds of their cost.
+    pub fn pressure_and_area_at_interference(&self, interference_over_amplitude: f64) -> (f64, f64) {
+        if interference_over_amplitude >= 1.0 {
+            return (self.complete_contact_pressure_pa, 1.0);
+        }
+        self.pressure_and_area_at_power(power_at(interference_over_amplitude))
     }
 
-    /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1),
-    /// for r > 1.
-    pub fn flow_log_pressure_at_interference(&self, interference_over_amplitude: f64) -> f64 {
-        self.gap_exponent().log_x_at(interference_over_amplitude)
+    /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
+    pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
+        let Pressed { pressure_pa, x, log_x } = self.log_pressure_at_power(t);
+        let area_fraction = if !self.yields_at(pressure_pa) {
+            self.elastic.area_fraction(pressure_pa)
+        } else if log_x >= 0.0 {
+            1.0
+        } else {
+            self.plastic_area().fraction(x, log_x)
+        };
+        (pressure_pa, area_fraction)
+    }
+
+    /// The smaller of the elastic and the elastic-plastic pressure at t in (0, 1).
+    fn log_pressure_at_power(&self, t: f64) -> Pressed {
+        let elastic_pa = self.elastic.complete_contact_pressure_pa() * t * t;
+        let elastic = Pressed { pressure_pa: elastic_pa, x: 1.0, log_x: 0.0 };
+        if self.aspect_ratio_over_critical <= 1.0 {
+            return elastic;
+        }
+        let (log_t, gap) = (t.ln(), self.gap_exponent());
+        let log_x = 2.0 * log_t - self.log_softening;
+        // Where the elastic pressure is the smaller one, nothing has to be solved for.
+        if log_x < 0.0 {
+            let x = log_x.exp();
+            if gap.log_power(log_x, x) <= log_t {
+                return Pressed { pressure_pa: elastic_pa, x, log_x };
+            }
+        }
+        let log_x = gap.log_x_at_power(log_t);
+        let x = log_x.exp();
+        Pressed { pressure_pa: elastic_pa.min(self.complete_contact_pressure_pa * x), x, log_x }
+    }
+
+    /// The plastic branch with its constants worked out, for r > 1: for many pressures of one sinusoid.
+    pub fn plastic_flow(&self) -> PlasticFlow {
+        PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.plastic_area() }
     }
 
     /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
@@ -164,13 +194,12 @@ impl ElasticPlasticSinusoid {
         if self.aspect_ratio_over_critical <= 1.0 {
             return -1.0;
         }
-        let elastic_pa = self.elastic.pressure_at_interference_pa(interference_over_amplitude);
-        let log_x = (elastic_pa / self.complete_contact_pressure_pa).ln();
+        let log_t = power_at(interference_over_amplitude).ln();
+        let log_x = 2.0 * log_t - self.log_softening;
         if log_x >= 0.0 {
             return 1.0;
         }
-        let log_t = 0.5 * (elastic_pa / self.elastic.complete_contact_pressure_pa()).ln();
-        self.gap_exponent().log_power(log_x) - log_t
+        self.gap_exponent().log_power(log_x, log_x.exp()) - log_t
     }
 
     /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
@@ -182,8 +211,7 @@ impl ElasticPlasticSinusoid {
             return None;
         }
         let exponent = self.gap_exponent();
-        let softening = self.complete_contact_pressure_pa / self.elastic.complete_contact_pressure_pa();
-        let log_x = exponent.log_x_where_half_power_is(softening.ln());
+        let log_x = exponent.log_x_where_half_power_is(self.log_softening);
         Some(self.complete_contact_pressure_pa * log_x.exp())
     }
 
@@ -193,26 +221,23 @@ impl ElasticPlasticSinusoid {
         if self.aspect_ratio_over_critical <= 1.0 {
             return self.complete_contact_pressure_pa;
         }
+        let area = self.plastic_area();
         let complete_pa = self.complete_contact_pressure_pa;
-        // The area fraction minus one has a zero at x = 1; over 1 - x it has none there, and another one, at smaller x,
-        // just where it is positive at x = 1.
-        let excess = |short_of_one: f64| {
-            let x = 1.0 - short_of_one;
-            let plastic = self.plastic_area_fraction(x * complete_pa);
-            plastic * opening(LIGHT_EXPONENT, short_of_one)
-                - opening(HEAVY_EXPONENT, short_of_one)
-                - FULL_CONTACT_SLOPE * x.powf(HEAVY_EXPONENT)
-        };
-        if excess(0.0) <= 0.0 {
+        if area.overshoot(0.0).0 <= 0.0 {
             return complete_pa;
         }
         let short_of_one = newton_in_bracket(0.0, 1.0, 0.5, |u| {
-            let step = 1e-6;
-            let value = -excess(u);
-            let ahead = -excess((u + step).min(1.0));
-            (value, (ahead - value) / step)
+            let (overshoot, slope) = area.overshoot(u);
+            (-overshoot, -slope)
         });
         (1.0 - short_of_one) * complete_pa
+    }
+
+    /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, at mean
+    /// pressures up to that of complete contact, for r > 1: a root of it is cheaper than the pressure itself.
+    pub fn flattening_margin(&self, pressure_pa: f64) -> f64 {
+        let complete_pa = self.complete_contact_pressure_pa;
+        self.plastic_area().overshoot(((complete_pa - pressure_pa) / complete_pa).max(0.0)).0
     }
 
     /// The mean pressures \[Pa\] at which the area is not smooth, in rising order.
@@ -254,18 +279,124 @@ impl ElasticPlasticSinusoid {
     }
 
     /// phi_p = 2 (phi_c/2)^(1/(1+d)) [3 p/(4 C Sy)]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and
-    /// d = 3.8 (E* B/Sy)^0.11.
-    fn plastic_area_fraction(&self, pressure_pa: f64) -> f64 {
-        let d = 3.8 * self.slope_over_yield_slope.powf(0.11);
-        let log_half_critical_area = 2.0 * self.critical_area_root.ln() - std::f64::consts::PI.ln();
-        let log_pressure = (0.75 * pressure_pa / self.yield_pressure_pa).ln();
-        2.0 * ((log_half_critical_area + d * log_pressure) / (1.0 + d)).exp()
+    /// d = 3.8 (E* B/Sy)^0.11, as a power of x = p/p*_ep. With s = E* B/Sy, 3 p*_ep/(4 C Sy) is
+    /// (3 sqrt(2) pi/4) s/C times the softening.
+    fn plastic_area(&self) -> PlasticArea {
+        const LN_8: f64 = 2.079_441_541_679_835_9;
+        const LN_PI: f64 = 1.144_729_885_849_400_2;
+        const LN_3_SQRT_2_PI_OVER_4: f64 = 1.203_621_403_677_591_9;
+        let log_slope = self.slope_over_yield_slope.ln();
+        let d = 3.8 * (0.11 * log_slope).exp();
+        let log_half_critical_area = 2.0 * (self.log_yield_coefficient - LN_8 - log_slope) - LN_PI;
+        let log_complete =
+            LN_3_SQRT_2_PI_OVER_4 - self.log_yield_coefficient + log_slope + self.log_softening;
+        PlasticArea {
+            log_factor: std::f64::consts::LN_2 + (log_half_critical_area + d * log_complete) / (1.0 + d),
+            exponent: d / (1.0 + d),
+        }
     }
 }
 
-/// (1 - (1 - u)^a)/u, a at u = 0.
-fn opening(a: f64, u: f64) -> f64 {
-    if u == 0.0 { a } else { -(a * (-u).ln_1p()).exp_m1() / u }
+/// A mean pressure \[Pa\], and x = p/p*_ep with its logarithm where r > 1.
+struct Pressed {
+    pressure_pa: f64,
+    x: f64,
+    log_x: f64,
+}
+
+/// A sinusoid on its plastic branch, r > 1, with what does not depend on the pressure worked out
+/// ([`ElasticPlasticSinusoid::plastic_flow`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlasticFlow {
+    law: ElasticPlasticSinusoid,
+    gap: GapExponent,
+    area: PlasticArea,
+}
+
+/// What a sinusoid answers where plastic flow sets its pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlowPoint {
+    /// w/Delta at which the elastic-plastic mean gap is reached.
+    pub interference_over_amplitude: f64,
+    /// Its derivative by ln p.
+    pub slope_by_log_pressure: f64,
+    /// Mean pressure \[Pa\].
+    pub pressure_pa: f64,
+    /// Fraction of the nominal area in contact.
+    pub area_fraction: f64,
+}
+
+impl PlasticFlow {
+    /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
+    pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
+        let x = log_x.exp();
+        let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
+        let pressure_pa = self.law.complete_contact_pressure_pa * x;
+        let area_fraction = if self.law.yields_at(pressure_pa) {
+            self.area.fraction(x, log_x)
+        } else {
+            self.law.elastic.area_fraction(pressure_pa)
+        };
+        FlowPoint { interference_over_amplitude, slope_by_log_pressure, pressure_pa, area_fraction }
+    }
+
+    /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1).
+    pub fn log_pressure_at_interference(&self, interference_over_amplitude: f64) -> f64 {
+        self.gap.log_x_at(interference_over_amplitude)
+    }
+
+    /// [`ElasticPlasticSinusoid::area_fraction`].
+    pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
+        if !self.law.yields_at(pressure_pa) {
+            return self.law.elastic.area_fraction(pressure_pa);
+        }
+        let x = pressure_pa / self.law.complete_contact_pressure_pa;
+        if x < 1.0 { self.area.fraction(x, x.ln()) } else { 1.0 }
+    }
+}
+
+/// The area of a yielding sinusoid against x = p/p*_ep < 1: phi_p = exp(`log_factor`) x^`exponent`, joined to phi_2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct PlasticArea {
+    log_factor: f64,
+    exponent: f64,
+}
+
+impl PlasticArea {
+    /// min(1, phi_p (1 - x^1.51) + phi_2 x^1.04).
+    fn fraction(self, x: f64, log_x: f64) -> f64 {
+        let [light, heavy] = joining_powers(x, log_x);
+        let plastic = (self.log_factor + self.exponent * log_x).exp();
+        (plastic * (1.0 - light) + heavy_limit(x) * heavy).min(1.0)
+    }
+
+    /// The fraction before it is held at 1, minus 1 and over 1 - x, at u = 1 - x in \[0, 1), and the derivative by u. The
+    /// fraction minus one has a zero at x = 1; over 1 - x it has none there, and another one, at smaller x, just where it
+    /// is positive at x = 1.
+    fn overshoot(self, u: f64) -> (f64, f64) {
+        let (x, log_x) = (1.0 - u, (-u).ln_1p());
+        let plastic = (self.log_factor + self.exponent * log_x).exp();
+        let [light, heavy] = [LIGHT_EXPONENT, HEAVY_EXPONENT].map(|a| opening(a, u, log_x));
+        let to_heavy = 1.0 - heavy.0 * u;
+        let value = plastic * light.0 - heavy.0 - FULL_CONTACT_SLOPE * to_heavy;
+        let slope = plastic * (light.1 - self.exponent / x * light.0) - heavy.1
+            + FULL_CONTACT_SLOPE * HEAVY_EXPONENT * to_heavy / x;
+        (value, slope)
+    }
+}
+
+/// (1 - (1 - u)^a)/u, a at u = 0, and its derivative by u.
+fn opening(a: f64, u: f64, log_x: f64) -> (f64, f64) {
+    // The derivative cancels at small u, and has its limit there.
+    const LINEAR_BELOW: f64 = 1e-5;
+    if u == 0.0 {
+        return (a, -0.5 * a * (a - 1.0));
+    }
+    let lost = -(a * log_x).exp_m1();
+    let value = lost / u;
+    let slope =
+        if u < LINEAR_BELOW { -0.5 * a * (a - 1.0) } else { (a * (1.0 - lost) / (1.0 - u) - value) / u };
+    (value, slope)
 }
 
 #[cfg(test)]
@@ -390,7 +521,7 @@ mod tests {
                 if log_x >= 0.0 {
                     continue;
                 }
-                let (flow, _) = law.flow_interference_over_amplitude(log_x);
+                let flow = law.plastic_flow().at_log_pressure(log_x).interference_over_amplitude;
                 assert!((flow > elastic) == (factor > 1.0), "r = {r}, {factor} of the onset");
                 let interference = flow.max(elastic);
                 assert!((law.flow_margin_at_interference(interference) > 0.0) == (factor > 1.0), "r = {r}");
@@ -406,15 +537,13 @@ mod tests {
     fn the_slope_of_the_interference_is_its_derivative() {
         let law = at_ratio(37.0);
         for log_x in [-20.0, -3.0, -0.1] {
-            let ((low, _), (high, _)) = (
-                law.flow_interference_over_amplitude(log_x - 1e-6),
-                law.flow_interference_over_amplitude(log_x + 1e-6),
-            );
-            let (value, slope) = law.flow_interference_over_amplitude(log_x);
-            assert!(((high - low) / 2e-6 / slope - 1.0).abs() < 1e-8);
-            assert!(
-                (law.flow_log_pressure_at_interference(value) - log_x).abs() < 1e-12 * log_x.abs().max(1.0)
-            );
+            let at = |log_x| law.plastic_flow().at_log_pressure(log_x);
+            let (low, point, high) = (at(log_x - 1e-6), at(log_x), at(log_x + 1e-6));
+            let rise = high.interference_over_amplitude - low.interference_over_amplitude;
+            assert!((rise / 2e-6 / point.slope_by_log_pressure - 1.0).abs() < 1e-8);
+            let back = law.plastic_flow().log_pressure_at_interference(point.interference_over_amplitude);
+            assert!((back - log_x).abs() < 1e-12 * log_x.abs().max(1.0));
+            assert!((point.area_fraction / law.area_fraction(point.pressure_pa) - 1.0).abs() < 1e-14);
         }
     }
 

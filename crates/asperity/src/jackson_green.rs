@@ -36,10 +36,11 @@ impl Hardness {
         }
     }
 
-    fn over_strength(self, contact_radius_over_radius: f64) -> f64 {
+    /// H_G/Sy at ln(A/(pi R^2)) <= 0, twice the logarithm of a/R.
+    fn over_strength(self, log_area_share: f64) -> f64 {
         match self {
-            Hardness::JacksonGreen2005 => 2.84 * -(-0.82 * contact_radius_over_radius.powf(-0.7)).exp_m1(),
-            Hardness::Cosine => 2.84 - 0.92 * (1.0 - (PI * contact_radius_over_radius).cos()),
+            Hardness::JacksonGreen2005 => 2.84 * (1.0 - (-0.82 * (-0.35 * log_area_share).exp()).exp()),
+            Hardness::Cosine => 2.84 - 0.92 * (1.0 - (PI * (0.5 * log_area_share).exp()).cos()),
         }
     }
 }
@@ -101,8 +102,21 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
         } else {
-            self.plastic_force_n(interference_m)
+            self.plastic_force_n(interference_m, self.log_area_over_hertz(interference_m))
         }
+    }
+
+    /// Force \[N\] and contact area \[m^2\] at the interference w >= 0 \[m\]: [`force_n`](Self::force_n) and
+    /// [`area_m2`](Self::area_m2), which share a logarithm and an exponential.
+    pub fn force_and_area(&self, interference_m: f64) -> (f64, f64) {
+        let (hertz_area_m2, most_m2) =
+            (self.hertz.area_m2(interference_m), PI * self.radius_m * self.radius_m);
+        if self.is_elastic(interference_m) {
+            return (self.hertz.force_n(interference_m), hertz_area_m2.min(most_m2));
+        }
+        let log_growth = self.log_area_over_hertz(interference_m);
+        let area_m2 = (hertz_area_m2 * log_growth.exp()).min(most_m2);
+        (self.plastic_force_n(interference_m, log_growth), area_m2)
     }
 
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
@@ -126,7 +140,7 @@ impl JacksonGreen {
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let onset = self.plastic_onset_m();
         let departure = onset.is_finite().then(|| {
-            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset));
+            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset, 0.0));
             Break::jump(onset, "departure from Hertz at 1.9 w_c", below, above)
         });
         let cap = Some(Break::kink(self.cap_interference_m(), "area reaches pi R^2"));
@@ -180,14 +194,18 @@ impl JacksonGreen {
             .min(1.0)
     }
 
-    fn plastic_force_n(&self, interference_m: f64) -> f64 {
+    /// The force from the onset on; `log_growth` is [`log_area_over_hertz`](Self::log_area_over_hertz).
+    fn plastic_force_n(&self, interference_m: f64, log_growth: f64) -> f64 {
         let w = interference_m / self.critical_interference_m;
-        let log_w = w.ln();
         let critical_force_n =
             2.0 / 3.0 * self.yield_pressure_pa * PI * self.radius_m * self.critical_interference_m;
-        let hardness = self.hardness.over_strength(self.contact_radius_over_radius(interference_m));
-        let elastic_share = (-0.25 * (5.0 / 12.0 * log_w).exp()).exp() * w * w.sqrt();
-        let plastic_share = -(-(5.0 / 9.0 * log_w).exp() / 25.0).exp_m1() * w;
+        let log_area_share = ((interference_m / self.radius_m).ln() + log_growth).min(0.0);
+        let hardness = self.hardness.over_strength(log_area_share);
+        // 5/12 and 5/9 are three and four times 5/36: both powers from one exponential.
+        let power = (5.0 / 36.0 * w.ln()).exp();
+        let square = power * power;
+        let elastic_share = (-0.25 * square * power).exp() * w * w.sqrt();
+        let plastic_share = -(-square * square / 25.0).exp_m1() * w;
         critical_force_n
             * (elastic_share
                 + 4.0 * hardness * self.yield_strength_pa / self.yield_pressure_pa * plastic_share)

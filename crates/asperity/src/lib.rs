@@ -39,7 +39,9 @@ mod root;
 
 pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;
-pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
+pub use elastic_plastic_sinusoid::{
+    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, FlowPoint, PlasticFlow,
+};
 pub use elastic_sinusoid::ElasticSinusoid;
 pub use error::{AsperityError, Bound};
 pub use hertz::Hertz;

@@ -50,6 +50,8 @@ pub struct MaterialPair {
     #[serde(skip)]
     spherical_yield_coefficient: f64,
     #[serde(skip)]
+    log_spherical_yield_coefficient: f64,
+    #[serde(skip)]
     sinusoidal_yield_coefficient: f64,
 }
 
@@ -71,6 +73,7 @@ impl MaterialPair {
             body,
             composite_modulus_pa,
             spherical_yield_coefficient: 1.295 * (0.736 * nu).exp(),
+            log_spherical_yield_coefficient: 1.295f64.ln() + 0.736 * nu,
             sinusoidal_yield_coefficient: SQRT_2 / (3.0 * PI) * (2.0 * (nu + 1.0) / 3.0).exp(),
         }
     }
@@ -89,6 +92,11 @@ impl MaterialPair {
     /// (Jackson & Green 2005).
     pub(crate) fn spherical_yield_coefficient(&self) -> f64 {
         self.spherical_yield_coefficient
+    }
+
+    /// ln C.
+    pub(crate) fn log_spherical_yield_coefficient(&self) -> f64 {
+        self.log_spherical_yield_coefficient
     }
 
     /// E* B_c / Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3): the aspect ratio at which a sinusoid first yields before

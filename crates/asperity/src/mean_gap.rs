@@ -23,29 +23,29 @@ impl GapExponent {
         let beyond = aspect_ratio_over_critical - 1.0;
         GapExponent {
             a1: -0.1 * aspect_ratio_over_critical.ln(),
-            a2: beyond.powf(0.44) / 15.0 + (0.44 * 0.99f64.ln() * beyond).exp() - 0.5,
+            a2: (0.44 * beyond.ln()).exp() / 15.0 + (0.44 * 0.99f64.ln() * beyond).exp() - 0.5,
         }
     }
 
     /// g/Delta at ln x <= 0.
     pub fn gap_over_amplitude(self, log_x: f64) -> f64 {
-        let opening = -self.log_power(log_x).exp_m1();
+        let opening = -self.log_power(log_x, log_x.exp()).exp_m1();
         opening * opening * opening.sqrt()
     }
 
     /// h_p/Delta = 1 - g/Delta at ln x <= 0.
     pub fn deformation_over_amplitude(self, log_x: f64) -> f64 {
-        -(2.5 * log_one_minus_exp(self.log_power(log_x))).exp_m1()
+        let log_t = self.log_power(log_x, log_x.exp());
+        complement(log_t.exp(), -log_t.exp_m1())
     }
 
-    /// h_p/Delta and its derivative by ln x, at ln x < 0.
-    pub fn deformation_and_slope(self, log_x: f64) -> (f64, f64) {
-        let x = log_x.exp();
+    /// h_p/Delta and its derivative by ln x, at ln x < 0 and its exponential.
+    pub fn deformation_and_slope(self, log_x: f64, x: f64) -> (f64, f64) {
         let exponent = self.a1 * x + self.a2;
-        let log_power = exponent * log_x;
-        let opening = -log_power.exp_m1();
-        let slope = 2.5 * opening * opening.sqrt() * log_power.exp() * (exponent + self.a1 * x * log_x);
-        (-(2.5 * log_one_minus_exp(log_power)).exp_m1(), slope)
+        let log_t = exponent * log_x;
+        let (t, opening) = (log_t.exp(), -log_t.exp_m1());
+        let slope = 2.5 * opening * opening.sqrt() * t * (exponent + self.a1 * x * log_x);
+        (complement(t, opening), slope)
     }
 
     /// ln x < 0 at which x^(A1 x + A2) is the square root of x times e^`log_factor`, the factor being below 1 and A2 above
@@ -62,9 +62,13 @@ impl GapExponent {
         })
     }
 
-    /// ln x at which h_p/Delta has the given value in (0, 1): (A1 x + A2) ln x = ln t, t = 1 - (1 - h_p/Delta)^(2/5).
+    /// ln x at which h_p/Delta has the given value in (0, 1).
     pub fn log_x_at(self, deformation_over_amplitude: f64) -> f64 {
-        let log_t = (-(0.4 * (-deformation_over_amplitude).ln_1p()).exp_m1()).ln();
+        self.log_x_at_power(power_at(deformation_over_amplitude).ln())
+    }
+
+    /// ln x at which (A1 x + A2) ln x = ln t, t in (0, 1).
+    pub fn log_x_at_power(self, log_t: f64) -> f64 {
         let upper = log_t / self.a2;
         if self.a1 == 0.0 {
             return upper;
@@ -80,14 +84,24 @@ impl GapExponent {
     }
 
     /// ln x^(A1 x + A2).
-    pub fn log_power(self, log_x: f64) -> f64 {
-        (self.a1 * log_x.exp() + self.a2) * log_x
+    pub fn log_power(self, log_x: f64, x: f64) -> f64 {
+        (self.a1 * x + self.a2) * log_x
     }
 }
 
-/// ln(1 - e^s) for s < 0, without cancellation at either end.
-fn log_one_minus_exp(s: f64) -> f64 {
-    if s > -std::f64::consts::LN_2 { (-s.exp_m1()).ln() } else { (-s.exp()).ln_1p() }
+/// t = 1 - (1 - h_p/Delta)^(2/5), the power of x in g/Delta = (1 - t)^(5/2), at h_p/Delta in [0, 1).
+pub(crate) fn power_at(deformation_over_amplitude: f64) -> f64 {
+    -(0.4 * (-deformation_over_amplitude).ln_1p()).exp_m1()
+}
+
+/// 1 - (1-t)^(5/2) for t in [0, 1] and 1 - t: (1 - (1-t)^5)/(1 + (1-t)^(5/2)) where t is small, without cancellation, and
+/// with a root in the place of a logarithm and an exponential.
+fn complement(t: f64, opening: f64) -> f64 {
+    let gap = opening * opening * opening.sqrt();
+    if t > 0.25 {
+        return 1.0 - gap;
+    }
+    t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t)))) / (1.0 + gap)
 }
 
 #[cfg(test)]

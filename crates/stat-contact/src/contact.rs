@@ -55,10 +55,10 @@ impl StatisticalContact {
             return Ok(ContactState::without_spread(separation_m, &response));
         }
         let u = separation_m / self.sigma_s_m;
-        let frame = self.frame(Cell::of(u), Precision::new(tolerance));
+        let mut frame = self.frame(Cell::of(u), Precision::new(tolerance));
         // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
         let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
-        Ok(self.state(&frame, u, rounding, Some(separation_m)))
+        Ok(self.state(&mut frame, u, rounding, Some(separation_m)))
     }
 
     /// The state that carries a pressure \[Pa\] over the nominal area, found to rounding on a quadrature of the relative
@@ -87,10 +87,10 @@ impl StatisticalContact {
             return Ok(ContactState::without_spread(separation_m, &response));
         }
         let start = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
-        let Some(Found { frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {
+        let Some(Found { mut frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {
             return Ok(ContactState::complete(pressure_pa));
         };
-        let state = self.state(&frame, u, 0.0, None);
+        let state = self.state(&mut frame, u, 0.0, None);
         Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), evaluations, ..state })
     }
 
@@ -115,9 +115,9 @@ impl StatisticalContact {
     }
 
     /// The state at the separation u + rounding in units of sigma_s.
-    fn state(&self, frame: &Frame, u: f64, rounding: f64, separation_m: Option<f64>) -> ContactState {
-        let sums = frame.sums(u);
-        let correction = sums.log_pressure_slopes().0 * rounding;
+    fn state(&self, frame: &mut Frame, u: f64, rounding: f64, separation_m: Option<f64>) -> ContactState {
+        let sums = frame.sums_at(u);
+        let correction = sums.log_pressure_slopes()[0] * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
         let ln_area_fraction = sums.area_fraction.ln() + log_density;
@@ -127,9 +127,9 @@ impl StatisticalContact {
             area_fraction: (sums.area_fraction * scale).min(1.0),
             ln_pressure_pa: sums.pressure_pa.ln() + log_density,
             ln_area_fraction: ln_area_fraction.min(0.0),
-            error_estimate: frame.relative_error(u, &sums),
+            error_estimate: frame.relative_error(&sums),
             evaluations: frame.evaluations,
-            out_of_range_load_share: frame.out_of_range_load_share(u, &sums),
+            out_of_range_load_share: frame.out_of_range_load_share(&sums),
             clamped: ln_area_fraction > 0.0,
         }
     }

@@ -9,7 +9,7 @@ use crate::asperities::{Asperities, Chart, Piece, Point, Response};
 use crate::cell::{Cell, Precision};
 use crate::coordinate::Coordinate;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
-use crate::legendre::{Rule, integrals_above, legendre_polynomials};
+use crate::legendre::Rule;
 
 /// Law evaluations after which the error is accepted as it is, and reported.
 const MOST_EVALUATIONS: usize = 3000;
@@ -26,6 +26,11 @@ pub(crate) struct Frame<'a> {
     coordinate: Coordinate,
     precision: Precision,
     panels: Vec<Panel>,
+    nodes: Vec<Node>,
+    /// The separation last summed at, and the density at every node there, over the reference density. Whatever is asked at
+    /// one separation shares them: exponentials were a third of the cost of a state.
+    u: f64,
+    densities: Vec<f64>,
     /// The area fraction per unit of interference where it is proportional to it throughout.
     area_per_sigma: Option<f64>,
     /// The interference, in units of sigma_s, from which on the response is this one.
@@ -41,15 +46,15 @@ pub(crate) struct Frame<'a> {
 pub(crate) struct Sums {
     pub pressure_pa: f64,
     pub area_fraction: f64,
-    /// Mean and mean square height u + s, weighted by load.
-    mean_height: f64,
-    mean_square_height: f64,
+    /// Means of the height u + s, its square and its cube, weighted by load.
+    mean_heights: [f64; 3],
 }
 
 impl Sums {
-    /// First and second derivative of ln p by u.
-    pub fn log_pressure_slopes(&self) -> (f64, f64) {
-        (-self.mean_height, self.mean_square_height - self.mean_height * self.mean_height - 1.0)
+    /// First, second and third derivative of ln p by u.
+    pub fn log_pressure_slopes(&self) -> [f64; 3] {
+        let [mean, square, cube] = self.mean_heights;
+        [-mean, square - mean * mean - 1.0, mean * (3.0 * square - 2.0 * mean * mean) - cube]
     }
 }
 
@@ -62,7 +67,9 @@ struct Panel {
     halvings: usize,
     /// None for the trapezoidal rule, whose error is known beforehand.
     rule: Option<&'static Rule>,
-    nodes: Vec<Node>,
+    /// The first of its nodes among those of the frame, and their number.
+    first: usize,
+    count: usize,
 }
 
 /// One node, its weight multiplied into the response. Lengths in units of sigma_s.
@@ -82,9 +89,10 @@ impl<'a> Frame<'a> {
         cell: Cell,
         precision: Precision,
     ) -> Self {
+        const NODES: usize = 96;
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
-        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision);
+        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, NODES);
         frame.high = window.high;
         if let Some((until_m, area_per_m)) = asperities.hertzian()
             && window.high * sigma_s_m <= until_m
@@ -102,16 +110,15 @@ impl<'a> Frame<'a> {
         frame
     }
 
-    /// A few nodes around one separation, blind to the breaks of the law: within a few percent.
+    /// A few nodes of the trapezoidal rule around one separation, blind to the breaks of the law: within a percent or so
+    /// with six nodes, where seven of Gauss and Legendre missed the cell of every fourth solution.
     pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64) -> Self {
-        const NODES: usize = 7;
-        const DROP: f64 = 9.0;
-        let window = Window::new(u, u, DROP);
-        let precision = Precision::new(Precision::COARSEST);
-        let coordinate = Coordinate::around(u, u, precision.digits);
-        let mut frame = Self::empty(asperities, sigma_s_m, u, coordinate, precision);
-        let ends = [window.low, window.high].map(|s| coordinate.of(s));
-        frame.add_panel(Chart::Interference, coordinate, ends, 0, Rule::of_at_least(NODES));
+        const PRECISION: Precision = Precision { tolerance: 1e-4, digits: 12.0, drop: 12.0 };
+        const NODES: usize = 8;
+        let window = Window::new(u, u, PRECISION.drop);
+        let coordinate = Coordinate::around(u, u, PRECISION.digits);
+        let mut frame = Self::empty(asperities, sigma_s_m, u, coordinate, PRECISION, NODES);
+        frame.add_trapezoid(&window);
         frame
     }
 
@@ -121,6 +128,7 @@ impl<'a> Frame<'a> {
         centre: f64,
         coordinate: Coordinate,
         precision: Precision,
+        nodes: usize,
     ) -> Self {
         Frame {
             asperities,
@@ -128,7 +136,10 @@ impl<'a> Frame<'a> {
             sigma_s_m,
             coordinate,
             precision,
-            panels: Vec::with_capacity(4),
+            panels: Vec::new(),
+            nodes: Vec::with_capacity(nodes),
+            u: centre,
+            densities: Vec::with_capacity(nodes),
             high: 0.0,
             area_per_sigma: None,
             saturation: None,
@@ -163,12 +174,11 @@ impl<'a> Frame<'a> {
         let [from, to] = [window.low, window.high].map(|s| self.coordinate.of(s));
         let first = (from / step - 0.5).ceil();
         let count = ((to - from) / step).ceil() as usize;
-        let nodes = (0..count)
-            .map(|k| self.node(Chart::Interference, self.coordinate, (first + k as f64 + 0.5) * step, step))
-            .collect();
-        self.evaluations += count;
-        let (chart, coordinate) = (Chart::Interference, self.coordinate);
-        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, nodes });
+        let (chart, coordinate, panel) = (Chart::Interference, self.coordinate, self.nodes.len());
+        for k in 0..count {
+            self.add_node(chart, coordinate, (first + k as f64 + 0.5) * step, step);
+        }
+        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, first: panel, count });
     }
 
     fn add_panel(
@@ -180,13 +190,19 @@ impl<'a> Frame<'a> {
         rule: &'static Rule,
     ) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let nodes = rule
-            .nodes
-            .iter()
-            .map(|n| self.node(chart, coordinate, middle + half * n.x, half * n.weight))
-            .collect();
-        self.evaluations += rule.nodes.len();
-        self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), nodes });
+        let (first, count) = (self.nodes.len(), rule.nodes.len());
+        for node in &rule.nodes {
+            self.add_node(chart, coordinate, middle + half * node.x, half * node.weight);
+        }
+        self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), first, count });
+    }
+
+    /// Evaluates the law at a node, and the density at the centre.
+    fn add_node(&mut self, chart: Chart, coordinate: Coordinate, at: f64, weight: f64) {
+        let node = self.node(chart, coordinate, at, weight);
+        self.evaluations += 1;
+        self.nodes.push(node);
+        self.densities.push(Density::new(self.centre, self.centre).at(&node));
     }
 
     fn node(&self, chart: Chart, coordinate: Coordinate, at: f64, weight: f64) -> Node {
@@ -232,13 +248,13 @@ impl<'a> Frame<'a> {
         // Few panels err as much as they may: with this share their sum stays about the tolerance.
         const SHARE: f64 = 0.3;
         let tolerance = SHARE * self.precision.tolerance;
+        let totals = self.sums();
         let mut at = 0;
-        let totals = self.sums(self.centre);
         while at < self.panels.len() && self.evaluations < MOST_EVALUATIONS {
-            let panel = &self.panels[at];
-            let [pressure, area] = panel.errors(self.centre, self.centre);
+            let [pressure, area] = self.errors(&self.panels[at]);
             let fine = pressure <= tolerance * totals.pressure_pa && area <= tolerance * totals.area_fraction;
-            let Panel { chart, coordinate, from, to, halvings, rule: Some(rule), .. } = *panel else {
+            let Panel { chart, coordinate, from, to, halvings, rule: Some(rule), .. } = self.panels[at]
+            else {
                 at += 1;
                 continue;
             };
@@ -249,18 +265,30 @@ impl<'a> Frame<'a> {
             self.panels.remove(at);
             let nodes = rule.nodes.len();
             if nodes < MOST_NODES {
-                self.add_panel(
-                    chart,
-                    coordinate,
-                    [from, to],
-                    halvings,
-                    Rule::of_at_least(nodes + nodes / 3 + 1),
-                );
+                let rule = Rule::of_at_least(nodes + nodes / 3 + 1);
+                self.add_panel(chart, coordinate, [from, to], halvings, rule);
                 continue;
             }
             let (middle, rule) = (0.5 * (from + to), Rule::of_at_least(nodes * 3 / 4));
             self.add_panel(chart, coordinate, [from, middle], halvings + 1, rule);
             self.add_panel(chart, coordinate, [middle, to], halvings + 1, rule);
+        }
+        self.drop_nodes_without_panel();
+    }
+
+    fn drop_nodes_without_panel(&mut self) {
+        let live: usize = self.panels.iter().map(|panel| panel.count).sum();
+        if live == self.nodes.len() {
+            return;
+        }
+        let (nodes, densities) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.densities));
+        self.nodes.reserve(live);
+        self.densities.reserve(live);
+        for panel in &mut self.panels {
+            let range = panel.range();
+            panel.first = self.nodes.len();
+            self.nodes.extend_from_slice(&nodes[range.clone()]);
+            self.densities.extend_from_slice(&densities[range]);
         }
     }
 
@@ -270,18 +298,30 @@ impl<'a> Frame<'a> {
     }
 
     /// The integrals at a separation near the centre.
-    pub fn sums(&self, u: f64) -> Sums {
-        let mut total = [0.0; 4];
-        let mut add = |height: f64, pressure_pa: f64, area_fraction: f64| {
+    pub fn sums_at(&mut self, u: f64) -> Sums {
+        if u != self.u {
+            let density = Density::new(self.centre, u);
+            for (value, node) in self.densities.iter_mut().zip(&self.nodes) {
+                *value = density.at(node);
+            }
+            self.u = u;
+        }
+        self.sums()
+    }
+
+    /// The integrals at the separation last summed at.
+    fn sums(&self) -> Sums {
+        let (u, density) = (self.u, Density::new(self.centre, self.u));
+        let mut total = [0.0; 5];
+        for (node, share) in self.nodes.iter().zip(&self.densities) {
+            let height = density.height(node);
+            let pressure_pa = share * node.pressure_pa;
             let moment = height * pressure_pa;
             total[0] += pressure_pa;
             total[1] += moment;
             total[2] += height * moment;
-            total[3] += area_fraction;
-        };
-        for node in self.panels.iter().flat_map(|panel| &panel.nodes) {
-            let (height, density) = relative_density(self.centre, node, u);
-            add(height, density * node.pressure_pa, density * node.area_fraction);
+            total[3] += height * height * moment;
+            total[4] += share * node.area_fraction;
         }
         total.iter_mut().for_each(|sum| *sum *= DENSITY_SCALE);
         if let Some((from, response)) = self.saturation {
@@ -290,25 +330,22 @@ impl<'a> Frame<'a> {
             total[0] += share * response.pressure_pa;
             total[1] += at_edge * response.pressure_pa;
             total[2] += (share + (u + from) * at_edge) * response.pressure_pa;
-            total[3] += share * response.area_fraction;
+            total[3] += ((u + from).powi(2) + 2.0) * at_edge * response.pressure_pa;
+            total[4] += share * response.area_fraction;
         }
         if let Some(area_per_sigma) = self.area_per_sigma {
-            total[3] = area_per_sigma * gaussian::first_moment(u);
+            total[4] = area_per_sigma * gaussian::first_moment(u);
         }
-        Sums {
-            pressure_pa: total[0],
-            area_fraction: total[3],
-            mean_height: total[1] / total[0],
-            mean_square_height: total[2] / total[0],
-        }
+        let [pressure_pa, first, second, third, area_fraction] = total;
+        Sums { pressure_pa, area_fraction, mean_heights: [first, second, third].map(|sum| sum / pressure_pa) }
     }
 
-    /// Estimate of the larger relative error of the two integrals at a separation.
-    pub fn relative_error(&self, u: f64, sums: &Sums) -> f64 {
+    /// Estimate of the larger relative error of the two integrals at the separation last summed at.
+    pub fn relative_error(&self, sums: &Sums) -> f64 {
         const ROUNDING: f64 = 1e-14;
         let mut errors = [0.0; 2];
         for panel in &self.panels {
-            let [pressure, area] = panel.errors(self.centre, u);
+            let [pressure, area] = self.errors(panel);
             errors[0] += pressure;
             errors[1] += area;
         }
@@ -317,8 +354,9 @@ impl<'a> Frame<'a> {
         rules + 0.5 * drop * drop * (-drop).exp() + 3.0 * (-self.precision.digits).exp() + ROUNDING
     }
 
-    /// Share of the load, at a separation, that is carried at interferences for which the law was not fitted.
-    pub fn out_of_range_load_share(&self, u: f64, sums: &Sums) -> f64 {
+    /// Share of the load, at the separation last summed at, that is carried at interferences for which the law was not
+    /// fitted.
+    pub fn out_of_range_load_share(&self, sums: &Sums) -> f64 {
         if self.area_per_sigma.is_some() {
             return 0.0;
         }
@@ -328,7 +366,7 @@ impl<'a> Frame<'a> {
             .into_iter()
             .filter(|(from_m, to_m)| from_m < to_m)
             .map(|(from_m, to_m)| {
-                let above = |at_m: f64| if at_m.is_finite() { self.load_above_pa(u, at_m) } else { 0.0 };
+                let above = |at_m: f64| if at_m.is_finite() { self.load_above_pa(at_m) } else { 0.0 };
                 above(from_m) - above(to_m)
             })
             .sum();
@@ -336,7 +374,7 @@ impl<'a> Frame<'a> {
     }
 
     /// The part of the pressure, over the reference density, that is carried beyond an interference \[m\].
-    fn load_above_pa(&self, u: f64, interference_m: f64) -> f64 {
+    fn load_above_pa(&self, interference_m: f64) -> f64 {
         let s = interference_m / self.sigma_s_m;
         let panels: f64 = self
             .panels
@@ -346,45 +384,31 @@ impl<'a> Frame<'a> {
                     Chart::Interference => panel.coordinate.of(s),
                     chart => self.asperities.coordinate(chart, interference_m),
                 };
-                panel.load_above_pa(self.centre, u, at)
+                let loads = panel.range().map(|i| self.densities[i] * self.nodes[i].pressure_pa);
+                panel.load_above_pa(loads, at)
             })
             .sum();
         let saturated = self
             .saturation
-            .map_or(0.0, |(from, response)| gaussian::tail(u, from.max(s)) * response.pressure_pa);
+            .map_or(0.0, |(from, response)| gaussian::tail(self.u, from.max(s)) * response.pressure_pa);
         panels * DENSITY_SCALE + saturated
     }
-}
 
-/// Height of a node at the separation u, and the density there over the reference density.
-fn relative_density(centre: f64, node: &Node, u: f64) -> (f64, f64) {
-    if centre > 0.0 {
-        let s = node.interference;
-        // What the reference density leaves of u^2/2: nothing, unless the cell's neighbour lies across zero.
-        let left = 0.5 * u * u + log_reference_density(u);
-        (u + s, (-s * (u + 0.5 * s) - left).exp())
-    } else {
-        let height = node.height + (u - centre);
-        (height, (-0.5 * height * height - log_reference_density(u)).exp())
-    }
-}
-
-impl Panel {
-    /// Estimated errors of the pressure and the area that this panel adds.
+    /// Estimated errors of the pressure and the area that a panel adds at the separation last summed at.
     ///
     /// The rule errs by the Legendre coefficients beyond degree 2n. How those fall from degree n to 2n is judged by how
     /// they fall from 0 to n/2 and on to n: as fast again and twice as far where they fall geometrically or faster, no
     /// further than from n/2 to n behind an end-point power, where the fall levels off. It may level off later than n:
     /// three quarters of it are counted on, and less of the second stretch over decades, where singularities of the law
     /// that lie closer than those of the density, but are weak, take over late.
-    fn errors(&self, centre: f64, u: f64) -> [f64; 2] {
+    fn errors(&self, panel: &Panel) -> [f64; 2] {
         const COUNTED_ON: f64 = 0.75;
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
-        let Some(rule) = self.rule else { return [0.0; 2] };
-        let onward = if self.coordinate.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
+        let Some(rule) = panel.rule else { return [0.0; 2] };
+        let onward = if panel.coordinate.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
         let mut coefficients = [[0.0; 5]; 2];
-        for (node, at) in self.nodes.iter().zip(&rule.nodes) {
-            let (_, density) = relative_density(centre, node, u);
+        let nodes = self.nodes[panel.range()].iter().zip(&self.densities[panel.range()]);
+        for ((node, density), at) in nodes.zip(&rule.nodes) {
             for (row, value) in coefficients.iter_mut().zip([node.pressure_pa, node.area_fraction]) {
                 let value = value * density * DENSITY_SCALE;
                 row[0] += value;
@@ -405,22 +429,54 @@ impl Panel {
             high * (-COUNTED_ON * second_fall * falls).exp()
         })
     }
+}
 
-    /// The integral of the pressure beyond a coordinate, of the polynomial through the nodes.
-    fn load_above_pa(&self, centre: f64, u: f64, at: f64) -> f64 {
+/// The density of the heights at the separation u, over the reference density, on a frame around another separation.
+struct Density {
+    around_peak: bool,
+    /// u, or how far it is from the centre.
+    shift: f64,
+    /// What is left of the exponent beside the part that depends on the node.
+    left: f64,
+}
+
+impl Density {
+    fn new(centre: f64, u: f64) -> Self {
+        let log_reference = log_reference_density(u);
+        if centre > 0.0 {
+            // What the reference density leaves of u^2/2: nothing, unless the cell's neighbour lies across zero.
+            Density { around_peak: false, shift: u, left: 0.5 * u * u + log_reference }
+        } else {
+            Density { around_peak: true, shift: u - centre, left: log_reference }
+        }
+    }
+
+    /// The height at which a node meets the flat.
+    fn height(&self, node: &Node) -> f64 {
+        self.shift + if self.around_peak { node.height } else { node.interference }
+    }
+
+    fn at(&self, node: &Node) -> f64 {
+        let exponent = if self.around_peak {
+            -0.5 * (node.height + self.shift).powi(2)
+        } else {
+            -node.interference * (self.shift + 0.5 * node.interference)
+        };
+        (exponent - self.left).exp()
+    }
+}
+
+impl Panel {
+    fn range(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.count
+    }
+
+    /// The integral of the pressure beyond a coordinate, of the polynomial through the loads at the nodes.
+    fn load_above_pa(&self, loads: impl Iterator<Item = f64>, at: f64) -> f64 {
         let x = (2.0 * at - self.from - self.to) / (self.to - self.from);
-        let loads = self.nodes.iter().map(|node| node.pressure_pa * relative_density(centre, node, u).1);
         match self.rule {
             _ if x <= -1.0 => loads.sum(),
-            Some(rule) if x < 1.0 => {
-                let count = rule.nodes.len();
-                let above = integrals_above(x, count);
-                let share = |at: f64| {
-                    let legendre = legendre_polynomials(at, count);
-                    (0..count).map(|k| (k as f64 + 0.5) * legendre[k] * above[k]).sum::<f64>()
-                };
-                loads.zip(&rule.nodes).map(|(load, node)| load * share(node.x)).sum()
-            }
+            Some(rule) if x < 1.0 => rule.integral_above(x, loads),
             _ => 0.0,
         }
     }

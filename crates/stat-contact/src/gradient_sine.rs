@@ -68,21 +68,26 @@ impl GradientSines {
         if from_m >= to_m {
             return Vec::new();
         }
-        let margin = |law: &ElasticPlasticSinusoid, ratio: f64| law.flow_margin_at_interference(ratio);
-        let at = |log_m: f64| margin(&self.at_depth(log_m.exp()), log_m.exp() / self.amplitude_m);
+        let at = |log_m: f64| {
+            let depth_m = log_m.exp();
+            self.at_depth(depth_m).flow_margin_at_interference(depth_m / self.amplitude_m)
+        };
         let step = (to_m / from_m).ln() / (SAMPLES - 1) as f64;
-        let mut ends: Vec<f64> = (0..SAMPLES).map(|i| from_m.ln() + step * i as f64).collect();
-        let margins: Vec<f64> = ends.iter().map(|&log_m| at(log_m)).collect();
-        for (i, m) in margins.windows(3).enumerate() {
+        let sample = |log_m: f64| (log_m, at(log_m));
+        let mut samples: Vec<(f64, f64)> =
+            (0..SAMPLES).map(|i| sample(from_m.ln() + step * i as f64)).collect();
+        for i in 1..SAMPLES - 1 {
+            let m = [i - 1, i, i + 1].map(|i| samples[i].1);
             let towards_zero =
                 m[0] * m[1] > 0.0 && m[1] * m[2] > 0.0 && m[1].abs() < m[0].abs().min(m[2].abs());
             if towards_zero {
                 let signed = |log_m: f64| at(log_m) * m[1].signum();
-                ends.push(minimum(ends[i], ends[i + 2], GOLDEN_STEPS, signed));
+                samples.push(sample(minimum(samples[i - 1].0, samples[i + 1].0, GOLDEN_STEPS, signed)));
             }
         }
-        ends.sort_by(f64::total_cmp);
-        ends.windows(2).filter_map(|pair| self.crossing_m(pair[0].exp(), pair[1].exp(), margin)).collect()
+        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let changes = samples.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0);
+        changes.map(|pair| in_bracket(pair[0].0, pair[1].0, at).exp()).collect()
     }
 
     /// Kinks and jumps between two interferences below complete contact.
@@ -102,7 +107,7 @@ impl GradientSines {
             (law.pressure_at_interference_pa(ratio) / law.critical_pressure_pa()).ln()
         }));
         breaks_m.extend(self.crossing_m(edge_m, to_m, |law, ratio| {
-            (law.pressure_at_interference_pa(ratio) / law.flattening_pressure_pa()).ln()
+            law.flattening_margin(law.pressure_at_interference_pa(ratio))
         }));
         breaks_m
     }
@@ -110,10 +115,9 @@ impl GradientSines {
 
 impl Asperities for GradientSines {
     fn at_interference(&self, interference_m: f64) -> Response {
-        let law = self.at_depth(interference_m);
         let ratio = interference_m / self.amplitude_m;
-        let pressure_pa = law.pressure_at_interference_pa(ratio);
-        let area_fraction = if ratio >= 1.0 { 1.0 } else { law.area_fraction(pressure_pa) };
+        let (pressure_pa, area_fraction) =
+            self.at_depth(interference_m).pressure_and_area_at_interference(ratio);
         Response { pressure_pa, area_fraction }
     }
 
@@ -144,8 +148,12 @@ impl Asperities for GradientSines {
     }
 
     fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
-        let (interference_m, slope_m, _) = self.shape.at_coordinate(chart, coordinate);
-        Point { interference_m, slope_m, response: self.at_interference(interference_m) }
+        let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, coordinate);
+        if interference_m >= self.amplitude_m {
+            return Point { interference_m, slope_m, response: self.at_interference(interference_m) };
+        }
+        let (pressure_pa, area_fraction) = self.at_depth(interference_m).pressure_and_area_at_power(t);
+        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
     }
 
     fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {

@@ -9,11 +9,15 @@ use std::sync::OnceLock;
 use faer::{Mat, Side};
 
 /// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
-const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, 40];
+const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
+/// Nodes of the largest rule.
+const MOST: usize = 40;
 
 /// A Gauss-Legendre rule on [-1, 1].
 pub(crate) struct Rule {
     pub nodes: Vec<RuleNode>,
+    /// (2k+1)/2 P_k(x) of every degree k below their number, node by node.
+    polynomials: Vec<f64>,
 }
 
 /// One node of a rule.
@@ -44,7 +48,7 @@ impl Rule {
         let eigenvalues =
             jacobi.self_adjoint_eigenvalues(Side::Lower).expect("a tridiagonal matrix of finite numbers");
         // The eigenvalues are good to some 2e-15; one Newton step takes the nodes to rounding, and with them the weights.
-        let nodes = (0..size)
+        let nodes: Vec<RuleNode> = (0..size)
             .map(|i| {
                 let x = newton_step(size, 0.5 * (eigenvalues[i] - eigenvalues[size - 1 - i]));
                 let legendre = legendre_polynomials(x, size);
@@ -60,7 +64,32 @@ impl Rule {
                 }
             })
             .collect();
-        Rule { nodes }
+        let polynomials = nodes.iter().flat_map(|node| {
+            let legendre = legendre_polynomials(node.x, size).into_iter();
+            legendre.enumerate().map(|(k, value)| (k as f64 + 0.5) * value)
+        });
+        Rule { polynomials: polynomials.collect(), nodes }
+    }
+
+    /// The integral from x to 1 of the polynomial with these weighted values at the nodes.
+    pub fn integral_above(&self, x: f64, weighted_values: impl Iterator<Item = f64>) -> f64 {
+        let count = self.nodes.len();
+        let mut coefficients = [0.0; MOST];
+        for (row, value) in self.polynomials.chunks_exact(count).zip(weighted_values) {
+            for (sum, polynomial) in coefficients.iter_mut().zip(row) {
+                *sum += value * polynomial;
+            }
+        }
+        // The integral of P_k is (P_(k-1)(x) - P_(k+1)(x))/(2k+1), and that of P_0 is 1 - x.
+        let (mut before, mut last) = (1.0, x);
+        let mut integral = (1.0 - x) * coefficients[0];
+        for (k, coefficient) in coefficients[..count].iter().enumerate().skip(1) {
+            let n = k as f64;
+            let next = ((2.0 * n + 1.0) * x * last - n * before) / (n + 1.0);
+            integral += coefficient * (before - next) / (2.0 * n + 1.0);
+            (before, last) = (last, next);
+        }
+        integral
     }
 }
 
@@ -72,7 +101,7 @@ fn newton_step(n: usize, x: f64) -> f64 {
 }
 
 /// P_0(x) to P_{count-1}(x).
-pub(crate) fn legendre_polynomials(x: f64, count: usize) -> Vec<f64> {
+fn legendre_polynomials(x: f64, count: usize) -> Vec<f64> {
     let mut values = vec![1.0, x];
     for k in 1..count.saturating_sub(1) {
         let (n, last, before) = (k as f64, values[k], values[k - 1]);
@@ -80,13 +109,6 @@ pub(crate) fn legendre_polynomials(x: f64, count: usize) -> Vec<f64> {
     }
     values.truncate(count);
     values
-}
-
-/// Integrals of P_0 to P_(count-1) from x to 1: (P_(k-1)(x) - P_(k+1)(x))/(2k+1).
-pub(crate) fn integrals_above(x: f64, count: usize) -> Vec<f64> {
-    let legendre = legendre_polynomials(x, count + 1);
-    let integral = |k: usize| (legendre[k - 1] - legendre[k + 1]) / (2 * k + 1) as f64;
-    std::iter::once(1.0 - x).chain((1..count).map(integral)).collect()
 }
 
 #[cfg(test)]

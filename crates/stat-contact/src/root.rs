@@ -35,10 +35,22 @@ pub(crate) fn in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> 
 /// Where a function with one minimum in [low, high] has it, by golden sections; the upper end of the last of them.
 pub(crate) fn minimum(low: f64, high: f64, steps: usize, f: impl Fn(f64) -> f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let inside = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
     let (mut low, mut high) = (low, high);
+    let [mut left, mut right] = inside(low, high);
+    let (mut at_left, mut at_right) = (f(left), f(right));
     for _ in 0..steps {
-        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        if f(left) < f(right) { high = right } else { low = left }
+        if at_left < at_right {
+            high = right;
+            (right, at_right) = (left, at_left);
+            left = inside(low, high)[0];
+            at_left = f(left);
+        } else {
+            low = left;
+            (left, at_left) = (right, at_right);
+            right = inside(low, high)[1];
+            at_right = f(right);
+        }
     }
     high
 }

@@ -52,6 +52,10 @@ impl Bracket {
     /// Small enough for bisection to end in one cell, be it a million standard deviations below the mean plane.
     const FINE_MARGIN: f64 = 1e-8;
 
+    fn holds(&self, u: f64) -> bool {
+        self.low <= u && u <= self.high
+    }
+
     /// Takes note that pressure is missing at u, or in excess. The margin keeps the bracket, which is there to stop runaway
     /// steps, from cutting off the solution of the next quadrature, which differs by the error of this one.
     fn narrow(&mut self, u: f64, missing: f64) {
@@ -143,9 +147,9 @@ impl<'a> Search<'a> {
 
     /// Pressure \[Pa\] and derivative of ln p by u, each separation on the quadrature of its cell.
     fn pressure_and_slope(&self, u: f64) -> (f64, f64) {
-        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
-        let sums = frame.sums(u);
-        (sums.pressure_pa * reference_density(u), sums.log_pressure_slopes().0)
+        let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
+        let sums = frame.sums_at(u);
+        (sums.pressure_pa * reference_density(u), sums.log_pressure_slopes()[0])
     }
 
     fn solve(&self, start: f64, bracket: Bracket) -> Option<Found<'a>> {
@@ -158,12 +162,14 @@ impl<'a> Search<'a> {
     fn approach(&self, start: f64, mut bracket: Bracket) -> (f64, usize) {
         let (mut u, mut evaluations) = (start, 0);
         for _ in 0..MOST_ROUGH_STEPS {
-            let frame = Frame::rough(self.asperities, self.sigma_s_m, u);
+            let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u);
             evaluations += frame.evaluations;
-            let Some(next) = self.next(u, &frame.sums(u), &mut bracket) else { break };
+            let Some(next) = self.next(u, &frame.sums_at(u), &mut bracket) else { break };
             let step = next - u;
             u = next;
-            if step.abs() < 0.05 * (1.0 + u.abs()) {
+            // Steps converge with the fourth power, on the scale of 1 + |u|; cells are as wide as their separation is positive.
+            let left = step.abs() * (step / (1.0 + u.abs())).abs().powi(3);
+            if left < 0.005 * (1.0 + u.max(0.0)) {
                 break;
             }
         }
@@ -177,9 +183,13 @@ impl<'a> Search<'a> {
         let mut cell = Cell::of(u);
         let mut left = None;
         for step in 0.. {
-            let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
+            let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
             evaluations += frame.evaluations;
-            u = self.solve_on(&frame, u, &mut bracket)?;
+            // At the centre of its cell a quadrature is summed already, and a rough separation is no nearer the solution;
+            // one that another cell has found is.
+            let centre = cell.centre();
+            let start = if left.is_none() && bracket.holds(centre) { centre } else { u };
+            u = self.solve_on(&mut frame, start, &mut bracket)?;
             let next = Cell::of(u);
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
             let undecided = left == Some(next) && next.is_beside(cell);
@@ -193,14 +203,15 @@ impl<'a> Search<'a> {
     }
 
     /// The solution on a quadrature, or a separation that needs another one; `None` above the highest pressure.
-    fn solve_on(&self, frame: &Frame, start: f64, bracket: &mut Bracket) -> Option<f64> {
+    fn solve_on(&self, frame: &mut Frame, start: f64, bracket: &mut Bracket) -> Option<f64> {
+        const LAST_STEP: f64 = 1e-4;
         let mut u = start;
         for _ in 0..MOST_STEPS {
-            let next = self.next(u, &frame.sums(u), bracket)?;
+            let next = self.next(u, &frame.sums_at(u), bracket)?;
             let step = next - u;
             u = next;
-            // The steps converge cubically: the next one would not show.
-            if step.abs() < 1e-6 * (1.0 + u.abs()) || !frame.serves(u) {
+            // The error of a step is the fourth power of the one before: the next one would not show.
+            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !frame.serves(u) {
                 break;
             }
         }
@@ -216,10 +227,10 @@ impl<'a> Search<'a> {
         log_quotient - log_reference_density(u)
     }
 
-    /// Where the parabola through ln p at u meets the target, or its tangent where it does not.
+    /// Where the parabola through ln p at u meets the target, or its tangent where it does not, bent as ln p is.
     fn next(&self, u: f64, sums: &Sums, bracket: &mut Bracket) -> Option<f64> {
         let missing = self.missing(u, sums);
-        let (slope, curvature) = sums.log_pressure_slopes();
+        let [slope, curvature, third] = sums.log_pressure_slopes();
         if let Some(edge) = self.far_edge() {
             if missing > 0.0 && u < edge {
                 // The slope may be lost in rounding here; the peak has to be looked up.
@@ -235,7 +246,11 @@ impl<'a> Search<'a> {
         }
         bracket.narrow(u, missing);
         let discriminant = (slope * slope + 2.0 * missing * curvature).max(0.25 * slope * slope);
-        Some(bracket.hold(u, u + 2.0 * missing / (slope - discriminant.sqrt()), missing))
+        let step = 2.0 * missing / (slope - discriminant.sqrt());
+        // One step of Newton's from there on the cubic: with it most searches sum the density twice, without it thrice.
+        let bend = third * step * step / 6.0 * step / (slope + step * (curvature + 0.5 * third * step));
+        let step = if bend.abs() < 0.25 * step.abs() { step - bend } else { step };
+        Some(bracket.hold(u, u + step, missing))
     }
 
     /// Where u lies on the near side of the peak, or the parabola through ln p does not reach the target: the far side of

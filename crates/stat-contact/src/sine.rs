@@ -3,7 +3,7 @@
 //! Their interference is explicit in the pressure, and the pressure in coordinates of the contact's own: the integrals run
 //! over those, and nothing is solved for.
 
-use asperity::{BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, MaterialPair};
+use asperity::{BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, FlowPoint, MaterialPair, PlasticFlow};
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Piece, Point, Response};
@@ -50,9 +50,14 @@ impl ElasticSine {
         }
     }
 
-    /// Interference \[m\], its derivative by the coordinate, and mean pressure \[Pa\].
+    /// Mean pressure \[Pa\] at t.
+    pub fn pressure_pa(&self, t: f64) -> f64 {
+        self.complete_pressure_pa * t * t
+    }
+
+    /// t, the interference \[m\] and its derivative by the coordinate.
     pub fn at_coordinate(&self, chart: Chart, v: f64) -> (f64, f64, f64) {
-        let (t, interference_m, slope_m) = match chart {
+        match chart {
             Chart::SineLight => {
                 let t = v * v * v;
                 let left = 1.0 - t;
@@ -63,8 +68,7 @@ impl ElasticSine {
                 let gap = self.amplitude_m * square * square;
                 (1.0 - square, self.amplitude_m + gap * v, 5.0 * gap)
             }
-        };
-        (interference_m, slope_m, self.complete_pressure_pa * t * t)
+        }
     }
 
     /// Cuts the interferences from `from_m` to `to_m` at the breaks between them, onto the two charts.
@@ -125,7 +129,8 @@ impl Asperities for ElasticSines {
     }
 
     fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
-        let (interference_m, slope_m, pressure_pa) = self.shape.at_coordinate(chart, coordinate);
+        let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, coordinate);
+        let pressure_pa = self.shape.pressure_pa(t);
         let area_fraction = self.law.area_fraction(pressure_pa);
         Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
     }
@@ -211,6 +216,7 @@ impl Asperities for BemSines {
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticPlasticSines {
     law: ElasticPlasticSinusoid,
+    flow: PlasticFlow,
     shape: ElasticSine,
     /// Pressure \[Pa\] and interference \[m\] from which on plastic flow sets the pressure; complete contact where none does.
     flow_onset: (f64, f64),
@@ -230,7 +236,8 @@ impl ElasticPlasticSines {
             Some(pressure_pa) => (pressure_pa, shape.interference_m(pressure_pa)),
             None => (law.complete_contact_pressure_pa(), amplitude_m),
         };
-        let mut sines = ElasticPlasticSines { law, shape, flow_onset, breaks_m: Vec::new() };
+        let mut sines =
+            ElasticPlasticSines { law, flow: law.plastic_flow(), shape, flow_onset, breaks_m: Vec::new() };
         let elastic = law.elastic().breaks().filter(|b| !law.yields_at(b.at));
         sines.breaks_m = law.breaks().chain(elastic).map(|b| sines.interference_m(b.at)).collect();
         sines
@@ -243,7 +250,7 @@ impl ElasticPlasticSines {
         } else if log_x >= 0.0 {
             self.shape.amplitude_m
         } else {
-            self.shape.amplitude_m * self.law.flow_interference_over_amplitude(log_x).0
+            self.shape.amplitude_m * self.flow.at_log_pressure(log_x).interference_over_amplitude
         }
     }
 }
@@ -251,8 +258,7 @@ impl ElasticPlasticSines {
 impl Asperities for ElasticPlasticSines {
     fn at_interference(&self, interference_m: f64) -> Response {
         let ratio = interference_m / self.shape.amplitude_m;
-        let pressure_pa = self.law.pressure_at_interference_pa(ratio);
-        let area_fraction = if ratio >= 1.0 { 1.0 } else { self.law.area_fraction(pressure_pa) };
+        let (pressure_pa, area_fraction) = self.law.pressure_and_area_at_interference(ratio);
         Response { pressure_pa, area_fraction }
     }
 
@@ -290,27 +296,27 @@ impl Asperities for ElasticPlasticSines {
         if ratio >= 1.0 {
             return 0.0;
         }
-        let log_x = self.law.flow_log_pressure_at_interference(ratio);
+        let log_x = self.flow.log_pressure_at_interference(ratio);
         if chart == Chart::FlowLight { log_x } else { -(-log_x.exp_m1()).sqrt() }
     }
 
     fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
-        let (interference_m, slope_m, pressure_pa) = match chart {
-            Chart::SineLight | Chart::SineHeavy => self.shape.at_coordinate(chart, v),
-            _ => {
-                // ln x itself, or -(1-x)^(1/2), in which the end-point power (1-x)^(5/2) of the gap is smooth.
-                let (log_x, slope) = if chart == Chart::FlowLight {
-                    (v, 1.0)
-                } else {
-                    ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v))
-                };
-                let (ratio, by_log_x) = self.law.flow_interference_over_amplitude(log_x);
-                let pressure_pa = self.law.complete_contact_pressure_pa() * log_x.exp();
-                (self.shape.amplitude_m * ratio, self.shape.amplitude_m * by_log_x * slope, pressure_pa)
-            }
-        };
-        let area_fraction = self.law.area_fraction(pressure_pa);
-        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
+        if matches!(chart, Chart::SineLight | Chart::SineHeavy) {
+            let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, v);
+            let pressure_pa = self.shape.pressure_pa(t);
+            let area_fraction = self.flow.area_fraction(pressure_pa);
+            return Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } };
+        }
+        // ln x itself, or -(1-x)^(1/2), in which the end-point power (1-x)^(5/2) of the gap is smooth.
+        let (log_x, slope) =
+            if chart == Chart::FlowLight { (v, 1.0) } else { ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)) };
+        let FlowPoint { interference_over_amplitude, slope_by_log_pressure, pressure_pa, area_fraction } =
+            self.flow.at_log_pressure(log_x);
+        Point {
+            interference_m: self.shape.amplitude_m * interference_over_amplitude,
+            slope_m: self.shape.amplitude_m * slope_by_log_pressure * slope,
+            response: Response { pressure_pa, area_fraction },
+        }
     }
 
     fn out_of_fitted_range(&self, _high_m: f64) -> Vec<(f64, f64)> {

@@ -52,6 +52,8 @@ pub(crate) struct ElasticPlasticSpheres {
     hardness: Hardness,
     /// The law of the strength S0, and of every depth where the strength is constant.
     macroscopic: JacksonGreen,
+    /// The law below the onset: that of an infinite strength.
+    elastic: JacksonGreen,
     onset_m: f64,
 }
 
@@ -74,6 +76,7 @@ impl ElasticPlasticSpheres {
             strength,
             hardness,
             macroscopic,
+            elastic: of_strength(f64::INFINITY),
             onset_m: grown_onset_m.min(capped_onset_m),
         }
     }
@@ -115,11 +118,10 @@ impl ElasticPlasticSpheres {
 
 impl Asperities for ElasticPlasticSpheres {
     fn at_interference(&self, interference_m: f64) -> Response {
-        let sphere = self.at_depth(interference_m);
-        Response {
-            pressure_pa: self.density_per_m2 * sphere.force_n(interference_m),
-            area_fraction: self.density_per_m2 * sphere.area_m2(interference_m),
-        }
+        // Below the onset any strength will do; to work out that of the depth would double the cost of a node there.
+        let sphere = if interference_m < self.onset_m { self.elastic } else { self.at_depth(interference_m) };
+        let (force_n, area_m2) = sphere.force_and_area(interference_m);
+        Response { pressure_pa: self.density_per_m2 * force_n, area_fraction: self.density_per_m2 * area_m2 }
     }
 
     fn hertzian(&self) -> Option<(f64, f64)> {
