@@ -293,7 +293,8 @@ pub(crate) struct ScansArgs {
     /// Where the table goes; the same as --output
     #[arg(long, value_name = "PATH", value_parser = parse_place)]
     pub out: Option<Place>,
-    /// Write the spectrum of every scan, one after the other under its name in the column series, and the composite last
+    /// Write every scan's spectrum under its name in the column series, whole as NAME (incl. unreliable data), and the
+    /// composite last
     #[arg(long)]
     pub per_scan: bool,
     /// Draw the spectra and their composite

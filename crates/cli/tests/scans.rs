@@ -49,9 +49,7 @@ fn a_periodic_sinusoid_has_its_variance() {
     bench.write("sine.txt", (0..256).map(heights).collect::<Vec<_>>().join("\n"));
     let args = ["psd", "sine.txt", "--unit", "nm", "--detrend", "mean", "--window", "none", "--per-scan"];
     let table = bench.run(&args).ok();
-    assert!(
-        table.starts_with("series,wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,reliable\nsine.txt,")
-    );
+    assert!(table.starts_with("series,wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3\nsine.txt,"));
     // sigma^2 = (1/pi) C dq of the one bin, dq = 2 pi/L.
     let highest = numbers(&table, "C1D_m3").into_iter().fold(0.0, f64::max);
     assert!((highest * 2.0 / 640e-9 / 4.5e-18 - 1.0).abs() < 1e-9, "{highest:e}");
@@ -148,6 +146,34 @@ fn a_scene_takes_scans_and_a_rough_counterface() {
     let both =
         scene.replace("average = \"arithmetic\"\n", "").replace("[surface]", "[surface]\npsd = \"x.csv\"");
     assert!(bench.write("x.toml", both).run(&["run", "x.toml"]).refused().contains("both psd and scans"));
+}
+
+#[test]
+fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
+    let bench = Bench::new();
+    bench.write("psd.csv", "Wavevector (1/m),PSD (m^3)\n1e3,1e-15\n1e4,1e-17\n1e5,1e-19\n");
+    let refused = bench.run(&["psd", "psd.csv", "--unit", "mm"]).refused();
+    assert!(refused.contains("this file holds a power spectrum, not heights"), "{refused}");
+    let gap: Vec<String> = line(400, 5.0)
+        .lines()
+        .enumerate()
+        .filter(|(i, _)| !(100..160).contains(i))
+        .map(|(_, row)| row.to_owned())
+        .collect();
+    bench.write("gap.txt", gap.join("\n"));
+    let gap = bench.run(&["psd", "gap.txt", "--unit", "nm"]);
+    assert!(gap.stderr.contains("WARNING: a gap of 61 times"), "{}", gap.stderr);
+    let tenfold = |row: &str| {
+        let (x, height) = row.split_once(' ').unwrap();
+        format!("{x} {}", 10.0 * height.parse::<f64>().unwrap())
+    };
+    let b: Vec<String> = line(512, 20.0).lines().map(tenfold).collect();
+    bench.write("a.txt", line(512, 5.0)).write("b.txt", b.join("\n"));
+    let apart = bench.run(&["psd", "a.txt:unit=nm", "b.txt:unit=nm"]);
+    assert!(apart.stderr.contains("WARNING: a.txt over b.txt"), "{}", apart.stderr);
+    // Another program's index.json is none of ours.
+    bench.write("index.json", "{\"name\": \"my web page\"}");
+    bench.run(&["psd", "a.txt", "--unit", "nm"]).ok();
 }
 
 #[test]

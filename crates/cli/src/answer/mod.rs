@@ -103,6 +103,8 @@ impl LoadAnswer {
         let within = |tolerance| convergence(&points, tolerance);
         let within_1_percent = within(0.01)?;
         let setting = match (&curve.model, result) {
+            // In complete contact the load sets the pressure.
+            _ if area_fraction == 1.0 => None,
             (CurveModel::Stacked(model), CurveResult::Stacked(blocks)) => {
                 setting_level(model, &blocks[block])
             }

@@ -10,9 +10,18 @@ impl Answer {
     pub fn sentences(&self, scene: &Scene) -> Vec<String> {
         let mut sentences = Vec::new();
         for (curve, answers) in scene.needs.curves.iter().zip(&self.curves) {
-            let settled = Group::of(scene, answers, |answer| answer.settled);
+            let complete = |answer: &LoadAnswer| answer.area_fraction == 1.0;
+            let settled = Group::of(scene, answers, |answer| answer.settled && !complete(answer));
             if !settled.is_empty() {
                 sentences.push(format!("{}: {}", curve.name, settled.found(scene)));
+            }
+            let flattened = Group::of(scene, answers, |answer| answer.settled && complete(answer));
+            if !flattened.is_empty() {
+                sentences.push(format!(
+                    "{}: everything touches {}: no scale of the roughness stays open.",
+                    curve.name,
+                    flattened.loads_text(scene)
+                ));
             }
         }
         sentences
@@ -60,6 +69,9 @@ impl Answer {
 
     /// Where the models disagree.
     pub fn disagreements(&self, scene: &Scene) -> Vec<String> {
+        if self.too_few_scales.is_some() {
+            return Vec::new();
+        }
         let mut told: Vec<(usize, usize, Vec<&Disagreement>)> = Vec::new();
         for found in self.disagreements.iter().filter(|found| found.ratio >= DISAGREEMENT) {
             match told.iter_mut().find(|(least, most, _)| (*least, *most) == (found.least, found.most)) {
@@ -92,6 +104,7 @@ impl Answer {
 struct Group<'a> {
     answers: Vec<(usize, &'a LoadAnswer)>,
     longest_m: f64,
+    shortest_m: f64,
 }
 
 impl<'a> Group<'a> {
@@ -102,7 +115,8 @@ impl<'a> Group<'a> {
             .filter_map(|(load, answer)| Some((load, answer.as_ref()?)))
             .filter(|(_, answer)| belongs(answer))
             .collect();
-        Group { answers, longest_m: scene.surface.psd.longest_wavelength_m() }
+        let psd = &scene.surface.psd;
+        Group { answers, longest_m: psd.longest_wavelength_m(), shortest_m: psd.shortest_wavelength_m() }
     }
 
     fn is_empty(&self) -> bool {
@@ -144,12 +158,6 @@ impl<'a> Group<'a> {
             self.load_range(scene),
             self.range(|answer| answer.real_pressure_pa, real_pressure)
         );
-        if self.answers.iter().all(|(_, answer)| answer.area_fraction == 1.0) {
-            return format!(
-                "everything touches {}: no scale of the roughness stays open.",
-                self.loads_text(scene)
-            );
-        }
         text += &format!(
             " The area has settled within 1 % at {}",
             self.range(|answer| answer.within_1_percent.wavelength_m, length)
@@ -176,7 +184,11 @@ impl<'a> Group<'a> {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
             Some((
-                format!("{} to {}", length(decade.longest_m.min(self.longest_m)), length(decade.shortest_m)),
+                format!(
+                    "{} to {}",
+                    length(decade.longest_m.min(self.longest_m)),
+                    length(decade.shortest_m.max(self.shortest_m))
+                ),
                 decade.share,
             ))
         };

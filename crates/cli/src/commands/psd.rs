@@ -38,13 +38,13 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     say_notes(found.notes());
     let mut comments = vec![program(context.typed)];
     comments.extend(found.provenance());
+    let table = if args.per_scan { found.series_table() } else { found.table() };
+    context.write_to(output, &table, &comments)?;
     if let Some(path) = &args.figure {
         let title = format!("{} scans", found.scans.len());
         let svg = plot::svg(&found.figure("psd"), &title, &comments);
         Place::File(path.clone()).write(|out| out.write_all(svg.as_bytes()))?;
     }
-    let table = if args.per_scan { found.series_table() } else { found.table() };
-    context.write_to(output, &table, &comments)?;
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())

@@ -33,10 +33,10 @@ pub fn crossings(ratio: &[Point]) -> Vec<f64> {
     found
 }
 
-/// The longest wavelength \[m\] from which on, at every shorter one, a ratio of curves lies more than a factor `factor` > 1
+/// The longest wavelength \[m\] from which on, at every shorter one, a ratio of curves lies a factor `factor` > 1 or more
 /// from 1, to either side; `None` where they do not end so.
 pub fn parts_at(ratio: &[Point], factor: f64) -> Option<f64> {
-    last_stretch(ratio, |value| value > factor || value < 1.0 / factor)
+    last_stretch(ratio, |value| value >= factor || value <= 1.0 / factor)
 }
 
 /// The longest wavelength \[m\] from which on, at every shorter one, a ratio of curves lies within `tolerance` of 1; `None`

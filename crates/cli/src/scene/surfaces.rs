@@ -20,10 +20,15 @@ pub(super) fn resolve_surface(
     folder: &Path,
 ) -> Result<Surface, SceneError> {
     let surface = raw.get_ref();
-    refuse_idle_keys(key, raw)?;
     match (&surface.psd, &surface.scans[..]) {
-        (Some(psd), []) => spectrum(key, surface, psd, folder),
-        (None, [_, ..]) => composite(key, surface, folder),
+        (Some(psd), []) => {
+            refuse_idle_keys(key, raw)?;
+            spectrum(key, surface, psd, folder)
+        }
+        (None, [_, ..]) => {
+            refuse_idle_keys(key, raw)?;
+            composite(key, surface, folder)
+        }
         (Some(_), _) => {
             Err(SceneError::at(raw.span(), format!("[{key}] has both psd and scans; keep one of them")))
         }
@@ -123,6 +128,7 @@ fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
 fn blamed(failure: Failure, span: std::ops::Range<usize>) -> SceneError {
     match failure {
         Failure::Input(message) => SceneError::at(span, message),
-        other => SceneError::anywhere(format!("{other:?}")),
+        Failure::System(message) => SceneError::at(span, message),
+        Failure::ClosedPipe => SceneError::anywhere("standard input was closed"),
     }
 }

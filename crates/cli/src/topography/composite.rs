@@ -12,6 +12,9 @@ use crate::failure::Failure;
 use crate::number::number;
 use crate::table::Table;
 
+/// Instruments that differ by more than this factor where they overlap hardly show the same surface in the same units.
+const DISAGREEMENT: f64 = 3.0;
+
 /// The spectra of some scans and their composite.
 #[derive(Debug, Clone)]
 pub struct CompositeSpectrum {
@@ -78,33 +81,28 @@ impl CompositeSpectrum {
             .with_numbers("measurements", bins.iter().map(|bin| bin.measurements as f64))
     }
 
-    /// Every spectrum in blocks, the composite last: `series, wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3, reliable`.
+    /// Every spectrum in blocks: `series, wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3`. Each scan stands where it is
+    /// trusted under its name, and whole under its name and `(incl. unreliable data)`; the composite comes last.
     pub fn series_table(&self) -> Table {
-        let names = self.series_names();
-        let mut rows: Vec<(&str, f64, f64, Option<f64>, &'static str)> = Vec::new();
-        for (scan, name) in self.scans.iter().zip(&names) {
-            let flagged = scan.spectrum.flagged_bins();
-            let samples = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3());
-            for (index, (wavelength_m, &c1d_m3)) in
-                samples.enumerate().filter(|(_, (_, c1d_m3))| **c1d_m3 > 0.0)
-            {
-                let reliable = index >= flagged && scan.band.contains(wavelength_m);
-                rows.push((name, wavelength_m, c1d_m3, None, if reliable { "yes" } else { "no" }));
-            }
+        let mut rows: Vec<(String, f64, f64, Option<f64>)> = Vec::new();
+        for (scan, name) in self.scans.iter().zip(self.series_names()) {
+            let reliable = scan.reliable.wavelengths_m().iter().zip(scan.reliable.c1d_m3());
+            rows.extend(reliable.map(|(wavelength_m, c1d_m3)| (name.clone(), *wavelength_m, *c1d_m3, None)));
+            let whole = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3());
+            rows.extend(whole.filter(|(_, c1d_m3)| **c1d_m3 > 0.0).map(|(wavelength_m, c1d_m3)| {
+                (format!("{name} (incl. unreliable data)"), wavelength_m, *c1d_m3, None)
+            }));
         }
+        let bins = self.composite.bins().iter();
         rows.extend(
-            self.composite
-                .bins()
-                .iter()
-                .map(|bin| ("composite", bin.wavelength_m, bin.c1d_m3, bin.standard_error_m3, "yes")),
+            bins.map(|bin| ("composite".to_owned(), bin.wavelength_m, bin.c1d_m3, bin.standard_error_m3)),
         );
         Table::default()
-            .with_text("series", rows.iter().map(|row| row.0.to_owned()))
+            .with_text("series", rows.iter().map(|row| row.0.clone()))
             .with_numbers("wavelength_m", rows.iter().map(|row| row.1))
             .with_numbers("wavevector_rad_per_m", rows.iter().map(|row| wavevector(row.1)))
             .with_numbers("C1D_m3", rows.iter().map(|row| row.2))
             .with_numbers("C1D_se_m3", rows.iter().map(|row| row.3))
-            .with_words("reliable", rows.iter().map(|row| row.4))
     }
 
     /// The names of the scans, told apart where two are the same.
@@ -153,8 +151,9 @@ impl CompositeSpectrum {
             ));
         }
         for overlap in &self.overlaps {
+            let warning = if overlap.ratio.ln().abs() > DISAGREEMENT.ln() { "WARNING: " } else { "" };
             notes.push(format!(
-                "{} over {}: {} in the mean of {} shared bins from {} to {}",
+                "{warning}{} over {}: {} in the mean of {} shared bins from {} to {}",
                 names[overlap.first],
                 names[overlap.second],
                 three_digits(overlap.ratio),

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
-use spectrum::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_metadata, read_scans};
+use spectrum::{
+    MeasurementMetadata, ReadOptions, ScanFile, ScanOptions, ScanSize, read_metadata, read_psd, read_scans,
+};
 
 use super::request::ScanRequest;
 use crate::failure::Failure;
@@ -23,6 +25,11 @@ pub(super) struct Loaded {
 pub(super) fn load(request: &ScanRequest, folder: &Path) -> Result<Loaded, Failure> {
     let path = folder.join(&request.path);
     let bytes = Place::File(path.clone()).read()?;
+    if read_psd(&bytes[..], &ReadOptions::default()).is_ok() {
+        let message = "this file holds a power spectrum, not heights; give it as a PSD: psd = \"...\" in a scene, or to moments, \
+                       stacked and the like";
+        return Err(Failure::Input(format!("{}: {message}", request.path)));
+    }
     // What the file and its metadata say counts; what was given stands in where they say nothing.
     let options = ScanOptions {
         channel: request.channel.clone(),
@@ -48,8 +55,13 @@ fn metadata_beside(path: &Path) -> Result<Option<MeasurementMetadata>, Failure> 
         }
         let shown = beside.display().to_string();
         let bytes = Place::File(beside).read()?;
-        let entries = read_metadata(utf8(&bytes, &shown, "metadata")?, &shown)
-            .map_err(|error| Failure::Input(format!("{shown}: {error}")))?;
+        let text = utf8(&bytes, &shown, "metadata")?;
+        // Other programs have files of these names, too.
+        if !text.contains(&name) {
+            continue;
+        }
+        let entries =
+            read_metadata(text, &shown).map_err(|error| Failure::Input(format!("{shown}: {error}")))?;
         if let Some(entry) = entries.into_iter().find(|entry| entry.names_file(&name)) {
             return Ok(Some(entry));
         }

@@ -55,7 +55,12 @@ impl ScanSpectrum {
                     false => format!("{}, {name}: {error}", request.path),
                 })
             };
-            Self::of_scan(scan, request, &loaded.sha256, recipe).map_err(blame)
+            let found = Self::of_scan(scan, request, &loaded.sha256, recipe).map_err(blame)?;
+            if found.spectrum.variance_m2().is_finite() {
+                return Ok(found);
+            }
+            let message = "the variance of the heights is beyond the range of numbers; check their unit";
+            Err(Failure::Input(format!("{}: {message}", request.path)))
         };
         loaded.scans.into_iter().map(scan).collect()
     }
