@@ -87,7 +87,8 @@ impl Evidence {
 
     /// The area at the shortest cutoff, for every load.
     pub(crate) fn final_areas(&self, name: Name) -> Vec<f64> {
-        self.areas(name).iter().filter_map(|curve| curve.last()).map(|(_, area)| *area).collect()
+        let last = |curve: &Vec<Point>| curve.last().expect("the paper's curves have areas at every load").1;
+        self.areas(name).iter().map(last).collect()
     }
 
     /// A stacked curve: its model, and its levels for every load.

@@ -5,9 +5,10 @@ use cli::features::{
     Convergence, Dip, Plateau, Point, between, convergence, dips, log_slope, widest_plateau,
 };
 use stacked_contact::largest_full_contact_pressure_pa;
+use stat_contact::ContactState;
 
 use super::spectrum::PRINTED_WAVELENGTH_M;
-use super::{Check, LEVEL, VISIBLE, final_slopes, highest, lengths, lowest, numbers};
+use super::{Check, LEVEL, VISIBLE, final_slopes, furthest_from_one, highest, lengths, lowest, numbers};
 use crate::evidence::{ALL, ELASTIC, Evidence, HERTZ, PLASTIC, SINE, SINE_ELASTIC, SPHERE};
 use crate::ledger::{Finding, Statement, verdict};
 
@@ -74,10 +75,9 @@ pub(super) const PROPORTIONAL_TO_LOAD: (Statement, Check) = (
             .filter(|(_, exponent)| (*exponent - 1.0).abs() > 0.05)
             .map(|(name, exponent)| format!("{} ({})", name.0, three_digits(*exponent)))
             .collect();
-        let furthest = exponents.iter().copied().max_by(|a, b| (a - 1.0).abs().total_cmp(&(b - 1.0).abs()));
         let holds = exponents.iter().all(|exponent| (exponent - 1.0).abs() <= 0.05);
         Finding {
-            value: furthest.unwrap_or(f64::NAN),
+            value: furthest_from_one(&exponents),
             found: format!(
                 "exponents {} over nine models; {} for the stacked elastic-plastic one",
                 numbers(exponents),
@@ -109,7 +109,10 @@ pub(super) const ELASTIC_DECADES: (Statement, Check) = (
         let (Some(long), Some(short)) = (at(100.0), at(1.0)) else {
             unreachable!("figure 5 has these cutoffs");
         };
-        let pairs = long.iter().zip(short).filter(|(long, _)| long.area_fraction < 0.1);
+        let light = |(long, short): &(&ContactState, &ContactState)| {
+            long.area_fraction.max(short.area_fraction) < 0.1
+        };
+        let pairs = long.iter().zip(short).filter(light);
         let mut decades: Vec<f64> = pairs.map(|(l, s)| (l.area_fraction / s.area_fraction).log10()).collect();
         decades.sort_by(f64::total_cmp);
         let median = decades.get(decades.len() / 2).copied().unwrap_or(f64::NAN);
@@ -149,9 +152,10 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
         let Shape { dips, plateaus, slopes } = Shape::of(&evidence.areas(SPHERE));
         let one_curve = spread < 2.0;
         let dips_there = dips.iter().flatten().any(|dip| (0.3e-6..=3e-6).contains(&dip.wavelength_m));
-        let level = plateaus
-            .iter()
-            .all(|plateau| plateau.decades() >= 0.5 && (30e-9..=300e-9).contains(&plateau.longest_m));
+        let level = plateaus.len() == evidence.loads_pa().len()
+            && plateaus
+                .iter()
+                .all(|plateau| plateau.decades() >= 0.5 && (30e-9..=300e-9).contains(&plateau.longest_m));
         let falls = lowest(slopes.iter().copied()) > 0.1;
         let parts = [
             (one_curve, "one curve against load"),
@@ -232,7 +236,7 @@ pub(super) const STEEPEST_SCALE_DECIDES: (Statement, Check) = (
         let certain = found.iter().all(|found| found.converged);
         let close = shares.iter().all(|share| (share - 1.0).abs() <= 0.05);
         Finding {
-            value: highest(shares.iter().copied()),
+            value: furthest_from_one(&shares),
             found: format!(
                 "steepest scale {}, convergence {}; area {} times load / max p*",
                 length(steepest_m),

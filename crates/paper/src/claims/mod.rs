@@ -65,10 +65,14 @@ fn lengths(values: impl IntoIterator<Item = f64>) -> String {
     range(values, length)
 }
 
+/// The least and the largest value; NaN of none, or where one is NaN, so that no comparison with them holds.
 fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
-    values
-        .into_iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)))
+    let values: Vec<f64> = values.into_iter().collect();
+    if values.is_empty() || values.iter().any(|value| value.is_nan()) {
+        return (f64::NAN, f64::NAN);
+    }
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    (least, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
 }
 
 fn lowest(values: impl IntoIterator<Item = f64>) -> f64 {
@@ -79,6 +83,12 @@ fn highest(values: impl IntoIterator<Item = f64>) -> f64 {
     extremes(values).1
 }
 
+/// The value that lies furthest from 1; NaN of none.
+fn furthest_from_one(values: &[f64]) -> f64 {
+    let further = |a: &f64, b: &f64| (a - 1.0).abs().total_cmp(&(b - 1.0).abs());
+    values.iter().copied().max_by(further).unwrap_or(f64::NAN)
+}
+
 /// d ln A/d ln(cutoff) over the last decade of every curve.
 fn final_slopes(curves: &[Vec<Point>]) -> Vec<f64> {
     let slope = |curve: &Vec<Point>| {
@@ -86,4 +96,15 @@ fn final_slopes(curves: &[Vec<Point>]) -> Vec<f64> {
         cli::features::log_slope(cli::features::between(curve, 10.0 * shortest_m, shortest_m))
     };
     curves.iter().filter_map(slope).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_and_nan_prove_nothing() {
+        assert!(lowest([]).is_nan() && highest([1.0, f64::NAN]).is_nan());
+        assert_eq!((lowest([2.0, 1.0]), highest([2.0, 1.0])), (1.0, 2.0));
+    }
 }

@@ -6,7 +6,7 @@ use stacked_contact::{Level, Regime, StackedModel};
 
 use super::area::{converged, level_part, slope_below, which_parts};
 use super::plasticity::agreement;
-use super::{Check, highest, lengths, lowest, numbers, range};
+use super::{Check, furthest_from_one, highest, lengths, lowest, numbers, range};
 use crate::evidence::{
     ELASTIC, Evidence, GRADIENT_AND_PLAIN, HERTZ, Name, PLASTIC_GRADIENT, SINE_ELASTIC, SINE_GRADIENT,
     SPHERE_GRADIENT,
@@ -27,12 +27,11 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: (Statement, Check) = (
             pairs.map(|(gradient, elastic)| ratio(&gradient, &elastic)).collect();
         let finals: Vec<f64> =
             ratios.iter().filter_map(|ratio| ratio.last()).map(|(_, ratio)| *ratio).collect();
-        let furthest = finals.iter().copied().max_by(|a, b| (a - 1.0).abs().total_cmp(&(b - 1.0).abs()));
         let returns = agreement(evidence, PLASTIC_GRADIENT, ELASTIC).iter().all(Option::is_some);
         let (_, levels) = evidence.stack(PLASTIC_GRADIENT);
         let yielding = levels.iter().flatten().filter(|level| level.regime == Regime::Plastic).count();
         Finding {
-            value: furthest.unwrap_or(f64::NAN),
+            value: furthest_from_one(&finals),
             found: format!(
                 "ratio {} at the end, {} over all cutoffs; {yielding} of {} levels yield",
                 numbers(finals),
@@ -210,9 +209,10 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
     |evidence| {
         let curves = evidence.areas(SPHERE_GRADIENT);
         let plateaus: Vec<Plateau> = curves.iter().filter_map(|curve| level_part(curve)).collect();
-        let level = plateaus.iter().all(|plateau| {
-            plateau.decades() >= 0.5 && plateau.longest_m >= 0.1e-6 && plateau.shortest_m <= 0.1e-6
-        });
+        let level = plateaus.len() == evidence.loads_pa().len()
+            && plateaus.iter().all(|plateau| {
+                plateau.decades() >= 0.5 && plateau.longest_m >= 0.1e-6 && plateau.shortest_m <= 0.1e-6
+            });
         let reaches = evidence.shortest_m() < 1e-9;
         let from_m = if reaches { 1e-9 } else { 10.0 * evidence.shortest_m() };
         let slopes: Vec<f64> = curves.iter().filter_map(|curve| slope_below(curve, from_m)).collect();
