@@ -31,8 +31,10 @@ pub(crate) enum Chart {
     FlowLight,
     /// The same towards complete contact.
     FlowHeavy,
-    /// Of tabulated pressures, between two of them.
+    /// Of tabulated pressures: below the first, between two of them, and above the last.
+    TableLight,
     Table,
+    TableHeavy,
 }
 
 /// An interval of interferences \[m\] on which a law is smooth in the coordinate of `chart`.
@@ -60,6 +62,11 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     /// The interference from which on the response no longer changes, and that response.
     fn saturation(&self) -> Option<(f64, Response)> {
         None
+    }
+
+    /// The interference \[m\] of the kink that shows most, where one stands out: complete contact.
+    fn strongest_kink_m(&self) -> Option<f64> {
+        self.saturation().map(|(from_m, _)| from_m)
     }
 
     /// The coordinate, on a chart of this law other than [`Chart::Interference`], of an interference.

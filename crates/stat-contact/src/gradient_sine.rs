@@ -143,6 +143,10 @@ impl Asperities for GradientSines {
         pieces
     }
 
+    fn strongest_kink_m(&self) -> Option<f64> {
+        Some(self.amplitude_m)
+    }
+
     fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
         self.shape.coordinate(chart, interference_m)
     }

@@ -25,10 +25,9 @@ pub(crate) struct Rule {
 pub(crate) struct RuleNode {
     pub x: f64,
     pub weight: f64,
-    /// (2k+1)/2 P_k(x) for the two highest degrees k and for two of about half of them: summed over the weighted values
-    /// of a function they give its Legendre coefficients.
-    pub high: [f64; 2],
-    pub middle: [f64; 2],
+    /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
+    /// values of a function they give its Legendre coefficients.
+    pub probes: [f64; 4],
 }
 
 impl Rule {
@@ -56,12 +55,7 @@ impl Rule {
                 let weight =
                     1.0 / legendre.iter().enumerate().map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>();
                 let half = size / 2;
-                RuleNode {
-                    x,
-                    weight,
-                    high: [coefficient(size - 1), coefficient(size - 2)],
-                    middle: [coefficient(half), coefficient(half - 1)],
-                }
+                RuleNode { x, weight, probes: [half, half - 1, size - 1, size - 2].map(coefficient) }
             })
             .collect();
         let polynomials = nodes.iter().flat_map(|node| {

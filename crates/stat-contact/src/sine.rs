@@ -164,8 +164,8 @@ impl Asperities for BemSines {
             .extend(self.law.breaks().map(|b| self.amplitude_m * self.law.deformation_over_amplitude(b.at)));
         let last = ends_m.len() - 2;
         let chart = |i| match i {
-            0 => Chart::SineLight,
-            i if i == last => Chart::SineHeavy,
+            0 => Chart::TableLight,
+            i if i == last => Chart::TableHeavy,
             _ => Chart::Table,
         };
         let pieces = ends_m.windows(2).enumerate();
@@ -189,16 +189,16 @@ impl Asperities for BemSines {
         let pressure_pa = self.law.pressure_at_interference_pa(interference_m / self.amplitude_m);
         let x = pressure_pa / self.law.complete_contact_pressure_pa();
         match chart {
-            Chart::SineLight => x.cbrt(),
-            Chart::SineHeavy => -(1.0 - x).sqrt(),
+            Chart::TableLight => x.cbrt(),
+            Chart::TableHeavy => -(1.0 - x).sqrt(),
             _ => x.ln(),
         }
     }
 
     fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
         let (log_x, slope) = match chart {
-            Chart::SineLight => (3.0 * v.ln(), 3.0 / v),
-            Chart::SineHeavy => ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)),
+            Chart::TableLight => (3.0 * v.ln(), 3.0 / v),
+            Chart::TableHeavy => ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)),
             _ => (v, 1.0),
         };
         let (ratio, by_log_x) = self.law.deformation_and_slope(log_x);
@@ -293,11 +293,8 @@ impl Asperities for ElasticPlasticSines {
             return self.shape.coordinate(chart, interference_m);
         }
         let ratio = interference_m / self.shape.amplitude_m;
-        if ratio >= 1.0 {
-            return 0.0;
-        }
-        let log_x = self.flow.log_pressure_at_interference(ratio);
-        if chart == Chart::FlowLight { log_x } else { -(-log_x.exp_m1()).sqrt() }
+        let log_x = if ratio < 1.0 { self.flow.log_pressure_at_interference(ratio) } else { 0.0 };
+        if chart == Chart::FlowLight { (0.25 * log_x).exp() } else { -(-log_x.exp_m1()).sqrt() }
     }
 
     fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
@@ -307,9 +304,13 @@ impl Asperities for ElasticPlasticSines {
             let area_fraction = self.flow.area_fraction(pressure_pa);
             return Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } };
         }
-        // ln x itself, or -(1-x)^(1/2), in which the end-point power (1-x)^(5/2) of the gap is smooth.
-        let (log_x, slope) =
-            if chart == Chart::FlowLight { (v, 1.0) } else { ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)) };
+        // x^(1/4), in which the powers of x at its low end are mild (ln x took twice the nodes over decades), or -(1-x)^(1/2),
+        // in which the end-point power (1-x)^(5/2) of the gap is smooth.
+        let (log_x, slope) = if chart == Chart::FlowLight {
+            (4.0 * v.ln(), 4.0 / v)
+        } else {
+            ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v))
+        };
         let FlowPoint { interference_over_amplitude, slope_by_log_pressure, pressure_pa, area_fraction } =
             self.flow.at_log_pressure(log_x);
         Point {

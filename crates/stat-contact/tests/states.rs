@@ -206,5 +206,5 @@ fn numbers_out_of_bounds_are_named() {
 }
 
 const HERTZ_COSTS: [usize; 6] = [22, 19, 16, 15, 13, 15];
-const COSTS_6: [usize; 7] = [8, 58, 34, 62, 82, 82, 40];
-const COSTS_12: [usize; 7] = [14, 108, 64, 76, 167, 140, 76];
+const COSTS_6: [usize; 7] = [8, 58, 34, 46, 82, 56, 56];
+const COSTS_12: [usize; 7] = [14, 108, 64, 90, 167, 106, 104];
