@@ -55,7 +55,7 @@ fn the_shipped_scenes_do_this_much_and_no_more() {
         amplitude_scales: 74,
         stacked_levels: 888,
         statistical_states: 1998,
-        law_evaluations: 149206,
+        law_evaluations: 124465,
         fitted_samples: 0,
     }
     ");
@@ -66,7 +66,7 @@ fn the_shipped_scenes_do_this_much_and_no_more() {
         amplitude_scales: 46,
         stacked_levels: 552,
         statistical_states: 1326,
-        law_evaluations: 102109,
+        law_evaluations: 89831,
         fitted_samples: 0,
     }
     ");
@@ -100,7 +100,7 @@ fn a_statistical_curve_computes_no_amplitudes() {
         amplitude_scales: 0,
         stacked_levels: 0,
         statistical_states: 45,
-        law_evaluations: 872,
+        law_evaluations: 837,
         fitted_samples: 0,
     }
     ");
