@@ -61,21 +61,18 @@ fn corpus() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus")
 }
 
-/// `cargo test -p spectrum --test scan_corpus -- --ignored` writes the inputs anew.
-#[test]
-#[ignore = "writes fuzz/corpus"]
-fn write_the_corpus() {
-    for (target, name, bytes) in inputs() {
-        std::fs::create_dir_all(corpus().join(target)).unwrap();
-        std::fs::write(corpus().join(target).join(name), bytes).unwrap();
-    }
-}
+/// Set this variable to have the inputs written anew.
+const WRITE: &str = "WRITE_FUZZ_CORPUS";
 
 #[test]
 fn the_corpus_is_small_and_read_by_the_readers_it_is_for() {
     for (target, name, bytes) in inputs() {
         let path = corpus().join(target).join(name);
-        assert!(path.exists(), "{} is missing", path.display());
+        if std::env::var_os(WRITE).is_some() {
+            std::fs::create_dir_all(corpus().join(target)).unwrap();
+            std::fs::write(&path, &bytes).unwrap();
+        }
+        assert!(path.exists(), "{} is missing; set {WRITE}=1 to write it", path.display());
         assert!(bytes.len() <= 4096, "{target}/{name} has {} bytes", bytes.len());
         let is_gap = name == "one-column";
         if ["nanoscope", "netcdf", "archive"].contains(&target) {
