@@ -61,6 +61,7 @@ pub struct JacksonGreen {
     yield_strength_pa: f64,
     strength_over_modulus: f64,
     critical_interference_m: f64,
+    log_onset_over_radius: f64,
     area_exponent: f64,
 }
 
@@ -79,6 +80,7 @@ impl JacksonGreen {
             yield_strength_pa,
             strength_over_modulus,
             critical_interference_m: critical_slope * critical_slope * radius_m,
+            log_onset_over_radius: (YIELD_INTERFERENCE_RATIO * critical_slope * critical_slope).ln(),
             area_exponent: 0.14 * (23.0 * strength_over_modulus).exp(),
         }
     }
@@ -102,7 +104,7 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
         } else {
-            self.plastic_force_n(interference_m, self.log_area_over_hertz(interference_m))
+            self.plastic_force_n(interference_m, self.log_over_onset(interference_m))
         }
     }
 
@@ -114,9 +116,9 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             return (self.hertz.force_n(interference_m), hertz_area_m2.min(most_m2));
         }
-        let log_growth = self.log_area_over_hertz(interference_m);
-        let area_m2 = (hertz_area_m2 * log_growth.exp()).min(most_m2);
-        (self.plastic_force_n(interference_m, log_growth), area_m2)
+        let log_ratio = self.log_over_onset(interference_m);
+        let area_m2 = (hertz_area_m2 * self.log_growth(log_ratio).exp()).min(most_m2);
+        (self.plastic_force_n(interference_m, log_ratio), area_m2)
     }
 
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
@@ -182,9 +184,16 @@ impl JacksonGreen {
     }
 
     fn log_area_over_hertz(&self, interference_m: f64) -> f64 {
-        let onset = self.plastic_onset_m();
-        let log_ratio = log_of_ratio(interference_m, onset);
-        // b may be infinite: infinity times zero, at the onset itself, is zero here.
+        self.log_growth(self.log_over_onset(interference_m))
+    }
+
+    /// ln(w'/1.9), keeping its digits near the onset.
+    fn log_over_onset(&self, interference_m: f64) -> f64 {
+        log_of_ratio(interference_m, self.plastic_onset_m())
+    }
+
+    /// b ln(w'/1.9). b may be infinite: infinity times zero, at the onset itself, is zero here.
+    fn log_growth(&self, log_ratio: f64) -> f64 {
         if log_ratio == 0.0 { 0.0 } else { self.area_exponent * log_ratio }
     }
 
@@ -194,15 +203,16 @@ impl JacksonGreen {
             .min(1.0)
     }
 
-    /// The force from the onset on; `log_growth` is [`log_area_over_hertz`](Self::log_area_over_hertz).
-    fn plastic_force_n(&self, interference_m: f64, log_growth: f64) -> f64 {
+    /// The force from the onset on; `log_ratio` is ln(w'/1.9).
+    fn plastic_force_n(&self, interference_m: f64, log_ratio: f64) -> f64 {
+        const LOG_OF_ONSET: f64 = 0.641_853_886_172_394_8;
         let w = interference_m / self.critical_interference_m;
         let critical_force_n =
             2.0 / 3.0 * self.yield_pressure_pa * PI * self.radius_m * self.critical_interference_m;
-        let log_area_share = ((interference_m / self.radius_m).ln() + log_growth).min(0.0);
+        let log_area_share = (self.log_onset_over_radius + log_ratio + self.log_growth(log_ratio)).min(0.0);
         let hardness = self.hardness.over_strength(log_area_share);
         // 5/12 and 5/9 are three and four times 5/36: both powers from one exponential.
-        let power = (5.0 / 36.0 * w.ln()).exp();
+        let power = (5.0 / 36.0 * (LOG_OF_ONSET + log_ratio)).exp();
         let square = power * power;
         let elastic_share = (-0.25 * square * power).exp() * w * w.sqrt();
         let plastic_share = -(-square * square / 25.0).exp_m1() * w;
