@@ -1,7 +1,8 @@
-//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`, `cargo xtask docs`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`.
 
 mod docs;
 mod golden;
+mod instructions;
 mod reproduce;
 
 use std::process::ExitCode;
@@ -12,12 +13,16 @@ const HELP: &str = "\
 cargo xtask reproduce          the paper's figures as tables and SVG, under target/reproduce
 cargo xtask golden [--accept]  how far every golden curve has moved; --accept rewrites those that have
 cargo xtask docs [--check]     draws the pictures of docs/; --check only tells which of the committed ones differ
+cargo xtask instructions [--accept]
+                               what the main kernels and the paper cost, against the accepted counts (needs valgrind);
+                               --accept takes the counts as they are
 ";
 
 enum Task {
     Reproduce,
     Golden { accept: bool },
     Docs { check: bool },
+    Instructions { accept: bool },
 }
 
 fn main() -> ExitCode {
@@ -25,6 +30,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Reproduce)) => reproduce::run(),
         Ok(Some(Task::Golden { accept })) => golden::run(accept),
         Ok(Some(Task::Docs { check })) => docs::run(check),
+        Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -44,8 +50,11 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             (Value(name), None) if name == "reproduce" => task = Some(Task::Reproduce),
             (Value(name), None) if name == "golden" => task = Some(Task::Golden { accept: false }),
             (Value(name), None) if name == "docs" => task = Some(Task::Docs { check: false }),
+            (Value(name), None) if name == "instructions" => {
+                task = Some(Task::Instructions { accept: false });
+            }
             (Long("check"), Some(Task::Docs { check })) => *check = true,
-            (Long("accept"), Some(Task::Golden { accept })) => *accept = true,
+            (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
             (arg, _) => return Err(arg.unexpected()),
         }

@@ -1,0 +1,217 @@
+//! The work of the main kernels and of the whole paper, one piece at a time, to be counted by instructions:
+//! `cargo xtask instructions` runs this under valgrind and holds the counts against the accepted ones.
+//!
+//! Without an argument it prints the names of the pieces. With one it does that piece twice: at first for what is made at
+//! its first use, and then inside [`counted`], which is where valgrind looks.
+
+use std::hint::black_box;
+use std::process::ExitCode;
+
+use asperity::{
+    ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
+};
+use cli::scene::{Scene, Template};
+use spectrum::{
+    AmplitudeDefinition, AsperityParameters, HeightMap, Normalisation, Preparation, amplitudes,
+    areal_spectrum, cumulative_moments, fit_self_affine, map_line_spectrum,
+};
+use stacked_contact::{Scale, StackedModel, levels};
+use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
+
+/// What is counted.
+type Work = Box<dyn Fn()>;
+
+/// A name and the preparation of its work.
+type Piece = (&'static str, fn() -> Work);
+
+const PIECES: [Piece; 20] = [
+    ("sphere", || sphere(Hardness::JacksonGreen2005)),
+    ("sphere-cosine-hardness", || sphere(Hardness::Cosine)),
+    ("sinusoid-elastic", sinusoid_elastic),
+    ("sinusoid-elastic-plastic", sinusoid_elastic_plastic),
+    ("stack-elastic", || stack(StackedModel::Elastic { pair: pair() })),
+    ("stack-elastic-plastic", || stack(StackedModel::ElasticPlastic { pair: pair(), strength: strength() })),
+    ("stack-strain-gradient", || {
+        stack(StackedModel::ElasticPlastic { pair: pair(), strength: growing_strength() })
+    }),
+    ("pair-hertz", pair_hertz),
+    ("states-hertz", || states(AsperityLaw::Hertz)),
+    ("states-ep-sphere", || {
+        states(AsperityLaw::EpSphere { strength: strength(), hardness: Hardness::default() })
+    }),
+    ("states-ep-sphere-strain-gradient", || {
+        states(AsperityLaw::EpSphere { strength: growing_strength(), hardness: Hardness::default() })
+    }),
+    ("states-elastic-sine", || {
+        states(AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson })
+    }),
+    ("states-elastic-sine-bem", || states(AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem })),
+    ("states-ep-sine", || states(AsperityLaw::EpSine { strength: strength() })),
+    ("states-ep-sine-strain-gradient", || states(AsperityLaw::EpSine { strength: growing_strength() })),
+    ("moments-and-amplitudes", moments_and_amplitudes),
+    ("self-affine-fit", self_affine_fit),
+    ("map-line-by-line", || map(|map| drop(black_box(map_line_spectrum(map, Preparation::default()))))),
+    ("map-areal", || map(|map| drop(black_box(areal_spectrum(map, Preparation::default()))))),
+    ("paper", paper),
+];
+
+fn main() -> ExitCode {
+    let Some(wanted) = std::env::args().nth(1) else {
+        PIECES.iter().for_each(|(name, _)| println!("{name}"));
+        return ExitCode::SUCCESS;
+    };
+    let Some((_, prepare)) = PIECES.iter().find(|(name, _)| *name == wanted) else {
+        eprintln!("error: {wanted} is not a piece of work; without an argument all of them are named");
+        return ExitCode::from(2);
+    };
+    // All on this thread: valgrind counts thread by thread.
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+    one_thread.expect("a pool of the thread there is").install(|| {
+        let work = prepare();
+        work();
+        counted(&work);
+    });
+    ExitCode::SUCCESS
+}
+
+/// The name that valgrind is told.
+#[inline(never)]
+fn counted(work: &dyn Fn()) {
+    work();
+}
+
+/// Diamond against a rigid flat.
+fn pair() -> MaterialPair {
+    MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).expect("diamond"))
+}
+
+fn strength() -> NixGao {
+    NixGao::constant(1.8e9).expect("diamond")
+}
+
+fn growing_strength() -> NixGao {
+    strength().with_strain_gradient(5e-6).expect("diamond")
+}
+
+/// So many numbers over the decades from `first` on, evenly.
+fn over_decades(count: usize, first: f64, decades: f64) -> impl Iterator<Item = f64> + Clone {
+    (0..count).map(move |i| first * 10f64.powf(decades * i as f64 / (count - 1) as f64))
+}
+
+/// Force and area at a thousand interferences, from within Hertz's range to the cap of the area.
+fn sphere(hardness: Hardness) -> Work {
+    let law = JacksonGreen::new(&pair(), 1e-6, 1.8e9, hardness);
+    let interferences_m: Vec<f64> = over_decades(1000, 1e-12, 6.5).collect();
+    Box::new(move || {
+        for &interference_m in &interferences_m {
+            black_box(law.force_and_area(interference_m));
+        }
+    })
+}
+
+/// Areas under a thousand pressures, from light to complete contact.
+fn sinusoid_elastic() -> Work {
+    let law = ElasticSinusoid::new(&pair(), 0.03);
+    let pressures_pa: Vec<f64> = over_decades(1000, 1e3, 8.0).collect();
+    Box::new(move || {
+        for &pressure_pa in &pressures_pa {
+            black_box(law.area_fraction(pressure_pa));
+        }
+    })
+}
+
+fn sinusoid_elastic_plastic() -> Work {
+    let law = ElasticPlasticSinusoid::new(&pair(), 0.03, 1.8e9);
+    let pressures_pa: Vec<f64> = over_decades(1000, 1e3, 8.0).collect();
+    Box::new(move || {
+        for &pressure_pa in &pressures_pa {
+            black_box((law.area_fraction(pressure_pa), law.deformation_over_amplitude(pressure_pa)));
+        }
+    })
+}
+
+/// A thousand scales under five loads; the aspect ratio peaks at 10 nm.
+fn stack(model: StackedModel) -> Work {
+    let scale = |wavelength_m: f64| {
+        let decades_off_peak = (wavelength_m / 1e-8).log10();
+        let aspect_ratio = 0.04 * (-0.3 * decades_off_peak * decades_off_peak).exp();
+        Scale { wavelength_m, amplitude_m: wavelength_m * aspect_ratio }
+    };
+    let scales: Vec<Scale> = over_decades(1000, 1e-2, -7.3).map(scale).collect();
+    Box::new(move || {
+        for load_pa in [5.4e5, 5.4e6, 5.4e7, 5.4e8, 5.4e9] {
+            black_box(levels(&model, load_pa, scales.iter().copied()).last());
+        }
+    })
+}
+
+/// Asperities of diamond down to a nanometre, and to a micrometre.
+fn populations() -> [Population; 2] {
+    [(45.6e-9, 26e12, 6.66e-9), (37e-6, 1.07e9, 42.9e-9)].map(|(radius_m, density_per_m2, sigma_s_m)| {
+        Population::new(radius_m, density_per_m2, sigma_s_m).expect("asperities of diamond")
+    })
+}
+
+/// Area and pressure of Hertz's spheres at given separations, to twelve digits.
+fn pair_hertz() -> Work {
+    Box::new(|| {
+        for population in populations() {
+            let contact = StatisticalContact::new(&pair(), &population, &AsperityLaw::Hertz);
+            for u in [-3.0, 0.0, 3.0, 6.0, 20.0] {
+                let separation_m = u * population.sigma_s_m();
+                black_box(contact.at_separation(separation_m, 1e-12).expect("a finite separation"));
+            }
+        }
+    })
+}
+
+/// Unrelated states at given loads, to ten digits.
+fn states(law: AsperityLaw) -> Work {
+    Box::new(move || {
+        for population in populations() {
+            for load_pa in [5.4e3, 5.4e5, 5.4e7] {
+                let contact = StatisticalContact::new(&pair(), &population, &law);
+                black_box(contact.at_pressure(load_pa, 1e-10, None).expect("a positive load"));
+            }
+        }
+    })
+}
+
+fn diamond() -> Scene {
+    Scene::builtin(Template::UncdReconstructed).expect("a scene that comes with the program")
+}
+
+fn moments_and_amplitudes() -> Work {
+    let psd = diamond().surface.psd;
+    Box::new(move || {
+        let moments = cumulative_moments(&psd, Normalisation::default());
+        black_box(moments.last().and_then(AsperityParameters::from_moments));
+        black_box(amplitudes(&psd, AmplitudeDefinition::default()));
+    })
+}
+
+fn self_affine_fit() -> Work {
+    let psd = diamond().surface.psd;
+    Box::new(move || {
+        black_box(fit_self_affine(&psd, 0.0..=f64::INFINITY).expect("enough samples"));
+    })
+}
+
+/// A map of 128 rows of 128 heights, of two waves across each other.
+fn map(transform: fn(&HeightMap)) -> Work {
+    const SIZE: usize = 128;
+    let height_m = |i: usize| {
+        let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);
+        1e-9 * ((0.3 * x + 0.2 * y).sin() + (1.7 * x - 2.1 * y).cos())
+    };
+    let heights_m = (0..SIZE * SIZE).map(height_m).collect();
+    let map = HeightMap::new(SIZE, 1e-9, 1e-9, heights_m).expect("a map without gaps");
+    Box::new(move || transform(&map))
+}
+
+/// Everything that the figures of the reconstructed spectrum show, at the tolerance of ten digits.
+fn paper() -> Work {
+    let mut scene = diamond();
+    scene.needs.tolerance = cli::plan::Tolerance::new(1e-10).expect("a tolerance");
+    Box::new(move || drop(black_box(scene.plan().compute().expect("a sound scene"))))
+}

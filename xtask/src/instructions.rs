@@ -1,0 +1,172 @@
+//! What the main kernels and the whole paper cost in instructions, against what was accepted.
+//!
+//! Instructions do not depend on what else the machine is doing, so they can be a gate where times cannot. They are those
+//! of the profile that the tests are built with.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::process::{Command, ExitCode, Output};
+
+use tests::committed_file;
+
+/// The growth of a count that fails, as a share of the accepted one.
+const MOST_GROWTH: f64 = 0.05;
+/// The accepted counts, by piece of work.
+const ACCEPTED: &str = "tests/instructions.csv";
+const HEADER: &str = "work,instructions";
+
+pub(crate) fn run(accept: bool) -> ExitCode {
+    match compare(accept) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Counts every piece of work and prints it beside what was accepted; tells whether all stay within the bound.
+fn compare(accept: bool) -> io::Result<bool> {
+    build()?;
+    let accepted = accepted()?;
+    let (mut counts, mut within) = (Vec::new(), true);
+    for work in pieces()? {
+        let count = count(&work)?;
+        let verdict = accepted.get(&work).map_or(Verdict::New, |&before| Verdict::of(count, before));
+        println!("{count:>13}  {work:32} {}", verdict.text());
+        within &= verdict.is_within();
+        counts.push((work, count));
+    }
+    if accept {
+        let rows = counts.iter().map(|(work, count)| format!("{work},{count}\n"));
+        std::fs::write(committed_file(ACCEPTED), format!("{HEADER}\n{}", rows.collect::<String>()))?;
+        println!("\naccepted in {ACCEPTED}");
+        return Ok(true);
+    }
+    if !within {
+        println!(
+            "\nsome work is not as accepted in {ACCEPTED}; where the cost has a reason, take it with \
+             cargo xtask instructions --accept and give the reason in the commit"
+        );
+    }
+    Ok(within)
+}
+
+/// How a count lies to the accepted one.
+enum Verdict {
+    New,
+    Moved { growth: f64 },
+}
+
+impl Verdict {
+    fn of(count: u64, before: u64) -> Self {
+        Verdict::Moved { growth: count as f64 / before as f64 - 1.0 }
+    }
+
+    fn is_within(&self) -> bool {
+        matches!(self, Verdict::Moved { growth } if *growth <= MOST_GROWTH)
+    }
+
+    fn text(&self) -> String {
+        match self {
+            Verdict::New => "NEW".to_owned(),
+            Verdict::Moved { growth } if *growth > MOST_GROWTH => {
+                format!("{:+6.1} %  GROWN by more than {} %", 100.0 * growth, 100.0 * MOST_GROWTH)
+            }
+            Verdict::Moved { growth } if *growth < -MOST_GROWTH => {
+                format!("{:+6.1} %  less: accept it, so that it stays", 100.0 * growth)
+            }
+            Verdict::Moved { growth } => format!("{:+6.1} %", 100.0 * growth),
+        }
+    }
+}
+
+fn accepted() -> io::Result<BTreeMap<String, u64>> {
+    let path = committed_file(ACCEPTED);
+    let text = match std::fs::read_to_string(&path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
+        text => text?,
+    };
+    counts(&text)
+}
+
+/// The rows below the header.
+fn counts(text: &str) -> io::Result<BTreeMap<String, u64>> {
+    let row = |line: &str| {
+        let (work, count) = line.split_once(',')?;
+        Some((work.to_owned(), count.parse().ok()?))
+    };
+    let broken = |line: &str| io::Error::other(format!("{ACCEPTED}: {line:?} is not a name and a count"));
+    text.lines().skip(1).map(|line| row(line).ok_or_else(|| broken(line))).collect()
+}
+
+fn build() -> io::Result<()> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let arguments = ["build", "--quiet", "--package", "tests", "--bin", "instruction_counts"];
+    output(Command::new(cargo).args(arguments)).map(drop)
+}
+
+fn pieces() -> io::Result<Vec<String>> {
+    let listed = output(&mut Command::new(program()))?;
+    Ok(String::from_utf8_lossy(&listed.stdout).lines().map(str::to_owned).collect())
+}
+
+/// Instructions of one piece of work.
+fn count(work: &str) -> io::Result<u64> {
+    const COUNTED: &str = "instruction_counts::counted";
+    let counted = output(
+        Command::new("valgrind")
+            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+            .arg(format!("--toggle-collect={COUNTED}"))
+            .arg(program())
+            .arg(work)
+            // The mathematical functions of the C library come in several variants; which one it takes depends on the processor.
+            .env("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"),
+    )
+    .map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => io::Error::other("valgrind is not installed, and it does the counting"),
+        _ => error,
+    })?;
+    let said = String::from_utf8_lossy(&counted.stderr);
+    let total = said.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
+    match total {
+        Some(total) if total > 0 => Ok(total),
+        _ => Err(io::Error::other(format!("valgrind counted nothing of {work}:\n{said}"))),
+    }
+}
+
+/// The program that does the work, beside this one.
+fn program() -> std::path::PathBuf {
+    let here = std::env::current_exe().expect("this program has a path");
+    here.with_file_name(format!("instruction_counts{}", std::env::consts::EXE_SUFFIX))
+}
+
+/// Runs a command to its end; one that fails is an error with what it said.
+fn output(command: &mut Command) -> io::Result<Output> {
+    let output = command.output()?;
+    if output.status.success() {
+        return Ok(output);
+    }
+    Err(io::Error::other(format!("{command:?}: {}", String::from_utf8_lossy(&output.stderr))))
+}
+
+#[cfg(test)]
+mod test {
+    use super::*;
+
+    #[test]
+    fn growth_beyond_the_bound_fails_and_less_work_does_not() {
+        for (count, before, within) in [(1049, 1000, true), (1051, 1000, false), (50, 100, true)] {
+            assert_eq!(Verdict::of(count, before).is_within(), within, "{count} after {before}");
+        }
+        assert!(!Verdict::New.is_within());
+    }
+
+    #[test]
+    fn the_accepted_counts_can_be_read_and_a_broken_row_is_named() {
+        assert!(accepted().unwrap()["paper"] > 0);
+        let error = counts("work,instructions\nsphere;12\n").unwrap_err();
+        assert_eq!(error.to_string(), "tests/instructions.csv: \"sphere;12\" is not a name and a count");
+    }
+}
