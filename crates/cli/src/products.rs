@@ -58,7 +58,7 @@ impl Findings {
     /// # Errors
     /// [`PlanError`], as of the scene itself.
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
-        let answer = Answer::of(&scene.needs, results);
+        let answer = Answer::of(scene, results);
         Ok(Findings { answer, sensitivities: sensitivities(scene, results)? })
     }
 

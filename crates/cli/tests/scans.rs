@@ -177,6 +177,32 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
 }
 
 #[test]
+fn instruments_that_show_different_surfaces_yield_no_area() {
+    let bench = Bench::new();
+    let scene = |unit: &str| {
+        format!(
+            "title = \"t\"\n[surface]\n\
+             scans = [{{ file = \"coarse.txt\", unit = \"nm\" }}, {{ file = \"fine.txt\", unit = \"{unit}\", \
+             size = \"5.12 um\" }}]\n\
+             [material]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.4\n\
+             [loads]\npressures = [\"1 kPa\"]\n[[curve]]\nmodel = \"elastic\"\n"
+        )
+    };
+    // Heights alone: their unit is that of the heights, and the spacing comes from the size.
+    let heights: Vec<String> =
+        line(1024, 5.0).lines().map(|row| row.split(' ').nth(1).unwrap().to_owned()).collect();
+    bench.write("coarse.txt", line(1024, 10.0)).write("fine.txt", heights.join("\n"));
+    let doubt = "its instruments do not show the same surface. coarse.txt has";
+    for (unit, doubted) in [("nm", false), ("um", true)] {
+        bench.write("s.toml", scene(unit));
+        let summary = bench.run(&["run", "s.toml"]).ok().replace('\n', " ");
+        assert_eq!(summary.contains(doubt), doubted, "{unit}: {summary}");
+        let scales = bench.read("s-results/report-scales.csv");
+        assert!(!doubted || scales.contains(",no,"), "{scales}");
+    }
+}
+
+#[test]
 fn the_same_digits_come_out_on_any_number_of_threads() {
     let bench = Bench::new();
     let row = |y: usize| {

@@ -6,7 +6,9 @@ mod words;
 use stacked_contact::setting_level;
 
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
-use crate::plan::{Curve, CurveModel, CurveResult, Needs, Results};
+use crate::plan::{Curve, CurveModel, CurveResult, Results};
+use crate::scene::Scene;
+use crate::topography::InstrumentsDisagree;
 
 /// From so many scales on, over so many decades, a spectrum can tell which of them matter.
 pub const LEAST_SCALES: usize = 5;
@@ -25,6 +27,8 @@ pub struct Answer {
     pub disagreements: Vec<Disagreement>,
     /// How many scales the spectrum has, where they are too few to tell which of them matter.
     pub too_few_scales: Option<usize>,
+    /// The instruments that made the spectrum, where they do not show the same surface.
+    pub instruments_disagree: Option<InstrumentsDisagree>,
 }
 
 /// What a curve ends in under one load.
@@ -38,8 +42,8 @@ pub struct LoadAnswer {
     pub within_1_percent: Convergence,
     /// Where the area has settled within 0.1 %.
     pub within_01_percent: Convergence,
-    /// Whether the spectrum goes far enough below the former, and has scales enough, for the area to be the surface's own
-    /// rather than that of a spectrum cut short.
+    /// Whether the spectrum goes far enough below the former, has scales enough and is of one surface, for the area to be the
+    /// surface's own rather than that of a spectrum cut short or of a step between two instruments.
     pub settled: bool,
     /// How much each decade of wavelengths decides.
     pub decades: Vec<DecadeShare>,
@@ -76,14 +80,18 @@ pub struct Disagreement {
 }
 
 impl Answer {
-    /// The answer that the results of a plan hold.
-    pub fn of(needs: &Needs, results: &Results) -> Self {
+    /// The answer that the results of a scene hold.
+    pub fn of(scene: &Scene, results: &Results) -> Self {
+        let needs = &scene.needs;
+        let scans = scene.surface.made_from.as_ref();
+        let instruments_disagree = scans.and_then(|scans| scans.instruments_disagree());
         let wavelengths_m = results.psd.wavelengths_m();
         let decades = (wavelengths_m[0] / wavelengths_m[wavelengths_m.len() - 1]).log10();
         let enough = wavelengths_m.len() >= LEAST_SCALES && decades >= LEAST_DECADES;
+        let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &crate::plan::Load)| {
-                LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, enough)
+                LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)
             };
             needs.loads.iter().enumerate().map(of_load).collect()
         };
@@ -92,12 +100,18 @@ impl Answer {
         let disagreements =
             (0..needs.loads.len()).filter_map(|load| Disagreement::at(load, &curves, results)).collect();
         let too_few_scales = (!enough).then_some(wavelengths_m.len());
-        Answer { curves, disagreements, too_few_scales }
+        Answer { curves, disagreements, too_few_scales, instruments_disagree }
     }
 }
 
 impl LoadAnswer {
-    fn of(curve: &Curve, result: &CurveResult, block: usize, pressure_pa: f64, enough: bool) -> Option<Self> {
+    fn of(
+        curve: &Curve,
+        result: &CurveResult,
+        block: usize,
+        pressure_pa: f64,
+        can_settle: bool,
+    ) -> Option<Self> {
         let points = result.area_fractions(block);
         let &(_, area_fraction) = points.last()?;
         let within = |tolerance| convergence(&points, tolerance);
@@ -119,7 +133,7 @@ impl LoadAnswer {
             real_pressure_pa: pressure_pa / area_fraction,
             within_1_percent,
             within_01_percent: within(0.001)?,
-            settled: enough && within_1_percent.converged,
+            settled: can_settle && within_1_percent.converged,
             decades: decade_shares(&points),
             setting: setting.map(|(level, full_contact_pressure_pa)| SettingScale {
                 wavelength_m: level.wavelength_m,

@@ -4,6 +4,7 @@ use super::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, Loa
 use crate::display::{length, pressure, three_digits};
 use crate::plan::Results;
 use crate::scene::Scene;
+use crate::topography::InstrumentsDisagree;
 
 impl Answer {
     /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.
@@ -41,6 +42,18 @@ impl Answer {
                 if scales == 1 { "scale" } else { "scales" },
                 length(longest_m),
                 length(shortest_m)
+            )];
+        }
+        if let Some(InstrumentsDisagree { names: [first, second], ratio, longest_m, shortest_m }) =
+            &self.instruments_disagree
+        {
+            return vec![format!(
+                "This spectrum cannot tell how much touches: its instruments do not show the same surface. {first} has {} times \
+                 the spectrum of {second} from {} to {}, where both measure; check units, height scales and places, or leave \
+                 one of them out. The tables hold what the composite of both gives.",
+                three_digits(*ratio),
+                length(*longest_m),
+                length(*shortest_m)
             )];
         }
         // Curves that fail in the same way share a sentence.

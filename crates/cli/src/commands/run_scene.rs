@@ -34,7 +34,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let written = products::write(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
     timings.lap("writing");
     let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
-    let answer = findings.map_or_else(|| Answer::of(&scene.needs, &results), |findings| findings.answer);
+    let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
     print(&format!("{}{files}", summary(&scene, &results, &answer)), context)?;
     timings.report(context.shared.timings);
     Ok(())

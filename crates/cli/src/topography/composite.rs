@@ -14,6 +14,21 @@ use crate::table::Table;
 
 /// Instruments that differ by more than this factor where they overlap hardly show the same surface in the same units.
 const DISAGREEMENT: f64 = 3.0;
+/// In fewer shared bins the scatter of single lines may look like such a factor.
+const TELLING_BINS: usize = 3;
+
+/// Two instruments that do not show the same surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InstrumentsDisagree {
+    /// The names of the scans.
+    pub names: [String; 2],
+    /// The spectrum of the first over that of the second, on average where they overlap.
+    pub ratio: f64,
+    /// The longest wavelength they share \[m\].
+    pub longest_m: f64,
+    /// The shortest.
+    pub shortest_m: f64,
+}
 
 /// The spectra of some scans and their composite.
 #[derive(Debug, Clone)]
@@ -136,6 +151,21 @@ impl CompositeSpectrum {
         lines
     }
 
+    /// The two instruments that are farthest apart, where that is too far for one surface in the same units: no composite of
+    /// theirs is its spectrum.
+    pub fn instruments_disagree(&self) -> Option<InstrumentsDisagree> {
+        let telling = |overlap: &&Overlap| overlap.bins >= TELLING_BINS && disagree(overlap);
+        let apart = |overlap: &&Overlap| overlap.ratio.ln().abs();
+        let worst = self.overlaps.iter().filter(telling).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        let names = self.series_names();
+        Some(InstrumentsDisagree {
+            names: [worst.first, worst.second].map(|scan| names[scan].clone()),
+            ratio: worst.ratio,
+            longest_m: worst.longest_m,
+            shortest_m: worst.shortest_m,
+        })
+    }
+
     /// What reading took for granted, and how far each spectrum and their overlaps can be believed.
     pub fn notes(&self) -> Vec<String> {
         let names = self.series_names();
@@ -151,7 +181,7 @@ impl CompositeSpectrum {
             ));
         }
         for overlap in &self.overlaps {
-            let warning = if overlap.ratio.ln().abs() > DISAGREEMENT.ln() { "WARNING: " } else { "" };
+            let warning = if disagree(overlap) { "WARNING: " } else { "" };
             notes.push(format!(
                 "{warning}{} over {}: {} in the mean of {} shared bins from {} to {}",
                 names[overlap.first],
@@ -164,6 +194,10 @@ impl CompositeSpectrum {
         }
         notes
     }
+}
+
+fn disagree(overlap: &Overlap) -> bool {
+    overlap.ratio.ln().abs() > DISAGREEMENT.ln()
 }
 
 fn wavevector(wavelength_m: f64) -> f64 {
