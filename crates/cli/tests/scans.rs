@@ -177,6 +177,18 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
 }
 
 #[test]
+fn data_given_twice_are_told() {
+    let bench = Bench::new();
+    bench.write("a.txt", line(256, 5.0)).write("copy.txt", line(256, 5.0)).write("b.txt", line(300, 5.0));
+    let run = bench.run(&["psd", "a.txt", "b.txt", "copy.txt", "--unit", "nm"]);
+    let told: Vec<&str> = run.stderr.lines().filter(|line| line.contains("the same data")).collect();
+    assert_eq!(
+        told,
+        ["note: WARNING: a.txt and copy.txt are the same data, which counts twice; leave one of them out"]
+    );
+}
+
+#[test]
 fn instruments_that_show_different_surfaces_yield_no_area() {
     let bench = Bench::new();
     let scene = |unit: &str| {

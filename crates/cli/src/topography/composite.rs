@@ -180,6 +180,15 @@ impl CompositeSpectrum {
                 scan.checks.sentences().join("; ")
             ));
         }
+        for second in 1..self.scans.len() {
+            let same = |first: &usize| self.scans[*first].spectrum == self.scans[second].spectrum;
+            if let Some(first) = (0..second).find(same) {
+                notes.push(format!(
+                    "WARNING: {} and {} are the same data, which counts twice; leave one of them out",
+                    names[first], names[second]
+                ));
+            }
+        }
         for overlap in &self.overlaps {
             let warning = if disagree(overlap) { "WARNING: " } else { "" };
             notes.push(format!(
