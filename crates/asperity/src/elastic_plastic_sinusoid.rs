@@ -5,7 +5,7 @@ use crate::elastic_sinusoid::{
 };
 use crate::mean_gap::{GapExponent, power_at};
 use crate::root::newton_in_bracket;
-use crate::{Break, ElasticSinusoid, MaterialPair};
+use crate::{Break, ElasticSinusoid, MaterialPair, elementary};
 
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.
 pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
@@ -327,6 +327,24 @@ pub struct FlowPoint {
 }
 
 impl PlasticFlow {
+    /// The point at ln x < 0 and x, p = p*_ep x, without a branch, where the sinusoid yields.
+    #[inline(always)]
+    pub fn yielding_at(&self, x: f64, log_x: f64) -> FlowPoint {
+        let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
+        FlowPoint {
+            interference_over_amplitude,
+            slope_by_log_pressure,
+            pressure_pa: self.law.complete_contact_pressure_pa * x,
+            area_fraction: self.area.fraction(x, log_x),
+        }
+    }
+
+    /// The fraction of the area at p = p*_ep x, x < 1, without a branch, where the sinusoid yields.
+    #[inline(always)]
+    pub fn yielding_area_fraction(&self, x: f64) -> f64 {
+        self.area.fraction(x, elementary::ln(x))
+    }
+
     /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
     pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
         let x = log_x.exp();
@@ -364,10 +382,12 @@ struct PlasticArea {
 
 impl PlasticArea {
     /// min(1, phi_p (1 - x^1.51) + phi_2 x^1.04).
+    #[inline(always)]
     fn fraction(self, x: f64, log_x: f64) -> f64 {
         let [light, heavy] = joining_powers(x, log_x);
-        let plastic = (self.log_factor + self.exponent * log_x).exp();
-        (plastic * (1.0 - light) + heavy_limit(x) * heavy).min(1.0)
+        let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
+        let fitted = plastic * (1.0 - light) + heavy_limit(x) * heavy;
+        if fitted < 1.0 { fitted } else { 1.0 }
     }
 
     /// The fraction before it is held at 1, minus 1 and over 1 - x, at u = 1 - x in \[0, 1), and the derivative by u. The

@@ -4,6 +4,7 @@
 //! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits where
 //! the gap is almost the amplitude; the strength goes like h_p^(-1/2), so they show.
 
+use crate::elementary;
 use crate::root::newton_in_bracket;
 
 /// The exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
@@ -40,10 +41,11 @@ impl GapExponent {
     }
 
     /// h_p/Delta and its derivative by ln x, at ln x < 0 and its exponential.
+    #[inline(always)]
     pub fn deformation_and_slope(self, log_x: f64, x: f64) -> (f64, f64) {
         let exponent = self.a1 * x + self.a2;
         let log_t = exponent * log_x;
-        let (t, opening) = (log_t.exp(), -log_t.exp_m1());
+        let (t, opening) = (elementary::exp(log_t), -elementary::exp_m1(log_t));
         let slope = 2.5 * opening * opening.sqrt() * t * (exponent + self.a1 * x * log_x);
         (complement(t, opening), slope)
     }
@@ -96,12 +98,11 @@ pub(crate) fn power_at(deformation_over_amplitude: f64) -> f64 {
 
 /// 1 - (1-t)^(5/2) for t in [0, 1] and 1 - t: (1 - (1-t)^5)/(1 + (1-t)^(5/2)) where t is small, without cancellation, and
 /// with a root in the place of a logarithm and an exponential.
+#[inline(always)]
 fn complement(t: f64, opening: f64) -> f64 {
     let gap = opening * opening * opening.sqrt();
-    if t > 0.25 {
-        return 1.0 - gap;
-    }
-    t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t)))) / (1.0 + gap)
+    let shallow = t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t)))) / (1.0 + gap);
+    if t > 0.25 { 1.0 - gap } else { shallow }
 }
 
 #[cfg(test)]

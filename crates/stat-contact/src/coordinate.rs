@@ -71,26 +71,30 @@ impl Coordinate {
         }
     }
 
-    /// The interference at a coordinate, and its derivative.
-    pub fn interference(self, v: f64) -> (f64, f64) {
+    /// The interferences at coordinates, and their derivatives.
+    pub fn interferences(self, coordinates: &[f64], interferences: &mut [f64], slopes: &mut [f64]) {
+        let points = coordinates.iter().zip(interferences).zip(slopes);
         match self {
             Coordinate::Root { c } => {
-                let root = (c * c + v * v).sqrt();
-                (v * v / (root + c), v / root)
+                for ((&v, s), slope) in points {
+                    let root = (c * c + v * v).sqrt();
+                    // One division for both v^2/(root + c) and v/root.
+                    let quotient = v / (root * (root + c));
+                    (*s, *slope) = (v * root * quotient, (root + c) * quotient);
+                }
             }
-            Coordinate::Height { u } => (v - u, 1.0),
+            Coordinate::Height { u } => {
+                for ((&v, s), slope) in points {
+                    (*s, *slope) = (v - u, 1.0);
+                }
+            }
             Coordinate::Power { power } => {
-                let below = v.powi(power - 1);
-                (below * v, f64::from(power) * below)
+                let exponent = f64::from(power);
+                for ((&v, s), slope) in points {
+                    let below = v.powi(power - 1);
+                    (*s, *slope) = (below * v, exponent * below);
+                }
             }
-        }
-    }
-
-    /// The height u + s that meets the flat at a coordinate of the interference s.
-    pub fn height(self, v: f64, u: f64, s: f64) -> f64 {
-        match self {
-            Coordinate::Height { .. } => v,
-            _ => u + s,
         }
     }
 }
@@ -99,18 +103,24 @@ impl Coordinate {
 mod tests {
     use super::*;
 
+    fn interference(coordinate: Coordinate, v: f64) -> (f64, f64) {
+        let (mut s, mut slope) = ([0.0], [0.0]);
+        coordinate.interferences(&[v], &mut s, &mut slope);
+        (s[0], slope[0])
+    }
+
     #[test]
     fn the_coordinate_inverts_the_interference_and_knows_its_slope() {
         for coordinate in [Coordinate::around(-3.0, -3.0, 30.0), Coordinate::around(60.0, 63.0, 30.0)] {
             for v in [1e-9, 0.1, 3.0, 40.0] {
-                let (s, slope) = coordinate.interference(v);
+                let (s, slope) = interference(coordinate, v);
                 assert!((coordinate.of(s) / v - 1.0).abs() < 1e-14);
-                let difference =
-                    coordinate.interference(v * (1.0 + 1e-6)).0 - coordinate.interference(v * (1.0 - 1e-6)).0;
+                let difference = interference(coordinate, v * (1.0 + 1e-6)).0
+                    - interference(coordinate, v * (1.0 - 1e-6)).0;
                 assert!((difference / (2e-6 * v) / slope - 1.0).abs() < 1e-9);
             }
         }
         let far = Coordinate::around(-60.0, -60.0, 30.0);
-        assert_eq!(far.interference(far.of(61.0)), (61.0, 1.0));
+        assert_eq!(interference(far, far.of(61.0)), (61.0, 1.0));
     }
 }

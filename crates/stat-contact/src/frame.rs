@@ -5,11 +5,14 @@
 //! quadrature built around one separation, and sums them against the density at any separation nearby. A search for
 //! the separation that carries a load therefore evaluates the law once, not once per step.
 
-use crate::asperities::{Asperities, Chart, Piece, Point, Response};
+use asperity::elementary;
+
+use crate::asperities::{Asperities, Chart, Piece, Points, Response};
 use crate::cell::{Cell, Precision};
 use crate::coordinate::Coordinate;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
 use crate::legendre::Rule;
+use crate::nodes::{LANES, Nodes, Rows};
 
 /// Law evaluations after which the error is accepted as it is, and reported.
 const MOST_EVALUATIONS: usize = 3000;
@@ -26,17 +29,18 @@ pub(crate) struct Frame<'a> {
     coordinate: Coordinate,
     precision: Precision,
     panels: Vec<Panel>,
-    nodes: Vec<Node>,
-    /// The separation last summed at, and the density at every node there, over the reference density. Whatever is asked at
-    /// one separation shares them: exponentials were a third of the cost of a state.
+    /// With the density at every node at the separation last summed at, over the reference density.
+    nodes: Nodes,
+    /// The separation last summed at.
     u: f64,
-    densities: Vec<f64>,
     /// The area fraction per unit of interference where it is proportional to it throughout.
     area_per_sigma: Option<f64>,
     /// The interference, in units of sigma_s, from which on the response is this one.
     saturation: Option<(f64, Response)>,
     /// The highest interference, in units of sigma_s, that counts.
     high: f64,
+    /// Whether the areas matter.
+    with_areas: bool,
     /// Law evaluations spent.
     pub evaluations: usize,
 }
@@ -72,13 +76,11 @@ struct Panel {
     count: usize,
 }
 
-/// One node, its weight multiplied into the response. Lengths in units of sigma_s.
-#[derive(Clone, Copy)]
-struct Node {
-    interference: f64,
-    height: f64,
-    pressure_pa: f64,
-    area_fraction: f64,
+/// The weights of a rule in a coordinate.
+enum Weights {
+    Equal(f64),
+    /// Those of a Gauss rule, times the half length of its panel.
+    Gauss(&'static Rule, f64),
 }
 
 impl<'a> Frame<'a> {
@@ -110,7 +112,7 @@ impl<'a> Frame<'a> {
         frame
     }
 
-    /// A few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so, and so
+    /// The force at a few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so, and so
     /// within the right cell for all but one search in fifty (blind to that one as well, for three in four).
     pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64) -> Self {
         const NODES_BELOW: usize = 8;
@@ -122,6 +124,7 @@ impl<'a> Frame<'a> {
         let coordinate = Coordinate::around(u, u, precision.digits);
         let mut frame =
             Self::empty(asperities, sigma_s_m, u, coordinate, precision, NODES_BELOW + NODES_ABOVE);
+        frame.with_areas = false;
         let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
         let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
             frame.add_trapezoid(&window);
@@ -157,12 +160,12 @@ impl<'a> Frame<'a> {
             coordinate,
             precision,
             panels: Vec::new(),
-            nodes: Vec::with_capacity(nodes),
+            nodes: Nodes::with_room_for(nodes),
             u: centre,
-            densities: Vec::with_capacity(nodes),
             high: 0.0,
             area_per_sigma: None,
             saturation: None,
+            with_areas: true,
             evaluations: 0,
         }
     }
@@ -202,11 +205,12 @@ impl<'a> Frame<'a> {
         let [from, to] = [window.low, window.high].map(|s| self.coordinate.of(s));
         let first = (from / step - 0.5).ceil();
         let count = ((to - from) / step).ceil() as usize;
-        let (chart, coordinate, panel) = (Chart::Interference, self.coordinate, self.nodes.len());
-        for k in 0..count {
-            self.add_node(chart, coordinate, (first + k as f64 + 0.5) * step, step);
+        let (chart, coordinate, node) = (Chart::Interference, self.coordinate, self.nodes.len());
+        for (k, v) in self.nodes.add(count).densities.iter_mut().enumerate() {
+            *v = (first + k as f64 + 0.5) * step;
         }
-        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, first: panel, count });
+        self.evaluate(chart, coordinate, node, Weights::Equal(step));
+        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, first: node, count });
     }
 
     fn add_panel(
@@ -218,38 +222,65 @@ impl<'a> Frame<'a> {
         rule: &'static Rule,
     ) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let (first, count) = (self.nodes.len(), rule.nodes.len());
-        for node in &rule.nodes {
-            self.add_node(chart, coordinate, middle + half * node.x, half * node.weight);
+        let (first, count) = (self.nodes.len(), rule.count());
+        for (v, x) in self.nodes.add(count).densities.iter_mut().zip(&rule.x) {
+            *v = middle + half * x;
         }
+        self.evaluate(chart, coordinate, first, Weights::Gauss(rule, half));
         self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), first, count });
     }
 
-    /// Evaluates the law at a node, and the density at the centre.
-    fn add_node(&mut self, chart: Chart, coordinate: Coordinate, at: f64, weight: f64) {
-        let node = self.node(chart, coordinate, at, weight);
-        self.evaluations += 1;
-        self.nodes.push(node);
-        self.densities.push(Density::new(self.centre, self.centre).at(&node));
-    }
-
-    fn node(&self, chart: Chart, coordinate: Coordinate, at: f64, weight: f64) -> Node {
-        let (interference, slope, height, response) = if chart == Chart::Interference {
-            let (s, slope) = coordinate.interference(at);
-            let response = self.asperities.at_interference(s * self.sigma_s_m);
-            (s, slope, coordinate.height(at, self.centre, s), response)
+    /// Evaluates the law at the nodes from `first` on, whose coordinates stand in the place of the densities, and then the
+    /// densities at the centre.
+    fn evaluate(&mut self, chart: Chart, coordinate: Coordinate, first: usize, weights: Weights) {
+        let (centre, sigma_s_m) = (self.centre, self.sigma_s_m);
+        let nodes = first..self.nodes.len();
+        self.evaluations += nodes.len();
+        let Rows { places, pressures_pa, area_fractions, densities, weights: products, slopes } =
+            self.nodes.rows(nodes);
+        let per_slope = if chart == Chart::Interference {
+            coordinate.interferences(densities, places, slopes);
+            let lengths_m = &mut *products;
+            lengths_m.iter_mut().zip(&*places).for_each(|(w, s)| *w = s * sigma_s_m);
+            if self.with_areas {
+                self.asperities.at_interferences(lengths_m, pressures_pa, area_fractions);
+            } else {
+                self.asperities.pressures_at_interferences(lengths_m, pressures_pa);
+            }
+            1.0
         } else {
-            let Point { interference_m, slope_m, response } = self.asperities.at_coordinate(chart, at);
-            let s = interference_m / self.sigma_s_m;
-            (s, slope_m / self.sigma_s_m, self.centre + s, response)
+            let points = Points {
+                interferences_m: &mut *places,
+                slopes_m: &mut *slopes,
+                pressures_pa: &mut *pressures_pa,
+                area_fractions: &mut *area_fractions,
+            };
+            self.asperities.at_coordinates(chart, densities, points);
+            places.iter_mut().for_each(|place| *place /= sigma_s_m);
+            1.0 / sigma_s_m
         };
-        let weight = weight * slope;
-        Node {
-            interference,
-            height,
-            pressure_pa: weight * response.pressure_pa,
-            area_fraction: weight * response.area_fraction,
+        match weights {
+            Weights::Equal(step) => products.fill(step * per_slope),
+            Weights::Gauss(rule, half) => {
+                let half = half * per_slope;
+                products.iter_mut().zip(&rule.weights).for_each(|(product, weight)| *product = half * weight);
+            }
         }
+        for (((pressure_pa, area_fraction), weight), slope) in
+            pressures_pa.iter_mut().zip(area_fractions).zip(&*products).zip(&*slopes)
+        {
+            let weight = weight * slope;
+            (*pressure_pa, *area_fraction) = (weight * *pressure_pa, weight * *area_fraction);
+        }
+        let density = Density::new(centre, centre);
+        if density.around_peak {
+            match coordinate {
+                // The coordinate is the height, to the last digit.
+                Coordinate::Height { .. } if chart == Chart::Interference => places.copy_from_slice(densities),
+                _ => places.iter_mut().for_each(|place| *place += centre),
+            }
+        }
+        density.at(places, densities);
     }
 
     /// Nodes that a Gauss-Legendre rule needs between two interferences, from how far the exponent of the density runs
@@ -291,7 +322,7 @@ impl<'a> Frame<'a> {
                 continue;
             }
             self.panels.remove(at);
-            let nodes = rule.nodes.len();
+            let nodes = rule.count();
             if nodes < MOST_NODES {
                 let rule = Rule::of_at_least(nodes + nodes / 3 + 1);
                 self.add_panel(chart, coordinate, [from, to], halvings, rule);
@@ -309,14 +340,11 @@ impl<'a> Frame<'a> {
         if live == self.nodes.len() {
             return;
         }
-        let (nodes, densities) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.densities));
-        self.nodes.reserve(live);
-        self.densities.reserve(live);
+        self.nodes.keep(self.panels.iter().map(Panel::range));
+        let mut first = 0;
         for panel in &mut self.panels {
-            let range = panel.range();
-            panel.first = self.nodes.len();
-            self.nodes.extend_from_slice(&nodes[range.clone()]);
-            self.densities.extend_from_slice(&densities[range]);
+            panel.first = first;
+            first += panel.count;
         }
     }
 
@@ -328,10 +356,8 @@ impl<'a> Frame<'a> {
     /// The integrals at a separation near the centre.
     pub fn sums_at(&mut self, u: f64) -> Sums {
         if u != self.u {
-            let density = Density::new(self.centre, u);
-            for (value, node) in self.densities.iter_mut().zip(&self.nodes) {
-                *value = density.at(node);
-            }
+            let Rows { places, densities, .. } = self.nodes.rows(0..self.nodes.len());
+            Density::new(self.centre, u).at(places, densities);
             self.u = u;
         }
         self.sums()
@@ -339,19 +365,25 @@ impl<'a> Frame<'a> {
 
     /// The integrals at the separation last summed at.
     fn sums(&self) -> Sums {
-        let (u, density) = (self.u, Density::new(self.centre, self.u));
-        let mut total = [0.0; 5];
-        for (node, share) in self.nodes.iter().zip(&self.densities) {
-            let height = density.height(node);
-            let pressure_pa = share * node.pressure_pa;
-            let moment = height * pressure_pa;
-            total[0] += pressure_pa;
-            total[1] += moment;
-            total[2] += height * moment;
-            total[3] += height * height * moment;
-            total[4] += share * node.area_fraction;
+        let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
+        let mut sums = [[0.0; LANES]; 5];
+        let [places, pressures_pa, area_fractions, densities] = self.nodes.in_lanes();
+        for (((place, pressure), area), density) in
+            places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
+        {
+            for lane in 0..LANES {
+                let height = shift + place[lane];
+                let pressure_pa = density[lane] * pressure[lane];
+                let moment = height * pressure_pa;
+                let second = height * moment;
+                sums[0][lane] += pressure_pa;
+                sums[1][lane] += moment;
+                sums[2][lane] += second;
+                sums[3][lane] += height * second;
+                sums[4][lane] += density[lane] * area[lane];
+            }
         }
-        total.iter_mut().for_each(|sum| *sum *= DENSITY_SCALE);
+        let mut total = sums.map(|lanes| DENSITY_SCALE * lanes.iter().sum::<f64>());
         if let Some((from, response)) = self.saturation {
             let share = gaussian::tail(u, from);
             let at_edge = gaussian::density(u, from);
@@ -412,7 +444,8 @@ impl<'a> Frame<'a> {
                     Chart::Interference => panel.coordinate.of(s),
                     chart => self.asperities.coordinate(chart, interference_m),
                 };
-                let loads = panel.range().map(|i| self.densities[i] * self.nodes[i].pressure_pa);
+                let [_, pressures_pa, _, densities] = self.nodes.summed(panel.range());
+                let loads = pressures_pa.iter().zip(densities).map(|(pressure_pa, share)| share * pressure_pa);
                 panel.load_above_pa(loads, at)
             })
             .sum();
@@ -436,12 +469,14 @@ impl<'a> Frame<'a> {
         let onward = if panel.coordinate.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
         let mut wholes = [0.0; 2];
         let mut coefficients = [[0.0; 4]; 2];
-        let nodes = self.nodes[panel.range()].iter().zip(&self.densities[panel.range()]);
-        for ((node, density), at) in nodes.zip(&rule.nodes) {
-            let values = [density * node.pressure_pa, density * node.area_fraction];
+        let [_, pressures_pa, area_fractions, densities] = self.nodes.summed(panel.range());
+        for (((pressure_pa, area_fraction), density), probes) in
+            pressures_pa.iter().zip(area_fractions).zip(densities).zip(&rule.probes)
+        {
+            let values = [density * pressure_pa, density * area_fraction];
             for ((whole, row), value) in wholes.iter_mut().zip(&mut coefficients).zip(values) {
                 *whole += value;
-                for (coefficient, probe) in row.iter_mut().zip(at.probes) {
+                for (coefficient, probe) in row.iter_mut().zip(probes) {
                     *coefficient += value * probe;
                 }
             }
@@ -463,7 +498,7 @@ impl<'a> Frame<'a> {
 /// The density of the heights at the separation u, over the reference density, on a frame around another separation.
 struct Density {
     around_peak: bool,
-    /// u, or how far it is from the centre.
+    /// u, or how far it is from the centre: what the place of a node lacks of the height at which it meets the flat.
     shift: f64,
     /// What is left of the exponent beside the part that depends on the node.
     left: f64,
@@ -480,18 +515,19 @@ impl Density {
         }
     }
 
-    /// The height at which a node meets the flat.
-    fn height(&self, node: &Node) -> f64 {
-        self.shift + if self.around_peak { node.height } else { node.interference }
-    }
-
-    fn at(&self, node: &Node) -> f64 {
-        let exponent = if self.around_peak {
-            -0.5 * (node.height + self.shift).powi(2)
+    /// The densities of nodes at their places.
+    fn at(&self, places: &[f64], densities: &mut [f64]) {
+        let Density { shift, left, .. } = *self;
+        if self.around_peak {
+            for (place, density) in places.iter().zip(densities) {
+                let height = place + shift;
+                *density = elementary::exp(-0.5 * height * height - left);
+            }
         } else {
-            -node.interference * (self.shift + 0.5 * node.interference)
-        };
-        (exponent - self.left).exp()
+            for (place, density) in places.iter().zip(densities) {
+                *density = elementary::exp(-place * (shift + 0.5 * place) - left);
+            }
+        }
     }
 }
 

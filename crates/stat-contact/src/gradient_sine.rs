@@ -3,7 +3,7 @@
 use asperity::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao};
 
 use crate::Population;
-use crate::asperities::{Asperities, Chart, Course, Piece, Point, Response};
+use crate::asperities::{Asperities, Chart, Course, Piece, Points, Response};
 use crate::root::{in_bracket, minimum};
 use crate::sine::ElasticSine;
 
@@ -151,13 +151,24 @@ impl Asperities for GradientSines {
         self.shape.coordinate(chart, interference_m)
     }
 
-    fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
-        let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, coordinate);
-        if interference_m >= self.amplitude_m {
-            return Point { interference_m, slope_m, response: self.at_interference(interference_m) };
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.at_depth(w).pressure_at_interference_pa(w / self.amplitude_m);
         }
-        let (pressure_pa, area_fraction) = self.at_depth(interference_m).pressure_and_area_at_power(t);
-        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
+    }
+
+    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], points: Points<'_>) {
+        for (i, &v) in coordinates.iter().enumerate() {
+            let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, v);
+            let (pressure_pa, area_fraction) = if interference_m < self.amplitude_m {
+                self.at_depth(interference_m).pressure_and_area_at_power(t)
+            } else {
+                let response = self.at_interference(interference_m);
+                (response.pressure_pa, response.area_fraction)
+            };
+            (points.interferences_m[i], points.slopes_m[i]) = (interference_m, slope_m);
+            (points.pressures_pa[i], points.area_fractions[i]) = (pressure_pa, area_fraction);
+        }
     }
 
     fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {

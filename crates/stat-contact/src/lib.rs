@@ -37,6 +37,7 @@ mod gaussian;
 mod gradient_sine;
 mod law;
 mod legendre;
+mod nodes;
 mod population;
 mod root;
 mod search;

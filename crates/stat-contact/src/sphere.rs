@@ -33,6 +33,26 @@ impl Asperities for ElasticSpheres {
         }
     }
 
+    fn at_interferences(
+        &self,
+        interferences_m: &[f64],
+        pressures_pa: &mut [f64],
+        area_fractions: &mut [f64],
+    ) {
+        for ((&w, pressure_pa), area_fraction) in
+            interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+        {
+            *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
+            *area_fraction = self.density_per_m2 * self.sphere.area_m2(w);
+        }
+    }
+
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
+        }
+    }
+
     fn hertzian(&self) -> Option<(f64, f64)> {
         Some((f64::INFINITY, self.density_per_m2 * self.sphere.area_m2(1.0)))
     }
@@ -122,6 +142,36 @@ impl Asperities for ElasticPlasticSpheres {
         let sphere = if interference_m < self.onset_m { self.elastic } else { self.at_depth(interference_m) };
         let (force_n, area_m2) = sphere.force_and_area(interference_m);
         Response { pressure_pa: self.density_per_m2 * force_n, area_fraction: self.density_per_m2 * area_m2 }
+    }
+
+    fn at_interferences(
+        &self,
+        interferences_m: &[f64],
+        pressures_pa: &mut [f64],
+        area_fractions: &mut [f64],
+    ) {
+        let nodes = interferences_m.iter().zip(pressures_pa).zip(area_fractions);
+        let elastic = interferences_m.first().is_some_and(|&w| w < self.onset_m);
+        if elastic || self.strength.strain_gradient_length_m().is_some() {
+            for ((&w, pressure_pa), area_fraction) in nodes {
+                let response = self.at_interference(w);
+                (*pressure_pa, *area_fraction) = (response.pressure_pa, response.area_fraction);
+            }
+            return;
+        }
+        let sphere = self.macroscopic;
+        for ((&w, pressure_pa), area_fraction) in nodes {
+            let (force_n, area_m2) = sphere.plastic_force_and_area(w);
+            (*pressure_pa, *area_fraction) =
+                (self.density_per_m2 * force_n, self.density_per_m2 * area_m2);
+        }
+    }
+
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            let sphere = if w < self.onset_m { self.elastic } else { self.at_depth(w) };
+            *pressure_pa = self.density_per_m2 * sphere.force_n(w);
+        }
     }
 
     fn hertzian(&self) -> Option<(f64, f64)> {
