@@ -37,15 +37,20 @@ impl Hardness {
     }
 
     /// H_G/Sy at ln(A/(pi R^2)) <= 0, twice the logarithm of a/R.
-    #[inline(always)]
     fn over_strength(self, log_area_share: f64) -> f64 {
         match self {
-            Hardness::JacksonGreen2005 => {
-                let power = elementary::exp(-0.35 * log_area_share);
-                2.84 * (1.0 - elementary::exp(-0.82 * power))
-            },
-            Hardness::Cosine => 2.84 - 0.92 * (1.0 - (PI * (0.5 * log_area_share).exp()).cos()),
+            Hardness::JacksonGreen2005 => Self::jackson_green_2005(log_area_share),
+            Hardness::Cosine => Self::cosine(log_area_share),
         }
+    }
+
+    #[inline(always)]
+    fn jackson_green_2005(log_area_share: f64) -> f64 {
+        2.84 * (1.0 - elementary::exp(-0.82 * elementary::exp(-0.35 * log_area_share)))
+    }
+
+    fn cosine(log_area_share: f64) -> f64 {
+        2.84 - 0.92 * (1.0 - (PI * (0.5 * log_area_share).exp()).cos())
     }
 }
 
@@ -109,18 +114,34 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
         } else {
-            self.plastic_force_n(interference_m, self.log_over_onset(interference_m))
+            let log_ratio = self.log_over_onset(interference_m);
+            self.plastic_force_n(interference_m, log_ratio, |log_share| self.hardness.over_strength(log_share))
         }
     }
 
-    /// Force \[N\] and contact area \[m^2\] at the interference w >= 1.9 w_c \[m\], without a branch.
+    /// Forces \[N\] and contact areas \[m^2\] at interferences w >= 1.9 w_c \[m\].
+    pub fn plastic_forces_and_areas(&self, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
+        // A loop for each hardness, so that the cosine of one does not keep the compiler from working on several
+        // interferences of the other at once.
+        let nodes = interferences_m.iter().zip(forces_n).zip(areas_m2);
+        match self.hardness {
+            Hardness::JacksonGreen2005 => nodes.for_each(|((&w, force_n), area_m2)| {
+                (*force_n, *area_m2) = self.plastic_force_and_area(w, Hardness::jackson_green_2005);
+            }),
+            Hardness::Cosine => nodes.for_each(|((&w, force_n), area_m2)| {
+                (*force_n, *area_m2) = self.plastic_force_and_area(w, Hardness::cosine);
+            }),
+        }
+    }
+
+    /// The same at one, without a branch; `over_strength` is the hardness.
     #[inline(always)]
-    pub fn plastic_force_and_area(&self, interference_m: f64) -> (f64, f64) {
+    fn plastic_force_and_area(&self, interference_m: f64, over_strength: impl Fn(f64) -> f64) -> (f64, f64) {
         let log_ratio = self.log_over_onset(interference_m);
         let grown_m2 = self.hertz.area_m2(interference_m) * elementary::exp(self.log_growth(log_ratio));
         let most_m2 = PI * self.radius_m * self.radius_m;
         let area_m2 = if grown_m2 < most_m2 { grown_m2 } else { most_m2 };
-        (self.plastic_force_n(interference_m, log_ratio), area_m2)
+        (self.plastic_force_n(interference_m, log_ratio, over_strength), area_m2)
     }
 
     /// Force \[N\] and contact area \[m^2\] at the interference w >= 0 \[m\]: [`force_n`](Self::force_n) and
@@ -131,7 +152,7 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             return (self.hertz.force_n(interference_m), hertz_area_m2.min(most_m2));
         }
-        self.plastic_force_and_area(interference_m)
+        self.plastic_force_and_area(interference_m, |log_share| self.hardness.over_strength(log_share))
     }
 
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
@@ -155,7 +176,7 @@ impl JacksonGreen {
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let onset = self.plastic_onset_m();
         let departure = onset.is_finite().then(|| {
-            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset, 0.0));
+            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset, 0.0, |log_share| self.hardness.over_strength(log_share)));
             Break::jump(onset, "departure from Hertz at 1.9 w_c", below, above)
         });
         let cap = Some(Break::kink(self.cap_interference_m(), "area reaches pi R^2"));
@@ -221,14 +242,19 @@ impl JacksonGreen {
 
     /// The force from the onset on; `log_ratio` is ln(w'/1.9).
     #[inline(always)]
-    fn plastic_force_n(&self, interference_m: f64, log_ratio: f64) -> f64 {
+    fn plastic_force_n(
+        &self,
+        interference_m: f64,
+        log_ratio: f64,
+        over_strength: impl Fn(f64) -> f64,
+    ) -> f64 {
         const LOG_OF_ONSET: f64 = 0.641_853_886_172_394_8;
         let w = interference_m / self.critical_interference_m;
         let critical_force_n =
             2.0 / 3.0 * self.yield_pressure_pa * PI * self.radius_m * self.critical_interference_m;
         let log_area_share = self.log_onset_over_radius + log_ratio + self.log_growth(log_ratio);
         let log_area_share = if log_area_share < 0.0 { log_area_share } else { 0.0 };
-        let hardness = self.hardness.over_strength(log_area_share);
+        let hardness = over_strength(log_area_share);
         // 5/12 and 5/9 are three and four times 5/36: both powers from one exponential.
         let power = elementary::exp(5.0 / 36.0 * (LOG_OF_ONSET + log_ratio));
         let square = power * power;

@@ -73,10 +73,9 @@ impl Coordinate {
 
     /// The interferences at coordinates, and their derivatives.
     pub fn interferences(self, coordinates: &[f64], interferences: &mut [f64], slopes: &mut [f64]) {
-        let points = coordinates.iter().zip(interferences).zip(slopes);
         match self {
             Coordinate::Root { c } => {
-                for ((&v, s), slope) in points {
+                for ((&v, s), slope) in coordinates.iter().zip(interferences).zip(slopes) {
                     let root = (c * c + v * v).sqrt();
                     // One division for both v^2/(root + c) and v/root.
                     let quotient = v / (root * (root + c));
@@ -84,15 +83,19 @@ impl Coordinate {
                 }
             }
             Coordinate::Height { u } => {
-                for ((&v, s), slope) in points {
+                for ((&v, s), slope) in coordinates.iter().zip(interferences).zip(slopes) {
                     (*s, *slope) = (v - u, 1.0);
                 }
             }
             Coordinate::Power { power } => {
-                let exponent = f64::from(power);
-                for ((&v, s), slope) in points {
-                    let below = v.powi(power - 1);
-                    (*s, *slope) = (below * v, exponent * below);
+                // A row of factors at a time, rather than a power of unknown exponent for each.
+                interferences.fill(1.0);
+                for _ in 1..power {
+                    interferences.iter_mut().zip(coordinates).for_each(|(below, v)| *below *= v);
+                }
+                for ((s, slope), v) in interferences.iter_mut().zip(slopes).zip(coordinates) {
+                    *slope = f64::from(power) * *s;
+                    *s *= v;
                 }
             }
         }

@@ -6,13 +6,14 @@
 //! the separation that carries a load therefore evaluates the law once, not once per step.
 
 use asperity::elementary;
+use wide::f64x2;
 
 use crate::asperities::{Asperities, Chart, Piece, Points, Response};
 use crate::cell::{Cell, Precision};
 use crate::coordinate::Coordinate;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
 use crate::legendre::Rule;
-use crate::nodes::{LANES, Nodes, Rows};
+use crate::nodes::{Block, Nodes, Rows, Summed, total};
 
 /// Law evaluations after which the error is accepted as it is, and reported.
 const MOST_EVALUATIONS: usize = 3000;
@@ -71,9 +72,7 @@ struct Panel {
     halvings: usize,
     /// None for the trapezoidal rule, whose error is known beforehand.
     rule: Option<&'static Rule>,
-    /// The first of its nodes among those of the frame, and their number.
-    first: usize,
-    count: usize,
+    nodes: Block,
 }
 
 /// The weights of a rule in a coordinate.
@@ -205,12 +204,12 @@ impl<'a> Frame<'a> {
         let [from, to] = [window.low, window.high].map(|s| self.coordinate.of(s));
         let first = (from / step - 0.5).ceil();
         let count = ((to - from) / step).ceil() as usize;
-        let (chart, coordinate, node) = (Chart::Interference, self.coordinate, self.nodes.len());
-        for (k, v) in self.nodes.add(count).densities.iter_mut().enumerate() {
+        let (chart, coordinate, nodes) = (Chart::Interference, self.coordinate, self.nodes.add(count));
+        for (k, v) in self.nodes.rows(nodes).densities.iter_mut().enumerate() {
             *v = (first + k as f64 + 0.5) * step;
         }
-        self.evaluate(chart, coordinate, node, Weights::Equal(step));
-        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, first: node, count });
+        self.evaluate(chart, coordinate, nodes, Weights::Equal(step));
+        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, nodes });
     }
 
     fn add_panel(
@@ -222,20 +221,19 @@ impl<'a> Frame<'a> {
         rule: &'static Rule,
     ) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let (first, count) = (self.nodes.len(), rule.count());
-        for (v, x) in self.nodes.add(count).densities.iter_mut().zip(&rule.x) {
+        let nodes = self.nodes.add(rule.count());
+        for (v, x) in self.nodes.rows(nodes).densities.iter_mut().zip(&rule.x) {
             *v = middle + half * x;
         }
-        self.evaluate(chart, coordinate, first, Weights::Gauss(rule, half));
-        self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), first, count });
+        self.evaluate(chart, coordinate, nodes, Weights::Gauss(rule, half));
+        self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), nodes });
     }
 
-    /// Evaluates the law at the nodes from `first` on, whose coordinates stand in the place of the densities, and then the
+    /// Evaluates the law at the nodes of a panel, whose coordinates stand in the place of the densities, and then the
     /// densities at the centre.
-    fn evaluate(&mut self, chart: Chart, coordinate: Coordinate, first: usize, weights: Weights) {
+    fn evaluate(&mut self, chart: Chart, coordinate: Coordinate, nodes: Block, weights: Weights) {
         let (centre, sigma_s_m) = (self.centre, self.sigma_s_m);
-        let nodes = first..self.nodes.len();
-        self.evaluations += nodes.len();
+        self.evaluations += nodes.count();
         let Rows { places, pressures_pa, area_fractions, densities, weights: products, slopes } =
             self.nodes.rows(nodes);
         let per_slope = if chart == Chart::Interference {
@@ -332,20 +330,6 @@ impl<'a> Frame<'a> {
             self.add_panel(chart, coordinate, [from, middle], halvings + 1, rule);
             self.add_panel(chart, coordinate, [middle, to], halvings + 1, rule);
         }
-        self.drop_nodes_without_panel();
-    }
-
-    fn drop_nodes_without_panel(&mut self) {
-        let live: usize = self.panels.iter().map(|panel| panel.count).sum();
-        if live == self.nodes.len() {
-            return;
-        }
-        self.nodes.keep(self.panels.iter().map(Panel::range));
-        let mut first = 0;
-        for panel in &mut self.panels {
-            panel.first = first;
-            first += panel.count;
-        }
     }
 
     /// Whether a separation is near enough to the centre.
@@ -356,8 +340,11 @@ impl<'a> Frame<'a> {
     /// The integrals at a separation near the centre.
     pub fn sums_at(&mut self, u: f64) -> Sums {
         if u != self.u {
-            let Rows { places, densities, .. } = self.nodes.rows(0..self.nodes.len());
-            Density::new(self.centre, u).at(places, densities);
+            let density = Density::new(self.centre, u);
+            for panel in &self.panels {
+                let Rows { places, densities, .. } = self.nodes.rows(panel.nodes);
+                density.at(places, densities);
+            }
             self.u = u;
         }
         self.sums()
@@ -366,24 +353,26 @@ impl<'a> Frame<'a> {
     /// The integrals at the separation last summed at.
     fn sums(&self) -> Sums {
         let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
-        let mut sums = [[0.0; LANES]; 5];
-        let [places, pressures_pa, area_fractions, densities] = self.nodes.in_lanes();
-        for (((place, pressure), area), density) in
-            places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
-        {
-            for lane in 0..LANES {
-                let height = shift + place[lane];
-                let pressure_pa = density[lane] * pressure[lane];
-                let moment = height * pressure_pa;
+        let mut sums = [f64x2::ZERO; 5];
+        for panel in &self.panels {
+            let Summed { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
+            for (((place, pressure_pa), area_fraction), density) in
+                places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
+            {
+                let [place, pressure_pa, area_fraction, density] =
+                    [place, pressure_pa, area_fraction, density].map(|lanes| f64x2::new(*lanes));
+                let height = place + shift;
+                let load = density * pressure_pa;
+                let moment = height * load;
                 let second = height * moment;
-                sums[0][lane] += pressure_pa;
-                sums[1][lane] += moment;
-                sums[2][lane] += second;
-                sums[3][lane] += height * second;
-                sums[4][lane] += density[lane] * area[lane];
+                sums[0] += load;
+                sums[1] += moment;
+                sums[2] += second;
+                sums[3] += height * second;
+                sums[4] += density * area_fraction;
             }
         }
-        let mut total = sums.map(|lanes| DENSITY_SCALE * lanes.iter().sum::<f64>());
+        let mut total = sums.map(|lanes| DENSITY_SCALE * total(lanes));
         if let Some((from, response)) = self.saturation {
             let share = gaussian::tail(u, from);
             let at_edge = gaussian::density(u, from);
@@ -444,8 +433,9 @@ impl<'a> Frame<'a> {
                     Chart::Interference => panel.coordinate.of(s),
                     chart => self.asperities.coordinate(chart, interference_m),
                 };
-                let [_, pressures_pa, _, densities] = self.nodes.summed(panel.range());
-                let loads = pressures_pa.iter().zip(densities).map(|(pressure_pa, share)| share * pressure_pa);
+                let Summed { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
+                let loads = pressures_pa.as_flattened().iter().zip(densities.as_flattened());
+                let loads = loads.map(|(pressure_pa, density)| density * pressure_pa);
                 panel.load_above_pa(loads, at)
             })
             .sum();
@@ -467,22 +457,23 @@ impl<'a> Frame<'a> {
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
         let Some(rule) = panel.rule else { return [0.0; 2] };
         let onward = if panel.coordinate.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
-        let mut wholes = [0.0; 2];
-        let mut coefficients = [[0.0; 4]; 2];
-        let [_, pressures_pa, area_fractions, densities] = self.nodes.summed(panel.range());
+        let mut wholes = [f64x2::ZERO; 2];
+        let mut coefficients = [[f64x2::ZERO; 4]; 2];
+        let Summed { pressures_pa, area_fractions, densities, .. } = self.nodes.summed(panel.nodes);
         for (((pressure_pa, area_fraction), density), probes) in
             pressures_pa.iter().zip(area_fractions).zip(densities).zip(&rule.probes)
         {
-            let values = [density * pressure_pa, density * area_fraction];
-            for ((whole, row), value) in wholes.iter_mut().zip(&mut coefficients).zip(values) {
-                *whole += value;
-                for (coefficient, probe) in row.iter_mut().zip(probes) {
-                    *coefficient += value * probe;
+            let density = f64x2::new(*density);
+            let values = [pressure_pa, area_fraction].map(|lanes| density * f64x2::new(*lanes));
+            for i in 0..2 {
+                wholes[i] += values[i];
+                for k in 0..4 {
+                    coefficients[i][k] += values[i] * probes[k];
                 }
             }
         }
         [0, 1].map(|i| {
-            let (whole, [a, b, c, d]) = (wholes[i], coefficients[i]);
+            let (whole, [a, b, c, d]) = (total(wholes[i]), coefficients[i].map(total));
             let (middle, high) = (a.abs().max(b.abs()), c.abs().max(d.abs()));
             if high == 0.0 {
                 return 0.0;
@@ -532,10 +523,6 @@ impl Density {
 }
 
 impl Panel {
-    fn range(&self) -> std::ops::Range<usize> {
-        self.first..self.first + self.count
-    }
-
     /// The integral of the pressure beyond a coordinate, of the polynomial through the loads at the nodes.
     fn load_above_pa(&self, loads: impl Iterator<Item = f64>, at: f64) -> f64 {
         let x = (2.0 * at - self.from - self.to) / (self.to - self.from);

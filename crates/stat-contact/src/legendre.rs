@@ -7,6 +7,9 @@
 use std::sync::OnceLock;
 
 use faer::{Mat, Side};
+use wide::f64x2;
+
+use crate::nodes::LANES;
 
 /// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
 const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
@@ -18,8 +21,8 @@ pub(crate) struct Rule {
     pub x: Vec<f64>,
     pub weights: Vec<f64>,
     /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
-    /// values of a function they give its Legendre coefficients.
-    pub probes: Vec<[f64; 4]>,
+    /// values of a function they give its Legendre coefficients. In lanes, zero where those outnumber the nodes.
+    pub probes: Vec<[f64x2; 4]>,
     /// (2k+1)/2 P_k(x) of every degree k below their number, node by node.
     polynomials: Vec<f64>,
 }
@@ -53,10 +56,16 @@ impl Rule {
             1.0 / legendre.iter().enumerate().map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>()
         };
         let half = size / 2;
-        let probes = |x: f64| [half, half - 1, size - 1, size - 2].map(|k| scaled(x)[k]);
+        let probes = |x: &[f64]| {
+            [half, half - 1, size - 1, size - 2].map(|k| {
+                let mut lanes = [0.0; LANES];
+                lanes.iter_mut().zip(x).for_each(|(lane, &x)| *lane = scaled(x)[k]);
+                f64x2::new(lanes)
+            })
+        };
         Rule {
             weights: x.iter().copied().map(weight).collect(),
-            probes: x.iter().copied().map(probes).collect(),
+            probes: x.chunks(LANES).map(probes).collect(),
             polynomials: x.iter().copied().flat_map(scaled).collect(),
             x,
         }

@@ -1,19 +1,23 @@
-//! The nodes of a quadrature: a row for each of their quantities, so that the compiler works on several nodes at once.
+//! The nodes of a quadrature: a row for each of their quantities, so that several nodes are worked on at once.
 
-use std::ops::Range;
+use wide::f64x2;
 
-/// Nodes that are added up side by side; rows hold a multiple of them, and zeros beyond the last node.
+/// Nodes that are added up side by side.
 pub(crate) const LANES: usize = 2;
 
-/// The rows of all nodes, in one stretch of memory.
+/// The rows of all panels, one panel after the other.
 pub(crate) struct Nodes {
     values: Vec<f64>,
-    /// Length of a row, of which `len` are in use.
-    stride: usize,
-    len: usize,
 }
 
-/// Some nodes, an entry in each row for each of them. Lengths are in units of sigma_s.
+/// Where the nodes of a panel are.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Block {
+    at: usize,
+    count: usize,
+}
+
+/// The nodes of a panel, an entry in each row for each of them. Lengths are in units of sigma_s.
 pub(crate) struct Rows<'a> {
     /// The height u + s at the separation u of the frame where that is not positive, else the interference s.
     pub places: &'a mut [f64],
@@ -22,9 +26,17 @@ pub(crate) struct Rows<'a> {
     pub area_fractions: &'a mut [f64],
     /// The density at the separation last summed at.
     pub densities: &'a mut [f64],
-    /// Weight of the rule, and derivative of the interference by the coordinate: of use while nodes are added.
+    /// Weight of the rule, and derivative of the interference by the coordinate: of use while the law is evaluated.
     pub weights: &'a mut [f64],
     pub slopes: &'a mut [f64],
+}
+
+/// What is added up over the nodes of a panel, in lanes.
+pub(crate) struct Summed<'a> {
+    pub places: &'a [[f64; LANES]],
+    pub pressures_pa: &'a [[f64; LANES]],
+    pub area_fractions: &'a [[f64; LANES]],
+    pub densities: &'a [[f64; LANES]],
 }
 
 impl Nodes {
@@ -32,74 +44,70 @@ impl Nodes {
 
     /// No nodes yet, and room for some.
     pub fn with_room_for(count: usize) -> Self {
-        let stride = count.next_multiple_of(LANES);
-        Nodes { values: vec![0.0; Self::ROWS * stride], stride, len: 0 }
+        Nodes { values: Vec::with_capacity(Self::ROWS * count) }
     }
 
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        self.len
+    /// The nodes of one more panel, all zero.
+    pub fn add(&mut self, count: usize) -> Block {
+        let at = self.values.len();
+        self.values.resize(at + Self::ROWS * count.next_multiple_of(LANES), 0.0);
+        Block { at, count }
     }
 
-    /// Some more nodes, all zero.
-    pub fn add(&mut self, count: usize) -> Rows<'_> {
-        let first = self.len;
-        if first + count > self.stride {
-            self.widen((first + count).next_multiple_of(LANES).max(2 * self.stride));
-        }
-        self.len += count;
-        self.rows(first..self.len)
-    }
-
-    fn widen(&mut self, stride: usize) {
-        let mut values = vec![0.0; Self::ROWS * stride];
-        for (wide, narrow) in values.chunks_exact_mut(stride).zip(self.values.chunks_exact(self.stride)) {
-            wide[..self.len].copy_from_slice(&narrow[..self.len]);
-        }
-        (self.values, self.stride) = (values, stride);
-    }
-
-    /// Keeps these ranges, which must not overlap, in their order.
-    pub fn keep(&mut self, ranges: impl Iterator<Item = Range<usize>>) {
-        let mut kept = Nodes::with_room_for(self.stride);
-        for range in ranges {
-            let to = kept.len..kept.len + range.len();
-            for row in 0..Self::ROWS {
-                let from = self.row(row, range.clone());
-                kept.values[row * kept.stride + to.start..][..to.len()].copy_from_slice(from);
-            }
-            kept.len = to.end;
-        }
-        *self = kept;
-    }
-
-    /// Those of a range.
-    pub fn rows(&mut self, range: Range<usize>) -> Rows<'_> {
-        let mut rows = self.values.chunks_exact_mut(self.stride).map(|row| &mut row[range.clone()]);
-        let mut next = || rows.next().expect("as many rows as there are quantities");
+    /// Those of a panel.
+    pub fn rows(&mut self, block: Block) -> Rows<'_> {
+        let Block { at, count } = block;
+        let rows = &mut self.values[at..at + Self::ROWS * block.row()];
+        let [places, pressures_pa, area_fractions, densities, weights, slopes] = split(rows, block.row());
         Rows {
-            places: next(),
-            pressures_pa: next(),
-            area_fractions: next(),
-            densities: next(),
-            weights: next(),
-            slopes: next(),
+            places: &mut places[..count],
+            pressures_pa: &mut pressures_pa[..count],
+            area_fractions: &mut area_fractions[..count],
+            densities: &mut densities[..count],
+            weights: &mut weights[..count],
+            slopes: &mut slopes[..count],
         }
     }
 
-    /// Places, pressures, areas and densities of a range.
-    pub fn summed(&self, range: Range<usize>) -> [&[f64]; 4] {
-        [0, 1, 2, 3].map(|row| self.row(row, range.clone()))
+    /// The same to be added up, with zeros where the lanes outnumber the nodes.
+    pub fn summed(&self, block: Block) -> Summed<'_> {
+        let (places, rest) = self.values[block.at..].split_at(block.row());
+        let (pressures_pa, rest) = rest.split_at(block.row());
+        let (area_fractions, rest) = rest.split_at(block.row());
+        Summed {
+            places: places.as_chunks().0,
+            pressures_pa: pressures_pa.as_chunks().0,
+            area_fractions: area_fractions.as_chunks().0,
+            densities: rest[..block.row()].as_chunks().0,
+        }
+    }
+}
+
+impl Block {
+    /// How many nodes there are.
+    pub fn count(self) -> usize {
+        self.count
     }
 
-    /// The same of all nodes, with as many zeros as make up whole lanes.
-    pub fn in_lanes(&self) -> [&[[f64; LANES]]; 4] {
-        self.summed(0..self.len.next_multiple_of(LANES)).map(|row| row.as_chunks().0)
+    /// The length of a row.
+    fn row(self) -> usize {
+        self.count.next_multiple_of(LANES)
     }
+}
 
-    fn row(&self, row: usize, range: Range<usize>) -> &[f64] {
-        &self.values[row * self.stride..][range]
-    }
+/// The rows of a block.
+fn split(rows: &mut [f64], length: usize) -> [&mut [f64]; Nodes::ROWS] {
+    let mut rest = rows;
+    std::array::from_fn(|_| {
+        let (row, others) = std::mem::take(&mut rest).split_at_mut(length);
+        rest = others;
+        row
+    })
+}
+
+/// The sum of the lanes.
+pub(crate) fn total(lanes: f64x2) -> f64 {
+    lanes.to_array().iter().sum()
 }
 
 #[cfg(test)]
@@ -107,19 +115,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nodes_stay_what_they_are_as_more_are_added_and_some_are_dropped() {
-        let mut nodes = Nodes::with_room_for(3);
-        for panel in 0..4 {
-            let rows = nodes.add(3);
-            rows.places.fill(f64::from(panel));
-            rows.densities.fill(-f64::from(panel));
+    fn panels_keep_their_nodes_and_an_odd_lane_is_empty() {
+        let mut nodes = Nodes::with_room_for(2);
+        let blocks = [3, 4].map(|count| nodes.add(count));
+        for (block, value) in blocks.into_iter().zip([1.0, 2.0]) {
+            let rows = nodes.rows(block);
+            assert_eq!(rows.slopes.len(), block.count());
+            rows.places.fill(value);
+            rows.densities.fill(-value);
+            rows.weights.fill(7.0);
         }
-        nodes.keep([3..6, 9..12].into_iter());
-        let [places, pressures, _, densities] = nodes.summed(0..nodes.len());
-        assert_eq!(places, [1.0, 1.0, 1.0, 3.0, 3.0, 3.0]);
-        assert_eq!(densities, [-1.0, -1.0, -1.0, -3.0, -3.0, -3.0]);
-        assert_eq!(pressures, [0.0; 6]);
-        nodes.add(1).places.fill(7.0);
-        assert_eq!(nodes.in_lanes()[0][3], [7.0, 0.0]);
+        let first = nodes.summed(blocks[0]);
+        assert_eq!(first.places, [[1.0, 1.0], [1.0, 0.0]]);
+        assert_eq!(first.densities, [[-1.0, -1.0], [-1.0, 0.0]]);
+        assert_eq!(first.pressures_pa, [[0.0; 2]; 2]);
+        assert_eq!(nodes.summed(blocks[1]).places, [[2.0; 2]; 2]);
+        assert_eq!(total(f64x2::new([1.0, 2.0])), 3.0);
     }
 }

@@ -3,9 +3,7 @@
 //! Their interference is explicit in the pressure, and the pressure in coordinates of the contact's own: the integrals run
 //! over those, and nothing is solved for.
 
-use asperity::{
-    BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, FlowPoint, MaterialPair, PlasticFlow, elementary,
-};
+use asperity::{BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, MaterialPair, PlasticFlow, elementary};
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Piece, Points, Response};

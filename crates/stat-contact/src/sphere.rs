@@ -150,21 +150,19 @@ impl Asperities for ElasticPlasticSpheres {
         pressures_pa: &mut [f64],
         area_fractions: &mut [f64],
     ) {
-        let nodes = interferences_m.iter().zip(pressures_pa).zip(area_fractions);
         let elastic = interferences_m.first().is_some_and(|&w| w < self.onset_m);
         if elastic || self.strength.strain_gradient_length_m().is_some() {
-            for ((&w, pressure_pa), area_fraction) in nodes {
+            for ((&w, pressure_pa), area_fraction) in
+                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+            {
                 let response = self.at_interference(w);
                 (*pressure_pa, *area_fraction) = (response.pressure_pa, response.area_fraction);
             }
             return;
         }
-        let sphere = self.macroscopic;
-        for ((&w, pressure_pa), area_fraction) in nodes {
-            let (force_n, area_m2) = sphere.plastic_force_and_area(w);
-            (*pressure_pa, *area_fraction) =
-                (self.density_per_m2 * force_n, self.density_per_m2 * area_m2);
-        }
+        self.macroscopic.plastic_forces_and_areas(interferences_m, pressures_pa, area_fractions);
+        pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
+        area_fractions.iter_mut().for_each(|area_m2| *area_m2 *= self.density_per_m2);
     }
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
