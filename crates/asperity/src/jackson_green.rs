@@ -119,17 +119,25 @@ impl JacksonGreen {
         }
     }
 
-    /// Forces \[N\] and contact areas \[m^2\] at interferences w >= 1.9 w_c \[m\].
-    pub fn plastic_forces_and_areas(&self, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
+    /// Forces \[N\] and contact areas \[m^2\] at interferences w >= 1.9 w_c \[m\], each under the law `at_depth` of it, all
+    /// of the same hardness.
+    #[inline]
+    pub fn plastic_forces_and_areas(
+        hardness: Hardness,
+        at_depth: impl Fn(f64) -> JacksonGreen,
+        interferences_m: &[f64],
+        forces_n: &mut [f64],
+        areas_m2: &mut [f64],
+    ) {
         // A loop for each hardness, so that the cosine of one does not keep the compiler from working on several
         // interferences of the other at once.
         let nodes = interferences_m.iter().zip(forces_n).zip(areas_m2);
-        match self.hardness {
+        match hardness {
             Hardness::JacksonGreen2005 => nodes.for_each(|((&w, force_n), area_m2)| {
-                (*force_n, *area_m2) = self.plastic_force_and_area(w, Hardness::jackson_green_2005);
+                (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, Hardness::jackson_green_2005);
             }),
             Hardness::Cosine => nodes.for_each(|((&w, force_n), area_m2)| {
-                (*force_n, *area_m2) = self.plastic_force_and_area(w, Hardness::cosine);
+                (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, Hardness::cosine);
             }),
         }
     }

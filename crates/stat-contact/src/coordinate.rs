@@ -1,5 +1,7 @@
 //! The coordinate in which integrals over the interference are smooth from first touch into the tail.
 
+use asperity::elementary;
+
 /// Root-like at the origin and linear far from it, in units of sigma_s:
 /// s = sqrt(c^2 + v^2) - c, or s = v - u where the origin is out of sight.
 ///
@@ -29,7 +31,7 @@ impl Coordinate {
     /// Where contacts at first touch are that rare already, the heights themselves serve, and keep their digits better.
     pub fn around(u: f64, farthest: f64, digits: f64) -> Self {
         // The margin makes up for the growth of a response like s^(3/2) from where the contacts are to the singularity.
-        let margin = 5.0 + 5.0 * u.max(0.0).ln_1p();
+        let margin = 5.0 + 5.0 * elementary::ln_1p(u.max(0.0));
         let level = digits + margin - 0.5 * farthest.min(0.0).powi(2);
         if level < 1.0 {
             return Coordinate::Height { u };
@@ -44,7 +46,7 @@ impl Coordinate {
     pub fn between(self, low: f64, high: f64) -> Self {
         const LOG_RATIO_LEFT: f64 = 2.3;
         const HIGHEST_POWER: f64 = 8.0;
-        let power = (high / low).ln() / LOG_RATIO_LEFT;
+        let power = elementary::ln(high / low) / LOG_RATIO_LEFT;
         if low > 0.0 && power > 1.0 {
             Coordinate::Power { power: power.ceil().min(HIGHEST_POWER) as i32 }
         } else {
@@ -67,7 +69,7 @@ impl Coordinate {
         match self {
             Coordinate::Root { c } => (s * (s + 2.0 * c)).sqrt(),
             Coordinate::Height { u } => s + u,
-            Coordinate::Power { power } => s.powf(1.0 / f64::from(power)),
+            Coordinate::Power { power } => elementary::exp(elementary::ln(s) / f64::from(power)),
         }
     }
 

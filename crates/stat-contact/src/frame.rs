@@ -90,14 +90,18 @@ impl<'a> Frame<'a> {
         cell: Cell,
         precision: Precision,
     ) -> Self {
+        // Room for nearly all; one panel of Hertz's spheres has a quarter.
         const NODES: usize = 96;
+        const NODES_OF_HERTZ: usize = 24;
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
-        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, NODES);
+        let area_per_m = asperities
+            .hertzian()
+            .and_then(|(until_m, area_per_m)| (window.high * sigma_s_m <= until_m).then_some(area_per_m));
+        let nodes = if area_per_m.is_some() { NODES_OF_HERTZ } else { NODES };
+        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, nodes);
         frame.high = window.high;
-        if let Some((until_m, area_per_m)) = asperities.hertzian()
-            && window.high * sigma_s_m <= until_m
-        {
+        if let Some(area_per_m) = area_per_m {
             frame.area_per_sigma = Some(area_per_m * sigma_s_m);
             frame.add_trapezoid(&window);
             return frame;
@@ -234,16 +238,21 @@ impl<'a> Frame<'a> {
     fn evaluate(&mut self, chart: Chart, coordinate: Coordinate, nodes: Block, weights: Weights) {
         let (centre, sigma_s_m) = (self.centre, self.sigma_s_m);
         self.evaluations += nodes.count();
-        let Rows { places, pressures_pa, area_fractions, densities, weights: products, slopes } =
-            self.nodes.rows(nodes);
+        let Rows { places, pressures_pa, area_fractions, densities, slopes } = self.nodes.rows(nodes);
+        let density = Density::new(centre, centre);
+        let shift = if density.around_peak { centre } else { 0.0 };
         let per_slope = if chart == Chart::Interference {
             coordinate.interferences(densities, places, slopes);
-            let lengths_m = &mut *products;
-            lengths_m.iter_mut().zip(&*places).for_each(|(w, s)| *w = s * sigma_s_m);
+            // Where the coordinate is the height, it is so to the last digit.
+            let by_height = density.around_peak && matches!(coordinate, Coordinate::Height { .. });
+            for (place, value) in places.iter_mut().zip(&mut *densities) {
+                let (s, v) = (*place, *value);
+                (*place, *value) = (if by_height { v } else { s + shift }, s * sigma_s_m);
+            }
             if self.with_areas {
-                self.asperities.at_interferences(lengths_m, pressures_pa, area_fractions);
+                self.asperities.at_interferences(densities, pressures_pa, area_fractions);
             } else {
-                self.asperities.pressures_at_interferences(lengths_m, pressures_pa);
+                self.asperities.pressures_at_interferences(densities, pressures_pa);
             }
             1.0
         } else {
@@ -254,29 +263,20 @@ impl<'a> Frame<'a> {
                 area_fractions: &mut *area_fractions,
             };
             self.asperities.at_coordinates(chart, densities, points);
-            places.iter_mut().for_each(|place| *place /= sigma_s_m);
+            places.iter_mut().for_each(|place| *place = *place / sigma_s_m + shift);
             1.0 / sigma_s_m
         };
         match weights {
-            Weights::Equal(step) => products.fill(step * per_slope),
+            Weights::Equal(step) => slopes.iter_mut().for_each(|slope| *slope *= step * per_slope),
             Weights::Gauss(rule, half) => {
                 let half = half * per_slope;
-                products.iter_mut().zip(&rule.weights).for_each(|(product, weight)| *product = half * weight);
+                slopes.iter_mut().zip(&rule.weights).for_each(|(slope, weight)| *slope *= half * weight);
             }
         }
-        for (((pressure_pa, area_fraction), weight), slope) in
-            pressures_pa.iter_mut().zip(area_fractions).zip(&*products).zip(&*slopes)
+        for ((pressure_pa, area_fraction), weight) in
+            pressures_pa.iter_mut().zip(area_fractions).zip(&*slopes)
         {
-            let weight = weight * slope;
             (*pressure_pa, *area_fraction) = (weight * *pressure_pa, weight * *area_fraction);
-        }
-        let density = Density::new(centre, centre);
-        if density.around_peak {
-            match coordinate {
-                // The coordinate is the height, to the last digit.
-                Coordinate::Height { .. } if chart == Chart::Interference => places.copy_from_slice(densities),
-                _ => places.iter_mut().for_each(|place| *place += centre),
-            }
         }
         density.at(places, densities);
     }
@@ -478,10 +478,10 @@ impl<'a> Frame<'a> {
             if high == 0.0 {
                 return 0.0;
             }
-            let first_fall = (whole.abs() / middle).ln().max(0.1);
-            let second_fall = (middle / high).ln().max(0.0);
+            let first_fall = elementary::ln(whole.abs() / middle).max(0.1);
+            let second_fall = elementary::ln(middle / high).max(0.0);
             let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
-            DENSITY_SCALE * high * (-COUNTED_ON * second_fall * falls).exp()
+            DENSITY_SCALE * high * elementary::exp(-COUNTED_ON * second_fall * falls)
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Populations of elastic-plastic sinusoids whose strength depends on the depth of the deformation.
 
-use asperity::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao};
+use asperity::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao, elementary};
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Course, Piece, Points, Response};
@@ -40,6 +40,7 @@ impl GradientSines {
         }
     }
 
+    #[inline(always)]
     fn at_depth(&self, depth_m: f64) -> ElasticPlasticSinusoid {
         ElasticPlasticSinusoid::new(&self.pair, self.aspect_ratio, self.strength.at_depth_pa(depth_m))
     }
@@ -69,13 +70,18 @@ impl GradientSines {
             return Vec::new();
         }
         let at = |log_m: f64| {
-            let depth_m = log_m.exp();
+            let depth_m = elementary::exp(log_m);
             self.at_depth(depth_m).flow_margin_at_interference(depth_m / self.amplitude_m)
         };
         let step = (to_m / from_m).ln() / (SAMPLES - 1) as f64;
         let sample = |log_m: f64| (log_m, at(log_m));
-        let mut samples: Vec<(f64, f64)> =
-            (0..SAMPLES).map(|i| sample(from_m.ln() + step * i as f64)).collect();
+        let low = from_m.ln();
+        let mut margins = [0.0; SAMPLES];
+        for (i, margin) in margins.iter_mut().enumerate() {
+            *margin = at(low + step * i as f64);
+        }
+        let mut samples: Vec<(f64, f64)> = Vec::with_capacity(SAMPLES + SAMPLES / 2);
+        samples.extend(margins.into_iter().enumerate().map(|(i, margin)| (low + step * i as f64, margin)));
         for i in 1..SAMPLES - 1 {
             let m = [i - 1, i, i + 1].map(|i| samples[i].1);
             let towards_zero =
@@ -157,17 +163,26 @@ impl Asperities for GradientSines {
         }
     }
 
-    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], points: Points<'_>) {
-        for (i, &v) in coordinates.iter().enumerate() {
-            let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, v);
-            let (pressure_pa, area_fraction) = if interference_m < self.amplitude_m {
-                self.at_depth(interference_m).pressure_and_area_at_power(t)
-            } else {
-                let response = self.at_interference(interference_m);
-                (response.pressure_pa, response.area_fraction)
-            };
-            (points.interferences_m[i], points.slopes_m[i]) = (interference_m, slope_m);
-            (points.pressures_pa[i], points.area_fractions[i]) = (pressure_pa, area_fraction);
+    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], mut points: Points<'_>) {
+        self.shape.at_coordinates(chart, coordinates, &mut points);
+        let Points { interferences_m, pressures_pa, area_fractions, .. } = points;
+        let (depth_m, t) = (interferences_m[0], area_fractions[0]);
+        let law = self.at_depth(depth_m);
+        if law.flow_margin_at_power(t) > 0.0 {
+            for ((&depth_m, pressure_pa), area_fraction) in
+                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+            {
+                (*pressure_pa, *area_fraction) =
+                    self.at_depth(depth_m).pressure_and_area_at_power(*area_fraction);
+            }
+        } else if law.yields_at(pressures_pa[0]) {
+            for ((&depth_m, pressure_pa), area_fraction) in
+                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+            {
+                *area_fraction = self.at_depth(depth_m).yielding_area_fraction(*pressure_pa);
+            }
+        } else {
+            self.shape.areas_at_coordinates(chart, coordinates, area_fractions);
         }
     }
 

@@ -26,8 +26,7 @@ pub(crate) struct Rows<'a> {
     pub area_fractions: &'a mut [f64],
     /// The density at the separation last summed at.
     pub densities: &'a mut [f64],
-    /// Weight of the rule, and derivative of the interference by the coordinate: of use while the law is evaluated.
-    pub weights: &'a mut [f64],
+    /// Derivative of the interference by the coordinate: of use while the law is evaluated.
     pub slopes: &'a mut [f64],
 }
 
@@ -40,7 +39,7 @@ pub(crate) struct Summed<'a> {
 }
 
 impl Nodes {
-    const ROWS: usize = 6;
+    const ROWS: usize = 5;
 
     /// No nodes yet, and room for some.
     pub fn with_room_for(count: usize) -> Self {
@@ -58,13 +57,12 @@ impl Nodes {
     pub fn rows(&mut self, block: Block) -> Rows<'_> {
         let Block { at, count } = block;
         let rows = &mut self.values[at..at + Self::ROWS * block.row()];
-        let [places, pressures_pa, area_fractions, densities, weights, slopes] = split(rows, block.row());
+        let [places, pressures_pa, area_fractions, densities, slopes] = split(rows, block.row());
         Rows {
             places: &mut places[..count],
             pressures_pa: &mut pressures_pa[..count],
             area_fractions: &mut area_fractions[..count],
             densities: &mut densities[..count],
-            weights: &mut weights[..count],
             slopes: &mut slopes[..count],
         }
     }
@@ -123,7 +121,7 @@ mod tests {
             assert_eq!(rows.slopes.len(), block.count());
             rows.places.fill(value);
             rows.densities.fill(-value);
-            rows.weights.fill(7.0);
+            rows.slopes.fill(7.0);
         }
         let first = nodes.summed(blocks[0]);
         assert_eq!(first.places, [[1.0, 1.0], [1.0, 0.0]]);

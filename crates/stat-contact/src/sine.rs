@@ -44,11 +44,15 @@ impl ElasticSine {
     /// The light chart's coordinate is t^(1/3), which turns the powers t^(4/3) and t^2.08 of the area into smooth ones; the
     /// heavy one's is -(1-t)^(1/2), in which w/Delta = 1 - (1-t)^(5/2) is a polynomial.
     pub fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
-        let log_gap = (-(interference_m / self.amplitude_m).min(1.0)).ln_1p();
-        match chart {
-            Chart::SineLight => (-(0.4 * log_gap).exp_m1()).cbrt(),
-            _ => -(0.2 * log_gap).exp(),
+        let ratio = (interference_m / self.amplitude_m).min(1.0);
+        let root = elementary::exp(0.2 * elementary::ln(1.0 - ratio));
+        if chart != Chart::SineLight {
+            return -root;
         }
+        // t = 1 - root^2 = (1 - root^10)/(1 + root^2 + ... + root^8), without cancellation.
+        let y = root * root;
+        let t = ratio * (2.0 - ratio) / (1.0 + y * (1.0 + y * (1.0 + y * (1.0 + y))));
+        if t > 0.0 { elementary::exp(elementary::ln(t) / 3.0) } else { 0.0 }
     }
 
     /// Mean pressure \[Pa\] at t.
@@ -375,12 +379,16 @@ impl Asperities for ElasticPlasticSines {
         }
         let ratio = interference_m / self.shape.amplitude_m;
         let log_x = if ratio < 1.0 { self.flow.log_pressure_at_interference(ratio) } else { 0.0 };
-        if chart == Chart::FlowLight { (0.25 * log_x).exp() } else { -(-log_x.exp_m1()).sqrt() }
+        if chart == Chart::FlowLight {
+            elementary::exp(0.25 * log_x)
+        } else {
+            -(-elementary::exp_m1(log_x)).sqrt()
+        }
     }
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
         for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
-            *pressure_pa = self.law.pressure_at_interference_pa(w / self.shape.amplitude_m);
+            *pressure_pa = self.flow.pressure_at_interference_pa(w / self.shape.amplitude_m);
         }
     }
 

@@ -102,10 +102,17 @@ impl ElasticPlasticSpheres {
     }
 
     /// The law of the strength at a depth \[m\].
+    #[inline(always)]
     fn at_depth(&self, depth_m: f64) -> JacksonGreen {
         if self.strength.strain_gradient_length_m().is_none() {
             return self.macroscopic;
         }
+        self.grown_at_depth(depth_m)
+    }
+
+    /// The same where the strength depends on the depth.
+    #[inline(always)]
+    fn grown_at_depth(&self, depth_m: f64) -> JacksonGreen {
         JacksonGreen::new(&self.pair, self.radius_m, self.strength.at_depth_pa(depth_m), self.hardness)
     }
 
@@ -150,17 +157,19 @@ impl Asperities for ElasticPlasticSpheres {
         pressures_pa: &mut [f64],
         area_fractions: &mut [f64],
     ) {
-        let elastic = interferences_m.first().is_some_and(|&w| w < self.onset_m);
-        if elastic || self.strength.strain_gradient_length_m().is_some() {
-            for ((&w, pressure_pa), area_fraction) in
-                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
-            {
-                let response = self.at_interference(w);
-                (*pressure_pa, *area_fraction) = (response.pressure_pa, response.area_fraction);
+        let (forces_n, areas_m2) = (&mut *pressures_pa, &mut *area_fractions);
+        let hardness = self.hardness;
+        if interferences_m.first().is_some_and(|&w| w < self.onset_m) {
+            for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
+                (*force_n, *area_m2) = self.elastic.force_and_area(w);
             }
-            return;
+        } else if self.strength.strain_gradient_length_m().is_none() {
+            let sphere = self.macroscopic;
+            JacksonGreen::plastic_forces_and_areas(hardness, |_| sphere, interferences_m, forces_n, areas_m2);
+        } else {
+            let of_strength = |depth_m: f64| self.grown_at_depth(depth_m);
+            JacksonGreen::plastic_forces_and_areas(hardness, of_strength, interferences_m, forces_n, areas_m2);
         }
-        self.macroscopic.plastic_forces_and_areas(interferences_m, pressures_pa, area_fractions);
         pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
         area_fractions.iter_mut().for_each(|area_m2| *area_m2 *= self.density_per_m2);
     }
