@@ -55,9 +55,15 @@ fn scale_and_rest(x: f64) -> (f64, f64) {
     let shifted = x * std::f64::consts::LOG2_E + SHIFT;
     let exponent = shifted - SHIFT;
     let r = (x - exponent * LN_2[0]) - exponent * LN_2[1];
-    let series = polynomial(&EXPONENTIAL, r);
+    // In pairs, which do not wait for one another.
+    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = EXPONENTIAL;
+    let square = r * r;
+    let fourth = square * square;
+    let low = (c0 + c1 * r) + (c2 + c3 * r) * square;
+    let middle = (c4 + c5 * r) + (c6 + c7 * r) * square;
+    let series = low + (middle + (c8 + c9 * r) * fourth) * fourth;
     let scale = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1f64.to_bits()));
-    (scale, r + r * r * series)
+    (scale, r + square * series)
 }
 
 /// ln x to one unit in the last place, for every x from the smallest normal number up to the largest.
@@ -74,7 +80,11 @@ pub fn ln(x: f64) -> f64 {
     let s = f / (2.0 + f);
     let square = s * s;
     let half = 0.5 * f * f;
-    let series = square * polynomial(&LOGARITHM, square);
+    let [c0, c1, c2, c3, c4, c5, c6] = LOGARITHM;
+    let fourth = square * square;
+    let even = c0 + fourth * (c2 + fourth * (c4 + fourth * c6));
+    let odd = c1 + fourth * (c3 + fourth * c5);
+    let series = square * (even + square * odd);
     s * (half + series) + exponent * LN_2[1] - half + f + exponent * LN_2[0]
 }
 
@@ -84,15 +94,6 @@ pub fn ln_1p(x: f64) -> f64 {
     let sum = 1.0 + x;
     // What the rounding of the sum took away, as the first term of its series.
     ln(sum) + (x - (sum - 1.0)) / sum
-}
-
-#[inline(always)]
-fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
-    let mut sum = coefficients[N - 1];
-    for &coefficient in coefficients[..N - 1].iter().rev() {
-        sum = sum * x + coefficient;
-    }
-    sum
 }
 
 #[cfg(test)]

@@ -115,7 +115,9 @@ impl JacksonGreen {
             self.hertz.force_n(interference_m)
         } else {
             let log_ratio = self.log_over_onset(interference_m);
-            self.plastic_force_n(interference_m, log_ratio, |log_share| self.hardness.over_strength(log_share))
+            self.plastic_force_n(interference_m, log_ratio, |log_share| {
+                self.hardness.over_strength(log_share)
+            })
         }
     }
 
@@ -184,7 +186,10 @@ impl JacksonGreen {
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let onset = self.plastic_onset_m();
         let departure = onset.is_finite().then(|| {
-            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset, 0.0, |log_share| self.hardness.over_strength(log_share)));
+            let (below, above) = (
+                self.hertz.force_n(onset),
+                self.plastic_force_n(onset, 0.0, |log_share| self.hardness.over_strength(log_share)),
+            );
             Break::jump(onset, "departure from Hertz at 1.9 w_c", below, above)
         });
         let cap = Some(Break::kink(self.cap_interference_m(), "area reaches pi R^2"));

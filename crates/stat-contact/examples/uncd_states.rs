@@ -37,10 +37,7 @@ fn main() {
                 let d = state.separation_m.unwrap_or(f64::NAN);
                 println!(
                     "{name} {d:.12e} {:.12e} {:.12e} {:.2e} {}",
-                    state.ln_pressure_pa,
-                    state.ln_area_fraction,
-                    state.error_estimate,
-                    state.evaluations
+                    state.ln_pressure_pa, state.ln_area_fraction, state.error_estimate, state.evaluations
                 );
             }
         } else {

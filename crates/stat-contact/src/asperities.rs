@@ -58,8 +58,7 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
         pressures_pa: &mut [f64],
         area_fractions: &mut [f64],
     ) {
-        for ((w, pressure_pa), area_fraction) in
-            interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+        for ((w, pressure_pa), area_fraction) in interferences_m.iter().zip(pressures_pa).zip(area_fractions)
         {
             let response = self.at_interference(*w);
             (*pressure_pa, *area_fraction) = (response.pressure_pa, response.area_fraction);
@@ -73,8 +72,8 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
         }
     }
 
-    /// The interference \[m\] up to which every asperity is Hertz's, and the area fraction per interference \[1/m\] there.
-    fn hertzian(&self) -> Option<(f64, f64)> {
+    /// Hertz's law, where asperities follow it at first.
+    fn hertzian(&self) -> Option<Hertzian> {
         None
     }
 
@@ -122,6 +121,17 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     fn falls_from_m(&self) -> Option<f64> {
         None
     }
+}
+
+/// A population that is Hertz's at small interferences.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hertzian {
+    /// The interference \[m\] up to which every asperity is.
+    pub until_m: f64,
+    /// The area fraction per interference \[1/m\].
+    pub area_per_m: f64,
+    /// eta F per interference^(3/2) \[Pa/m^1.5\].
+    pub pressure_per_three_halves: f64,
 }
 
 /// How a force goes with the interference.

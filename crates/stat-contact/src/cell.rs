@@ -24,6 +24,14 @@ impl Precision {
         // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
         Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * elementary::ln(digits) + 2.0 }
     }
+
+    /// Estimate of the relative error that rules of this precision leave beside that of their panels: what is left out of
+    /// the window, the step of the trapezoidal rule, and rounding.
+    pub fn relative_error(&self) -> f64 {
+        const ROUNDING: f64 = 1e-14;
+        let drop = self.drop;
+        0.5 * drop * drop * elementary::exp(-drop) + 3.0 * elementary::exp(-self.digits) + ROUNDING
+    }
 }
 
 /// A range of separations, in units of sigma_s, that one quadrature serves.

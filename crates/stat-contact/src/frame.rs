@@ -11,9 +11,11 @@ use wide::f64x2;
 use crate::asperities::{Asperities, Chart, Piece, Points, Response};
 use crate::cell::{Cell, Precision};
 use crate::coordinate::Coordinate;
+use crate::density::Density;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
 use crate::legendre::Rule;
 use crate::nodes::{Block, Nodes, Rows, Summed, total};
+use crate::trapezoid::Trapezoid;
 
 /// Law evaluations after which the error is accepted as it is, and reported.
 const MOST_EVALUATIONS: usize = 3000;
@@ -56,6 +58,16 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
+    /// Those of Hertz's spheres, as far as their state needs them.
+    pub fn of_hertz(pressure_pa: f64, area_fraction: f64, mean_height: f64) -> Self {
+        Sums { pressure_pa, area_fraction, mean_heights: [mean_height, f64::NAN, f64::NAN] }
+    }
+
+    /// Derivative of ln p by u.
+    pub fn log_pressure_slope(&self) -> f64 {
+        -self.mean_heights[0]
+    }
+
     /// First, second and third derivative of ln p by u.
     pub fn log_pressure_slopes(&self) -> [f64; 3] {
         let [mean, square, cube] = self.mean_heights;
@@ -97,7 +109,7 @@ impl<'a> Frame<'a> {
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
         let area_per_m = asperities
             .hertzian()
-            .and_then(|(until_m, area_per_m)| (window.high * sigma_s_m <= until_m).then_some(area_per_m));
+            .and_then(|hertz| (window.high * sigma_s_m <= hertz.until_m).then_some(hertz.area_per_m));
         let nodes = if area_per_m.is_some() { NODES_OF_HERTZ } else { NODES };
         let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, nodes);
         frame.high = window.high;
@@ -201,18 +213,15 @@ impl<'a> Frame<'a> {
         self.add_panel(piece.chart, coordinate, [from, to], 0, rule);
     }
 
-    /// The trapezoidal rule over a window of Hertz's spheres. Their force is an even function of the coordinate, so that
-    /// the rule converges exponentially; their area is an odd one, and has a closed form instead.
     fn add_trapezoid(&mut self, window: &Window) {
-        let step = Coordinate::trapezoidal_step(self.precision.digits);
         let [from, to] = [window.low, window.high].map(|s| self.coordinate.of(s));
-        let first = (from / step - 0.5).ceil();
-        let count = ((to - from) / step).ceil() as usize;
-        let (chart, coordinate, nodes) = (Chart::Interference, self.coordinate, self.nodes.add(count));
+        let trapezoid = Trapezoid::between(from, to, self.precision.digits);
+        let (chart, coordinate) = (Chart::Interference, self.coordinate);
+        let nodes = self.nodes.add(trapezoid.count);
         for (k, v) in self.nodes.rows(nodes).densities.iter_mut().enumerate() {
-            *v = (first + k as f64 + 0.5) * step;
+            *v = trapezoid.at(k);
         }
-        self.evaluate(chart, coordinate, nodes, Weights::Equal(step));
+        self.evaluate(chart, coordinate, nodes, Weights::Equal(trapezoid.step));
         self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, nodes });
     }
 
@@ -240,14 +249,11 @@ impl<'a> Frame<'a> {
         self.evaluations += nodes.count();
         let Rows { places, pressures_pa, area_fractions, densities, slopes } = self.nodes.rows(nodes);
         let density = Density::new(centre, centre);
-        let shift = if density.around_peak { centre } else { 0.0 };
         let per_slope = if chart == Chart::Interference {
             coordinate.interferences(densities, places, slopes);
-            // Where the coordinate is the height, it is so to the last digit.
-            let by_height = density.around_peak && matches!(coordinate, Coordinate::Height { .. });
             for (place, value) in places.iter_mut().zip(&mut *densities) {
                 let (s, v) = (*place, *value);
-                (*place, *value) = (if by_height { v } else { s + shift }, s * sigma_s_m);
+                (*place, *value) = (density.place(coordinate, v, s), s * sigma_s_m);
             }
             if self.with_areas {
                 self.asperities.at_interferences(densities, pressures_pa, area_fractions);
@@ -263,7 +269,8 @@ impl<'a> Frame<'a> {
                 area_fractions: &mut *area_fractions,
             };
             self.asperities.at_coordinates(chart, densities, points);
-            places.iter_mut().for_each(|place| *place = *place / sigma_s_m + shift);
+            let origin = if density.around_peak { centre } else { 0.0 };
+            places.iter_mut().for_each(|place| *place = *place / sigma_s_m + origin);
             1.0 / sigma_s_m
         };
         match weights {
@@ -391,16 +398,13 @@ impl<'a> Frame<'a> {
 
     /// Estimate of the larger relative error of the two integrals at the separation last summed at.
     pub fn relative_error(&self, sums: &Sums) -> f64 {
-        const ROUNDING: f64 = 1e-14;
         let mut errors = [0.0; 2];
         for panel in &self.panels {
             let [pressure, area] = self.errors(panel);
             errors[0] += pressure;
             errors[1] += area;
         }
-        let rules = (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction);
-        let drop = self.precision.drop;
-        rules + 0.5 * drop * drop * (-drop).exp() + 3.0 * (-self.precision.digits).exp() + ROUNDING
+        (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction) + self.precision.relative_error()
     }
 
     /// Share of the load, at the separation last summed at, that is carried at interferences for which the law was not
@@ -483,42 +487,6 @@ impl<'a> Frame<'a> {
             let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
             DENSITY_SCALE * high * elementary::exp(-COUNTED_ON * second_fall * falls)
         })
-    }
-}
-
-/// The density of the heights at the separation u, over the reference density, on a frame around another separation.
-struct Density {
-    around_peak: bool,
-    /// u, or how far it is from the centre: what the place of a node lacks of the height at which it meets the flat.
-    shift: f64,
-    /// What is left of the exponent beside the part that depends on the node.
-    left: f64,
-}
-
-impl Density {
-    fn new(centre: f64, u: f64) -> Self {
-        let log_reference = log_reference_density(u);
-        if centre > 0.0 {
-            // What the reference density leaves of u^2/2: nothing, unless the cell's neighbour lies across zero.
-            Density { around_peak: false, shift: u, left: 0.5 * u * u + log_reference }
-        } else {
-            Density { around_peak: true, shift: u - centre, left: log_reference }
-        }
-    }
-
-    /// The densities of nodes at their places.
-    fn at(&self, places: &[f64], densities: &mut [f64]) {
-        let Density { shift, left, .. } = *self;
-        if self.around_peak {
-            for (place, density) in places.iter().zip(densities) {
-                let height = place + shift;
-                *density = elementary::exp(-0.5 * height * height - left);
-            }
-        } else {
-            for (place, density) in places.iter().zip(densities) {
-                *density = elementary::exp(-place * (shift + 0.5 * place) - left);
-            }
-        }
     }
 }
 

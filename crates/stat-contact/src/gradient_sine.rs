@@ -1,6 +1,8 @@
 //! Populations of elastic-plastic sinusoids whose strength depends on the depth of the deformation.
 
-use asperity::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao, elementary};
+use asperity::{
+    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao, elementary,
+};
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Course, Piece, Points, Response};

@@ -126,7 +126,8 @@ mod tests {
             let rule = Rule::of_at_least(size);
             assert_eq!(rule.count(), size);
             for degree in 0..2 * size {
-                let terms = rule.x.iter().zip(&rule.weights).map(|(x, weight)| weight * x.powi(degree as i32));
+                let terms =
+                    rule.x.iter().zip(&rule.weights).map(|(x, weight)| weight * x.powi(degree as i32));
                 let sum: f64 = terms.sum();
                 let exact = if degree % 2 == 0 { 2.0 / (degree + 1) as f64 } else { 0.0 };
                 assert!((sum - exact).abs() < 2e-15, "{size} nodes, degree {degree}: {sum} against {exact}");

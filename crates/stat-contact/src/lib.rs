@@ -31,6 +31,7 @@ mod asperities;
 mod cell;
 mod contact;
 mod coordinate;
+mod density;
 mod far;
 mod frame;
 mod gaussian;
@@ -44,6 +45,7 @@ mod search;
 mod sine;
 mod sphere;
 mod state;
+mod trapezoid;
 
 pub use contact::StatisticalContact;
 pub use law::{AsperityLaw, InterferenceLaw, Model, UnknownName};

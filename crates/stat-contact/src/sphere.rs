@@ -6,7 +6,7 @@ use asperity::{
 };
 
 use crate::Population;
-use crate::asperities::{Asperities, Chart, Course, Piece, Response, pieces_between};
+use crate::asperities::{Asperities, Chart, Course, Hertzian, Piece, Response, pieces_between};
 use crate::root::in_bracket;
 
 /// Elastic spheres.
@@ -39,8 +39,7 @@ impl Asperities for ElasticSpheres {
         pressures_pa: &mut [f64],
         area_fractions: &mut [f64],
     ) {
-        for ((&w, pressure_pa), area_fraction) in
-            interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+        for ((&w, pressure_pa), area_fraction) in interferences_m.iter().zip(pressures_pa).zip(area_fractions)
         {
             *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
             *area_fraction = self.density_per_m2 * self.sphere.area_m2(w);
@@ -53,12 +52,21 @@ impl Asperities for ElasticSpheres {
         }
     }
 
-    fn hertzian(&self) -> Option<(f64, f64)> {
-        Some((f64::INFINITY, self.density_per_m2 * self.sphere.area_m2(1.0)))
+    fn hertzian(&self) -> Option<Hertzian> {
+        Some(hertzian(&self.sphere, self.density_per_m2, f64::INFINITY))
     }
 
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece> {
         Vec::new()
+    }
+}
+
+/// So many spheres that are Hertz's up to an interference.
+fn hertzian(sphere: &Hertz, density_per_m2: f64, until_m: f64) -> Hertzian {
+    Hertzian {
+        until_m,
+        area_per_m: density_per_m2 * sphere.area_m2(1.0),
+        pressure_per_three_halves: density_per_m2 * sphere.force_per_three_halves(),
     }
 }
 
@@ -168,7 +176,13 @@ impl Asperities for ElasticPlasticSpheres {
             JacksonGreen::plastic_forces_and_areas(hardness, |_| sphere, interferences_m, forces_n, areas_m2);
         } else {
             let of_strength = |depth_m: f64| self.grown_at_depth(depth_m);
-            JacksonGreen::plastic_forces_and_areas(hardness, of_strength, interferences_m, forces_n, areas_m2);
+            JacksonGreen::plastic_forces_and_areas(
+                hardness,
+                of_strength,
+                interferences_m,
+                forces_n,
+                areas_m2,
+            );
         }
         pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
         area_fractions.iter_mut().for_each(|area_m2| *area_m2 *= self.density_per_m2);
@@ -181,9 +195,9 @@ impl Asperities for ElasticPlasticSpheres {
         }
     }
 
-    fn hertzian(&self) -> Option<(f64, f64)> {
-        let area_per_m = self.density_per_m2 * std::f64::consts::PI * self.radius_m;
-        Some((self.onset_m.min(self.radius_m), area_per_m))
+    fn hertzian(&self) -> Option<Hertzian> {
+        let sphere = Hertz::new(&self.pair, self.radius_m);
+        Some(hertzian(&sphere, self.density_per_m2, self.onset_m.min(self.radius_m)))
     }
 
     fn pieces(&self, _low_m: f64, high_m: f64) -> Vec<Piece> {
