@@ -22,7 +22,7 @@ impl GapExponent {
     /// elastic at r = 1.
     #[inline(always)]
     pub fn elastic_plastic(aspect_ratio_over_critical: f64) -> Self {
-        const LOG_OF_99_HUNDREDTHS: f64 = -0.010_050_335_853_501_441;
+        const LOG_OF_99_HUNDREDTHS: f64 = -0.010_050_335_853_501_44;
         let beyond = aspect_ratio_over_critical - 1.0;
         GapExponent {
             a1: -0.1 * elementary::ln(aspect_ratio_over_critical),
