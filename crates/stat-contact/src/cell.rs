@@ -22,6 +22,15 @@ impl Precision {
         // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
         Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * digits.ln() + 2.0 }
     }
+
+    /// The precision that a cell needs: far below the mean plane ln p goes like ln(-u), and a search has to see its slope
+    /// and its curvature, which are means of heights of the order of 1/u and 1/u^2.
+    pub fn in_cell(self, cell: Cell) -> Self {
+        const SHARE: f64 = 0.1;
+        let depth = cell.centre().min(0.0);
+        let curvature = SHARE / (depth * depth);
+        if self.tolerance <= curvature { self } else { Self::new(curvature) }
+    }
 }
 
 /// A range of separations, in units of sigma_s, that one quadrature serves.

@@ -90,6 +90,7 @@ impl<'a> Frame<'a> {
         precision: Precision,
     ) -> Self {
         const NODES: usize = 96;
+        let precision = precision.in_cell(cell);
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
         let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, NODES);
