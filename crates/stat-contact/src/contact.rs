@@ -48,9 +48,9 @@ impl StatisticalContact {
     /// of pressure and area fraction (1e-13 to 1e-2; values outside are taken as the nearer end).
     ///
     /// # Errors
-    /// [`AsperityError`] where the separation is not finite.
+    /// [`AsperityError`] where the separation is not finite, or beyond 1e30 m.
     pub fn at_separation(&self, separation_m: f64, tolerance: f64) -> Result<ContactState, AsperityError> {
-        let separation_m = Bound::Finite.check("separation in m", separation_m)?;
+        let separation_m = Bound::Signed.check("separation in m", separation_m)?;
         if let Some(response) = self.far_below().at_separation(separation_m) {
             return Ok(ContactState::without_spread(separation_m, &response));
         }
@@ -77,6 +77,9 @@ impl StatisticalContact {
         start: Option<&ContactState>,
     ) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
+        if pressure_pa >= self.asperities.highest_response_pa() {
+            return Ok(ContactState::complete(pressure_pa));
+        }
         let far_below = self.far_below();
         // Where the highest pressure is carried far below, no nearer separation carries more.
         if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {

@@ -87,9 +87,6 @@ impl Bracket {
 impl<'a> Search<'a> {
     /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
     pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
-        if self.pressure_pa >= self.asperities.highest_response_pa() {
-            return None;
-        }
         let near = start.unwrap_or(USUAL_SEPARATION);
         match self.asperities.course(self.sigma_s_m) {
             Course::StepsDown { at_m } if at_m < FAR * self.sigma_s_m => {
@@ -241,7 +238,7 @@ impl<'a> Search<'a> {
                 return Some(bracket.hold(u, f64::NAN, -1.0));
             }
             if slope >= 0.0 || (curvature < 0.0 && slope * slope < -2.0 * missing * curvature) {
-                return Self::next_to_peak(u, missing, [slope, curvature], bracket);
+                return self.next_to_peak(u, missing, [slope, curvature], bracket);
             }
         }
         bracket.narrow(u, missing);
@@ -256,6 +253,7 @@ impl<'a> Search<'a> {
     /// Where u lies on the near side of the peak, or the parabola through ln p does not reach the target: the far side of
     /// the parabola where that meets the target, else its peak; `None` where u is at the peak, and that is too low.
     fn next_to_peak(
+        &self,
         u: f64,
         missing: f64,
         [slope, curvature]: [f64; 2],
@@ -270,7 +268,9 @@ impl<'a> Search<'a> {
         }
         let discriminant = slope * slope + 2.0 * missing * curvature;
         let step = -(slope + discriminant.max(0.0).sqrt()) / curvature;
-        if discriminant < 0.0 && step.abs() < AT_THE_PEAK * (1.0 + u.abs()) {
+        let at_the_peak = discriminant < 0.0 && step.abs() < AT_THE_PEAK * (1.0 + u.abs());
+        // The parabola may miss a load that the peak itself just carries.
+        if at_the_peak && self.pressure_pa > self.highest_pressure_pa() {
             return None;
         }
         Some(bracket.hold(u, u + step, missing_here))
