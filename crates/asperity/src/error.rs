@@ -64,7 +64,9 @@ impl std::fmt::Display for Bound {
         match self {
             Bound::Positive => write!(f, "finite and greater than 0"),
             Bound::Finite => write!(f, "finite"),
-            Bound::LeftOpen { above, at_most } => write!(f, "greater than {above} and at most {at_most}"),
+            Bound::LeftOpen { above, at_most } => {
+                write!(f, "greater than {above} and at most {}", short(*at_most))
+            }
             Bound::AtLeast(least) => write!(f, "finite and at least {}", short(*least)),
             Bound::Magnitude => write!(f, "from {SMALLEST:e} to {LARGEST:e}"),
             Bound::Signed => write!(f, "from -{LARGEST:e} to {LARGEST:e}"),

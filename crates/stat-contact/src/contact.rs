@@ -2,7 +2,7 @@
 
 use asperity::{AsperityError, Bound, MaterialPair};
 
-use crate::asperities::{Asperities, Response};
+use crate::asperities::Asperities;
 use crate::cell::{Cell, Precision};
 use crate::far::FarBelow;
 use crate::frame::Frame;
@@ -22,6 +22,9 @@ pub struct StatisticalContact {
 }
 
 impl StatisticalContact {
+    /// Pressures \[Pa\] that may be asked for.
+    const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
+
     /// The contact of a population of a material under a law.
     pub fn new(pair: &MaterialPair, population: &Population, law: &AsperityLaw) -> Self {
         let asperities: Box<dyn Asperities> = match *law {
@@ -51,8 +54,8 @@ impl StatisticalContact {
     /// [`AsperityError`] where the separation is not finite, or beyond 1e30 m.
     pub fn at_separation(&self, separation_m: f64, tolerance: f64) -> Result<ContactState, AsperityError> {
         let separation_m = Bound::Signed.check("separation in m", separation_m)?;
-        if let Some(response) = self.far_below().at_separation(separation_m) {
-            return Ok(ContactState::without_spread(separation_m, &response));
+        if let Some(state) = self.far_below().at_separation(separation_m) {
+            return Ok(state);
         }
         let u = separation_m / self.sigma_s_m;
         let mut frame = self.frame(Cell::of(u), Precision::new(tolerance));
@@ -69,7 +72,7 @@ impl StatisticalContact {
     /// no separation, and area fraction 1.
     ///
     /// # Errors
-    /// [`AsperityError`] unless the pressure is finite and positive.
+    /// [`AsperityError`] unless the pressure is positive and at most 1e60 Pa.
     pub fn at_pressure(
         &self,
         pressure_pa: f64,
@@ -77,6 +80,7 @@ impl StatisticalContact {
         start: Option<&ContactState>,
     ) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
+        let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
         if pressure_pa >= self.asperities.highest_response_pa() {
             return Ok(ContactState::complete(pressure_pa));
         }
@@ -86,8 +90,8 @@ impl StatisticalContact {
             return Ok(ContactState::complete(pressure_pa));
         }
         if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
-            let response = Response { pressure_pa, ..self.asperities.at_interference(-separation_m) };
-            return Ok(ContactState::without_spread(separation_m, &response));
+            let state = far_below.state(separation_m);
+            return Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state });
         }
         let start = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
         let Some(Found { mut frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {
