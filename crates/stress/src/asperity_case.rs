@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    BemSinusoid, Break, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, Hertz, JacksonGreen, MaterialPair,
+    BemSinusoid, Bound, Break, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, Hertz, JacksonGreen,
+    MaterialPair,
 };
 
 use crate::tally::Trial;
@@ -58,6 +59,11 @@ pub fn try_asperity(case: &AsperityCase, reach: Reach, trial: &mut Trial<Asperit
         trial.refused();
         return;
     };
+    // What the laws take as plain numbers is checked where populations are made.
+    if ![case.radius_m, case.aspect_ratio].into_iter().all(|number| Bound::Magnitude.admits(number)) {
+        trial.refused();
+        return;
+    }
     let strength_pa = strength.at_depth_pa(case.load * case.radius_m);
     let soft_pa = strength.macroscopic_strength_pa();
     trial.hold("Nix-Gao: no NaN, at least S0", strength_pa >= soft_pa * (1.0 - f64::EPSILON));

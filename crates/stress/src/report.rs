@@ -57,6 +57,7 @@ pub fn write_csv(tally: &Tally, to: impl io::Write) -> csv::Result<()> {
         "value",
         "over_allowance",
         "state",
+        "reach",
         "case",
     ])?;
     for (&(family, promise), record) in &tally.records {
@@ -74,6 +75,7 @@ pub fn write_csv(tally: &Tally, to: impl io::Write) -> csv::Result<()> {
                 &value,
                 &over,
                 &index,
+                &format!("{:?}", state.reach),
                 state.case.as_str(),
             ])?;
         }
@@ -84,18 +86,21 @@ pub fn write_csv(tally: &Tally, to: impl io::Write) -> csv::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Tally, Trial};
+    use crate::{Reach, Tally, Trial};
 
     #[test]
     fn a_broken_promise_is_a_row_with_its_inputs() {
         let mut tally = Tally::default();
-        let mut trial = Trial::of(&mut tally, "family", 5, &0.1);
+        let mut trial = Trial::of(&mut tally, "family", 5, (&0.1, Reach::Usual));
         trial.bound("small", 3.0, 2.0);
         trial.note("size", 3.0);
         let mut written = Vec::new();
         super::write_csv(&tally, &mut written).unwrap();
         let written = String::from_utf8(written).unwrap();
-        assert!(written.lines().last().unwrap() == "family,small,1,1,broken,3e0,1.5e0,5,0.1", "{written}");
+        assert!(
+            written.lines().last().unwrap() == "family,small,1,1,broken,3e0,1.5e0,5,Usual,0.1",
+            "{written}"
+        );
         assert_eq!(super::summary(&tally).lines().filter(|line| line.starts_with("family ")).count(), 6);
     }
 }

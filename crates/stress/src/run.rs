@@ -14,7 +14,7 @@ use crate::tally::{Tally, Trial};
 use crate::{Draw, Reach};
 
 /// States to a chunk.
-const CHUNK: u64 = 1000;
+const CHUNK: u64 = 10_000;
 /// Families draw from seeds of their own.
 const ASPERITY_SEED: u64 = 0x0061_7370_6572_6974;
 const STACK_SEED: u64 = 0x0073_7461_636b;
@@ -57,15 +57,19 @@ fn try_one(seed: u64, index: u64, tally: &mut Tally, catch: bool) {
     // Samples are taken among all kinds: by turns of all of them.
     let sample = Sample::of(index / Kind::ALL.len() as u64);
     let (case, reach) = StatisticalCase::draw(&mut draw, kind);
-    one(kind.name(), index, &case, tally, catch, |trial| try_state(&case, reach, sample, &mut draw, trial));
+    one(kind.name(), index, (&case, reach), tally, catch, |trial| {
+        try_state(&case, reach, sample, &mut draw, trial)
+    });
     if index.is_multiple_of(ASPERITY_EVERY) {
         let (case, reach): (AsperityCase, Reach) =
             AsperityCase::draw(&mut Draw::of(seed ^ ASPERITY_SEED, index));
-        one("single asperity", index, &case, tally, catch, |trial| try_asperity(&case, reach, trial));
+        one("single asperity", index, (&case, reach), tally, catch, |trial| {
+            try_asperity(&case, reach, trial)
+        });
     }
     if index.is_multiple_of(STACK_EVERY) {
         let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::of(seed ^ STACK_SEED, index));
-        one("stack", index, &case, tally, catch, |trial| try_stack(&case, reach, trial));
+        one("stack", index, (&case, reach), tally, catch, |trial| try_stack(&case, reach, trial));
     }
 }
 
@@ -73,7 +77,7 @@ fn try_one(seed: u64, index: u64, tally: &mut Tally, catch: bool) {
 fn one<C: Debug>(
     family: &'static str,
     index: u64,
-    case: &C,
+    case: (&C, Reach),
     tally: &mut Tally,
     catch: bool,
     test: impl FnOnce(&mut Trial<C>),
@@ -99,7 +103,7 @@ mod tests {
     fn a_panic_is_reported_with_its_inputs_and_the_others_go_on() {
         let mut tally = Tally::default();
         for (index, case) in [1, 2, 3].iter().enumerate() {
-            one("family", index as u64, case, &mut tally, true, |trial| {
+            one("family", index as u64, (case, Reach::Usual), &mut tally, true, |trial| {
                 assert!(*case != 2);
                 trial.hold("fine", true);
             });

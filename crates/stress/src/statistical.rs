@@ -181,7 +181,10 @@ impl StatisticalCase {
     /// # Errors
     /// [`AsperityError`] where a number is refused.
     pub fn state(&self) -> Result<ContactState, AsperityError> {
-        let contact = self.contact()?;
+        self.state_of(&self.contact()?)
+    }
+
+    pub(crate) fn state_of(&self, contact: &StatisticalContact) -> Result<ContactState, AsperityError> {
         match self.question {
             Question::Separation(d_m) => contact.at_separation(d_m, self.tolerance),
             Question::Pressure(pressure_pa) => contact.at_pressure(pressure_pa, self.tolerance, None),

@@ -28,7 +28,7 @@ pub struct Sample {
 
 impl Sample {
     /// Every how many-th state has them.
-    const EVERY: [u64; 3] = [200, 20, 1000];
+    const EVERY: [u64; 3] = [400, 20, 2000];
 
     /// Of the state `index`.
     pub fn of(index: u64) -> Self {
@@ -45,7 +45,11 @@ pub fn try_state(
     draw: &mut Draw,
     trial: &mut Trial<StatisticalCase>,
 ) {
-    let (Ok(contact), Ok(state)) = (case.contact(), case.state()) else {
+    let Ok(contact) = case.contact() else {
+        trial.refused();
+        return;
+    };
+    let Ok(state) = case.state_of(&contact) else {
         trial.refused();
         return;
     };
@@ -158,17 +162,29 @@ fn there_and_back(
     };
     let u = separation_m / case.sigma_s_m;
     let off = (found_m - separation_m) / case.sigma_s_m;
-    let representable = 4.0 * f64::EPSILON * u.abs();
-    // Where one pressure is carried at several separations, the largest is the answer: then it need only carry it.
-    let another = !case.kind.force_rises() && off > ROUND_TRIP;
-    if !another && (off.abs() > ROUND_TRIP + representable) {
-        // Only now the condition number of the inverse is worth its cost.
-        let slope = slopes(case, separation_m).map_or(0.0, |slopes| slopes.ln_pressure.abs());
-        let inverse = (1.0 / slope).max(1.0);
-        let allowed = ROUND_TRIP * inverse + (estimates + ROUNDING) / slope + representable;
+    let representable = f64::EPSILON * u.abs() * (4.0 + separation_m.abs().ln().abs());
+    // Where one pressure is carried at several separations, the largest is the answer: then it need only carry it. At a
+    // maximum of the pressure it may round beyond reach.
+    let next_lower_pa = state.pressure_pa * (1.0 - 1e-9);
+    let at_a_maximum = || {
+        let lower = contact.at_pressure(next_lower_pa, case.tolerance, None).expect("a positive pressure");
+        lower.separation_m.is_some_and(|lower_m| lower_m >= separation_m)
+    };
+    let another = !case.kind.force_rises() && (off > ROUND_TRIP || (off < -ROUND_TRIP && at_a_maximum()));
+    if !another {
+        // The condition number of the inverse, over the stretch between the two separations, where it is needed.
+        let slope = || {
+            let at_found = contact.at_separation(found_m, case.tolerance).expect("a finite separation");
+            (at_found.ln_pressure_pa - state.ln_pressure_pa).abs() / off.abs()
+        };
+        let well_conditioned = ROUND_TRIP + representable;
+        let allowed = if off.abs() <= well_conditioned {
+            well_conditioned
+        } else {
+            let inverse = 1.0 / slope();
+            ROUND_TRIP * inverse.max(1.0) + (estimates + ROUNDING) * inverse + representable
+        };
         trial.bound("d -> p -> d in units of its condition", off.abs(), allowed);
-    } else if !another {
-        trial.bound("d -> p -> d in units of its condition", off.abs(), ROUND_TRIP + representable);
     }
     carries(case, contact, found_m, state.pressure_pa, &back, trial);
 }
@@ -184,17 +200,20 @@ fn carries(
 ) {
     let again = contact.at_separation(separation_m, case.tolerance).expect("a finite separation");
     let off = (again.ln_pressure_pa - pressure_pa.ln()).abs();
-    let u = (separation_m / case.sigma_s_m).abs();
-    // A unit in the last place of d shows in ln p like u^2 above the mean plane, like 1 far below it; ln p has its own.
-    let representable = f64::EPSILON
-        * (8.0 + if separation_m > 0.0 { 4.0 * u * u } else { 0.0 } + 4.0 * pressure_pa.ln().abs());
-    trial.bound("p -> d -> p", off, ROUND_TRIP + found.error_estimate + again.error_estimate + representable);
+    let mut allowed = ROUND_TRIP + found.error_estimate + again.error_estimate;
+    allowed += 4.0 * f64::EPSILON * pressure_pa.ln().abs();
     let area_off = (again.ln_area_fraction - found.ln_area_fraction).abs();
-    trial.bound(
-        "area at p and at d",
-        area_off,
-        ROUND_TRIP + found.error_estimate + again.error_estimate + representable,
-    );
+    if off.max(area_off) > allowed {
+        // What the last places of d are worth: up to u^2 above the mean plane, and far more just before complete contact.
+        let places = (8.0 + separation_m.abs().ln().abs()) * f64::EPSILON;
+        let [nearer, farther] = [1.0 - places, 1.0 + places].map(|factor| {
+            contact.at_separation(factor * separation_m, case.tolerance).expect("a finite separation")
+        });
+        allowed += (nearer.ln_pressure_pa - farther.ln_pressure_pa).abs();
+        allowed += (nearer.ln_area_fraction - farther.ln_area_fraction).abs();
+    }
+    trial.bound("p -> d -> p", off, allowed);
+    trial.bound("area at p and at d", area_off, allowed);
 }
 
 /// The answer does not depend on where the search begins.

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 
+use crate::Reach;
+
 /// Where in a run a state stands: its family and its number. Of equally bad states the first is kept, so that a report does
 /// not depend on the order in which threads come.
 type Place = u64;
@@ -19,6 +21,8 @@ pub struct Worst {
     pub value: f64,
     /// The number of the state.
     pub index: Place,
+    /// How far from the ordinary it is.
+    pub reach: Reach,
     /// Its inputs, as a literal.
     pub case: String,
 }
@@ -154,14 +158,20 @@ pub struct Trial<'a, C> {
     tally: &'a mut Tally,
     family: &'static str,
     index: Place,
+    reach: Reach,
     case: &'a C,
 }
 
 impl<'a, C: Debug> Trial<'a, C> {
     /// Begins with the state of a number in a family.
-    pub fn of(tally: &'a mut Tally, family: &'static str, index: Place, case: &'a C) -> Self {
+    pub fn of(
+        tally: &'a mut Tally,
+        family: &'static str,
+        index: Place,
+        (case, reach): (&'a C, Reach),
+    ) -> Self {
         *tally.states.entry(family).or_default() += 1;
-        Trial { tally, family, index, case }
+        Trial { tally, family, index, reach, case }
     }
 
     /// Its numbers were refused.
@@ -183,8 +193,8 @@ impl<'a, C: Debug> Trial<'a, C> {
             _ => f64::INFINITY,
         };
         let broken = over_allowance > 1.0;
-        let index = self.index;
-        let worst = |case: &C| Worst { over_allowance, value, index, case: format!("{case:?}") };
+        let (index, reach) = (self.index, self.reach);
+        let worst = |case: &C| Worst { over_allowance, value, index, reach, case: format!("{case:?}") };
         let record = self.tally.records.entry((self.family, promise)).or_insert_with(|| Record {
             tested: 0,
             broken: 0,
@@ -216,7 +226,7 @@ mod tests {
     fn tally_of(values: &[(u64, f64)]) -> Tally {
         let mut tally = Tally::default();
         for (index, value) in values {
-            let mut trial = Trial::of(&mut tally, "family", *index, value);
+            let mut trial = Trial::of(&mut tally, "family", *index, (value, Reach::Usual));
             trial.bound("small", *value, 2.0);
             trial.note("size", *value);
         }
