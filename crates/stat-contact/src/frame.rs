@@ -35,8 +35,9 @@ pub(crate) struct Frame<'a> {
     area_per_sigma: Option<f64>,
     /// The interference, in units of sigma_s, from which on the response is this one.
     saturation: Option<(f64, Response)>,
-    /// The highest interference, in units of sigma_s, that counts.
+    /// The highest interference, in units of sigma_s, that counts, and whether the lowest is zero.
     high: f64,
+    reaches_first_touch: bool,
     /// Law evaluations spent.
     pub evaluations: usize,
 }
@@ -95,6 +96,7 @@ impl<'a> Frame<'a> {
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
         let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, NODES);
         frame.high = window.high;
+        frame.reaches_first_touch = window.low == 0.0;
         if let Some((until_m, area_per_m)) = asperities.hertzian()
             && window.high * sigma_s_m <= until_m
         {
@@ -162,6 +164,7 @@ impl<'a> Frame<'a> {
             u: centre,
             densities: Vec::with_capacity(nodes),
             high: 0.0,
+            reaches_first_touch: true,
             area_per_sigma: None,
             saturation: None,
             evaluations: 0,
@@ -372,6 +375,8 @@ impl<'a> Frame<'a> {
     /// Estimate of the larger relative error of the two integrals at the separation last summed at.
     pub fn relative_error(&self, sums: &Sums) -> f64 {
         const ROUNDING: f64 = 1e-14;
+        // With it the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty of it.
+        const CAUTION: f64 = 4.0;
         let mut errors = [0.0; 2];
         for panel in &self.panels {
             let [pressure, area] = self.errors(panel);
@@ -379,8 +384,26 @@ impl<'a> Frame<'a> {
             errors[1] += area;
         }
         let rules = (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction);
-        let drop = self.precision.drop;
-        rules + 0.5 * drop * drop * (-drop).exp() + 3.0 * (-self.precision.digits).exp() + ROUNDING
+        // The trapezoidal rule has no coefficients to judge by, but converges as it was laid out to.
+        let trapezoidal = self.panels.iter().any(|panel| panel.rule.is_none());
+        let trapezoid = if trapezoidal { (-self.precision.digits).exp() } else { 0.0 };
+        CAUTION * (rules + self.left_out() + trapezoid) + ROUNDING
+    }
+
+    /// Share of the integrals, at the separation last summed at, that lies outside the window: that of a response like s^2,
+    /// or nothing where the response saturates within.
+    fn left_out(&self) -> f64 {
+        let (u, s) = (self.u, self.high);
+        let below = if self.reaches_first_touch { 0.0 } else { (-self.precision.drop).exp() };
+        if self.saturation.is_some_and(|(from, _)| from <= s) {
+            return below;
+        }
+        // Int_s^inf t^2 exp(-t (u + t/2)) dt, and its whole from 0 on within a fifth.
+        let y = s * (u + s);
+        let density = gaussian::density(u, s) / DENSITY_SCALE;
+        let beyond = density * s * s / (u + s) * (1.0 + 2.0 / y + 2.0 / (y * y));
+        let whole = if u > 0.0 { 2.0 / (u + 1.17).powi(3) } else { 1.25 * (1.0 + u * u) };
+        below + beyond / whole
     }
 
     /// Share of the load, at the separation last summed at, that is carried at interferences for which the law was not
