@@ -87,7 +87,7 @@ fn spheres(
     let mut interferences_m = vec![case.load * case.radius_m];
     interferences_m.extend(breaks.iter().flat_map(|b| [b.at.next_down(), b.at, b.at.next_up()]));
     let cross_section_m2 = PI * case.radius_m * case.radius_m;
-    for w_m in interferences_m.into_iter().filter(|w_m| *w_m > 0.0 && w_m.is_finite()) {
+    for w_m in interferences_m.into_iter().filter(|w_m| *w_m > 0.0 && Bound::Signed.admits(*w_m)) {
         let [force_n, area_m2] = [sphere.force_n(w_m), sphere.area_m2(w_m)];
         let both = sphere.force_and_area(w_m);
         let elastic = [hertz.force_n(w_m), hertz.area_m2(w_m)];

@@ -28,7 +28,7 @@ pub struct Sample {
 
 impl Sample {
     /// Every how many-th state has them.
-    const EVERY: [u64; 3] = [400, 20, 2000];
+    const EVERY: [u64; 3] = [2000, 20, 5000];
 
     /// Of the state `index`.
     pub fn of(index: u64) -> Self {
