@@ -387,7 +387,9 @@ impl<'a> Frame<'a> {
         // The trapezoidal rule has no coefficients to judge by, but converges as it was laid out to.
         let trapezoidal = self.panels.iter().any(|panel| panel.rule.is_none());
         let trapezoid = if trapezoidal { (-self.precision.digits).exp() } else { 0.0 };
-        CAUTION * (rules + self.left_out() + trapezoid) + ROUNDING
+        // Far below the mean plane the interference has no more digits than u.
+        let digits_of_u = 2.0 * f64::EPSILON * (-self.u).max(0.0);
+        CAUTION * (rules + self.left_out() + trapezoid) + ROUNDING + digits_of_u
     }
 
     /// Share of the integrals, at the separation last summed at, that lies outside the window: that of a response like s^2,
