@@ -1,9 +1,11 @@
-//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`, `cargo xtask docs`.
+//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`, `cargo xtask docs`, `cargo xtask stress`.
 
 mod docs;
 mod golden;
 mod reproduce;
+mod stress;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use lexopt::prelude::*;
@@ -12,12 +14,15 @@ const HELP: &str = "\
 cargo xtask reproduce          the paper's figures as tables and SVG, under target/reproduce
 cargo xtask golden [--accept]  how far every golden curve has moved; --accept rewrites those that have
 cargo xtask docs [--check]     draws the pictures of docs/; --check only tells which of the committed ones differ
+cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
+                               random extreme states against what every result promises: docs/stress.md
 ";
 
 enum Task {
     Reproduce,
     Golden { accept: bool },
     Docs { check: bool },
+    Stress { arguments: Vec<OsString> },
 }
 
 fn main() -> ExitCode {
@@ -25,6 +30,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Reproduce)) => reproduce::run(),
         Ok(Some(Task::Golden { accept })) => golden::run(accept),
         Ok(Some(Task::Docs { check })) => docs::run(check),
+        Ok(Some(Task::Stress { arguments })) => stress::run(&arguments),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -44,6 +50,10 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             (Value(name), None) if name == "reproduce" => task = Some(Task::Reproduce),
             (Value(name), None) if name == "golden" => task = Some(Task::Golden { accept: false }),
             (Value(name), None) if name == "docs" => task = Some(Task::Docs { check: false }),
+            (Value(name), None) if name == "stress" => {
+                let arguments = parser.raw_args()?.collect();
+                task = Some(Task::Stress { arguments });
+            }
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
