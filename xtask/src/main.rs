@@ -1,10 +1,12 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `stress`.
 
 mod docs;
 mod golden;
 mod instructions;
 mod reproduce;
+mod stress;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use lexopt::prelude::*;
@@ -16,6 +18,8 @@ cargo xtask docs [--check]     draws the pictures of docs/; --check only tells w
 cargo xtask instructions [--accept]
                                what the main kernels and the paper cost, against the accepted counts (needs valgrind);
                                --accept takes the counts as they are
+cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
+                               random extreme states against what every result promises: docs/stress.md
 ";
 
 enum Task {
@@ -23,6 +27,7 @@ enum Task {
     Golden { accept: bool },
     Docs { check: bool },
     Instructions { accept: bool },
+    Stress { arguments: Vec<OsString> },
 }
 
 fn main() -> ExitCode {
@@ -31,6 +36,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Golden { accept })) => golden::run(accept),
         Ok(Some(Task::Docs { check })) => docs::run(check),
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
+        Ok(Some(Task::Stress { arguments })) => stress::run(&arguments),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -52,6 +58,10 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             (Value(name), None) if name == "docs" => task = Some(Task::Docs { check: false }),
             (Value(name), None) if name == "instructions" => {
                 task = Some(Task::Instructions { accept: false });
+            }
+            (Value(name), None) if name == "stress" => {
+                let arguments = parser.raw_args()?.collect();
+                task = Some(Task::Stress { arguments });
             }
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,

@@ -18,10 +18,10 @@ impl ElasticBody {
     /// A body of Young's modulus E \[Pa\] and Poisson's ratio nu.
     ///
     /// # Errors
-    /// [`AsperityError`] unless E is finite and positive and nu lies in (-1, 0.5].
+    /// [`AsperityError`] unless E is positive and within thirty decades of 1, and nu lies in (-1, 0.5].
     pub fn new(youngs_modulus_pa: f64, poisson_ratio: f64) -> Result<Self, AsperityError> {
         Ok(ElasticBody {
-            youngs_modulus_pa: Bound::Positive.check("Young's modulus in Pa", youngs_modulus_pa)?,
+            youngs_modulus_pa: Bound::Magnitude.check("Young's modulus in Pa", youngs_modulus_pa)?,
             poisson_ratio: Self::POISSON_RATIO.check("Poisson's ratio", poisson_ratio)?,
         })
     }

@@ -16,28 +16,29 @@ impl NixGao {
     /// The strength S0 \[Pa\] at every depth.
     ///
     /// # Errors
-    /// [`AsperityError`] unless S0 is finite and positive.
+    /// [`AsperityError`] unless S0 is positive and within thirty decades of 1.
     pub fn constant(macroscopic_strength_pa: f64) -> Result<Self, AsperityError> {
         let macroscopic_strength_pa =
-            Bound::Positive.check("yield strength in Pa", macroscopic_strength_pa)?;
+            Bound::Magnitude.check("yield strength in Pa", macroscopic_strength_pa)?;
         Ok(NixGao { macroscopic_strength_pa, strain_gradient_length_m: None, cap_pa: None })
     }
 
     /// The same, growing with the strain-gradient length h* \[m\].
     ///
     /// # Errors
-    /// [`AsperityError`] unless h* is finite and positive.
+    /// [`AsperityError`] unless h* is positive and within thirty decades of 1.
     pub fn with_strain_gradient(self, length_m: f64) -> Result<Self, AsperityError> {
-        let length_m = Bound::Positive.check("strain-gradient length in m", length_m)?;
+        let length_m = Bound::Magnitude.check("strain-gradient length in m", length_m)?;
         Ok(NixGao { strain_gradient_length_m: Some(length_m), ..self })
     }
 
     /// The same, never above `cap_pa` (E/10 is the usual bound). The published law has no cap.
     ///
     /// # Errors
-    /// [`AsperityError`] unless the cap is finite and at least S0.
+    /// [`AsperityError`] unless the cap is at least S0 and within thirty decades of 1.
     pub fn with_cap(self, cap_pa: f64) -> Result<Self, AsperityError> {
         let cap_pa = Bound::AtLeast(self.macroscopic_strength_pa).check("strength cap in Pa", cap_pa)?;
+        let cap_pa = Bound::Magnitude.check("strength cap in Pa", cap_pa)?;
         Ok(NixGao { cap_pa: Some(cap_pa), ..self })
     }
 

@@ -25,13 +25,29 @@ impl Precision {
         Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * elementary::ln(digits) + 2.0 }
     }
 
-    /// Estimate of the relative error that rules of this precision leave beside that of their panels: what is left out of
-    /// the window, the step of the trapezoidal rule, and rounding.
-    pub fn relative_error(&self) -> f64 {
-        const ROUNDING: f64 = 1e-14;
-        let drop = self.drop;
-        0.5 * drop * drop * elementary::exp(-drop) + 3.0 * elementary::exp(-self.digits) + ROUNDING
+    /// Relative error of the trapezoidal rule, which converges as it was laid out to.
+    pub fn trapezoidal_error(&self) -> f64 {
+        elementary::exp(-self.digits)
     }
+
+    /// The precision that a cell needs: far below the mean plane ln p goes like ln(-u), and a search has to see its slope
+    /// and its curvature, which are means of heights of the order of 1/u and 1/u^2.
+    pub fn in_cell(self, cell: Cell) -> Self {
+        const SHARE: f64 = 0.1;
+        let depth = cell.centre().min(0.0);
+        let curvature = SHARE / (depth * depth);
+        if self.tolerance <= curvature { self } else { Self::new(curvature) }
+    }
+}
+
+/// The relative error to state of integrals at the separation u, from that of their rules and of what they leave out.
+pub(crate) fn error_estimate(rules: f64, u: f64) -> f64 {
+    const ROUNDING: f64 = 1e-14;
+    // With it the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty of it.
+    const CAUTION: f64 = 4.0;
+    // Far below the mean plane the interference has no more digits than u.
+    let digits_of_u = 2.0 * f64::EPSILON * (-u).max(0.0);
+    CAUTION * rules + ROUNDING + digits_of_u
 }
 
 /// A range of separations, in units of sigma_s, that one quadrature serves.

@@ -2,7 +2,7 @@
 
 use asperity::{AsperityError, Bound, MaterialPair};
 
-use crate::asperities::{Asperities, Response};
+use crate::asperities::Asperities;
 use crate::cell::{Cell, Precision};
 use crate::far::FarBelow;
 use crate::frame::{Frame, Sums};
@@ -11,7 +11,7 @@ use crate::gradient_sine::GradientSines;
 use crate::search::{Found, Search};
 use crate::sine::{BemSines, ElasticPlasticSines, ElasticSines};
 use crate::sphere::{ElasticPlasticSpheres, ElasticSpheres};
-use crate::trapezoid::sums_of_hertz;
+use crate::trapezoid::{Summed, sums_of_hertz};
 use crate::{AsperityLaw, ContactState, InterferenceLaw, Population};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
@@ -23,6 +23,9 @@ pub struct StatisticalContact {
 }
 
 impl StatisticalContact {
+    /// Pressures \[Pa\] that may be asked for.
+    const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
+
     /// The contact of a population of a material under a law.
     pub fn new(pair: &MaterialPair, population: &Population, law: &AsperityLaw) -> Self {
         let asperities: Box<dyn Asperities> = match *law {
@@ -49,11 +52,11 @@ impl StatisticalContact {
     /// of pressure and area fraction (1e-13 to 1e-2; values outside are taken as the nearer end).
     ///
     /// # Errors
-    /// [`AsperityError`] where the separation is not finite.
+    /// [`AsperityError`] where the separation is not finite, or beyond 1e30 m.
     pub fn at_separation(&self, separation_m: f64, tolerance: f64) -> Result<ContactState, AsperityError> {
-        let separation_m = Bound::Finite.check("separation in m", separation_m)?;
-        if let Some(response) = self.far_below().at_separation(separation_m) {
-            return Ok(ContactState::without_spread(separation_m, &response));
+        let separation_m = Bound::Signed.check("separation in m", separation_m)?;
+        if let Some(state) = self.far_below().at_separation(separation_m) {
+            return Ok(state);
         }
         let u = separation_m / self.sigma_s_m;
         let (cell, precision) = (Cell::of(u), Precision::new(tolerance));
@@ -61,9 +64,8 @@ impl StatisticalContact {
         let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
         let hertz = self.asperities.hertzian();
         let of_hertz = hertz.and_then(|hertz| sums_of_hertz(&hertz, self.sigma_s_m, cell, precision, u));
-        let state = if let Some((sums, evaluations)) = of_hertz {
-            let state = self.state(&sums, u, rounding);
-            ContactState { error_estimate: precision.relative_error(), evaluations, ..state }
+        let state = if let Some(Summed { sums, evaluations, error_estimate }) = of_hertz {
+            ContactState { error_estimate, evaluations, ..self.state(&sums, u, rounding) }
         } else {
             let mut frame = Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision);
             self.state_on(&mut frame, u, rounding)
@@ -79,7 +81,7 @@ impl StatisticalContact {
     /// no separation, and area fraction 1.
     ///
     /// # Errors
-    /// [`AsperityError`] unless the pressure is finite and positive.
+    /// [`AsperityError`] unless the pressure is positive and at most 1e60 Pa.
     pub fn at_pressure(
         &self,
         pressure_pa: f64,
@@ -87,14 +89,18 @@ impl StatisticalContact {
         start: Option<&ContactState>,
     ) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
+        let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
+        if pressure_pa >= self.asperities.highest_response_pa() {
+            return Ok(ContactState::complete(pressure_pa));
+        }
         let far_below = self.far_below();
         // Where the highest pressure is carried far below, no nearer separation carries more.
         if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
             return Ok(ContactState::complete(pressure_pa));
         }
         if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
-            let response = Response { pressure_pa, ..self.asperities.at_interference(-separation_m) };
-            return Ok(ContactState::without_spread(separation_m, &response));
+            let state = far_below.state(separation_m);
+            return Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state });
         }
         let start = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
         let Some(Found { mut frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {

@@ -4,6 +4,7 @@
 //! down it is below rounding, while the heights themselves lose their digits to u: every asperity is taken at the
 //! mean height there.
 
+use crate::ContactState;
 use crate::asperities::{Asperities, Course, Response};
 use crate::root::{in_bracket, minimum};
 
@@ -21,9 +22,20 @@ impl<'a> FarBelow<'a> {
         FarBelow { asperities, sigma_s_m }
     }
 
-    /// The response at a separation, where that is far below.
-    pub fn at_separation(&self, separation_m: f64) -> Option<Response> {
-        (separation_m < -FAR * self.sigma_s_m).then(|| self.asperities.at_interference(-separation_m))
+    /// The state at a separation, where that is far below.
+    pub fn at_separation(&self, separation_m: f64) -> Option<ContactState> {
+        (separation_m < -FAR * self.sigma_s_m).then(|| self.state(separation_m))
+    }
+
+    /// The state at a separation far below. What the spread would change is seen by comparing three heights: next to
+    /// nothing where the law is smooth, up to a share of a kink or a jump beside one.
+    pub fn state(&self, separation_m: f64) -> ContactState {
+        const REACH: f64 = 3.0;
+        let [low, mean, high] = [-REACH, 0.0, REACH]
+            .map(|shift| self.asperities.at_interference(shift.mul_add(self.sigma_s_m, -separation_m)));
+        let bend = |of: fn(&Response) -> f64| (of(&low) - 2.0 * of(&mean) + of(&high)).abs() / of(&mean);
+        let neglected = bend(|at| at.pressure_pa).max(bend(|at| at.area_fraction));
+        ContactState::without_spread(separation_m, &mean, neglected)
     }
 
     /// The largest separation \[m\] that carries a pressure, where that is far below.
@@ -37,7 +49,8 @@ impl<'a> FarBelow<'a> {
             Course::Rises => self.deep_enough_m(missing)?,
             Course::Peaks { .. } => self.peak_m().filter(|peak_m| missing(peak_m.ln()) <= 0.0)?,
             Course::StepsDown { at_m } => {
-                let top_m = at_m * (1.0 - f64::EPSILON);
+                // Far enough from the step for the rounding of logarithms.
+                let top_m = at_m * (1.0 - 1e-13);
                 let on_near_side = top_m > nearest_m && missing(top_m.ln()) <= 0.0;
                 if on_near_side { top_m } else { self.deep_enough_m(missing)? }
             }
@@ -48,7 +61,7 @@ impl<'a> FarBelow<'a> {
     /// An interference \[m\] at which no pressure is missing; `None` where the pressure is never reached.
     fn deep_enough_m(&self, missing: impl Fn(f64) -> f64) -> Option<f64> {
         const STRIDE: f64 = 1e3;
-        const MOST_STRIDES: i32 = 40;
+        const MOST_STRIDES: i32 = 80;
         (1..MOST_STRIDES)
             .map(|stride| FAR * self.sigma_s_m * STRIDE.powi(stride))
             .find(|depth_m| missing(depth_m.ln()) <= 0.0)

@@ -9,7 +9,7 @@ use asperity::elementary;
 use wide::f64x2;
 
 use crate::asperities::{Asperities, Chart, Piece, Points, Response};
-use crate::cell::{Cell, Precision};
+use crate::cell::{Cell, Precision, error_estimate};
 use crate::coordinate::Coordinate;
 use crate::density::Density;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
@@ -40,8 +40,8 @@ pub(crate) struct Frame<'a> {
     area_per_sigma: Option<f64>,
     /// The interference, in units of sigma_s, from which on the response is this one.
     saturation: Option<(f64, Response)>,
-    /// The highest interference, in units of sigma_s, that counts.
-    high: f64,
+    /// The interferences that count.
+    window: Window,
     /// Whether the areas matter.
     with_areas: bool,
     /// Law evaluations spent.
@@ -105,14 +105,15 @@ impl<'a> Frame<'a> {
         // Room for nearly all; one panel of Hertz's spheres has a quarter.
         const NODES: usize = 96;
         const NODES_OF_HERTZ: usize = 24;
+        let precision = precision.in_cell(cell);
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
         let area_per_m = asperities
             .hertzian()
             .and_then(|hertz| (window.high * sigma_s_m <= hertz.until_m).then_some(hertz.area_per_m));
         let nodes = if area_per_m.is_some() { NODES_OF_HERTZ } else { NODES };
-        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, nodes);
-        frame.high = window.high;
+        let mut frame =
+            Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, window, precision, nodes);
         if let Some(area_per_m) = area_per_m {
             frame.area_per_sigma = Some(area_per_m * sigma_s_m);
             frame.add_trapezoid(&window);
@@ -138,7 +139,7 @@ impl<'a> Frame<'a> {
         let window = Window::new(u, u, precision.drop);
         let coordinate = Coordinate::around(u, u, precision.digits);
         let mut frame =
-            Self::empty(asperities, sigma_s_m, u, coordinate, precision, NODES_BELOW + NODES_ABOVE);
+            Self::empty(asperities, sigma_s_m, u, coordinate, window, precision, NODES_BELOW + NODES_ABOVE);
         frame.with_areas = false;
         let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
         let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
@@ -165,6 +166,7 @@ impl<'a> Frame<'a> {
         sigma_s_m: f64,
         centre: f64,
         coordinate: Coordinate,
+        window: Window,
         precision: Precision,
         nodes: usize,
     ) -> Self {
@@ -177,7 +179,7 @@ impl<'a> Frame<'a> {
             panels: Vec::new(),
             nodes: Nodes::with_room_for(nodes),
             u: centre,
-            high: 0.0,
+            window,
             area_per_sigma: None,
             saturation: None,
             with_areas: true,
@@ -404,7 +406,12 @@ impl<'a> Frame<'a> {
             errors[0] += pressure;
             errors[1] += area;
         }
-        (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction) + self.precision.relative_error()
+        let rules = (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction);
+        // The trapezoidal rule has no coefficients to judge by.
+        let trapezoidal = self.panels.iter().any(|panel| panel.rule.is_none());
+        let trapezoid = if trapezoidal { self.precision.trapezoidal_error() } else { 0.0 };
+        let saturates = self.saturation.is_some_and(|(from, _)| from <= self.window.high);
+        error_estimate(rules + trapezoid + self.window.left_out(self.u, saturates), self.u)
     }
 
     /// Share of the load, at the separation last summed at, that is carried at interferences for which the law was not
@@ -415,7 +422,7 @@ impl<'a> Frame<'a> {
         }
         let load_pa: f64 = self
             .asperities
-            .out_of_fitted_range(self.high * self.sigma_s_m)
+            .out_of_fitted_range(self.window.high * self.sigma_s_m)
             .into_iter()
             .filter(|(from_m, to_m)| from_m < to_m)
             .map(|(from_m, to_m)| {

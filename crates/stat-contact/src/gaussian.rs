@@ -15,6 +15,8 @@ pub(crate) struct Window {
     pub low: f64,
     /// The highest interference.
     pub high: f64,
+    /// -ln of the density at its ends over the largest in contact.
+    drop: f64,
 }
 
 impl Window {
@@ -26,7 +28,23 @@ impl Window {
         Window {
             low: (-farthest - half_width).max(0.0),
             high: if nearest >= 0.0 { reach(nearest) } else { half_width - nearest },
+            drop,
         }
+    }
+
+    /// Share of the integrals at the separation u that lies outside: that of a response like s^2, or of one that does not
+    /// change above the window.
+    pub fn left_out(&self, u: f64, saturates: bool) -> f64 {
+        let s = self.high;
+        let below = if self.low == 0.0 { 0.0 } else { (-self.drop).exp() };
+        if saturates {
+            return below;
+        }
+        // Int_s^inf t^2 exp(-t (u + t/2)) dt, and its whole from 0 on within a fifth.
+        let y = s * (u + s);
+        let beyond = density(u, s) / DENSITY_SCALE * s * s / (u + s) * (1.0 + 2.0 / y + 2.0 / (y * y));
+        let whole = if u > 0.0 { 2.0 / (u + 1.17).powi(3) } else { 1.25 * (1.0 + u * u) };
+        below + beyond / whole
     }
 }
 

@@ -16,12 +16,13 @@ impl Population {
     /// sigma_s \[m\] about their own mean.
     ///
     /// # Errors
-    /// [`AsperityError`] unless all three are finite and positive.
+    /// [`AsperityError`] unless all three are positive and within thirty decades of 1 ([`Bound::Magnitude`]).
     pub fn new(radius_m: f64, density_per_m2: f64, sigma_s_m: f64) -> Result<Self, AsperityError> {
         Ok(Population {
-            radius_m: Bound::Positive.check("asperity radius in m", radius_m)?,
-            density_per_m2: Bound::Positive.check("asperity density in m^-2", density_per_m2)?,
-            sigma_s_m: Bound::Positive.check("standard deviation of the asperity heights in m", sigma_s_m)?,
+            radius_m: Bound::Magnitude.check("asperity radius in m", radius_m)?,
+            density_per_m2: Bound::Magnitude.check("asperity density in m^-2", density_per_m2)?,
+            sigma_s_m: Bound::Magnitude
+                .check("standard deviation of the asperity heights in m", sigma_s_m)?,
         })
     }
 

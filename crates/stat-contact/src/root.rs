@@ -4,7 +4,8 @@
 ///
 /// The secant of Anderson & Bjorck, which keeps the bracket, with a bisection whenever three steps have not halved it.
 pub(crate) fn in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    const MOST_STEPS: usize = 120;
+    // Against a plateau secants gain nothing, and only every third to sixth step halves the bracket: sixty halvings.
+    const MOST_STEPS: usize = 400;
     let (mut a, mut b) = (low, high);
     let (mut at_a, mut at_b) = (f(a), f(b));
     let mut due = 0.5 * (b - a).abs();

@@ -87,9 +87,51 @@ impl Bracket {
 impl<'a> Search<'a> {
     /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
     pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
-        if self.pressure_pa >= self.asperities.highest_response_pa() {
-            return None;
+        let mut found = self.find(start);
+        if let Some(near) = &mut found {
+            if self.is_carried_by(near) {
+                return found;
+            }
+            if let Some(bisected) = self.bisect_around(near.u) {
+                return Some(bisected);
+            }
         }
+        match self.peak() {
+            Some(peak) if self.pressure_pa <= self.pressure_and_slope(peak).0 => self.bisect_around(peak),
+            Some(_) => None,
+            None => found,
+        }
+    }
+
+    /// Whether a search has converged. Near a maximum, and between several, its parabolas may not lead to the load.
+    fn is_carried_by(&self, found: &mut Found) -> bool {
+        const CLOSE: f64 = 1e-11;
+        let sums = found.frame.sums_at(found.u);
+        self.missing(found.u, &sums).abs() <= CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs()
+    }
+
+    /// The crossing of the load nearest to a separation, each on the quadrature of its cell: slow and sure.
+    fn bisect_around(&self, u: f64) -> Option<Found<'a>> {
+        const NARROWEST: f64 = 1e-6;
+        const MOST_DOUBLINGS: i32 = 60;
+        let mut evaluations = 0;
+        let mut missing = |u: f64| {
+            let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
+            evaluations += frame.evaluations;
+            let sums = frame.sums_at(u);
+            self.missing(u, &sums)
+        };
+        let bracket = (0..MOST_DOUBLINGS).find_map(|doubling| {
+            let reach = NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling);
+            let (low, high) = ((u - reach).max(-FAR), u + reach);
+            (missing(low) <= 0.0 && missing(high) > 0.0).then_some((low, high))
+        });
+        let u = bracket.map(|(low, high)| in_bracket(low, high, &mut missing))?;
+        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
+        Some(Found { evaluations: evaluations + frame.evaluations, frame, u })
+    }
+
+    fn find(&self, start: Option<f64>) -> Option<Found<'a>> {
         let near = start.unwrap_or(USUAL_SEPARATION);
         match self.asperities.course(self.sigma_s_m) {
             Course::StepsDown { at_m } if at_m < FAR * self.sigma_s_m => {
@@ -104,15 +146,17 @@ impl<'a> Search<'a> {
 
     /// The highest pressure \[Pa\] that a separation carries, or its limit.
     pub fn highest_pressure_pa(&self) -> f64 {
-        let Some(edge) = self.far_edge() else {
-            return self.asperities.highest_response_pa();
-        };
-        let (at_edge_pa, slope) = self.pressure_and_slope(edge);
-        if slope <= 0.0 {
-            return at_edge_pa;
+        match self.peak() {
+            Some(peak) => self.pressure_and_slope(peak).0,
+            None => self.asperities.highest_response_pa(),
         }
-        let peak = in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1);
-        self.pressure_and_slope(peak).0
+    }
+
+    /// For a force with a maximum: the separation at which the pressure has it.
+    fn peak(&self) -> Option<f64> {
+        let edge = self.far_edge()?;
+        let rises_at_edge = self.pressure_and_slope(edge).1 > 0.0;
+        Some(if rises_at_edge { in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1) } else { edge })
     }
 
     /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach.

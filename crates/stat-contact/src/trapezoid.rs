@@ -6,7 +6,7 @@
 use wide::f64x2;
 
 use crate::asperities::Hertzian;
-use crate::cell::{Cell, Precision};
+use crate::cell::{Cell, Precision, error_estimate};
 use crate::coordinate::Coordinate;
 use crate::density::Density;
 use crate::frame::Sums;
@@ -35,17 +35,25 @@ impl Trapezoid {
     }
 }
 
-/// The integrals at a separation u of a cell, and the nodes that they took, where all asperities in reach are Hertz's: what
-/// the frame of the cell gives, without a frame.
+/// Integrals, the nodes that they took, and the estimate of their error.
+pub(crate) struct Summed {
+    pub sums: Sums,
+    pub evaluations: usize,
+    pub error_estimate: f64,
+}
+
+/// The integrals at a separation u of a cell, where all asperities in reach are Hertz's: what the frame of the cell gives,
+/// without a frame.
 pub(crate) fn sums_of_hertz(
     hertz: &Hertzian,
     sigma_s_m: f64,
     cell: Cell,
     precision: Precision,
     u: f64,
-) -> Option<(Sums, usize)> {
+) -> Option<Summed> {
     /// More than nearly all windows need.
     const AT_ONCE: usize = 32;
+    let precision = precision.in_cell(cell);
     let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
     if window.high * sigma_s_m > hertz.until_m {
         return None;
@@ -85,5 +93,6 @@ pub(crate) fn sums_of_hertz(
         hertz.area_per_m * sigma_s_m * first_moment(u),
         moment / load,
     );
-    Some((sums, rule.count))
+    let error_estimate = error_estimate(precision.trapezoidal_error() + window.left_out(u, false), u);
+    Some(Summed { sums, evaluations: rule.count, error_estimate })
 }

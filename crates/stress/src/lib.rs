@@ -1,0 +1,41 @@
+//! Random extreme states by the million, against what every result promises (`docs/stress.md`).
+//!
+//! ```
+//! let tally = stress::run(0..200, 1, |_| ());
+//! assert_eq!(tally.states["hertz"], 29);
+//! ```
+//!
+//! The nouns:
+//! * [`StatisticalCase`], [`AsperityCase`], [`StackCase`]: the numbers of a state, drawn from a [`Draw`] of its own;
+//!   printed, they are literals for a regression test.
+//! * [`Trial`]: the tests of one state; [`Tally`]: what became of many, worst cases included.
+//! * [`Condition`]: how much the answers answer to their inputs.
+//!
+//! Not here: reference values of high precision, which lie in `tests/reference`.
+#![deny(missing_docs)]
+
+mod asperity_case;
+mod condition;
+mod draw;
+mod law;
+mod material;
+mod reference_quadrature;
+mod report;
+mod run;
+mod stack_case;
+mod statistical;
+mod statistical_trial;
+mod tally;
+
+pub use asperity_case::{AsperityCase, try_asperity};
+pub use condition::{Condition, Slopes, conditions, slopes};
+pub use draw::Draw;
+pub use law::Response;
+pub use material::{Material, Reach};
+pub use reference_quadrature::{Integrals, integrals};
+pub use report::{summary, write_csv};
+pub use run::run;
+pub use stack_case::{StackCase, try_stack};
+pub use statistical::{Kind, Question, StatisticalCase};
+pub use statistical_trial::{Sample, try_state};
+pub use tally::{Record, Spread, Tally, Trial, Worst};

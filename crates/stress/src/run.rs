@@ -1,0 +1,115 @@
+//! A run: chunks of states on any number of threads, the same digits for each.
+
+use std::fmt::Debug;
+use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use rayon::prelude::*;
+
+use crate::asperity_case::{AsperityCase, try_asperity};
+use crate::stack_case::{StackCase, try_stack};
+use crate::statistical::{Kind, StatisticalCase};
+use crate::statistical_trial::{Sample, try_state};
+use crate::tally::{Tally, Trial};
+use crate::{Draw, Reach};
+
+/// States to a chunk.
+const CHUNK: u64 = 10_000;
+/// Families draw from seeds of their own.
+const ASPERITY_SEED: u64 = 0x0061_7370_6572_6974;
+const STACK_SEED: u64 = 0x0073_7461_636b;
+/// Every so many states of the statistical model there is one single asperity, and one stack.
+const ASPERITY_EVERY: u64 = 20;
+const STACK_EVERY: u64 = 40;
+
+/// Draws the states of the statistical model with these numbers, and asperities and stacks in proportion, and puts each to
+/// the test, on the threads of the current pool. `done` is called with the number of states in each chunk that is through.
+pub fn run(states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
+    (states.start / CHUNK..states.end.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|chunk| {
+            let range = (chunk * CHUNK).max(states.start)..((chunk + 1) * CHUNK).min(states.end);
+            let length = range.end - range.start;
+            let tally = try_range(seed, range);
+            done(length);
+            tally
+        })
+        .reduce(Tally::default, Tally::add)
+}
+
+/// A stretch of states; where one of them panics, they are gone through one by one.
+fn try_range(seed: u64, range: Range<u64>) -> Tally {
+    let whole = catch_unwind(|| {
+        let mut tally = Tally::default();
+        range.clone().for_each(|index| try_one(seed, index, &mut tally, false));
+        tally
+    });
+    whole.unwrap_or_else(|_| {
+        let mut tally = Tally::default();
+        range.for_each(|index| try_one(seed, index, &mut tally, true));
+        tally
+    })
+}
+
+fn try_one(seed: u64, index: u64, tally: &mut Tally, catch: bool) {
+    let mut draw = Draw::of(seed, index);
+    let kind = Kind::ALL[(index % Kind::ALL.len() as u64) as usize];
+    // Samples are taken among all kinds: by turns of all of them.
+    let sample = Sample::of(index / Kind::ALL.len() as u64);
+    let (case, reach) = StatisticalCase::draw(&mut draw, kind);
+    one(kind.name(), index, (&case, reach), tally, catch, |trial| {
+        try_state(&case, reach, sample, &mut draw, trial)
+    });
+    if index.is_multiple_of(ASPERITY_EVERY) {
+        let (case, reach): (AsperityCase, Reach) =
+            AsperityCase::draw(&mut Draw::of(seed ^ ASPERITY_SEED, index));
+        one("single asperity", index, (&case, reach), tally, catch, |trial| {
+            try_asperity(&case, reach, trial)
+        });
+    }
+    if index.is_multiple_of(STACK_EVERY) {
+        let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::of(seed ^ STACK_SEED, index));
+        one("stack", index, (&case, reach), tally, catch, |trial| try_stack(&case, reach, trial));
+    }
+}
+
+/// One state of a family; with `catch` a panic becomes a broken promise with its inputs.
+fn one<C: Debug>(
+    family: &'static str,
+    index: u64,
+    case: (&C, Reach),
+    tally: &mut Tally,
+    catch: bool,
+    test: impl FnOnce(&mut Trial<C>),
+) {
+    if !catch {
+        return test(&mut Trial::of(tally, family, index, case));
+    }
+    let mut own = Tally::default();
+    let survived =
+        catch_unwind(AssertUnwindSafe(|| test(&mut Trial::of(&mut own, family, index, case)))).is_ok();
+    if !survived {
+        own = Tally::default();
+        Trial::of(&mut own, family, index, case).hold("no panic", false);
+    }
+    *tally = std::mem::take(tally).add(own);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_reported_with_its_inputs_and_the_others_go_on() {
+        let mut tally = Tally::default();
+        for (index, case) in [1, 2, 3].iter().enumerate() {
+            one("family", index as u64, (case, Reach::Usual), &mut tally, true, |trial| {
+                assert!(*case != 2);
+                trial.hold("fine", true);
+            });
+        }
+        let panics = &tally.records[&("family", "no panic")];
+        assert_eq!((panics.broken, panics.worst.index, panics.worst.case.as_str()), (1, 1, "2"));
+        assert_eq!((tally.states["family"], tally.records[&("family", "fine")].tested), (3, 2));
+    }
+}

@@ -1,0 +1,193 @@
+//! States of the statistical model: the numbers of one, and how they are drawn.
+
+use asperity::{AsperityError, Hardness};
+use stat_contact::{ContactState, Population, StatisticalContact};
+
+use crate::law::Response;
+use crate::{Draw, Material, Reach};
+
+/// The laws of the statistical model, those with a strain gradient apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// Elastic spheres.
+    Hertz,
+    /// Elastic-plastic spheres.
+    EpSphere,
+    /// Elastic-plastic spheres with a strain gradient.
+    GradientSphere,
+    /// Elastic sinusoids.
+    ElasticSine,
+    /// Elastic sinusoids by boundary elements.
+    BemSine,
+    /// Elastic-plastic sinusoids.
+    EpSine,
+    /// Elastic-plastic sinusoids with a strain gradient.
+    GradientSine,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Kind; 7] = [
+        Kind::Hertz,
+        Kind::EpSphere,
+        Kind::GradientSphere,
+        Kind::ElasticSine,
+        Kind::BemSine,
+        Kind::EpSine,
+        Kind::GradientSine,
+    ];
+
+    /// Its name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Hertz => "hertz",
+            Kind::EpSphere => "ep-sphere",
+            Kind::GradientSphere => "ep-sphere, strain gradient",
+            Kind::ElasticSine => "elastic-sine",
+            Kind::BemSine => "elastic-sine, bem",
+            Kind::EpSine => "ep-sine",
+            Kind::GradientSine => "ep-sine, strain gradient",
+        }
+    }
+
+    /// Whether the force of an asperity never falls with its interference.
+    pub fn force_rises(self) -> bool {
+        !matches!(self, Kind::EpSphere | Kind::GradientSphere | Kind::GradientSine)
+    }
+
+    fn has_gradient(self) -> bool {
+        matches!(self, Kind::GradientSphere | Kind::GradientSine)
+    }
+}
+
+/// What a state is asked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Question {
+    /// A separation \[m\].
+    Separation(f64),
+    /// A pressure \[Pa\].
+    Pressure(f64),
+}
+
+/// A population of asperities of a material, and a question; printed, it is the literal that makes it again.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatisticalCase {
+    /// The law.
+    pub kind: Kind,
+    /// The bodies.
+    pub material: Material,
+    /// Of spheres.
+    pub hardness: Hardness,
+    /// R \[m\].
+    pub radius_m: f64,
+    /// eta \[m^-2\].
+    pub density_per_m2: f64,
+    /// sigma_s \[m\].
+    pub sigma_s_m: f64,
+    /// The relative tolerance.
+    pub tolerance: f64,
+    /// What is asked.
+    pub question: Question,
+}
+
+impl StatisticalCase {
+    /// A random case; whether its numbers are usual ones comes with it.
+    pub fn draw(draw: &mut Draw, kind: Kind) -> (Self, Reach) {
+        let reach = Reach::draw(draw);
+        let (sigma_s_m, radius_m, density_per_m2) = match reach {
+            Reach::Usual => {
+                let sigma_s_m = draw.decades(-10.0, -5.0);
+                let radius_m = sigma_s_m * draw.decades(-1.0, 4.0);
+                (sigma_s_m, radius_m, draw.decades(-3.0, -0.5) / (radius_m * sigma_s_m))
+            }
+            _ => (
+                reach.number(draw, -15.0, 0.0),
+                reach.number(draw, -15.0, 3.0),
+                reach.number(draw, -3.0, 28.0),
+            ),
+        };
+        let material = Material::draw(draw, reach, kind.has_gradient(), sigma_s_m);
+        let digits = draw.between(1.0, 14.0);
+        let tolerance = draw.one_of(&[10f64.powf(-digits), 10f64.powf(-digits), 1e-12, 1e-10]);
+        let mut case = StatisticalCase {
+            kind,
+            material,
+            hardness: draw.one_of(&Hardness::ALL),
+            radius_m,
+            density_per_m2,
+            sigma_s_m,
+            tolerance,
+            question: Question::Separation(0.0),
+        };
+        case.question = case.draw_question(draw, reach);
+        (case, reach)
+    }
+
+    fn draw_question(&self, draw: &mut Draw, reach: Reach) -> Question {
+        if draw.chance(0.3) {
+            return Question::Pressure(match reach {
+                Reach::Usual => self.material.youngs_modulus_pa * draw.decades(-9.0, 0.0),
+                _ => reach.number(draw, -12.0, 15.0),
+            });
+        }
+        let near = draw.between(-8.0, 12.0);
+        let far = draw.one_of(&[-1.0, 1.0]) * draw.decades(-6.0, 3.0);
+        let beyond = draw.one_of(&[-1.0, 1.0]) * draw.decades(3.0, 12.0);
+        let fixed = draw.one_of(&[0.0, -0.0, -1e6, 5e-324, 60.0, -60.0]);
+        let u = match draw.between(0.0, 1.0) {
+            share if share < 0.5 => near,
+            share if share < 0.75 => far,
+            share if share < 0.80 => beyond,
+            share if share < 0.85 || reach == Reach::Edge => draw.near(fixed),
+            _ => {
+                let at_a_break_m = self.draw_separation_at_a_break_m(draw);
+                return Question::Separation(at_a_break_m.unwrap_or(near * self.sigma_s_m));
+            }
+        };
+        let edge = reach == Reach::Edge && draw.chance(0.1);
+        Question::Separation(if edge { draw.one_of(&[-1.0, 1.0]) * draw.edge() } else { u * self.sigma_s_m })
+    }
+
+    /// The mean height, or one a few standard deviations beside it, just where the law bends or jumps.
+    fn draw_separation_at_a_break_m(&self, draw: &mut Draw) -> Option<f64> {
+        let breaks_m = self.response().ok()?.breaks_m();
+        if breaks_m.is_empty() {
+            return None;
+        }
+        let at_m = -draw.one_of(&breaks_m);
+        let beside = draw.between(-4.0, 4.0);
+        Some(if draw.chance(0.5) { draw.near(at_m) } else { at_m + beside * self.sigma_s_m })
+    }
+
+    /// The law of its asperities.
+    ///
+    /// # Errors
+    /// [`AsperityError`] where a number is refused.
+    pub fn response(&self) -> Result<Response, AsperityError> {
+        Response::new(self.kind, &self.material, self.hardness, self.radius_m, self.density_per_m2)
+    }
+
+    /// The contact.
+    ///
+    /// # Errors
+    /// [`AsperityError`] where a number is refused.
+    pub fn contact(&self) -> Result<StatisticalContact, AsperityError> {
+        let population = Population::new(self.radius_m, self.density_per_m2, self.sigma_s_m)?;
+        Ok(StatisticalContact::new(&self.material.pair()?, &population, &self.response()?.law()))
+    }
+
+    /// The state that is asked for.
+    ///
+    /// # Errors
+    /// [`AsperityError`] where a number is refused.
+    pub fn state(&self) -> Result<ContactState, AsperityError> {
+        self.state_of(&self.contact()?)
+    }
+
+    pub(crate) fn state_of(&self, contact: &StatisticalContact) -> Result<ContactState, AsperityError> {
+        match self.question {
+            Question::Separation(d_m) => contact.at_separation(d_m, self.tolerance),
+            Question::Pressure(pressure_pa) => contact.at_pressure(pressure_pa, self.tolerance, None),
+        }
+    }
+}

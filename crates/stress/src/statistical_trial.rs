@@ -1,0 +1,334 @@
+//! What every state of the statistical model promises.
+
+use asperity::Bound;
+use stat_contact::{ContactState, StatisticalContact};
+
+use crate::condition::{conditions, slopes};
+use crate::reference_quadrature::integrals;
+use crate::statistical::{Question, StatisticalCase};
+use crate::tally::Trial;
+use crate::{Draw, Reach};
+
+/// Law evaluations that a state at a separation, and one at a pressure, may take.
+const MOST_EVALUATIONS: [f64; 2] = [5_000.0, 50_000.0];
+/// The promise of a round trip: in sigma_s times the condition number of the inverse, and relative in pressure.
+const ROUND_TRIP: f64 = 1e-10;
+/// Relative rounding of the sums: those of a few hundred positive terms, each the law's own rounding in it.
+const ROUNDING: f64 = 1e-13;
+
+/// Which of the costly checks a state is in for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sample {
+    /// A quadrature of its own.
+    pub quadrature: bool,
+    /// The same state at the finest tolerance.
+    pub finest: bool,
+    /// Condition numbers.
+    pub conditions: bool,
+}
+
+impl Sample {
+    /// Every how many-th state has them.
+    const EVERY: [u64; 3] = [2000, 20, 5000];
+
+    /// Of the state `index`.
+    pub fn of(index: u64) -> Self {
+        let [quadrature, finest, conditions] = Self::EVERY.map(|every| index.is_multiple_of(every));
+        Sample { quadrature, finest, conditions }
+    }
+}
+
+/// Puts one state to the test.
+pub fn try_state(
+    case: &StatisticalCase,
+    reach: Reach,
+    sample: Sample,
+    draw: &mut Draw,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    let Ok(contact) = case.contact() else {
+        trial.refused();
+        return;
+    };
+    let Ok(state) = case.state_of(&contact) else {
+        trial.refused();
+        return;
+    };
+    sound(case, reach, &state, trial);
+    if reach == Reach::Edge {
+        edge(case, &contact, &state, trial);
+        return;
+    }
+    let Some(separation_m) = state.separation_m else {
+        let highest_pa = contact.highest_pressure_pa();
+        trial.bound(
+            "a pressure without separation is beyond the highest",
+            highest_pa,
+            state.pressure_pa * (1.0 + 1e-9),
+        );
+        return;
+    };
+    if !Bound::Signed.admits(separation_m) {
+        // A soft sphere under a huge pressure sinks beyond what may be asked for.
+        return;
+    }
+    match case.question {
+        Question::Separation(_) => there_and_back(case, &contact, &state, trial),
+        Question::Pressure(pressure_pa) => {
+            carries(case, &contact, separation_m, pressure_pa, &state, trial);
+            any_start(case, &contact, separation_m, pressure_pa, draw, trial);
+        }
+    }
+    falls(case, &contact, separation_m, draw, trial);
+    if sample.finest {
+        error_bar(case, &contact, separation_m, trial);
+    }
+    if sample.quadrature {
+        other_quadrature(case, separation_m, trial);
+    }
+    if sample.conditions {
+        note_conditions(case, separation_m, trial);
+    }
+}
+
+/// What holds for every state, however strange its inputs.
+fn sound(case: &StatisticalCase, reach: Reach, state: &ContactState, trial: &mut Trial<StatisticalCase>) {
+    let logarithms = [state.ln_pressure_pa, state.ln_area_fraction];
+    let numbers =
+        [state.pressure_pa, state.area_fraction, state.error_estimate, state.out_of_range_load_share];
+    trial.hold("no NaN", !numbers.iter().chain(&logarithms).any(|number| number.is_nan()));
+    trial.hold("pressure at least 0", state.pressure_pa >= 0.0);
+    trial.hold("area fraction in [0, 1]", (0.0..=1.0).contains(&state.area_fraction));
+    trial.hold("ln area fraction at most 0", state.ln_area_fraction <= 0.0);
+    trial.hold("error estimate at least 0", state.error_estimate >= 0.0);
+    trial.hold("load out of range in [0, 1]", (0.0..=1.0).contains(&state.out_of_range_load_share));
+    trial.hold("separation finite", state.separation_m.is_none_or(f64::is_finite));
+    let [at_separation, at_pressure] = MOST_EVALUATIONS;
+    let evaluations = state.evaluations as f64;
+    match case.question {
+        Question::Separation(_) => trial.bound("evaluations at a separation", evaluations, at_separation),
+        Question::Pressure(_) => trial.bound("evaluations at a pressure", evaluations, at_pressure),
+    }
+    if reach == Reach::Edge {
+        return;
+    }
+    trial.hold("finite", logarithms.iter().chain(&numbers).all(|number| number.is_finite()));
+    for (promise, number, logarithm) in [
+        ("ln p is that of p", state.pressure_pa, state.ln_pressure_pa),
+        ("ln area is that of the area", state.area_fraction, state.ln_area_fraction),
+    ] {
+        if number.is_normal() {
+            trial.bound(promise, (number.ln() - logarithm).abs(), 1e-14 * (1.0 + logarithm.abs()));
+        }
+    }
+    trial.hold("clamped means complete", !state.clamped || state.area_fraction == 1.0);
+}
+
+/// At the edge of the doubles the other ways to ask have to answer soundly too.
+fn edge(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    state: &ContactState,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    trial.hold("highest pressure is no NaN", !contact.highest_pressure_pa().is_nan());
+    if let (Question::Separation(_), true) =
+        (case.question, state.pressure_pa.is_finite() && state.pressure_pa > 0.0)
+    {
+        let question = Question::Pressure(state.pressure_pa);
+        let back = StatisticalCase { question, ..*case };
+        if let Ok(back_state) = back.state() {
+            sound(&back, Reach::Edge, &back_state, trial);
+        }
+    }
+}
+
+/// From a separation to its pressure and back.
+fn there_and_back(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    state: &ContactState,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    let (Some(separation_m), true) = (state.separation_m, state.pressure_pa.is_normal()) else { return };
+    let back = contact.at_pressure(state.pressure_pa, case.tolerance, None).expect("a positive pressure");
+    sound(
+        &StatisticalCase { question: Question::Pressure(state.pressure_pa), ..*case },
+        Reach::Wide,
+        &back,
+        trial,
+    );
+    let estimates = state.error_estimate + back.error_estimate;
+    let Some(found_m) = back.separation_m else {
+        let highest_pa = contact.highest_pressure_pa();
+        let allowed = state.pressure_pa * (1.0 + estimates + case.tolerance.min(1e-2) + 1e-12);
+        trial.bound("a pressure that was carried has a separation", highest_pa, allowed);
+        return;
+    };
+    let u = separation_m / case.sigma_s_m;
+    let off = (found_m - separation_m) / case.sigma_s_m;
+    let representable = f64::EPSILON * u.abs() * (8.0 + 4.0 * separation_m.abs().max(1e-300).ln().abs());
+    // Where one pressure is carried at several separations, the largest is the answer: then it need only carry it. At a
+    // maximum of the pressure it may round beyond reach.
+    let next_lower_pa = state.pressure_pa * (1.0 - 1e-9);
+    let at_a_maximum = || {
+        let lower = contact.at_pressure(next_lower_pa, case.tolerance, None).expect("a positive pressure");
+        lower.separation_m.is_some_and(|lower_m| lower_m >= separation_m)
+    };
+    let another = !case.kind.force_rises() && (off > ROUND_TRIP || (off < -ROUND_TRIP && at_a_maximum()));
+    if !another {
+        // The condition number of the inverse, over the stretch between the two separations, where it is needed.
+        let slope = || {
+            let at_found = contact.at_separation(found_m, case.tolerance).expect("a finite separation");
+            (at_found.ln_pressure_pa - state.ln_pressure_pa).abs() / off.abs()
+        };
+        let well_conditioned = ROUND_TRIP + representable;
+        let allowed = if off.abs() <= well_conditioned {
+            well_conditioned
+        } else {
+            let inverse = 1.0 / slope();
+            ROUND_TRIP * inverse.max(1.0) + (estimates + ROUNDING) * inverse + representable
+        };
+        trial.bound("d -> p -> d in units of its condition", off.abs(), allowed);
+    }
+    carries(case, contact, found_m, state.pressure_pa, &back, trial);
+}
+
+/// The separation that was found carries the pressure.
+fn carries(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    separation_m: f64,
+    pressure_pa: f64,
+    found: &ContactState,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    let again = contact.at_separation(separation_m, case.tolerance).expect("a finite separation");
+    let off = (again.ln_pressure_pa - pressure_pa.ln()).abs();
+    let mut allowed = ROUND_TRIP + found.error_estimate + again.error_estimate;
+    allowed += 4.0 * f64::EPSILON * pressure_pa.ln().abs();
+    let area_off = (again.ln_area_fraction - found.ln_area_fraction).abs();
+    if off.max(area_off) > allowed {
+        // What the last places of d are worth: up to u^2 above the mean plane, and far more just before complete contact.
+        let places = (8.0 + 4.0 * separation_m.abs().max(1e-300).ln().abs()) * f64::EPSILON;
+        let [nearer, farther] = [1.0 - places, 1.0 + places].map(|factor| {
+            contact.at_separation(factor * separation_m, case.tolerance).expect("a finite separation")
+        });
+        allowed += (nearer.ln_pressure_pa - farther.ln_pressure_pa).abs();
+        allowed += (nearer.ln_area_fraction - farther.ln_area_fraction).abs();
+    }
+    trial.bound("p -> d -> p", off, allowed);
+    trial.bound("area at p and at d", area_off, allowed);
+}
+
+/// The answer does not depend on where the search begins.
+fn any_start(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    separation_m: f64,
+    pressure_pa: f64,
+    draw: &mut Draw,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    let from = draw.between(-40.0, 40.0);
+    let start = contact.at_separation(from * case.sigma_s_m, 1e-3).expect("a finite separation");
+    let led = contact.at_pressure(pressure_pa, case.tolerance, Some(&start)).expect("a positive pressure");
+    let off = led.separation_m.map_or(f64::INFINITY, |led_m| (led_m - separation_m).abs() / case.sigma_s_m);
+    let u = (separation_m / case.sigma_s_m).abs();
+    let mut allowed = 1e-12 * (1.0 + u);
+    if off > allowed {
+        let slope = slopes(case, separation_m).map_or(0.0, |slopes| slopes.ln_pressure.abs());
+        allowed += 4.0 * f64::EPSILON / slope;
+    }
+    trial.bound("the start changes nothing", off, allowed);
+}
+
+/// A slightly larger separation carries no more: anywhere where the force rises, above the mean plane whatever it does.
+fn falls(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    separation_m: f64,
+    draw: &mut Draw,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    if !case.kind.force_rises() && separation_m <= 0.0 {
+        return;
+    }
+    let larger_m = if draw.chance(0.3) {
+        separation_m.next_up()
+    } else {
+        separation_m + case.sigma_s_m * draw.decades(-14.0, 0.5)
+    };
+    let [here, beyond] =
+        [separation_m, larger_m].map(|d_m| contact.at_separation(d_m, case.tolerance).expect("finite"));
+    let rise = (beyond.ln_pressure_pa - here.ln_pressure_pa).max(0.0);
+    let rounding = ROUNDING + 4.0 * f64::EPSILON * here.ln_pressure_pa.abs();
+    trial.bound("p falls with d", rise, here.error_estimate + beyond.error_estimate + rounding);
+}
+
+/// How the error estimate compares with the error against the finest tolerance.
+fn error_bar(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    separation_m: f64,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    const COARSEST: f64 = 1e-2;
+    const FINEST: f64 = 1e-13;
+    /// The error of the finest counts for nothing against that of this tolerance.
+    const COMPARABLE: f64 = 1e-11;
+    if case.tolerance < COMPARABLE {
+        return;
+    }
+    let [coarse, fine] = [case.tolerance, FINEST]
+        .map(|tolerance| contact.at_separation(separation_m, tolerance).expect("finite"));
+    let error = (coarse.ln_pressure_pa - fine.ln_pressure_pa)
+        .abs()
+        .max((coarse.ln_area_fraction - fine.ln_area_fraction).abs());
+    let rounding = f64::EPSILON * (1.0 + 2.0 * fine.ln_pressure_pa.abs());
+    trial.note("error over its estimate", error / (coarse.error_estimate + rounding));
+    trial.note("estimate over error, floored at rounding", coarse.error_estimate / error.max(rounding));
+    trial.bound(
+        "error within a hundred tolerances",
+        error,
+        100.0 * case.tolerance.min(COARSEST) + 10.0 * rounding,
+    );
+}
+
+/// Agreement with an adaptive quadrature that shares no code.
+fn other_quadrature(case: &StatisticalCase, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
+    /// Below this many standard deviations the spread, and with it the integral, is a matter of the digits of u.
+    const DEEPEST: f64 = -1e4;
+    let u = separation_m / case.sigma_s_m;
+    if u < DEEPEST {
+        return;
+    }
+    let finest = StatisticalCase { question: Question::Separation(separation_m), tolerance: 1e-12, ..*case };
+    let (Ok(response), Ok(state)) = (case.response(), finest.state()) else { return };
+    let Some(other) = integrals(&response, separation_m, case.sigma_s_m) else { return };
+    let rounding = 1e-11 + 8.0 * f64::EPSILON * state.ln_pressure_pa.abs();
+    for (promise, ours, theirs, error) in [
+        ("another quadrature agrees on p", state.ln_pressure_pa, other.ln_pressure_pa, other.errors[0]),
+        (
+            "another quadrature agrees on A",
+            state.ln_area_fraction,
+            other.ln_area_fraction.min(0.0),
+            other.errors[1],
+        ),
+    ] {
+        trial.bound(promise, (ours - theirs).abs(), state.error_estimate + 2.0 * error + rounding);
+    }
+}
+
+/// Condition numbers, for the worst and the typical.
+fn note_conditions(case: &StatisticalCase, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
+    for condition in conditions(case, separation_m).into_iter().flatten() {
+        let [pressure, area, separation] = condition.names;
+        trial.note(pressure, condition.ln_pressure.abs());
+        trial.note(area, condition.ln_area.abs());
+        // Where the pressure has ceased to depend on the separation there is nothing to be found.
+        if condition.separation.is_finite() {
+            trial.note(separation, condition.separation.abs());
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! What was found: how often each promise was put to the test and broken, and by how much it was missed or kept at worst.
+
+use std::collections::BTreeMap;
+use std::fmt::Debug;
+
+use crate::Reach;
+
+/// Where in a run a state stands: its family and its number. Of equally bad states the first is kept, so that a report does
+/// not depend on the order in which threads come.
+type Place = u64;
+
+/// One promise of one family.
+type Key = (&'static str, &'static str);
+
+/// The state that came closest to breaking a promise, or broke it most.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Worst {
+    /// How much was measured, over what is allowed; above 1 the promise is broken.
+    pub over_allowance: f64,
+    /// What was measured.
+    pub value: f64,
+    /// The number of the state.
+    pub index: Place,
+    /// How far from the ordinary it is.
+    pub reach: Reach,
+    /// Its inputs, as a literal.
+    pub case: String,
+}
+
+/// The record of one promise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// How often it was tested.
+    pub tested: u64,
+    /// How often it was broken.
+    pub broken: u64,
+    /// The worst state.
+    pub worst: Worst,
+    /// The first states that broke it.
+    pub examples: Vec<Worst>,
+}
+
+/// How many values lie where, evenly in the logarithm: enough for a median.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Spread {
+    /// Number of values by tenths of decades.
+    counts: BTreeMap<i32, u64>,
+}
+
+impl Spread {
+    const PER_DECADE: f64 = 10.0;
+
+    /// Takes note of a value; what is not positive and finite counts as the smallest or the largest.
+    pub fn note(&mut self, value: f64) {
+        let place = (value.log10() * Self::PER_DECADE).floor();
+        let place = if value > 0.0 { place.clamp(-4000.0, 4000.0) } else { -4000.0 };
+        *self.counts.entry(place as i32).or_default() += 1;
+    }
+
+    /// The value below which a share of all lie, to a tenth of a decade; NaN where there are none.
+    pub fn quantile(&self, share: f64) -> f64 {
+        let wanted = share * self.len() as f64;
+        let mut passed = 0;
+        for (place, count) in &self.counts {
+            passed += count;
+            if passed as f64 >= wanted {
+                return 10f64.powf((f64::from(*place) + 0.5) / Self::PER_DECADE);
+            }
+        }
+        f64::NAN
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> u64 {
+        self.counts.values().sum()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.counts.is_empty()
+    }
+
+    fn add(&mut self, other: Spread) {
+        for (place, count) in other.counts {
+            *self.counts.entry(place).or_default() += count;
+        }
+    }
+}
+
+/// Everything that was found in a stretch of a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Tally {
+    /// States by family.
+    pub states: BTreeMap<&'static str, u64>,
+    /// Of those, the ones whose numbers a constructor refused.
+    pub refused: BTreeMap<&'static str, u64>,
+    /// The promises.
+    pub records: BTreeMap<Key, Record>,
+    /// How measured quantities spread.
+    pub spreads: BTreeMap<Key, Spread>,
+}
+
+impl Tally {
+    /// States that broke a promise are kept as literals up to this number for each promise.
+    const EXAMPLES: usize = 12;
+
+    /// Adds what was found elsewhere.
+    pub fn add(mut self, other: Tally) -> Tally {
+        for (family, count) in other.states {
+            *self.states.entry(family).or_default() += count;
+        }
+        for (family, count) in other.refused {
+            *self.refused.entry(family).or_default() += count;
+        }
+        for (key, record) in other.records {
+            match self.records.entry(key) {
+                std::collections::btree_map::Entry::Vacant(entry) => {
+                    entry.insert(record);
+                }
+                std::collections::btree_map::Entry::Occupied(mut entry) => entry.get_mut().add(record),
+            }
+        }
+        for (key, spread) in other.spreads {
+            self.spreads.entry(key).or_default().add(spread);
+        }
+        self
+    }
+
+    /// The number of promises broken.
+    pub fn broken(&self) -> u64 {
+        self.records.values().map(|record| record.broken).sum()
+    }
+}
+
+impl Record {
+    fn add(&mut self, other: Record) {
+        self.tested += other.tested;
+        self.broken += other.broken;
+        self.examples.extend(other.examples);
+        self.examples.sort_by_key(|example| example.index);
+        self.examples.truncate(Tally::EXAMPLES);
+        if other.worst.is_worse_than(&self.worst) {
+            self.worst = other.worst;
+        }
+    }
+}
+
+impl Worst {
+    fn is_worse_than(&self, other: &Worst) -> bool {
+        let order = self.over_allowance.total_cmp(&other.over_allowance);
+        order.is_gt() || (order.is_eq() && self.index < other.index)
+    }
+}
+
+/// The tests of one state, written into a tally.
+#[derive(Debug)]
+pub struct Trial<'a, C> {
+    tally: &'a mut Tally,
+    family: &'static str,
+    index: Place,
+    reach: Reach,
+    case: &'a C,
+}
+
+impl<'a, C: Debug> Trial<'a, C> {
+    /// Begins with the state of a number in a family.
+    pub fn of(
+        tally: &'a mut Tally,
+        family: &'static str,
+        index: Place,
+        (case, reach): (&'a C, Reach),
+    ) -> Self {
+        *tally.states.entry(family).or_default() += 1;
+        Trial { tally, family, index, reach, case }
+    }
+
+    /// Its numbers were refused.
+    pub fn refused(&mut self) {
+        *self.tally.refused.entry(self.family).or_default() += 1;
+    }
+
+    /// A promise that is kept or not.
+    pub fn hold(&mut self, promise: &'static str, kept: bool) {
+        self.bound(promise, if kept { 0.0 } else { 1.0 }, 0.5);
+    }
+
+    /// A promise that `value` is at most `allowed`; NaN breaks it.
+    pub fn bound(&mut self, promise: &'static str, value: f64, allowed: f64) {
+        let over_allowance = match value / allowed {
+            ratio if !ratio.is_nan() => ratio,
+            // Nothing was measured and nothing is allowed.
+            _ if value == 0.0 || allowed == f64::INFINITY => 0.0,
+            _ => f64::INFINITY,
+        };
+        let broken = over_allowance > 1.0;
+        let (index, reach) = (self.index, self.reach);
+        let worst = |case: &C| Worst { over_allowance, value, index, reach, case: format!("{case:?}") };
+        let record = self.tally.records.entry((self.family, promise)).or_insert_with(|| Record {
+            tested: 0,
+            broken: 0,
+            worst: worst(self.case),
+            examples: Vec::new(),
+        });
+        record.tested += 1;
+        if over_allowance > record.worst.over_allowance {
+            record.worst = worst(self.case);
+        }
+        if broken {
+            record.broken += 1;
+            if record.examples.len() < Tally::EXAMPLES {
+                record.examples.push(worst(self.case));
+            }
+        }
+    }
+
+    /// Takes note of a quantity, of which nothing is promised one by one.
+    pub fn note(&mut self, quantity: &'static str, value: f64) {
+        self.tally.spreads.entry((self.family, quantity)).or_default().note(value);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tally_of(values: &[(u64, f64)]) -> Tally {
+        let mut tally = Tally::default();
+        for (index, value) in values {
+            let mut trial = Trial::of(&mut tally, "family", *index, (value, Reach::Usual));
+            trial.bound("small", *value, 2.0);
+            trial.note("size", *value);
+        }
+        tally
+    }
+
+    #[test]
+    fn the_worst_is_kept_whatever_the_order() {
+        let values = [(0, 1.0), (1, 3.0), (2, f64::NAN), (3, 0.5), (4, f64::INFINITY)];
+        let whole = tally_of(&values);
+        for cut in 0..values.len() {
+            let (head, tail) = values.split_at(cut);
+            assert_eq!(tally_of(tail).add(tally_of(head)), whole);
+        }
+        let record = &whole.records[&("family", "small")];
+        assert_eq!((record.tested, record.broken, record.worst.index), (5, 3, 2));
+        assert_eq!(record.examples.iter().map(|example| example.index).collect::<Vec<_>>(), [1, 2, 4]);
+        assert_eq!(record.examples[0].case, "3.0");
+    }
+
+    #[test]
+    fn a_median_is_known_to_a_tenth_of_a_decade() {
+        let mut spread = Spread::default();
+        (1..=1001).for_each(|i| spread.note(f64::from(i)));
+        assert!((spread.quantile(0.5) / 501.0).log10().abs() < 0.1);
+        assert_eq!(spread.len(), 1001);
+    }
+}

@@ -1,0 +1,40 @@
+//! A run short enough for every change; `cargo xtask stress` is the long one.
+
+use rayon::ThreadPoolBuilder;
+use stress::Tally;
+
+fn run(states: u64, seed: u64, threads: usize) -> Tally {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| stress::run(0..states, seed, |_| ()))
+}
+
+#[test]
+fn twenty_thousand_states_break_nothing() {
+    let tally = run(20_000, 20261121, 0);
+    let broken: Vec<_> = tally
+        .records
+        .iter()
+        .flat_map(|((family, promise), record)| {
+            let line = move |example: &stress::Worst| format!("{family}: {promise}: {example:?}");
+            record.examples.iter().map(line)
+        })
+        .collect();
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    assert_eq!(tally.states.len(), 9);
+    assert!(tally.records.values().map(|record| record.tested).sum::<u64>() > 200_000);
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_threads() {
+    assert_eq!(run(25_000, 7, 1), run(25_000, 7, 3));
+}
+
+#[test]
+fn error_estimates_bound_nearly_all_errors_of_random_states() {
+    let tally = run(60_000, 3, 0);
+    for ((family, quantity), spread) in &tally.spreads {
+        if *quantity == "error over its estimate" && spread.len() > 200 {
+            assert!(spread.quantile(0.99) <= 1.0, "{family}: {:e}", spread.quantile(0.99));
+        }
+    }
+}
