@@ -69,10 +69,7 @@ impl ElasticPlasticSinusoid {
     /// Mean pressure of complete contact \[Pa\]: p*_ep = p* (11/(4 r + 7))^(3/5) for r > 1, else p*. The area is complete
     /// at [`flattening_pressure_pa`](Self::flattening_pressure_pa) already.
     pub fn complete_contact_pressure_pa(&self) -> f64 {
-        if self.aspect_ratio_over_critical <= 1.0 {
-            return self.elastic.complete_contact_pressure_pa();
-        }
-        self.elastic.complete_contact_pressure_pa() * self.log_softening().exp()
+        self.softened_pressure_pa(self.log_softening())
     }
 
     /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It counts only
@@ -100,7 +97,7 @@ impl ElasticPlasticSinusoid {
     pub fn yielding_area(&self) -> YieldingArea {
         let log_softening = self.log_softening();
         YieldingArea {
-            complete_contact_pressure_pa: self.elastic.complete_contact_pressure_pa() * log_softening.exp(),
+            complete_contact_pressure_pa: self.softened_pressure_pa(log_softening),
             plastic: self.plastic_area(log_softening),
         }
     }
@@ -122,8 +119,25 @@ impl ElasticPlasticSinusoid {
         if !self.yields_at(pressure_pa) {
             return self.elastic.deformation_over_amplitude(pressure_pa);
         }
-        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa())
-            .map_or(1.0, |log_x| self.gap_exponent().deformation_over_amplitude(log_x))
+        let x = pressure_pa / self.complete_contact_pressure_pa();
+        if x < 1.0 { self.gap_exponent().deformation_over_amplitude(x.ln(), x) } else { 1.0 }
+    }
+
+    /// [`area_fraction`](Self::area_fraction) and [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the
+    /// mean pressure p > 0 \[Pa\], of which the second costs little beside the first.
+    pub fn area_and_deformation(&self, pressure_pa: f64) -> (f64, f64) {
+        if !self.yields_at(pressure_pa) {
+            let elastic = self.elastic;
+            return (elastic.area_fraction(pressure_pa), elastic.deformation_over_amplitude(pressure_pa));
+        }
+        let log_softening = self.log_softening();
+        let x = pressure_pa / self.softened_pressure_pa(log_softening);
+        if x >= 1.0 {
+            return (1.0, 1.0);
+        }
+        let log_x = x.ln();
+        let area_fraction = self.plastic_area(log_softening).fraction(x, log_x);
+        (area_fraction, self.gap_exponent().deformation_over_amplitude(log_x, x))
     }
 
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and the
@@ -177,7 +191,7 @@ impl ElasticPlasticSinusoid {
             }
         }
         let log_x = gap.log_x_at_power(log_t);
-        let plastic_pa = self.elastic.complete_contact_pressure_pa() * (log_softening + log_x).exp();
+        let plastic_pa = self.softened_pressure_pa(log_softening + log_x);
         Pressed {
             pressure_pa: elastic_pa.min(plastic_pa),
             flow: Some(Flow { log_softening, x: log_x.exp(), log_x }),
@@ -213,7 +227,7 @@ impl ElasticPlasticSinusoid {
         }
         let log_softening = self.log_softening();
         let log_x = self.gap_exponent().log_x_where_half_power_is(log_softening);
-        Some(self.elastic.complete_contact_pressure_pa() * (log_softening + log_x).exp())
+        Some(self.softened_pressure_pa(log_softening + log_x))
     }
 
     /// Mean pressure \[Pa\] from which the area fraction is 1: x_full p*_ep, below p*_ep for r > 1.5 or so because the
@@ -284,6 +298,11 @@ impl ElasticPlasticSinusoid {
             return 0.0;
         }
         0.6 * (11.0 / (4.0 * self.aspect_ratio_over_critical + 7.0)).ln()
+    }
+
+    /// p* by a factor \[Pa\] given as its logarithm.
+    fn softened_pressure_pa(&self, log_factor: f64) -> f64 {
+        self.elastic.complete_contact_pressure_pa() * log_factor.exp()
     }
 
     /// phi_p = 2 (phi_c/2)^(1/(1+d)) [3 p/(4 C Sy)]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and

@@ -7,7 +7,7 @@
 //! The pressure only rises, and a flatter scale takes less of it to come into complete contact. So a scale that is no
 //! steeper than what is flattened already costs a comparison.
 
-use asperity::{ElasticPlasticSinusoid, ElasticSinusoid, MaterialPair, NixGao, YieldingArea};
+use asperity::{ElasticPlasticSinusoid, ElasticSinusoid, YieldingArea};
 
 use crate::{Level, Regime, Scale, StackedModel};
 
@@ -23,9 +23,8 @@ pub fn levels(
     nominal_pressure_pa: f64,
     scales: impl IntoIterator<Item = Scale>,
 ) -> impl Iterator<Item = Level> {
-    let model = *model;
-    let mut descent = Descent::new(&model, nominal_pressure_pa);
-    scales.into_iter().map(move |scale| descent.pass(&mut Step::new(&model, scale)))
+    let mut descent = Descent::new(model, nominal_pressure_pa);
+    scales.into_iter().map(move |scale| descent.pass(&mut Step::new(scale)))
 }
 
 /// The levels of a stack under each of the nominal pressures p > 0 \[Pa\], computed as they are asked for: those of the
@@ -36,10 +35,9 @@ pub fn levels_under_loads(
     nominal_pressures_pa: &[f64],
     scales: impl IntoIterator<Item = Scale>,
 ) -> impl Iterator<Item = Level> {
-    let model = *model;
     let mut descents: Vec<Descent> =
-        nominal_pressures_pa.iter().map(|&pressure_pa| Descent::new(&model, pressure_pa)).collect();
-    let mut steps = scales.into_iter().map(move |scale| Step::new(&model, scale));
+        nominal_pressures_pa.iter().map(|&pressure_pa| Descent::new(model, pressure_pa)).collect();
+    let mut steps = scales.into_iter().map(Step::new);
     let mut step = if descents.is_empty() { None } else { steps.next() };
     let mut load = 0;
     std::iter::from_fn(move || {
@@ -53,41 +51,23 @@ pub fn levels_under_loads(
     })
 }
 
-/// A scale, with what it answers to every load.
+/// A scale, and what its answers to several loads have in common.
 pub(crate) struct Step {
     scale: Scale,
     aspect_ratio: f64,
-    law: Law,
-}
-
-/// How a scale deforms.
-enum Law {
-    Elastic(ElasticSinusoid),
-    /// At one strength for all loads; the area of the yielding scale is worked out once a load makes it yield.
-    Plastic(ElasticPlasticSinusoid, Option<YieldingArea>),
-    /// At the strength that each load has left to it.
-    Hardening(MaterialPair, NixGao),
+    /// Its area at a strength that does not depend on the load, once a load makes it yield.
+    yielding_area: Option<YieldingArea>,
 }
 
 impl Step {
-    pub fn new(model: &StackedModel, scale: Scale) -> Self {
-        let aspect_ratio = scale.aspect_ratio();
-        let law = match *model {
-            StackedModel::Elastic { pair } => Law::Elastic(ElasticSinusoid::new(&pair, aspect_ratio)),
-            StackedModel::ElasticPlastic { pair, strength } => match strength.strain_gradient_length_m() {
-                Some(_) => Law::Hardening(pair, strength),
-                None => {
-                    let strength_pa = strength.macroscopic_strength_pa();
-                    Law::Plastic(ElasticPlasticSinusoid::new(&pair, aspect_ratio, strength_pa), None)
-                }
-            },
-        };
-        Step { scale, aspect_ratio, law }
+    pub fn new(scale: Scale) -> Self {
+        Step { scale, aspect_ratio: scale.aspect_ratio(), yielding_area: None }
     }
 }
 
 /// A stack under one load, on the way from long to short wavelengths.
-pub(crate) struct Descent {
+pub(crate) struct Descent<'m> {
+    model: &'m StackedModel,
     nominal_pressure_pa: f64,
     /// Mean pressure \[Pa\] on the contact so far.
     pressure_pa: f64,
@@ -95,27 +75,28 @@ pub(crate) struct Descent {
     flat_up_to: f64,
     /// p*/B \[Pa\].
     complete_pressure_over_aspect_ratio_pa: f64,
-    /// Strength \[Pa\] that the next scale meets; absent in the elastic model.
-    next_strength_pa: Option<f64>,
+    /// Strength \[Pa\] that the next scale meets, infinite in the elastic model.
+    yield_strength_pa: f64,
 }
 
-impl Descent {
-    pub fn new(model: &StackedModel, nominal_pressure_pa: f64) -> Self {
+impl<'m> Descent<'m> {
+    pub fn new(model: &'m StackedModel, nominal_pressure_pa: f64) -> Self {
         debug_assert!(nominal_pressure_pa > 0.0);
-        let (pair, strength) = match model {
-            StackedModel::Elastic { pair } => (pair, None),
-            StackedModel::ElasticPlastic { pair, strength } => (pair, Some(strength)),
+        let (pair, yield_strength_pa) = match model {
+            StackedModel::Elastic { pair } => (pair, f64::INFINITY),
+            // The first scale has nothing above it: it meets the macroscopic strength.
+            StackedModel::ElasticPlastic { pair, strength } => (pair, strength.macroscopic_strength_pa()),
         };
         let complete_pressure_over_aspect_ratio_pa =
             ElasticSinusoid::new(pair, 1.0).complete_contact_pressure_pa();
         Descent {
+            model,
             nominal_pressure_pa,
             pressure_pa: nominal_pressure_pa,
-            // p >= p*, which no strength raises.
+            // p* is enough at any strength.
             flat_up_to: nominal_pressure_pa / complete_pressure_over_aspect_ratio_pa,
             complete_pressure_over_aspect_ratio_pa,
-            // The first scale has nothing above it.
-            next_strength_pa: strength.map(NixGao::macroscopic_strength_pa),
+            yield_strength_pa,
         }
     }
 
@@ -126,12 +107,19 @@ impl Descent {
 
     /// Takes one more scale into account.
     pub fn pass(&mut self, step: &mut Step) -> Level {
-        let (pressure_in_pa, yield_strength_pa) = (self.pressure_pa, self.next_strength_pa);
-        let Contact { area_fraction, yields, aspect_ratio_over_critical } = self.press(step);
+        let (pressure_in_pa, strength_pa) = (self.pressure_pa, self.yield_strength_pa);
+        let (area_fraction, regime) = self.press(step);
         if area_fraction < 1.0 {
             self.pressure_pa = pressure_in_pa / area_fraction;
-            self.flattens_up_to(self.pressure_pa / self.complete_pressure_over_aspect_ratio_pa);
+            self.flatten(self.pressure_pa / self.complete_pressure_over_aspect_ratio_pa);
         }
+        let (yield_strength_pa, aspect_ratio_over_critical) = match self.model {
+            StackedModel::Elastic { .. } => (None, None),
+            StackedModel::ElasticPlastic { pair, .. } => {
+                let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, strength_pa);
+                (Some(strength_pa), Some(sinusoid.aspect_ratio_over_critical()))
+            }
+        };
         Level {
             wavelength_m: step.scale.wavelength_m,
             amplitude_m: step.scale.amplitude_m,
@@ -140,81 +128,76 @@ impl Descent {
             area_fraction: self.nominal_pressure_pa / self.pressure_pa,
             yield_strength_pa,
             aspect_ratio_over_critical,
-            regime: match (area_fraction == 1.0, yields) {
-                (true, _) => Regime::Flattened,
-                (false, true) => Regime::Plastic,
-                (false, false) => Regime::Elastic,
-            },
+            regime,
         }
     }
 
-    /// Passes scales that are all in complete contact, given the last of them.
-    pub fn pass_flattened(&mut self, model: &StackedModel, last: Scale) {
-        if let StackedModel::ElasticPlastic { strength, .. } = model {
-            self.next_strength_pa = Some(strength.at_depth_pa(last.amplitude_m));
-        }
+    /// Passes scales that are all flattened, given the last of them.
+    pub fn pass_flattened(&mut self, last: Scale) {
+        self.harden(last.amplitude_m);
     }
 
-    fn press(&mut self, step: &mut Step) -> Contact {
-        let (pressure_pa, flattened) = (self.pressure_pa, self.flattens(step.aspect_ratio));
-        match &mut step.law {
-            Law::Elastic(sinusoid) => Contact {
-                area_fraction: if flattened { 1.0 } else { sinusoid.area_fraction(pressure_pa) },
-                yields: false,
-                aspect_ratio_over_critical: None,
-            },
-            Law::Plastic(sinusoid, yielding_area) => {
-                let aspect_ratio_over_critical = Some(sinusoid.aspect_ratio_over_critical());
-                if flattened {
-                    return Contact { area_fraction: 1.0, yields: false, aspect_ratio_over_critical };
-                }
-                let yields = sinusoid.yields_at(pressure_pa);
-                let area_fraction = if yields {
-                    yielding_area.get_or_insert_with(|| sinusoid.yielding_area()).fraction_at(pressure_pa)
-                } else {
-                    sinusoid.elastic().area_fraction(pressure_pa)
-                };
-                if area_fraction == 1.0
-                    && sinusoid.aspect_ratio_over_critical() <= STEEPER_IS_HARDER_TO_FLATTEN_UP_TO
-                {
-                    self.flattens_up_to(step.aspect_ratio);
-                }
-                Contact { area_fraction, yields, aspect_ratio_over_critical }
+    /// The area fraction of a scale, and what it does.
+    fn press(&mut self, step: &mut Step) -> (f64, Regime) {
+        if self.flattens(step.aspect_ratio) {
+            self.pass_flattened(step.scale);
+            return (1.0, Regime::Flattened);
+        }
+        let pressure_pa = self.pressure_pa;
+        let (area_fraction, yields) = match *self.model {
+            StackedModel::Elastic { pair } => {
+                (ElasticSinusoid::new(&pair, step.aspect_ratio).area_fraction(pressure_pa), false)
             }
-            Law::Hardening(pair, strength) => {
-                let met_pa = self.next_strength_pa.unwrap_or(f64::INFINITY);
-                let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, met_pa);
-                let (area_fraction, deformation) = if flattened {
-                    (1.0, 1.0)
+            StackedModel::ElasticPlastic { pair, strength } => {
+                let sinusoid = ElasticPlasticSinusoid::new(&pair, step.aspect_ratio, self.yield_strength_pa);
+                let area_fraction = if strength.strain_gradient_length_m().is_some() {
+                    let (area_fraction, deformation) = sinusoid.area_and_deformation(pressure_pa);
+                    self.harden(step.scale.amplitude_m * deformation);
+                    area_fraction
                 } else {
-                    (sinusoid.area_fraction(pressure_pa), sinusoid.deformation_over_amplitude(pressure_pa))
+                    self.press_at_one_strength(&sinusoid, step)
                 };
-                self.next_strength_pa = Some(strength.at_depth_pa(step.scale.amplitude_m * deformation));
-                Contact {
-                    area_fraction,
-                    yields: sinusoid.yields_at(pressure_pa),
-                    aspect_ratio_over_critical: Some(sinusoid.aspect_ratio_over_critical()),
-                }
+                (area_fraction, sinusoid.yields_at(pressure_pa))
             }
+        };
+        let regime = match (area_fraction == 1.0, yields) {
+            (true, _) => Regime::Flattened,
+            (false, true) => Regime::Plastic,
+            (false, false) => Regime::Elastic,
+        };
+        (area_fraction, regime)
+    }
+
+    fn press_at_one_strength(&mut self, sinusoid: &ElasticPlasticSinusoid, step: &mut Step) -> f64 {
+        let pressure_pa = self.pressure_pa;
+        let area_fraction = if sinusoid.yields_at(pressure_pa) {
+            step.yielding_area.get_or_insert_with(|| sinusoid.yielding_area()).fraction_at(pressure_pa)
+        } else {
+            sinusoid.elastic().area_fraction(pressure_pa)
+        };
+        if area_fraction == 1.0 && sinusoid.aspect_ratio_over_critical() <= STEEPER_IS_HARDER_TO_FLATTEN_UP_TO
+        {
+            self.flatten(step.aspect_ratio);
+        }
+        area_fraction
+    }
+
+    /// Leaves to the next scale the strength that follows from how deep \[m\] this one has been pressed.
+    fn harden(&mut self, depth_m: f64) {
+        if let StackedModel::ElasticPlastic { strength, .. } = self.model {
+            self.yield_strength_pa = strength.at_depth_pa(depth_m);
         }
     }
 
-    fn flattens_up_to(&mut self, aspect_ratio: f64) {
+    fn flatten(&mut self, aspect_ratio: f64) {
         self.flat_up_to = self.flat_up_to.max(aspect_ratio);
     }
-}
-
-/// What one scale answers to the pressure on it.
-struct Contact {
-    area_fraction: f64,
-    yields: bool,
-    aspect_ratio_over_critical: Option<f64>,
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity::ElasticBody;
+    use asperity::{ElasticBody, MaterialPair, NixGao};
 
     fn pair() -> MaterialPair {
         MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap())
@@ -257,6 +240,19 @@ mod tests {
             let whole: Vec<Level> = levels(&model, 5.4e5, scales()).collect();
             let short: Vec<Level> = levels(&model, 5.4e5, scales().take(17)).collect();
             assert_eq!(whole[..17], short);
+        }
+    }
+
+    #[test]
+    fn loads_taken_together_give_the_digits_of_each_alone() {
+        let loads_pa = [5.4e3, 5.4e5, 5.4e7, 5.4e9, 1e12];
+        for model in models() {
+            let together: Vec<Level> = levels_under_loads(&model, &loads_pa, scales()).collect();
+            for (load, &load_pa) in loads_pa.iter().enumerate() {
+                let of_load = together.iter().skip(load).step_by(loads_pa.len()).copied();
+                assert!(of_load.eq(levels(&model, load_pa, scales())), "{model:?} {load_pa}");
+            }
+            assert_eq!(levels_under_loads(&model, &[], scales()).count(), 0);
         }
     }
 

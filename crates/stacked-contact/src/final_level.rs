@@ -39,13 +39,13 @@ impl<'s> FinalLevels<'s> {
         let mut descent = Descent::new(&self.model, nominal_pressure_pa);
         let mut visited = 0;
         while visited < above.len() && !descent.flattens(self.steepest_from[visited]) {
-            descent.pass(&mut Step::new(&self.model, above[visited]));
+            descent.pass(&mut Step::new(above[visited]));
             visited += 1;
         }
         if let Some(&neighbour) = above[visited..].last() {
-            descent.pass_flattened(&self.model, neighbour);
+            descent.pass_flattened(neighbour);
         }
-        let level = descent.pass(&mut Step::new(&self.model, last));
+        let level = descent.pass(&mut Step::new(last));
         Some(FinalLevel { level, visited: visited + 1 })
     }
 }
