@@ -38,14 +38,14 @@ pub fn levels_under_loads(
     let mut descents: Vec<Descent> =
         nominal_pressures_pa.iter().map(|&pressure_pa| Descent::new(model, pressure_pa)).collect();
     let mut steps = scales.into_iter().map(Step::new);
-    let mut step = if descents.is_empty() { None } else { steps.next() };
+    let mut step = steps.next();
     let mut load = 0;
     std::iter::from_fn(move || {
         if load == descents.len() {
             load = 0;
             step = steps.next();
         }
-        let level = descents[load].pass(step.as_mut()?);
+        let level = descents.get_mut(load)?.pass(step.as_mut()?);
         load += 1;
         Some(level)
     })
