@@ -10,6 +10,9 @@ use crate::{Break, ElasticSinusoid, MaterialPair};
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.
 pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
 
+/// Where r is held, so that nothing made of it overflows: some 300 decades beyond trust.
+const LARGEST_RATIO: f64 = 1e300;
+
 /// A sinusoidal surface, of one aspect ratio and strength, in contact with a flat: Krithivasan & Jackson (2007), as in
 /// `docs/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
 ///
@@ -36,7 +39,7 @@ impl ElasticPlasticSinusoid {
         let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
         let critical_aspect_ratio =
             pair.sinusoidal_yield_coefficient() * (yield_strength_pa / pair.composite_modulus_pa());
-        let aspect_ratio_over_critical = aspect_ratio / critical_aspect_ratio;
+        let aspect_ratio_over_critical = (aspect_ratio / critical_aspect_ratio).min(LARGEST_RATIO);
         ElasticPlasticSinusoid {
             elastic,
             critical_aspect_ratio,
@@ -44,7 +47,7 @@ impl ElasticPlasticSinusoid {
             // (C Sy/2)^3/(6 pi (E* B)^2), arranged so that no power over- or underflows.
             critical_pressure_pa: yield_pressure_pa * (yield_pressure_pa / slope_pa).powi(2)
                 / (48.0 * std::f64::consts::PI),
-            slope_over_yield_slope: slope_pa / yield_strength_pa,
+            slope_over_yield_slope: pair.sinusoidal_yield_coefficient() * aspect_ratio_over_critical,
             log_yield_coefficient: pair.log_spherical_yield_coefficient(),
         }
     }
@@ -114,7 +117,8 @@ impl ElasticPlasticSinusoid {
             .map_or(0.0, |log_x| self.gap_exponent().gap_over_amplitude(log_x))
     }
 
-    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in (0, 1] at the mean pressure p > 0 \[Pa\].
+    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in \[0, 1\] at the mean pressure p > 0 \[Pa\]; 0 where it
+    /// underflows, which takes r beyond 1e4.
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
             return self.elastic.deformation_over_amplitude(pressure_pa);
@@ -359,9 +363,18 @@ pub struct FlowPoint {
 }
 
 impl PlasticFlow {
+    /// [`ElasticPlasticSinusoid::complete_contact_pressure_pa`].
+    pub fn complete_contact_pressure_pa(&self) -> f64 {
+        self.area.complete_contact_pressure_pa
+    }
+
     /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
     pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
-        let x = log_x.exp();
+        self.at_pressure_share(log_x.exp(), log_x)
+    }
+
+    /// The same at x < 1 and its logarithm, for those who have both.
+    pub fn at_pressure_share(&self, x: f64, log_x: f64) -> FlowPoint {
         let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
         let pressure_pa = self.area.complete_contact_pressure_pa * x;
         let area_fraction = if self.law.yields_at(pressure_pa) {
@@ -415,7 +428,7 @@ impl PlasticArea {
     fn fraction(self, x: f64, log_x: f64) -> f64 {
         let [light, heavy] = joining_powers(x, log_x);
         let plastic = (self.log_factor + self.exponent * log_x).exp();
-        (plastic * (1.0 - light) + heavy_limit(x) * heavy).min(1.0)
+        (plastic * (1.0 - light) + heavy_limit(x) * heavy).clamp(f64::MIN_POSITIVE, 1.0)
     }
 
     /// The fraction before it is held at 1, minus 1 and over 1 - x, at u = 1 - x in \[0, 1), and the derivative by u. The
@@ -479,6 +492,52 @@ mod tests {
         assert_eq!(law.aspect_ratio_over_critical(), 0.0);
         assert_eq!(law.area_fraction(1e9), law.elastic().area_fraction(1e9));
         assert_eq!(law.deformation_over_amplitude(1e9), law.elastic().deformation_over_amplitude(1e9));
+    }
+
+    #[test]
+    fn results_stay_in_range_where_the_aspect_ratio_is_beyond_all_bounds() {
+        let ends = [f64::from_bits(1), 1e-300, 1e-12, 1.0, 1e300];
+        for (modulus_pa, strength_pa, aspect_ratio) in
+            [(1e150, 1e-170, 1e3), (1e133, 2e37, 8e76), (1e116, 9e-44, 6e63), (1e9, 1e9, 1e-300)]
+        {
+            let pair = MaterialPair::against_rigid(ElasticBody::new(modulus_pa, 0.0).unwrap());
+            let law = ElasticPlasticSinusoid::new(&pair, aspect_ratio, strength_pa);
+            assert!(law.aspect_ratio_over_critical() <= LARGEST_RATIO);
+            for end in ends {
+                let area_fraction = law.area_fraction(end);
+                assert!(area_fraction > 0.0 && area_fraction <= 1.0, "{law:?}, p = {end}: {area_fraction}");
+                assert!((0.0..=1.0).contains(&law.deformation_over_amplitude(end)), "{law:?}, p = {end}");
+                let (pressure_pa, area_fraction) = law.pressure_and_area_at_interference(end);
+                assert!(pressure_pa.is_finite(), "{law:?}, w/Delta = {end}: {pressure_pa}");
+                assert!(area_fraction > 0.0 && area_fraction <= 1.0, "{law:?}, w/Delta = {end}");
+            }
+        }
+    }
+
+    #[test]
+    fn area_and_deformation_together_are_those_of_each_alone() {
+        for r in [0.5, 1.2, 37.0, 1e4] {
+            let law = at_ratio(r);
+            for x in [1e-12, 1e-3, 0.4, 0.999, 1.0, 3.0] {
+                let pressure = x * law.complete_contact_pressure_pa();
+                let alone = (law.area_fraction(pressure), law.deformation_over_amplitude(pressure));
+                assert_eq!(law.area_and_deformation(pressure), alone, "r = {r}, x = {x}");
+            }
+        }
+    }
+
+    /// What lets a stack tell a flattened scale from a steeper one that was flattened before.
+    #[test]
+    fn a_steeper_sinusoid_takes_more_pressure_to_flatten_up_to_four_thousand_critical_aspect_ratios() {
+        for poisson_ratio in [-0.99, 0.0, 0.2, 0.5] {
+            let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, poisson_ratio).unwrap());
+            let critical = ElasticPlasticSinusoid::new(&pair, 1.0, 1e9).critical_aspect_ratio();
+            let flattening_pa: Vec<f64> = (-100..=1200)
+                .map(|i| critical * 4000f64.powf(f64::from(i) / 1200.0))
+                .map(|b| ElasticPlasticSinusoid::new(&pair, b, 1e9).flattening_pressure_pa())
+                .collect();
+            assert!(flattening_pa.is_sorted_by(|flatter, steeper| flatter < steeper), "nu = {poisson_ratio}");
+        }
     }
 
     #[test]

@@ -40,7 +40,7 @@ impl GapExponent {
     pub fn deformation_and_slope(self, log_x: f64, x: f64) -> (f64, f64) {
         let exponent = self.a1 * x + self.a2;
         let log_t = exponent * log_x;
-        let (t, opening) = (log_t.exp(), -log_t.exp_m1());
+        let (t, opening) = power_and_opening(log_t);
         let slope = 2.5 * opening * opening.sqrt() * t * (exponent + self.a1 * x * log_x);
         (complement(t, opening), slope)
     }
@@ -89,6 +89,18 @@ impl GapExponent {
 /// t = 1 - (1 - h_p/Delta)^(2/5), the power of x in g/Delta = (1 - t)^(5/2), at h_p/Delta in [0, 1).
 pub(crate) fn power_at(deformation_over_amplitude: f64) -> f64 {
     -(0.4 * (-deformation_over_amplitude).ln_1p()).exp_m1()
+}
+
+/// t and 1 - t from ln t <= 0, either to full precision, at the cost of one of them.
+fn power_and_opening(log_t: f64) -> (f64, f64) {
+    // Below one half the one, above it the other keeps its digits in the difference from 1.
+    if log_t < -std::f64::consts::LN_2 {
+        let t = log_t.exp();
+        (t, 1.0 - t)
+    } else {
+        let opening = -log_t.exp_m1();
+        (1.0 - opening, opening)
+    }
 }
 
 /// 1 - (1-t)^(5/2) for t in [0, 1] and 1 - t: (1 - (1-t)^5)/(1 + (1-t)^(5/2)) where t is small, without cancellation, and

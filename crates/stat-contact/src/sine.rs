@@ -244,7 +244,7 @@ impl ElasticPlasticSines {
     }
 
     fn interference_m(&self, pressure_pa: f64) -> f64 {
-        let log_x = (pressure_pa / self.law.complete_contact_pressure_pa()).ln();
+        let log_x = (pressure_pa / self.flow.complete_contact_pressure_pa()).ln();
         if pressure_pa <= self.flow_onset.0 {
             self.shape.interference_m(pressure_pa)
         } else if log_x >= 0.0 {
@@ -267,7 +267,7 @@ impl Asperities for ElasticPlasticSines {
         let complete_m = self.shape.amplitude_m;
         let mut pieces = self.shape.pieces(0.0, onset_m, self.breaks_m.iter().copied());
         let meet_m =
-            self.interference_m(FLOW_CHARTS_MEET_AT * self.law.complete_contact_pressure_pa()).max(onset_m);
+            self.interference_m(FLOW_CHARTS_MEET_AT * self.flow.complete_contact_pressure_pa()).max(onset_m);
         let mut ends_m = vec![onset_m, meet_m, complete_m];
         ends_m.extend(self.breaks_m.iter().filter(|&&w| onset_m < w && w < complete_m));
         ends_m.sort_by(f64::total_cmp);
@@ -280,11 +280,11 @@ impl Asperities for ElasticPlasticSines {
     }
 
     fn highest_response_pa(&self) -> f64 {
-        self.law.complete_contact_pressure_pa()
+        self.flow.complete_contact_pressure_pa()
     }
 
     fn saturation(&self) -> Option<(f64, Response)> {
-        let pressure_pa = self.law.complete_contact_pressure_pa();
+        let pressure_pa = self.flow.complete_contact_pressure_pa();
         Some((self.shape.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))
     }
 
@@ -306,13 +306,15 @@ impl Asperities for ElasticPlasticSines {
         }
         // x^(1/4), in which the powers of x at its low end are mild (ln x took twice the nodes over decades), or -(1-x)^(1/2),
         // in which the end-point power (1-x)^(5/2) of the gap is smooth.
-        let (log_x, slope) = if chart == Chart::FlowLight {
-            (4.0 * v.ln(), 4.0 / v)
+        let (x, log_x, slope) = if chart == Chart::FlowLight {
+            let square = v * v;
+            (square * square, 4.0 * v.ln(), 4.0 / v)
         } else {
-            ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v))
+            let x = 1.0 - v * v;
+            (x, (-v * v).ln_1p(), -2.0 * v / x)
         };
         let FlowPoint { interference_over_amplitude, slope_by_log_pressure, pressure_pa, area_fraction } =
-            self.flow.at_log_pressure(log_x);
+            self.flow.at_pressure_share(x, log_x);
         Point {
             interference_m: self.shape.amplitude_m * interference_over_amplitude,
             slope_m: self.shape.amplitude_m * slope_by_log_pressure * slope,
