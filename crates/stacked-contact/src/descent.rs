@@ -75,18 +75,14 @@ pub(crate) struct Descent<'m> {
     flat_up_to: f64,
     /// p*/B \[Pa\].
     complete_pressure_over_aspect_ratio_pa: f64,
-    /// Strength \[Pa\] that the next scale meets, infinite in the elastic model.
-    yield_strength_pa: f64,
+    /// How deep \[m\] the scale above has been pressed, on which the strength may depend.
+    depth_above_m: f64,
 }
 
 impl<'m> Descent<'m> {
     pub fn new(model: &'m StackedModel, nominal_pressure_pa: f64) -> Self {
         debug_assert!(nominal_pressure_pa > 0.0);
-        let (pair, yield_strength_pa) = match model {
-            StackedModel::Elastic { pair } => (pair, f64::INFINITY),
-            // The first scale has nothing above it: it meets the macroscopic strength.
-            StackedModel::ElasticPlastic { pair, strength } => (pair, strength.macroscopic_strength_pa()),
-        };
+        let (StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. }) = model;
         let complete_pressure_over_aspect_ratio_pa =
             ElasticSinusoid::new(pair, 1.0).complete_contact_pressure_pa();
         Descent {
@@ -96,7 +92,8 @@ impl<'m> Descent<'m> {
             // p* is enough at any strength.
             flat_up_to: nominal_pressure_pa / complete_pressure_over_aspect_ratio_pa,
             complete_pressure_over_aspect_ratio_pa,
-            yield_strength_pa,
+            // The first scale has nothing above it: it meets the macroscopic strength.
+            depth_above_m: f64::INFINITY,
         }
     }
 
@@ -105,21 +102,18 @@ impl<'m> Descent<'m> {
         aspect_ratio <= self.flat_up_to
     }
 
-    /// Takes one more scale into account.
+    /// Takes one more scale into account, and tells what is known below it.
     pub fn pass(&mut self, step: &mut Step) -> Level {
-        let (pressure_in_pa, strength_pa) = (self.pressure_pa, self.yield_strength_pa);
-        let (area_fraction, regime) = self.press(step);
-        if area_fraction < 1.0 {
-            self.pressure_pa = pressure_in_pa / area_fraction;
-            self.flatten(self.pressure_pa / self.complete_pressure_over_aspect_ratio_pa);
-        }
+        let pressure_in_pa = self.pressure_pa;
         let (yield_strength_pa, aspect_ratio_over_critical) = match self.model {
             StackedModel::Elastic { .. } => (None, None),
-            StackedModel::ElasticPlastic { pair, .. } => {
+            StackedModel::ElasticPlastic { pair, strength } => {
+                let strength_pa = strength.at_depth_pa(self.depth_above_m);
                 let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, strength_pa);
                 (Some(strength_pa), Some(sinusoid.aspect_ratio_over_critical()))
             }
         };
+        let regime = self.press(step);
         Level {
             wavelength_m: step.scale.wavelength_m,
             amplitude_m: step.scale.amplitude_m,
@@ -134,25 +128,26 @@ impl<'m> Descent<'m> {
 
     /// Passes scales that are all flattened, given the last of them.
     pub fn pass_flattened(&mut self, last: Scale) {
-        self.harden(last.amplitude_m);
+        self.depth_above_m = last.amplitude_m;
     }
 
-    /// The area fraction of a scale, and what it does.
-    fn press(&mut self, step: &mut Step) -> (f64, Regime) {
+    /// Takes one more scale into account.
+    pub fn press(&mut self, step: &mut Step) -> Regime {
         if self.flattens(step.aspect_ratio) {
             self.pass_flattened(step.scale);
-            return (1.0, Regime::Flattened);
+            return Regime::Flattened;
         }
         let pressure_pa = self.pressure_pa;
-        let (area_fraction, yields) = match *self.model {
+        let (area_fraction, yields) = match self.model {
             StackedModel::Elastic { pair } => {
-                (ElasticSinusoid::new(&pair, step.aspect_ratio).area_fraction(pressure_pa), false)
+                (ElasticSinusoid::new(pair, step.aspect_ratio).area_fraction(pressure_pa), false)
             }
             StackedModel::ElasticPlastic { pair, strength } => {
-                let sinusoid = ElasticPlasticSinusoid::new(&pair, step.aspect_ratio, self.yield_strength_pa);
+                let strength_pa = strength.at_depth_pa(self.depth_above_m);
+                let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, strength_pa);
                 let area_fraction = if strength.strain_gradient_length_m().is_some() {
                     let (area_fraction, deformation) = sinusoid.area_and_deformation(pressure_pa);
-                    self.harden(step.scale.amplitude_m * deformation);
+                    self.depth_above_m = step.scale.amplitude_m * deformation;
                     area_fraction
                 } else {
                     self.press_at_one_strength(&sinusoid, step)
@@ -160,12 +155,12 @@ impl<'m> Descent<'m> {
                 (area_fraction, sinusoid.yields_at(pressure_pa))
             }
         };
-        let regime = match (area_fraction == 1.0, yields) {
-            (true, _) => Regime::Flattened,
-            (false, true) => Regime::Plastic,
-            (false, false) => Regime::Elastic,
-        };
-        (area_fraction, regime)
+        if area_fraction == 1.0 {
+            return Regime::Flattened;
+        }
+        self.pressure_pa = pressure_pa / area_fraction;
+        self.flatten(self.pressure_pa / self.complete_pressure_over_aspect_ratio_pa);
+        if yields { Regime::Plastic } else { Regime::Elastic }
     }
 
     fn press_at_one_strength(&mut self, sinusoid: &ElasticPlasticSinusoid, step: &mut Step) -> f64 {
@@ -175,18 +170,11 @@ impl<'m> Descent<'m> {
         } else {
             sinusoid.elastic().area_fraction(pressure_pa)
         };
-        if area_fraction == 1.0 && sinusoid.aspect_ratio_over_critical() <= STEEPER_IS_HARDER_TO_FLATTEN_UP_TO
-        {
+        let steeper_is_harder = sinusoid.aspect_ratio_over_critical() <= STEEPER_IS_HARDER_TO_FLATTEN_UP_TO;
+        if area_fraction == 1.0 && steeper_is_harder {
             self.flatten(step.aspect_ratio);
         }
         area_fraction
-    }
-
-    /// Leaves to the next scale the strength that follows from how deep \[m\] this one has been pressed.
-    fn harden(&mut self, depth_m: f64) {
-        if let StackedModel::ElasticPlastic { strength, .. } = self.model {
-            self.yield_strength_pa = strength.at_depth_pa(depth_m);
-        }
     }
 
     fn flatten(&mut self, aspect_ratio: f64) {

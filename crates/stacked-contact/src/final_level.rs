@@ -39,7 +39,7 @@ impl<'s> FinalLevels<'s> {
         let mut descent = Descent::new(&self.model, nominal_pressure_pa);
         let mut visited = 0;
         while visited < above.len() && !descent.flattens(self.steepest_from[visited]) {
-            descent.pass(&mut Step::new(above[visited]));
+            descent.press(&mut Step::new(above[visited]));
             visited += 1;
         }
         if let Some(&neighbour) = above[visited..].last() {
