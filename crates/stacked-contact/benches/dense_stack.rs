@@ -10,7 +10,7 @@ use stacked_contact::{Scale, StackedModel, largest_full_contact_pressure_pa, lev
 
 const SCALES: usize = 100_000;
 const LOADS_PA: [f64; 5] = [5.4e5, 5.4e6, 5.4e7, 5.4e8, 5.4e9];
-const RUNS: usize = 10;
+const RUNS: usize = 30;
 
 fn main() {
     let scales: Vec<Scale> = (0..SCALES).map(scale).collect();

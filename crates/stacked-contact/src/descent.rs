@@ -38,12 +38,10 @@ pub fn levels_under_loads(
     let mut descents: Vec<Descent> =
         nominal_pressures_pa.iter().map(|&pressure_pa| Descent::new(model, pressure_pa)).collect();
     let mut steps = scales.into_iter().map(Step::new);
-    let mut step = steps.next();
-    let mut load = 0;
+    let (mut step, mut load) = (None, descents.len());
     std::iter::from_fn(move || {
         if load == descents.len() {
-            load = 0;
-            step = steps.next();
+            (step, load) = (steps.next(), 0);
         }
         let level = descents.get_mut(load)?.pass(step.as_mut()?);
         load += 1;
@@ -250,6 +248,9 @@ mod tests {
         let counted = scales().inspect(|_| drawn += 1);
         assert_eq!(levels(&models()[1], 5.4e6, counted).take(3).count(), 3);
         assert_eq!(drawn, 3);
+        let counted = scales().inspect(|_| drawn += 1);
+        assert_eq!(levels_under_loads(&models()[1], &[5.4e6, 5.4e7], counted).take(4).count(), 4);
+        assert_eq!(drawn, 3 + 2);
     }
 
     #[test]
