@@ -5,7 +5,7 @@ use crate::elastic_sinusoid::{
 };
 use crate::mean_gap::{GapExponent, power_at};
 use crate::root::newton_in_bracket;
-use crate::{Break, ElasticSinusoid, MaterialPair};
+use crate::{Break, ElasticSinusoid, MaterialPair, elementary};
 
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.
 pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
@@ -32,6 +32,7 @@ pub struct ElasticPlasticSinusoid {
 
 impl ElasticPlasticSinusoid {
     /// A sinusoid of aspect ratio B = Delta/lambda > 0 and yield strength Sy > 0 \[Pa\]; an infinite strength is elastic.
+    #[inline]
     pub fn new(pair: &MaterialPair, aspect_ratio: f64, yield_strength_pa: f64) -> Self {
         debug_assert!(aspect_ratio > 0.0 && yield_strength_pa > 0.0);
         let elastic = ElasticSinusoid::new(pair, aspect_ratio);
@@ -124,7 +125,7 @@ impl ElasticPlasticSinusoid {
             return self.elastic.deformation_over_amplitude(pressure_pa);
         }
         let x = pressure_pa / self.complete_contact_pressure_pa();
-        if x < 1.0 { self.gap_exponent().deformation_over_amplitude(x.ln(), x) } else { 1.0 }
+        if x < 1.0 { self.gap_exponent().deformation_over_amplitude(elementary::ln(x), x) } else { 1.0 }
     }
 
     /// [`area_fraction`](Self::area_fraction) and [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the
@@ -139,7 +140,7 @@ impl ElasticPlasticSinusoid {
         if x >= 1.0 {
             return (1.0, 1.0);
         }
-        let log_x = x.ln();
+        let log_x = elementary::ln(x);
         let area_fraction = self.plastic_area(log_softening).fraction(x, log_x);
         (area_fraction, self.gap_exponent().deformation_over_amplitude(log_x, x))
     }
@@ -150,7 +151,7 @@ impl ElasticPlasticSinusoid {
         if interference_over_amplitude >= 1.0 {
             return self.complete_contact_pressure_pa();
         }
-        self.pressed_to_power(power_at(interference_over_amplitude)).pressure_pa
+        self.pressed_to_power(power_at(interference_over_amplitude), self.gap_exponent()).pressure_pa
     }
 
     /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
@@ -165,7 +166,7 @@ impl ElasticPlasticSinusoid {
 
     /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
     pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
-        let Pressed { pressure_pa, flow } = self.pressed_to_power(t);
+        let Pressed { pressure_pa, flow } = self.pressed_to_power(t, self.gap_exponent());
         let area_fraction = match flow {
             Some(Flow { log_softening, x, log_x }) if self.yields_at(pressure_pa) => {
                 if log_x < 0.0 {
@@ -180,16 +181,17 @@ impl ElasticPlasticSinusoid {
     }
 
     /// The smaller of the elastic and the elastic-plastic pressure at t in (0, 1).
-    fn pressed_to_power(&self, t: f64) -> Pressed {
+    #[inline]
+    fn pressed_to_power(&self, t: f64, gap: GapExponent) -> Pressed {
         let elastic_pa = self.elastic.complete_contact_pressure_pa() * t * t;
         if self.aspect_ratio_over_critical <= 1.0 {
             return Pressed { pressure_pa: elastic_pa, flow: None };
         }
-        let (log_t, gap, log_softening) = (t.ln(), self.gap_exponent(), self.log_softening());
+        let (log_t, log_softening) = (elementary::ln(t), self.log_softening());
         let log_x = 2.0 * log_t - log_softening;
         // Where the elastic pressure is the smaller one, nothing has to be solved for.
         if log_x < 0.0 {
-            let x = log_x.exp();
+            let x = elementary::exp(log_x);
             if gap.log_power(log_x, x) <= log_t {
                 return Pressed { pressure_pa: elastic_pa, flow: Some(Flow { log_softening, x, log_x }) };
             }
@@ -198,7 +200,7 @@ impl ElasticPlasticSinusoid {
         let plastic_pa = self.softened_pressure_pa(log_softening + log_x);
         Pressed {
             pressure_pa: elastic_pa.min(plastic_pa),
-            flow: Some(Flow { log_softening, x: log_x.exp(), log_x }),
+            flow: Some(Flow { log_softening, x: elementary::exp(log_x), log_x }),
         }
     }
 
@@ -209,16 +211,33 @@ impl ElasticPlasticSinusoid {
 
     /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
     /// in the law x^(A1 x + A2) = t, that the elastic pressure would need, over the one that it has.
+    #[inline]
     pub fn flow_margin_at_interference(&self, interference_over_amplitude: f64) -> f64 {
-        if self.aspect_ratio_over_critical <= 1.0 {
-            return -1.0;
-        }
-        let log_t = power_at(interference_over_amplitude).ln();
+        self.flow_margin_at_power(power_at(interference_over_amplitude))
+    }
+
+    /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), without a branch.
+    #[inline(always)]
+    pub fn flow_margin_at_power(&self, t: f64) -> f64 {
+        let log_t = elementary::ln(t);
         let log_x = 2.0 * log_t - self.log_softening();
-        if log_x >= 0.0 {
-            return 1.0;
+        let margin = self.gap_exponent().log_power(log_x, elementary::exp(log_x)) - log_t;
+        if self.aspect_ratio_over_critical <= 1.0 {
+            -1.0
+        } else if log_x >= 0.0 {
+            1.0
+        } else {
+            margin
         }
-        self.gap_exponent().log_power(log_x, log_x.exp()) - log_t
+    }
+
+    /// [`area_fraction`](Self::area_fraction), without a branch, at mean pressures below that of complete contact at which
+    /// the sinusoid yields.
+    #[inline(always)]
+    pub fn yielding_area_fraction(&self, pressure_pa: f64) -> f64 {
+        let log_softening = self.log_softening();
+        let x = pressure_pa / self.softened_pressure_pa(log_softening);
+        self.plastic_area(log_softening).fraction(x, elementary::ln(x))
     }
 
     /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
@@ -292,32 +311,36 @@ impl ElasticPlasticSinusoid {
         self.aspect_ratio_over_critical <= FLAGGED_ASPECT_RATIO_OVER_CRITICAL
     }
 
+    #[inline(always)]
     fn gap_exponent(&self) -> GapExponent {
         GapExponent::elastic_plastic(self.aspect_ratio_over_critical)
     }
 
     /// ln(p*_ep/p*).
+    #[inline(always)]
     fn log_softening(&self) -> f64 {
         if self.aspect_ratio_over_critical <= 1.0 {
             return 0.0;
         }
-        0.6 * (11.0 / (4.0 * self.aspect_ratio_over_critical + 7.0)).ln()
+        0.6 * elementary::ln(11.0 / (4.0 * self.aspect_ratio_over_critical + 7.0))
     }
 
     /// p* by a factor \[Pa\] given as its logarithm.
+    #[inline(always)]
     fn softened_pressure_pa(&self, log_factor: f64) -> f64 {
-        self.elastic.complete_contact_pressure_pa() * log_factor.exp()
+        self.elastic.complete_contact_pressure_pa() * elementary::exp(log_factor)
     }
 
     /// phi_p = 2 (phi_c/2)^(1/(1+d)) [3 p/(4 C Sy)]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and
     /// d = 3.8 (E* B/Sy)^0.11, as a power of x = p/p*_ep. With s = E* B/Sy, 3 p*_ep/(4 C Sy) is
     /// (3 sqrt(2) pi/4) s/C times the softening.
+    #[inline(always)]
     fn plastic_area(&self, log_softening: f64) -> PlasticArea {
         const LN_8: f64 = 2.079_441_541_679_835_9;
         const LN_PI: f64 = 1.144_729_885_849_400_2;
         const LN_3_SQRT_2_PI_OVER_4: f64 = 1.203_621_403_677_591_9;
-        let log_slope = self.slope_over_yield_slope.ln();
-        let d = 3.8 * (0.11 * log_slope).exp();
+        let log_slope = elementary::ln(self.slope_over_yield_slope);
+        let d = 3.8 * elementary::exp(0.11 * log_slope);
         let log_half_critical_area = 2.0 * (self.log_yield_coefficient - LN_8 - log_slope) - LN_PI;
         let log_complete = LN_3_SQRT_2_PI_OVER_4 - self.log_yield_coefficient + log_slope + log_softening;
         PlasticArea {
@@ -368,13 +391,27 @@ impl PlasticFlow {
         self.area.complete_contact_pressure_pa
     }
 
-    /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
-    pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
-        self.at_pressure_share(log_x.exp(), log_x)
+    /// The point at ln x < 0 and x, p = p*_ep x, without a branch, where the sinusoid yields.
+    #[inline(always)]
+    pub fn yielding_at(&self, x: f64, log_x: f64) -> FlowPoint {
+        let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
+        FlowPoint {
+            interference_over_amplitude,
+            slope_by_log_pressure,
+            pressure_pa: self.area.complete_contact_pressure_pa * x,
+            area_fraction: self.area.plastic.fraction(x, log_x),
+        }
     }
 
-    /// The same at x < 1 and its logarithm, for those who have both.
-    pub fn at_pressure_share(&self, x: f64, log_x: f64) -> FlowPoint {
+    /// The fraction of the area at p = p*_ep x, x < 1, without a branch, where the sinusoid yields.
+    #[inline(always)]
+    pub fn yielding_area_fraction(&self, x: f64) -> f64 {
+        self.area.plastic.fraction(x, elementary::ln(x))
+    }
+
+    /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
+    pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
+        let x = log_x.exp();
         let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
         let pressure_pa = self.area.complete_contact_pressure_pa * x;
         let area_fraction = if self.law.yields_at(pressure_pa) {
@@ -383,6 +420,14 @@ impl PlasticFlow {
             self.law.elastic.area_fraction(pressure_pa)
         };
         FlowPoint { interference_over_amplitude, slope_by_log_pressure, pressure_pa, area_fraction }
+    }
+
+    /// [`ElasticPlasticSinusoid::pressure_at_interference_pa`].
+    pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
+        if interference_over_amplitude >= 1.0 {
+            return self.complete_contact_pressure_pa();
+        }
+        self.law.pressed_to_power(power_at(interference_over_amplitude), self.gap).pressure_pa
     }
 
     /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1).
@@ -412,7 +457,7 @@ impl YieldingArea {
     /// [`ElasticPlasticSinusoid::area_fraction`] where the sinusoid yields at the mean pressure p \[Pa\].
     pub fn fraction_at(&self, pressure_pa: f64) -> f64 {
         let x = pressure_pa / self.complete_contact_pressure_pa;
-        if x < 1.0 { self.plastic.fraction(x, x.ln()) } else { 1.0 }
+        if x < 1.0 { self.plastic.fraction(x, elementary::ln(x)) } else { 1.0 }
     }
 }
 
@@ -425,10 +470,12 @@ struct PlasticArea {
 
 impl PlasticArea {
     /// min(1, phi_p (1 - x^1.51) + phi_2 x^1.04).
+    #[inline(always)]
     fn fraction(self, x: f64, log_x: f64) -> f64 {
         let [light, heavy] = joining_powers(x, log_x);
-        let plastic = (self.log_factor + self.exponent * log_x).exp();
-        (plastic * (1.0 - light) + heavy_limit(x) * heavy).clamp(f64::MIN_POSITIVE, 1.0)
+        let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
+        let fitted = plastic * (1.0 - light) + heavy_limit(x) * heavy;
+        if fitted < 1.0 { fitted.max(f64::MIN_POSITIVE) } else { 1.0 }
     }
 
     /// The fraction before it is held at 1, minus 1 and over 1 - x, at u = 1 - x in \[0, 1), and the derivative by u. The
@@ -436,7 +483,7 @@ impl PlasticArea {
     /// is positive at x = 1.
     fn overshoot(self, u: f64) -> (f64, f64) {
         let (x, log_x) = (1.0 - u, (-u).ln_1p());
-        let plastic = (self.log_factor + self.exponent * log_x).exp();
+        let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
         let [light, heavy] = [LIGHT_EXPONENT, HEAVY_EXPONENT].map(|a| opening(a, u, log_x));
         let to_heavy = 1.0 - heavy.0 * u;
         let value = plastic * light.0 - heavy.0 - FULL_CONTACT_SLOPE * to_heavy;

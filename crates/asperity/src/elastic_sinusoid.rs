@@ -7,7 +7,7 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::mean_gap::{complement, power_at};
-use crate::{Break, MaterialPair};
+use crate::{Break, MaterialPair, elementary};
 
 /// x = p/p* from which the law is its full-contact limit alone; the area steps down by 4.2e-4 there.
 const JOINED_UP_TO: f64 = 0.8;
@@ -48,6 +48,24 @@ impl ElasticSinusoid {
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
         joined_area_fraction(pressure_pa / self.complete_contact_pressure_pa)
     }
+
+    /// The fraction of the area, without a branch, where p/p* = t^2 is below 0.8, and t^(4/3) is known; t is at least the
+    /// root of the smallest normal number.
+    #[inline(always)]
+    pub fn light_area_fraction(t: f64, t_to_four_thirds: f64) -> f64 {
+        let x = t * t;
+        let [light, heavy] = joining_powers(x, 2.0 * elementary::ln(t));
+        HERTZ_LIMIT * t_to_four_thirds * (1.0 - light) + heavy_limit(x) * heavy
+    }
+
+    /// The fraction of the area where p/p* = x lies between 0.8 and 1.
+    #[inline(always)]
+    pub fn heavy_area_fraction(x: f64) -> f64 {
+        heavy_limit(x)
+    }
+
+    /// p/p* from which the fraction of the area is that of the full-contact limit.
+    pub const JOINED_UP_TO: f64 = JOINED_UP_TO;
 
     /// Mean gap over amplitude g/Delta = (1 - (p/p*)^(1/2))^(5/2) in \[0, 1) at the mean pressure p > 0 \[Pa\], 0 from
     /// p* on (Rostami & Jackson 2013).
@@ -114,23 +132,25 @@ fn joined_area_fraction(x: f64) -> f64 {
 /// phi_1 (1 - x^1.51) + phi_2 x^1.04, phi_1 = pi (3x/(8 pi))^(2/3) being Hertz's limit.
 fn light_joined(x: f64) -> f64 {
     let x = x.max(f64::MIN_POSITIVE);
-    let log_x = x.ln();
+    let log_x = elementary::ln(x);
     // The cube root from the logarithm that the powers need anyway, one Newton step taking it to rounding: a third of
     // the cost of `cbrt`.
-    let rough = (log_x / 3.0).exp();
+    let rough = elementary::exp(log_x / 3.0);
     let root = rough - (rough * rough * rough - x) / (3.0 * rough * rough);
     let [light, heavy] = joining_powers(x, log_x);
     HERTZ_LIMIT * (root * root) * (1.0 - light) + heavy_limit(x) * heavy
 }
 
 /// x^1.51 and x^1.04 for 0 < x <= 1, from one exponential: x^1.5 (x^0.01) and x (x^0.01)^4.
+#[inline(always)]
 pub(crate) fn joining_powers(x: f64, log_x: f64) -> [f64; 2] {
-    let hundredth = (0.01 * log_x).exp();
+    let hundredth = elementary::exp(0.01 * log_x);
     let square = hundredth * hundredth;
     [x * x.sqrt() * hundredth, x * (square * square)]
 }
 
 /// phi_2 = 1 - (3/(2 pi)) (1 - x), the limit near complete contact.
+#[inline(always)]
 pub(crate) fn heavy_limit(x: f64) -> f64 {
     1.0 - FULL_CONTACT_SLOPE * (1.0 - x)
 }

@@ -24,6 +24,11 @@ impl Hertz {
         4.0 / 3.0 * self.composite_modulus_pa * interference_m * (self.radius_m * interference_m).sqrt()
     }
 
+    /// Force per w^(3/2), (4/3) E* sqrt(R) \[N/m^1.5\].
+    pub fn force_per_three_halves(&self) -> f64 {
+        4.0 / 3.0 * self.composite_modulus_pa * self.radius_m.sqrt()
+    }
+
     /// Contact area A = pi R w \[m^2\] at the interference w >= 0 \[m\].
     pub fn area_m2(&self, interference_m: f64) -> f64 {
         PI * self.radius_m * interference_m

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{Break, Hertz, MaterialPair};
+use crate::{Break, Hertz, MaterialPair, elementary};
 
 /// w/w_c up to which the law is Hertz's; its force jumps there (see [`JacksonGreen::breaks`]).
 pub const YIELD_INTERFERENCE_RATIO: f64 = 1.9;
@@ -39,9 +39,18 @@ impl Hardness {
     /// H_G/Sy at ln(A/(pi R^2)) <= 0, twice the logarithm of a/R.
     fn over_strength(self, log_area_share: f64) -> f64 {
         match self {
-            Hardness::JacksonGreen2005 => 2.84 * (1.0 - (-0.82 * (-0.35 * log_area_share).exp()).exp()),
-            Hardness::Cosine => 2.84 - 0.92 * (1.0 - (PI * (0.5 * log_area_share).exp()).cos()),
+            Hardness::JacksonGreen2005 => Self::jackson_green_2005(log_area_share),
+            Hardness::Cosine => Self::cosine(log_area_share),
         }
+    }
+
+    #[inline(always)]
+    fn jackson_green_2005(log_area_share: f64) -> f64 {
+        2.84 * (1.0 - elementary::exp(-0.82 * elementary::exp(-0.35 * log_area_share)))
+    }
+
+    fn cosine(log_area_share: f64) -> f64 {
+        2.84 - 0.92 * (1.0 - (PI * (0.5 * log_area_share).exp()).cos())
     }
 }
 
@@ -67,6 +76,7 @@ pub struct JacksonGreen {
 
 impl JacksonGreen {
     /// A sphere of radius R > 0 \[m\] and yield strength Sy > 0 \[Pa\]. An infinite strength is a Hertzian sphere.
+    #[inline]
     pub fn new(pair: &MaterialPair, radius_m: f64, yield_strength_pa: f64, hardness: Hardness) -> Self {
         debug_assert!(radius_m > 0.0 && yield_strength_pa > 0.0);
         let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
@@ -80,8 +90,8 @@ impl JacksonGreen {
             yield_strength_pa,
             strength_over_modulus,
             critical_interference_m: critical_slope * critical_slope * radius_m,
-            log_onset_over_radius: (YIELD_INTERFERENCE_RATIO * critical_slope * critical_slope).ln(),
-            area_exponent: 0.14 * (23.0 * strength_over_modulus).exp(),
+            log_onset_over_radius: elementary::ln(YIELD_INTERFERENCE_RATIO * critical_slope * critical_slope),
+            area_exponent: 0.14 * elementary::exp(23.0 * strength_over_modulus),
         }
     }
 
@@ -104,8 +114,44 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
         } else {
-            self.plastic_force_n(interference_m, self.log_over_onset(interference_m))
+            let log_ratio = self.log_over_onset(interference_m);
+            self.plastic_force_n(interference_m, log_ratio, |log_share| {
+                self.hardness.over_strength(log_share)
+            })
         }
+    }
+
+    /// Forces \[N\] and contact areas \[m^2\] at interferences w >= 1.9 w_c \[m\], each under the law `at_depth` of it, all
+    /// of the same hardness.
+    #[inline]
+    pub fn plastic_forces_and_areas(
+        hardness: Hardness,
+        at_depth: impl Fn(f64) -> JacksonGreen,
+        interferences_m: &[f64],
+        forces_n: &mut [f64],
+        areas_m2: &mut [f64],
+    ) {
+        // A loop for each hardness, so that the cosine of one does not keep the compiler from working on several
+        // interferences of the other at once.
+        let nodes = interferences_m.iter().zip(forces_n).zip(areas_m2);
+        match hardness {
+            Hardness::JacksonGreen2005 => nodes.for_each(|((&w, force_n), area_m2)| {
+                (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, Hardness::jackson_green_2005);
+            }),
+            Hardness::Cosine => nodes.for_each(|((&w, force_n), area_m2)| {
+                (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, Hardness::cosine);
+            }),
+        }
+    }
+
+    /// The same at one, without a branch; `over_strength` is the hardness.
+    #[inline(always)]
+    fn plastic_force_and_area(&self, interference_m: f64, over_strength: impl Fn(f64) -> f64) -> (f64, f64) {
+        let log_ratio = self.log_over_onset(interference_m);
+        let grown_m2 = self.hertz.area_m2(interference_m) * elementary::exp(self.log_growth(log_ratio));
+        let most_m2 = PI * self.radius_m * self.radius_m;
+        let area_m2 = if grown_m2 < most_m2 { grown_m2 } else { most_m2 };
+        (self.plastic_force_n(interference_m, log_ratio, over_strength), area_m2)
     }
 
     /// Force \[N\] and contact area \[m^2\] at the interference w >= 0 \[m\]: [`force_n`](Self::force_n) and
@@ -116,9 +162,7 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             return (self.hertz.force_n(interference_m), hertz_area_m2.min(most_m2));
         }
-        let log_ratio = self.log_over_onset(interference_m);
-        let area_m2 = (hertz_area_m2 * self.log_growth(log_ratio).exp()).min(most_m2);
-        (self.plastic_force_n(interference_m, log_ratio), area_m2)
+        self.plastic_force_and_area(interference_m, |log_share| self.hardness.over_strength(log_share))
     }
 
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
@@ -142,7 +186,10 @@ impl JacksonGreen {
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let onset = self.plastic_onset_m();
         let departure = onset.is_finite().then(|| {
-            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset, 0.0));
+            let (below, above) = (
+                self.hertz.force_n(onset),
+                self.plastic_force_n(onset, 0.0, |log_share| self.hardness.over_strength(log_share)),
+            );
             Break::jump(onset, "departure from Hertz at 1.9 w_c", below, above)
         });
         let cap = Some(Break::kink(self.cap_interference_m(), "area reaches pi R^2"));
@@ -188,13 +235,16 @@ impl JacksonGreen {
     }
 
     /// ln(w'/1.9), keeping its digits near the onset.
+    #[inline(always)]
     fn log_over_onset(&self, interference_m: f64) -> f64 {
-        log_of_ratio(interference_m, self.plastic_onset_m())
+        let onset_m = self.plastic_onset_m();
+        elementary::ln_1p((interference_m - onset_m) / onset_m)
     }
 
-    /// b ln(w'/1.9). b may be infinite: infinity times zero, at the onset itself, is zero here.
+    /// b ln(w'/1.9).
+    #[inline(always)]
     fn log_growth(&self, log_ratio: f64) -> f64 {
-        if log_ratio == 0.0 { 0.0 } else { self.area_exponent * log_ratio }
+        self.area_exponent * log_ratio
     }
 
     /// a/R = min(1, sqrt(A/(pi R^2))).
@@ -204,28 +254,29 @@ impl JacksonGreen {
     }
 
     /// The force from the onset on; `log_ratio` is ln(w'/1.9).
-    fn plastic_force_n(&self, interference_m: f64, log_ratio: f64) -> f64 {
+    #[inline(always)]
+    fn plastic_force_n(
+        &self,
+        interference_m: f64,
+        log_ratio: f64,
+        over_strength: impl Fn(f64) -> f64,
+    ) -> f64 {
         const LOG_OF_ONSET: f64 = 0.641_853_886_172_394_8;
         let w = interference_m / self.critical_interference_m;
         let critical_force_n =
             2.0 / 3.0 * self.yield_pressure_pa * PI * self.radius_m * self.critical_interference_m;
-        let log_area_share = (self.log_onset_over_radius + log_ratio + self.log_growth(log_ratio)).min(0.0);
-        let hardness = self.hardness.over_strength(log_area_share);
+        let log_area_share = self.log_onset_over_radius + log_ratio + self.log_growth(log_ratio);
+        let log_area_share = if log_area_share < 0.0 { log_area_share } else { 0.0 };
+        let hardness = over_strength(log_area_share);
         // 5/12 and 5/9 are three and four times 5/36: both powers from one exponential.
-        let power = (5.0 / 36.0 * (LOG_OF_ONSET + log_ratio)).exp();
+        let power = elementary::exp(5.0 / 36.0 * (LOG_OF_ONSET + log_ratio));
         let square = power * power;
-        let elastic_share = (-0.25 * square * power).exp() * w * w.sqrt();
-        let plastic_share = -(-square * square / 25.0).exp_m1() * w;
+        let elastic_share = elementary::exp(-0.25 * square * power) * w * w.sqrt();
+        let plastic_share = -elementary::exp_m1(-square * square / 25.0) * w;
         critical_force_n
             * (elastic_share
                 + 4.0 * hardness * self.yield_strength_pa / self.yield_pressure_pa * plastic_share)
     }
-}
-
-/// ln(a/b), keeping its digits where a and b are close.
-fn log_of_ratio(a: f64, b: f64) -> f64 {
-    let excess = (a - b) / b;
-    if excess.abs() < 0.5 { excess.ln_1p() } else { (a / b).ln() }
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@
 //!   and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an interference, with its mean gap, and
 //!   [`BemSinusoid`], the elastic one by boundary elements.
 //! * [`NixGao`]: the yield strength, growing where the deformation is shallow.
+//! * [`elementary`]: exponentials and logarithms for many arguments at once.
 //! * [`Break`]: where a law bends or jumps, for those who integrate it.
 //!
 //! Not here: populations of asperities, stacks of scales, spectra, units. All quantities are plain `f64` in SI;
@@ -28,6 +29,7 @@ mod bem_sinusoid;
 mod breaks;
 mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
+pub mod elementary;
 mod error;
 mod hertz;
 mod jackson_green;

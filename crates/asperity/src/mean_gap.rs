@@ -4,6 +4,7 @@
 //! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits where
 //! the gap is almost the amplitude; the strength goes like h_p^(-1/2), so they show.
 
+use crate::elementary;
 use crate::root::newton_in_bracket;
 
 /// The exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
@@ -16,11 +17,15 @@ pub(crate) struct GapExponent {
 impl GapExponent {
     /// A1 = -0.1 ln r, A2 = (r-1)^0.44/15 + 0.99^(0.44 (r-1)) - 1/2 for the aspect ratio r >= 1 over the critical one;
     /// elastic at r = 1.
+    #[inline(always)]
     pub fn elastic_plastic(aspect_ratio_over_critical: f64) -> Self {
+        const LOG_OF_99_HUNDREDTHS: f64 = -0.010_050_335_853_501_44;
         let beyond = aspect_ratio_over_critical - 1.0;
         GapExponent {
-            a1: -0.1 * aspect_ratio_over_critical.ln(),
-            a2: (0.44 * beyond.ln()).exp() / 15.0 + (0.44 * 0.99f64.ln() * beyond).exp() - 0.5,
+            a1: -0.1 * elementary::ln(aspect_ratio_over_critical),
+            a2: elementary::exp(0.44 * elementary::ln(beyond)) / 15.0
+                + elementary::exp(0.44 * LOG_OF_99_HUNDREDTHS * beyond)
+                - 0.5,
         }
     }
 
@@ -37,10 +42,11 @@ impl GapExponent {
     }
 
     /// h_p/Delta and its derivative by ln x, at ln x < 0 and its exponential.
+    #[inline(always)]
     pub fn deformation_and_slope(self, log_x: f64, x: f64) -> (f64, f64) {
         let exponent = self.a1 * x + self.a2;
         let log_t = exponent * log_x;
-        let (t, opening) = power_and_opening(log_t);
+        let (t, opening) = (elementary::exp(log_t), -elementary::exp_m1(log_t));
         let slope = 2.5 * opening * opening.sqrt() * t * (exponent + self.a1 * x * log_x);
         (complement(t, opening), slope)
     }
@@ -53,7 +59,7 @@ impl GapExponent {
         let excess = self.a2 - 0.5;
         let target = 0.5 * log_factor;
         newton_in_bracket(-2.0 * (target / excess).abs() - 700.0, 0.0, target / excess, |log_x| {
-            let x = log_x.exp();
+            let x = elementary::exp(log_x);
             let exponent = self.a1 * x + excess;
             (exponent * log_x - target, self.a1 * x * log_x + exponent)
         })
@@ -61,7 +67,7 @@ impl GapExponent {
 
     /// ln x at which h_p/Delta has the given value in (0, 1).
     pub fn log_x_at(self, deformation_over_amplitude: f64) -> f64 {
-        self.log_x_at_power(power_at(deformation_over_amplitude).ln())
+        self.log_x_at_power(elementary::ln(power_at(deformation_over_amplitude)))
     }
 
     /// ln x at which (A1 x + A2) ln x = ln t, t in (0, 1).
@@ -72,45 +78,38 @@ impl GapExponent {
         }
         // A1 <= 0 makes the exponent largest at x = 0 and the left side rise with ln x, so that `upper` is an upper
         // bound, and the exponent there yields a lower one.
-        let lower = log_t / (self.a1 * upper.exp() + self.a2);
+        let lower = log_t / (self.a1 * elementary::exp(upper) + self.a2);
         newton_in_bracket(lower, upper, upper, |log_x| {
-            let x = log_x.exp();
+            let x = elementary::exp(log_x);
             let exponent = self.a1 * x + self.a2;
             (exponent * log_x - log_t, self.a1 * x * log_x + exponent)
         })
     }
 
     /// ln x^(A1 x + A2).
+    #[inline(always)]
     pub fn log_power(self, log_x: f64, x: f64) -> f64 {
         (self.a1 * x + self.a2) * log_x
     }
 }
 
 /// t = 1 - (1 - h_p/Delta)^(2/5), the power of x in g/Delta = (1 - t)^(5/2), at h_p/Delta in [0, 1).
+///
+/// With y = (1 - h_p/Delta)^(2/5), 1 - y is (1 - y^5)/(1 + y + y^2 + y^3 + y^4), where nothing cancels.
+#[inline(always)]
 pub(crate) fn power_at(deformation_over_amplitude: f64) -> f64 {
-    -(0.4 * (-deformation_over_amplitude).ln_1p()).exp_m1()
-}
-
-/// t and 1 - t from ln t <= 0, either to full precision, at the cost of one of them.
-fn power_and_opening(log_t: f64) -> (f64, f64) {
-    // Below one half the one, above it the other keeps its digits in the difference from 1.
-    if log_t < -std::f64::consts::LN_2 {
-        let t = log_t.exp();
-        (t, 1.0 - t)
-    } else {
-        let opening = -log_t.exp_m1();
-        (1.0 - opening, opening)
-    }
+    let h = deformation_over_amplitude;
+    let y = elementary::exp(0.4 * elementary::ln(1.0 - h));
+    h * (2.0 - h) / (1.0 + y * (1.0 + y * (1.0 + y * (1.0 + y))))
 }
 
 /// 1 - (1-t)^(5/2) for t in [0, 1] and 1 - t: (1 - (1-t)^5)/(1 + (1-t)^(5/2)) where t is small, without cancellation, and
 /// with a root in the place of a logarithm and an exponential.
+#[inline(always)]
 pub(crate) fn complement(t: f64, opening: f64) -> f64 {
     let gap = opening * opening * opening.sqrt();
-    if t > 0.25 {
-        return 1.0 - gap;
-    }
-    t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t)))) / (1.0 + gap)
+    let shallow = t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t)))) / (1.0 + gap);
+    if t > 0.25 { 1.0 - gap } else { shallow }
 }
 
 #[cfg(test)]

@@ -77,10 +77,14 @@ impl NixGao {
 
     /// Strength \[Pa\] at the deformation depth h_p >= 0 \[m\]. Without a cap it grows beyond all bounds as the depth
     /// vanishes: no deformation, no plasticity.
+    #[inline]
     pub fn at_depth_pa(&self, depth_m: f64) -> f64 {
         let Some(length_m) = self.strain_gradient_length_m else { return self.macroscopic_strength_pa };
         let grown = self.macroscopic_strength_pa * (1.0 + length_m / depth_m).sqrt();
-        self.cap_pa.map_or(grown, |cap| grown.min(cap))
+        match self.cap_pa {
+            Some(cap_pa) if cap_pa < grown => cap_pa,
+            _ => grown,
+        }
     }
 }
 

@@ -47,6 +47,7 @@ fn main() {
             );
         }
     }
+    println!("one Hertz pair at a separation, to 1e-12: {:.0} ns", hertz_pair_s() * 1e9);
     for (tolerance, sum_s) in TOLERANCES.into_iter().zip(sum_of_four_s) {
         println!("mean of the four models at {tolerance:.0e}: {:.2} us", sum_s / 4.0 * 1e6);
     }
@@ -83,6 +84,20 @@ fn time(cases: &[Case], tolerance: f64) -> f64 {
         start.elapsed().as_secs_f64() / cases.len() as f64
     };
     (0..REPETITIONS).map(|_| pass()).fold(f64::INFINITY, f64::min)
+}
+
+/// Seconds for pressure and area of Hertz's spheres at a given separation, the contact built anew each time.
+fn hertz_pair_s() -> f64 {
+    let cases = cases(0);
+    let pass = || {
+        let start = Instant::now();
+        for case in &cases {
+            let contact = StatisticalContact::new(&case.pair, &case.population, &case.law);
+            black_box(contact.at_separation(black_box(case.u * case.sigma_s_m), 1e-12).unwrap());
+        }
+        start.elapsed().as_secs_f64() / cases.len() as f64
+    };
+    (0..10 * REPETITIONS).map(|_| pass()).fold(f64::INFINITY, f64::min)
 }
 
 fn cases(kind: usize) -> Vec<Case> {

@@ -36,8 +36,8 @@ fn main() {
             for state in &states {
                 let d = state.separation_m.unwrap_or(f64::NAN);
                 println!(
-                    "{name} {d:.12e} {:.12e} {:.12e} {:.2e}",
-                    state.ln_pressure_pa, state.ln_area_fraction, state.error_estimate
+                    "{name} {d:.12e} {:.12e} {:.12e} {:.2e} {}",
+                    state.ln_pressure_pa, state.ln_area_fraction, state.error_estimate, state.evaluations
                 );
             }
         } else {

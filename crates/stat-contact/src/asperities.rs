@@ -9,13 +9,14 @@ pub(crate) struct Response {
     pub area_fraction: f64,
 }
 
-/// The response at one point of a chart.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Point {
-    pub interference_m: f64,
+/// What a law answers at the points of a chart, a row for each quantity.
+pub(crate) struct Points<'a> {
+    pub interferences_m: &'a mut [f64],
     /// Derivative of the interference by the coordinate.
-    pub slope_m: f64,
-    pub response: Response,
+    pub slopes_m: &'a mut [f64],
+    /// eta F \[Pa\] and eta A.
+    pub pressures_pa: &'a mut [f64],
+    pub area_fractions: &'a mut [f64],
 }
 
 /// The coordinate in which a piece of a law is smooth up to its ends.
@@ -50,8 +51,29 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     /// The response at an interference > 0 \[m\].
     fn at_interference(&self, interference_m: f64) -> Response;
 
-    /// The interference \[m\] up to which every asperity is Hertz's, and the area fraction per interference \[1/m\] there.
-    fn hertzian(&self) -> Option<(f64, f64)> {
+    /// The responses \[Pa, 1\] at interferences > 0 \[m\] that no break of the law divides.
+    fn at_interferences(
+        &self,
+        interferences_m: &[f64],
+        pressures_pa: &mut [f64],
+        area_fractions: &mut [f64],
+    ) {
+        for ((w, pressure_pa), area_fraction) in interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+        {
+            let response = self.at_interference(*w);
+            (*pressure_pa, *area_fraction) = (response.pressure_pa, response.area_fraction);
+        }
+    }
+
+    /// The responses' pressures \[Pa\] alone, at interferences > 0 \[m\] wherever the breaks are.
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.at_interference(*w).pressure_pa;
+        }
+    }
+
+    /// Hertz's law, where asperities follow it at first.
+    fn hertzian(&self) -> Option<Hertzian> {
         None
     }
 
@@ -74,8 +96,9 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
         unreachable!("the law has no chart {chart:?}")
     }
 
-    /// The point at a coordinate of a chart of this law other than [`Chart::Interference`].
-    fn at_coordinate(&self, chart: Chart, _coordinate: f64) -> Point {
+    /// The points at coordinates of a chart of this law other than [`Chart::Interference`], that no break of the law
+    /// divides.
+    fn at_coordinates(&self, chart: Chart, _coordinates: &[f64], _points: Points<'_>) {
         unreachable!("the law has no chart {chart:?}")
     }
 
@@ -98,6 +121,17 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     fn falls_from_m(&self) -> Option<f64> {
         None
     }
+}
+
+/// A population that is Hertz's at small interferences.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hertzian {
+    /// The interference \[m\] up to which every asperity is.
+    pub until_m: f64,
+    /// The area fraction per interference \[1/m\].
+    pub area_per_m: f64,
+    /// eta F per interference^(3/2) \[Pa/m^1.5\].
+    pub pressure_per_three_halves: f64,
 }
 
 /// How a force goes with the interference.

@@ -5,12 +5,13 @@ use asperity::{AsperityError, Bound, MaterialPair};
 use crate::asperities::{Asperities, Response};
 use crate::cell::{Cell, Precision};
 use crate::far::FarBelow;
-use crate::frame::Frame;
+use crate::frame::{Frame, Sums};
 use crate::gaussian::{log_reference_density, reference_density};
 use crate::gradient_sine::GradientSines;
 use crate::search::{Found, Search};
 use crate::sine::{BemSines, ElasticPlasticSines, ElasticSines};
 use crate::sphere::{ElasticPlasticSpheres, ElasticSpheres};
+use crate::trapezoid::sums_of_hertz;
 use crate::{AsperityLaw, ContactState, InterferenceLaw, Population};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
@@ -55,10 +56,19 @@ impl StatisticalContact {
             return Ok(ContactState::without_spread(separation_m, &response));
         }
         let u = separation_m / self.sigma_s_m;
-        let mut frame = self.frame(Cell::of(u), Precision::new(tolerance));
+        let (cell, precision) = (Cell::of(u), Precision::new(tolerance));
         // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
         let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
-        Ok(self.state(&mut frame, u, rounding, Some(separation_m)))
+        let hertz = self.asperities.hertzian();
+        let of_hertz = hertz.and_then(|hertz| sums_of_hertz(&hertz, self.sigma_s_m, cell, precision, u));
+        let state = if let Some((sums, evaluations)) = of_hertz {
+            let state = self.state(&sums, u, rounding);
+            ContactState { error_estimate: precision.relative_error(), evaluations, ..state }
+        } else {
+            let mut frame = Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision);
+            self.state_on(&mut frame, u, rounding)
+        };
+        Ok(ContactState { separation_m: Some(separation_m), ..state })
     }
 
     /// The state that carries a pressure \[Pa\] over the nominal area, found to rounding on a quadrature of the relative
@@ -90,7 +100,7 @@ impl StatisticalContact {
         let Some(Found { mut frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {
             return Ok(ContactState::complete(pressure_pa));
         };
-        let state = self.state(&mut frame, u, 0.0, None);
+        let state = self.state_on(&mut frame, u, 0.0);
         Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), evaluations, ..state })
     }
 
@@ -110,26 +120,32 @@ impl StatisticalContact {
         Search { asperities: &*self.asperities, sigma_s_m: self.sigma_s_m, pressure_pa, precision }
     }
 
-    fn frame(&self, cell: Cell, precision: Precision) -> Frame<'_> {
-        Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision)
+    /// The state at the separation u + rounding in units of sigma_s, on a frame near it.
+    fn state_on(&self, frame: &mut Frame, u: f64, rounding: f64) -> ContactState {
+        let sums = frame.sums_at(u);
+        ContactState {
+            error_estimate: frame.relative_error(&sums),
+            evaluations: frame.evaluations,
+            out_of_range_load_share: frame.out_of_range_load_share(&sums),
+            ..self.state(&sums, u, rounding)
+        }
     }
 
-    /// The state at the separation u + rounding in units of sigma_s.
-    fn state(&self, frame: &mut Frame, u: f64, rounding: f64, separation_m: Option<f64>) -> ContactState {
-        let sums = frame.sums_at(u);
-        let correction = sums.log_pressure_slopes()[0] * rounding;
+    /// The same from the integrals at u.
+    fn state(&self, sums: &Sums, u: f64, rounding: f64) -> ContactState {
+        let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
         let ln_area_fraction = sums.area_fraction.ln() + log_density;
         ContactState {
-            separation_m: separation_m.or(Some(u * self.sigma_s_m)),
+            separation_m: Some(u * self.sigma_s_m),
             pressure_pa: sums.pressure_pa * scale,
             area_fraction: (sums.area_fraction * scale).min(1.0),
             ln_pressure_pa: sums.pressure_pa.ln() + log_density,
             ln_area_fraction: ln_area_fraction.min(0.0),
-            error_estimate: frame.relative_error(&sums),
-            evaluations: frame.evaluations,
-            out_of_range_load_share: frame.out_of_range_load_share(&sums),
+            error_estimate: 0.0,
+            evaluations: 0,
+            out_of_range_load_share: 0.0,
             clamped: ln_area_fraction > 0.0,
         }
     }

@@ -1,5 +1,7 @@
 //! The coordinate in which integrals over the interference are smooth from first touch into the tail.
 
+use asperity::elementary;
+
 /// Root-like at the origin and linear far from it, in units of sigma_s:
 /// s = sqrt(c^2 + v^2) - c, or s = v - u where the origin is out of sight.
 ///
@@ -29,7 +31,7 @@ impl Coordinate {
     /// Where contacts at first touch are that rare already, the heights themselves serve, and keep their digits better.
     pub fn around(u: f64, farthest: f64, digits: f64) -> Self {
         // The margin makes up for the growth of a response like s^(3/2) from where the contacts are to the singularity.
-        let margin = 5.0 + 5.0 * u.max(0.0).ln_1p();
+        let margin = 5.0 + 5.0 * elementary::ln_1p(u.max(0.0));
         let level = digits + margin - 0.5 * farthest.min(0.0).powi(2);
         if level < 1.0 {
             return Coordinate::Height { u };
@@ -44,7 +46,7 @@ impl Coordinate {
     pub fn between(self, low: f64, high: f64) -> Self {
         const LOG_RATIO_LEFT: f64 = 2.3;
         const HIGHEST_POWER: f64 = 8.0;
-        let power = (high / low).ln() / LOG_RATIO_LEFT;
+        let power = elementary::ln(high / low) / LOG_RATIO_LEFT;
         if low > 0.0 && power > 1.0 {
             Coordinate::Power { power: power.ceil().min(HIGHEST_POWER) as i32 }
         } else {
@@ -67,30 +69,37 @@ impl Coordinate {
         match self {
             Coordinate::Root { c } => (s * (s + 2.0 * c)).sqrt(),
             Coordinate::Height { u } => s + u,
-            Coordinate::Power { power } => s.powf(1.0 / f64::from(power)),
+            Coordinate::Power { power } => elementary::exp(elementary::ln(s) / f64::from(power)),
         }
     }
 
-    /// The interference at a coordinate, and its derivative.
-    pub fn interference(self, v: f64) -> (f64, f64) {
+    /// The interferences at coordinates, and their derivatives.
+    pub fn interferences(self, coordinates: &[f64], interferences: &mut [f64], slopes: &mut [f64]) {
         match self {
             Coordinate::Root { c } => {
-                let root = (c * c + v * v).sqrt();
-                (v * v / (root + c), v / root)
+                for ((&v, s), slope) in coordinates.iter().zip(interferences).zip(slopes) {
+                    let root = (c * c + v * v).sqrt();
+                    // One division for both v^2/(root + c) and v/root.
+                    let quotient = v / (root * (root + c));
+                    (*s, *slope) = (v * root * quotient, (root + c) * quotient);
+                }
             }
-            Coordinate::Height { u } => (v - u, 1.0),
+            Coordinate::Height { u } => {
+                for ((&v, s), slope) in coordinates.iter().zip(interferences).zip(slopes) {
+                    (*s, *slope) = (v - u, 1.0);
+                }
+            }
             Coordinate::Power { power } => {
-                let below = v.powi(power - 1);
-                (below * v, f64::from(power) * below)
+                // A row of factors at a time, rather than a power of unknown exponent for each.
+                interferences.fill(1.0);
+                for _ in 1..power {
+                    interferences.iter_mut().zip(coordinates).for_each(|(below, v)| *below *= v);
+                }
+                for ((s, slope), v) in interferences.iter_mut().zip(slopes).zip(coordinates) {
+                    *slope = f64::from(power) * *s;
+                    *s *= v;
+                }
             }
-        }
-    }
-
-    /// The height u + s that meets the flat at a coordinate of the interference s.
-    pub fn height(self, v: f64, u: f64, s: f64) -> f64 {
-        match self {
-            Coordinate::Height { .. } => v,
-            _ => u + s,
         }
     }
 }
@@ -99,18 +108,24 @@ impl Coordinate {
 mod tests {
     use super::*;
 
+    fn interference(coordinate: Coordinate, v: f64) -> (f64, f64) {
+        let (mut s, mut slope) = ([0.0], [0.0]);
+        coordinate.interferences(&[v], &mut s, &mut slope);
+        (s[0], slope[0])
+    }
+
     #[test]
     fn the_coordinate_inverts_the_interference_and_knows_its_slope() {
         for coordinate in [Coordinate::around(-3.0, -3.0, 30.0), Coordinate::around(60.0, 63.0, 30.0)] {
             for v in [1e-9, 0.1, 3.0, 40.0] {
-                let (s, slope) = coordinate.interference(v);
+                let (s, slope) = interference(coordinate, v);
                 assert!((coordinate.of(s) / v - 1.0).abs() < 1e-14);
-                let difference =
-                    coordinate.interference(v * (1.0 + 1e-6)).0 - coordinate.interference(v * (1.0 - 1e-6)).0;
+                let difference = interference(coordinate, v * (1.0 + 1e-6)).0
+                    - interference(coordinate, v * (1.0 - 1e-6)).0;
                 assert!((difference / (2e-6 * v) / slope - 1.0).abs() < 1e-9);
             }
         }
         let far = Coordinate::around(-60.0, -60.0, 30.0);
-        assert_eq!(far.interference(far.of(61.0)), (61.0, 1.0));
+        assert_eq!(interference(far, far.of(61.0)), (61.0, 1.0));
     }
 }

@@ -5,11 +5,17 @@
 //! quadrature built around one separation, and sums them against the density at any separation nearby. A search for
 //! the separation that carries a load therefore evaluates the law once, not once per step.
 
-use crate::asperities::{Asperities, Chart, Piece, Point, Response};
+use asperity::elementary;
+use wide::f64x2;
+
+use crate::asperities::{Asperities, Chart, Piece, Points, Response};
 use crate::cell::{Cell, Precision};
 use crate::coordinate::Coordinate;
+use crate::density::Density;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
 use crate::legendre::Rule;
+use crate::nodes::{Block, Nodes, Rows, Summed, total};
+use crate::trapezoid::Trapezoid;
 
 /// Law evaluations after which the error is accepted as it is, and reported.
 const MOST_EVALUATIONS: usize = 3000;
@@ -26,17 +32,18 @@ pub(crate) struct Frame<'a> {
     coordinate: Coordinate,
     precision: Precision,
     panels: Vec<Panel>,
-    nodes: Vec<Node>,
-    /// The separation last summed at, and the density at every node there, over the reference density. Whatever is asked at
-    /// one separation shares them: exponentials were a third of the cost of a state.
+    /// With the density at every node at the separation last summed at, over the reference density.
+    nodes: Nodes,
+    /// The separation last summed at.
     u: f64,
-    densities: Vec<f64>,
     /// The area fraction per unit of interference where it is proportional to it throughout.
     area_per_sigma: Option<f64>,
     /// The interference, in units of sigma_s, from which on the response is this one.
     saturation: Option<(f64, Response)>,
     /// The highest interference, in units of sigma_s, that counts.
     high: f64,
+    /// Whether the areas matter.
+    with_areas: bool,
     /// Law evaluations spent.
     pub evaluations: usize,
 }
@@ -51,6 +58,16 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
+    /// Those of Hertz's spheres, as far as their state needs them.
+    pub fn of_hertz(pressure_pa: f64, area_fraction: f64, mean_height: f64) -> Self {
+        Sums { pressure_pa, area_fraction, mean_heights: [mean_height, f64::NAN, f64::NAN] }
+    }
+
+    /// Derivative of ln p by u.
+    pub fn log_pressure_slope(&self) -> f64 {
+        -self.mean_heights[0]
+    }
+
     /// First, second and third derivative of ln p by u.
     pub fn log_pressure_slopes(&self) -> [f64; 3] {
         let [mean, square, cube] = self.mean_heights;
@@ -67,18 +84,14 @@ struct Panel {
     halvings: usize,
     /// None for the trapezoidal rule, whose error is known beforehand.
     rule: Option<&'static Rule>,
-    /// The first of its nodes among those of the frame, and their number.
-    first: usize,
-    count: usize,
+    nodes: Block,
 }
 
-/// One node, its weight multiplied into the response. Lengths in units of sigma_s.
-#[derive(Clone, Copy)]
-struct Node {
-    interference: f64,
-    height: f64,
-    pressure_pa: f64,
-    area_fraction: f64,
+/// The weights of a rule in a coordinate.
+enum Weights {
+    Equal(f64),
+    /// Those of a Gauss rule, times the half length of its panel.
+    Gauss(&'static Rule, f64),
 }
 
 impl<'a> Frame<'a> {
@@ -89,14 +102,18 @@ impl<'a> Frame<'a> {
         cell: Cell,
         precision: Precision,
     ) -> Self {
+        // Room for nearly all; one panel of Hertz's spheres has a quarter.
         const NODES: usize = 96;
+        const NODES_OF_HERTZ: usize = 24;
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
         let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
-        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, NODES);
+        let area_per_m = asperities
+            .hertzian()
+            .and_then(|hertz| (window.high * sigma_s_m <= hertz.until_m).then_some(hertz.area_per_m));
+        let nodes = if area_per_m.is_some() { NODES_OF_HERTZ } else { NODES };
+        let mut frame = Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, precision, nodes);
         frame.high = window.high;
-        if let Some((until_m, area_per_m)) = asperities.hertzian()
-            && window.high * sigma_s_m <= until_m
-        {
+        if let Some(area_per_m) = area_per_m {
             frame.area_per_sigma = Some(area_per_m * sigma_s_m);
             frame.add_trapezoid(&window);
             return frame;
@@ -110,7 +127,7 @@ impl<'a> Frame<'a> {
         frame
     }
 
-    /// A few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so, and so
+    /// The force at a few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so, and so
     /// within the right cell for all but one search in fifty (blind to that one as well, for three in four).
     pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64) -> Self {
         const NODES_BELOW: usize = 8;
@@ -122,6 +139,7 @@ impl<'a> Frame<'a> {
         let coordinate = Coordinate::around(u, u, precision.digits);
         let mut frame =
             Self::empty(asperities, sigma_s_m, u, coordinate, precision, NODES_BELOW + NODES_ABOVE);
+        frame.with_areas = false;
         let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
         let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
             frame.add_trapezoid(&window);
@@ -157,12 +175,12 @@ impl<'a> Frame<'a> {
             coordinate,
             precision,
             panels: Vec::new(),
-            nodes: Vec::with_capacity(nodes),
+            nodes: Nodes::with_room_for(nodes),
             u: centre,
-            densities: Vec::with_capacity(nodes),
             high: 0.0,
             area_per_sigma: None,
             saturation: None,
+            with_areas: true,
             evaluations: 0,
         }
     }
@@ -195,18 +213,16 @@ impl<'a> Frame<'a> {
         self.add_panel(piece.chart, coordinate, [from, to], 0, rule);
     }
 
-    /// The trapezoidal rule over a window of Hertz's spheres. Their force is an even function of the coordinate, so that
-    /// the rule converges exponentially; their area is an odd one, and has a closed form instead.
     fn add_trapezoid(&mut self, window: &Window) {
-        let step = Coordinate::trapezoidal_step(self.precision.digits);
         let [from, to] = [window.low, window.high].map(|s| self.coordinate.of(s));
-        let first = (from / step - 0.5).ceil();
-        let count = ((to - from) / step).ceil() as usize;
-        let (chart, coordinate, panel) = (Chart::Interference, self.coordinate, self.nodes.len());
-        for k in 0..count {
-            self.add_node(chart, coordinate, (first + k as f64 + 0.5) * step, step);
+        let trapezoid = Trapezoid::between(from, to, self.precision.digits);
+        let (chart, coordinate) = (Chart::Interference, self.coordinate);
+        let nodes = self.nodes.add(trapezoid.count);
+        for (k, v) in self.nodes.rows(nodes).densities.iter_mut().enumerate() {
+            *v = trapezoid.at(k);
         }
-        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, first: panel, count });
+        self.evaluate(chart, coordinate, nodes, Weights::Equal(trapezoid.step));
+        self.panels.push(Panel { chart, coordinate, from, to, halvings: 0, rule: None, nodes });
     }
 
     fn add_panel(
@@ -218,38 +234,58 @@ impl<'a> Frame<'a> {
         rule: &'static Rule,
     ) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let (first, count) = (self.nodes.len(), rule.nodes.len());
-        for node in &rule.nodes {
-            self.add_node(chart, coordinate, middle + half * node.x, half * node.weight);
+        let nodes = self.nodes.add(rule.count());
+        for (v, x) in self.nodes.rows(nodes).densities.iter_mut().zip(&rule.x) {
+            *v = middle + half * x;
         }
-        self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), first, count });
+        self.evaluate(chart, coordinate, nodes, Weights::Gauss(rule, half));
+        self.panels.push(Panel { chart, coordinate, from, to, halvings, rule: Some(rule), nodes });
     }
 
-    /// Evaluates the law at a node, and the density at the centre.
-    fn add_node(&mut self, chart: Chart, coordinate: Coordinate, at: f64, weight: f64) {
-        let node = self.node(chart, coordinate, at, weight);
-        self.evaluations += 1;
-        self.nodes.push(node);
-        self.densities.push(Density::new(self.centre, self.centre).at(&node));
-    }
-
-    fn node(&self, chart: Chart, coordinate: Coordinate, at: f64, weight: f64) -> Node {
-        let (interference, slope, height, response) = if chart == Chart::Interference {
-            let (s, slope) = coordinate.interference(at);
-            let response = self.asperities.at_interference(s * self.sigma_s_m);
-            (s, slope, coordinate.height(at, self.centre, s), response)
+    /// Evaluates the law at the nodes of a panel, whose coordinates stand in the place of the densities, and then the
+    /// densities at the centre.
+    fn evaluate(&mut self, chart: Chart, coordinate: Coordinate, nodes: Block, weights: Weights) {
+        let (centre, sigma_s_m) = (self.centre, self.sigma_s_m);
+        self.evaluations += nodes.count();
+        let Rows { places, pressures_pa, area_fractions, densities, slopes } = self.nodes.rows(nodes);
+        let density = Density::new(centre, centre);
+        let per_slope = if chart == Chart::Interference {
+            coordinate.interferences(densities, places, slopes);
+            for (place, value) in places.iter_mut().zip(&mut *densities) {
+                let (s, v) = (*place, *value);
+                (*place, *value) = (density.place(coordinate, v, s), s * sigma_s_m);
+            }
+            if self.with_areas {
+                self.asperities.at_interferences(densities, pressures_pa, area_fractions);
+            } else {
+                self.asperities.pressures_at_interferences(densities, pressures_pa);
+            }
+            1.0
         } else {
-            let Point { interference_m, slope_m, response } = self.asperities.at_coordinate(chart, at);
-            let s = interference_m / self.sigma_s_m;
-            (s, slope_m / self.sigma_s_m, self.centre + s, response)
+            let points = Points {
+                interferences_m: &mut *places,
+                slopes_m: &mut *slopes,
+                pressures_pa: &mut *pressures_pa,
+                area_fractions: &mut *area_fractions,
+            };
+            self.asperities.at_coordinates(chart, densities, points);
+            let origin = if density.around_peak { centre } else { 0.0 };
+            places.iter_mut().for_each(|place| *place = *place / sigma_s_m + origin);
+            1.0 / sigma_s_m
         };
-        let weight = weight * slope;
-        Node {
-            interference,
-            height,
-            pressure_pa: weight * response.pressure_pa,
-            area_fraction: weight * response.area_fraction,
+        match weights {
+            Weights::Equal(step) => slopes.iter_mut().for_each(|slope| *slope *= step * per_slope),
+            Weights::Gauss(rule, half) => {
+                let half = half * per_slope;
+                slopes.iter_mut().zip(&rule.weights).for_each(|(slope, weight)| *slope *= half * weight);
+            }
         }
+        for ((pressure_pa, area_fraction), weight) in
+            pressures_pa.iter_mut().zip(area_fractions).zip(&*slopes)
+        {
+            (*pressure_pa, *area_fraction) = (weight * *pressure_pa, weight * *area_fraction);
+        }
+        density.at(places, densities);
     }
 
     /// Nodes that a Gauss-Legendre rule needs between two interferences, from how far the exponent of the density runs
@@ -291,7 +327,7 @@ impl<'a> Frame<'a> {
                 continue;
             }
             self.panels.remove(at);
-            let nodes = rule.nodes.len();
+            let nodes = rule.count();
             if nodes < MOST_NODES {
                 let rule = Rule::of_at_least(nodes + nodes / 3 + 1);
                 self.add_panel(chart, coordinate, [from, to], halvings, rule);
@@ -300,23 +336,6 @@ impl<'a> Frame<'a> {
             let (middle, rule) = (0.5 * (from + to), Rule::of_at_least(nodes * 3 / 4));
             self.add_panel(chart, coordinate, [from, middle], halvings + 1, rule);
             self.add_panel(chart, coordinate, [middle, to], halvings + 1, rule);
-        }
-        self.drop_nodes_without_panel();
-    }
-
-    fn drop_nodes_without_panel(&mut self) {
-        let live: usize = self.panels.iter().map(|panel| panel.count).sum();
-        if live == self.nodes.len() {
-            return;
-        }
-        let (nodes, densities) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.densities));
-        self.nodes.reserve(live);
-        self.densities.reserve(live);
-        for panel in &mut self.panels {
-            let range = panel.range();
-            panel.first = self.nodes.len();
-            self.nodes.extend_from_slice(&nodes[range.clone()]);
-            self.densities.extend_from_slice(&densities[range]);
         }
     }
 
@@ -329,8 +348,9 @@ impl<'a> Frame<'a> {
     pub fn sums_at(&mut self, u: f64) -> Sums {
         if u != self.u {
             let density = Density::new(self.centre, u);
-            for (value, node) in self.densities.iter_mut().zip(&self.nodes) {
-                *value = density.at(node);
+            for panel in &self.panels {
+                let Rows { places, densities, .. } = self.nodes.rows(panel.nodes);
+                density.at(places, densities);
             }
             self.u = u;
         }
@@ -339,19 +359,27 @@ impl<'a> Frame<'a> {
 
     /// The integrals at the separation last summed at.
     fn sums(&self) -> Sums {
-        let (u, density) = (self.u, Density::new(self.centre, self.u));
-        let mut total = [0.0; 5];
-        for (node, share) in self.nodes.iter().zip(&self.densities) {
-            let height = density.height(node);
-            let pressure_pa = share * node.pressure_pa;
-            let moment = height * pressure_pa;
-            total[0] += pressure_pa;
-            total[1] += moment;
-            total[2] += height * moment;
-            total[3] += height * height * moment;
-            total[4] += share * node.area_fraction;
+        let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
+        let mut sums = [f64x2::ZERO; 5];
+        for panel in &self.panels {
+            let Summed { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
+            for (((place, pressure_pa), area_fraction), density) in
+                places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
+            {
+                let [place, pressure_pa, area_fraction, density] =
+                    [place, pressure_pa, area_fraction, density].map(|lanes| f64x2::new(*lanes));
+                let height = place + shift;
+                let load = density * pressure_pa;
+                let moment = height * load;
+                let second = height * moment;
+                sums[0] += load;
+                sums[1] += moment;
+                sums[2] += second;
+                sums[3] += height * second;
+                sums[4] += density * area_fraction;
+            }
         }
-        total.iter_mut().for_each(|sum| *sum *= DENSITY_SCALE);
+        let mut total = sums.map(|lanes| DENSITY_SCALE * total(lanes));
         if let Some((from, response)) = self.saturation {
             let share = gaussian::tail(u, from);
             let at_edge = gaussian::density(u, from);
@@ -370,16 +398,13 @@ impl<'a> Frame<'a> {
 
     /// Estimate of the larger relative error of the two integrals at the separation last summed at.
     pub fn relative_error(&self, sums: &Sums) -> f64 {
-        const ROUNDING: f64 = 1e-14;
         let mut errors = [0.0; 2];
         for panel in &self.panels {
             let [pressure, area] = self.errors(panel);
             errors[0] += pressure;
             errors[1] += area;
         }
-        let rules = (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction);
-        let drop = self.precision.drop;
-        rules + 0.5 * drop * drop * (-drop).exp() + 3.0 * (-self.precision.digits).exp() + ROUNDING
+        (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction) + self.precision.relative_error()
     }
 
     /// Share of the load, at the separation last summed at, that is carried at interferences for which the law was not
@@ -412,7 +437,9 @@ impl<'a> Frame<'a> {
                     Chart::Interference => panel.coordinate.of(s),
                     chart => self.asperities.coordinate(chart, interference_m),
                 };
-                let loads = panel.range().map(|i| self.densities[i] * self.nodes[i].pressure_pa);
+                let Summed { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
+                let loads = pressures_pa.as_flattened().iter().zip(densities.as_flattened());
+                let loads = loads.map(|(pressure_pa, density)| density * pressure_pa);
                 panel.load_above_pa(loads, at)
             })
             .sum();
@@ -434,72 +461,36 @@ impl<'a> Frame<'a> {
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
         let Some(rule) = panel.rule else { return [0.0; 2] };
         let onward = if panel.coordinate.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
-        let mut wholes = [0.0; 2];
-        let mut coefficients = [[0.0; 4]; 2];
-        let nodes = self.nodes[panel.range()].iter().zip(&self.densities[panel.range()]);
-        for ((node, density), at) in nodes.zip(&rule.nodes) {
-            let values = [density * node.pressure_pa, density * node.area_fraction];
-            for ((whole, row), value) in wholes.iter_mut().zip(&mut coefficients).zip(values) {
-                *whole += value;
-                for (coefficient, probe) in row.iter_mut().zip(at.probes) {
-                    *coefficient += value * probe;
+        let mut wholes = [f64x2::ZERO; 2];
+        let mut coefficients = [[f64x2::ZERO; 4]; 2];
+        let Summed { pressures_pa, area_fractions, densities, .. } = self.nodes.summed(panel.nodes);
+        for (((pressure_pa, area_fraction), density), probes) in
+            pressures_pa.iter().zip(area_fractions).zip(densities).zip(&rule.probes)
+        {
+            let density = f64x2::new(*density);
+            let values = [pressure_pa, area_fraction].map(|lanes| density * f64x2::new(*lanes));
+            for i in 0..2 {
+                wholes[i] += values[i];
+                for k in 0..4 {
+                    coefficients[i][k] += values[i] * probes[k];
                 }
             }
         }
         [0, 1].map(|i| {
-            let (whole, [a, b, c, d]) = (wholes[i], coefficients[i]);
+            let (whole, [a, b, c, d]) = (total(wholes[i]), coefficients[i].map(total));
             let (middle, high) = (a.abs().max(b.abs()), c.abs().max(d.abs()));
             if high == 0.0 {
                 return 0.0;
             }
-            let first_fall = (whole.abs() / middle).ln().max(0.1);
-            let second_fall = (middle / high).ln().max(0.0);
+            let first_fall = elementary::ln(whole.abs() / middle).max(0.1);
+            let second_fall = elementary::ln(middle / high).max(0.0);
             let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
-            DENSITY_SCALE * high * (-COUNTED_ON * second_fall * falls).exp()
+            DENSITY_SCALE * high * elementary::exp(-COUNTED_ON * second_fall * falls)
         })
     }
 }
 
-/// The density of the heights at the separation u, over the reference density, on a frame around another separation.
-struct Density {
-    around_peak: bool,
-    /// u, or how far it is from the centre.
-    shift: f64,
-    /// What is left of the exponent beside the part that depends on the node.
-    left: f64,
-}
-
-impl Density {
-    fn new(centre: f64, u: f64) -> Self {
-        let log_reference = log_reference_density(u);
-        if centre > 0.0 {
-            // What the reference density leaves of u^2/2: nothing, unless the cell's neighbour lies across zero.
-            Density { around_peak: false, shift: u, left: 0.5 * u * u + log_reference }
-        } else {
-            Density { around_peak: true, shift: u - centre, left: log_reference }
-        }
-    }
-
-    /// The height at which a node meets the flat.
-    fn height(&self, node: &Node) -> f64 {
-        self.shift + if self.around_peak { node.height } else { node.interference }
-    }
-
-    fn at(&self, node: &Node) -> f64 {
-        let exponent = if self.around_peak {
-            -0.5 * (node.height + self.shift).powi(2)
-        } else {
-            -node.interference * (self.shift + 0.5 * node.interference)
-        };
-        (exponent - self.left).exp()
-    }
-}
-
 impl Panel {
-    fn range(&self) -> std::ops::Range<usize> {
-        self.first..self.first + self.count
-    }
-
     /// The integral of the pressure beyond a coordinate, of the polynomial through the loads at the nodes.
     fn load_above_pa(&self, loads: impl Iterator<Item = f64>, at: f64) -> f64 {
         let x = (2.0 * at - self.from - self.to) / (self.to - self.from);

@@ -56,17 +56,55 @@ pub(crate) fn tail(u: f64, from: f64) -> f64 {
     }
 }
 
-/// Integral of s exp(-(u+s)^2/2)/sqrt(2 pi) over all s from 0 on, over the reference density: phi(u) - u Q(u).
+/// phi(u) - u Q(u) over phi(u), times (1 + u)^2, for u >= 0: coefficients of the powers of (u - 5)/(u + 5), from 26
+/// Chebyshev polynomials of it, within 1e-16; as many as make up fours.
+const FIRST_MOMENT: [f64; 28] = [
+    1.294_541_151_243_162_4,
+    -0.368_722_964_545_018_24,
+    -0.028_030_699_627_535_318,
+    0.261_167_007_848_162_46,
+    -0.273_548_203_762_268_9,
+    0.154_021_662_311_231_07,
+    -0.029_310_982_484_216_187,
+    -0.031_861_872_708_039_22,
+    0.034_746_227_044_115_68,
+    -0.016_131_705_895_756_486,
+    0.002_328_313_685_668_353_5,
+    0.001_576_775_617_502_933_9,
+    -0.000_852_726_679_260_871,
+    -3.581_817_099_618_2e-5,
+    0.000_146_927_563_032_433_38,
+    -1.720_393_106_112_526_6e-5,
+    -2.335_508_821_393_951_3e-5,
+    4.971_636_920_474_042e-6,
+    3.947_327_231_733_412_5e-6,
+    -9.985_214_771_598_005e-7,
+    -6.968_399_656_044_212e-7,
+    1.660_151_115_420_457_6e-7,
+    1.073_022_959_586_397e-7,
+    -2.118_499_871_566_054_3e-8,
+    -9.684_045_797_029_939e-9,
+    1.529_418_606_351_620_5e-9,
+    0.0,
+    0.0,
+];
+
+/// Integral of s exp(-(u+s)^2/2)/sqrt(2 pi) over all s from 0 on, over the reference density: phi(u) - u Q(u), which is
+/// that at -u, less u.
 pub(crate) fn first_moment(u: f64) -> f64 {
-    const CANCELS_FROM: f64 = 3.0;
-    if u < CANCELS_FROM {
-        return density(u, 0.0) - u * tail(u, 0.0);
+    let distance = u.abs();
+    let t = (distance - 5.0) / (distance + 5.0);
+    let (square, fourth) = (t * t, t * t * (t * t));
+    // Four sums that do not wait for one another.
+    let mut sums = [0.0; 4];
+    for coefficients in FIRST_MOMENT.as_chunks::<4>().0.iter().rev() {
+        for (sum, coefficient) in sums.iter_mut().zip(coefficients) {
+            *sum = *sum * fourth + coefficient;
+        }
     }
-    // phi (1 - u M) with Mills' ratio as its continued fraction, M = 1/(u + 1/(u + 2/(u + ...))): no cancellation.
-    let terms = 8 + (400.0 / (u * u)) as u32;
-    let fraction = (2..=terms).rev().fold(0.0, |rest, k| f64::from(k) / (u + rest));
-    let first = 1.0 / (u + fraction);
-    density(u, 0.0) * first / (u + first)
+    let series = (sums[0] + t * sums[1]) + square * (sums[2] + t * sums[3]);
+    let moment = DENSITY_SCALE * series / (1.0 + distance) / (1.0 + distance);
+    if u >= 0.0 { moment } else { moment * (-0.5 * u * u).exp() - u }
 }
 
 /// The density at the interference s, over the reference density.

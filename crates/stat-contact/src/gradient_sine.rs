@@ -1,9 +1,11 @@
 //! Populations of elastic-plastic sinusoids whose strength depends on the depth of the deformation.
 
-use asperity::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao};
+use asperity::{
+    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao, elementary,
+};
 
 use crate::Population;
-use crate::asperities::{Asperities, Chart, Course, Piece, Point, Response};
+use crate::asperities::{Asperities, Chart, Course, Piece, Points, Response};
 use crate::root::{in_bracket, minimum};
 use crate::sine::ElasticSine;
 
@@ -40,6 +42,7 @@ impl GradientSines {
         }
     }
 
+    #[inline(always)]
     fn at_depth(&self, depth_m: f64) -> ElasticPlasticSinusoid {
         ElasticPlasticSinusoid::new(&self.pair, self.aspect_ratio, self.strength.at_depth_pa(depth_m))
     }
@@ -69,13 +72,18 @@ impl GradientSines {
             return Vec::new();
         }
         let at = |log_m: f64| {
-            let depth_m = log_m.exp();
+            let depth_m = elementary::exp(log_m);
             self.at_depth(depth_m).flow_margin_at_interference(depth_m / self.amplitude_m)
         };
         let step = (to_m / from_m).ln() / (SAMPLES - 1) as f64;
         let sample = |log_m: f64| (log_m, at(log_m));
-        let mut samples: Vec<(f64, f64)> =
-            (0..SAMPLES).map(|i| sample(from_m.ln() + step * i as f64)).collect();
+        let low = from_m.ln();
+        let mut margins = [0.0; SAMPLES];
+        for (i, margin) in margins.iter_mut().enumerate() {
+            *margin = at(low + step * i as f64);
+        }
+        let mut samples: Vec<(f64, f64)> = Vec::with_capacity(SAMPLES + SAMPLES / 2);
+        samples.extend(margins.into_iter().enumerate().map(|(i, margin)| (low + step * i as f64, margin)));
         for i in 1..SAMPLES - 1 {
             let m = [i - 1, i, i + 1].map(|i| samples[i].1);
             let towards_zero =
@@ -151,13 +159,33 @@ impl Asperities for GradientSines {
         self.shape.coordinate(chart, interference_m)
     }
 
-    fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
-        let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, coordinate);
-        if interference_m >= self.amplitude_m {
-            return Point { interference_m, slope_m, response: self.at_interference(interference_m) };
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.at_depth(w).pressure_at_interference_pa(w / self.amplitude_m);
         }
-        let (pressure_pa, area_fraction) = self.at_depth(interference_m).pressure_and_area_at_power(t);
-        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
+    }
+
+    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], mut points: Points<'_>) {
+        self.shape.at_coordinates(chart, coordinates, &mut points);
+        let Points { interferences_m, pressures_pa, area_fractions, .. } = points;
+        let (depth_m, t) = (interferences_m[0], area_fractions[0]);
+        let law = self.at_depth(depth_m);
+        if law.flow_margin_at_power(t) > 0.0 {
+            for ((&depth_m, pressure_pa), area_fraction) in
+                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+            {
+                (*pressure_pa, *area_fraction) =
+                    self.at_depth(depth_m).pressure_and_area_at_power(*area_fraction);
+            }
+        } else if law.yields_at(pressures_pa[0]) {
+            for ((&depth_m, pressure_pa), area_fraction) in
+                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+            {
+                *area_fraction = self.at_depth(depth_m).yielding_area_fraction(*pressure_pa);
+            }
+        } else {
+            self.shape.areas_at_coordinates(chart, coordinates, area_fractions);
+        }
     }
 
     fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {

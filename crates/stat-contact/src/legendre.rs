@@ -7,27 +7,24 @@
 use std::sync::OnceLock;
 
 use faer::{Mat, Side};
+use wide::f64x2;
+
+use crate::nodes::LANES;
 
 /// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
 const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
 /// Nodes of the largest rule.
 const MOST: usize = 40;
 
-/// A Gauss-Legendre rule on [-1, 1].
+/// A Gauss-Legendre rule on [-1, 1], a row for each property of its nodes.
 pub(crate) struct Rule {
-    pub nodes: Vec<RuleNode>,
+    pub x: Vec<f64>,
+    pub weights: Vec<f64>,
+    /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
+    /// values of a function they give its Legendre coefficients. In lanes, zero where those outnumber the nodes.
+    pub probes: Vec<[f64x2; 4]>,
     /// (2k+1)/2 P_k(x) of every degree k below their number, node by node.
     polynomials: Vec<f64>,
-}
-
-/// One node of a rule.
-#[derive(Clone, Copy)]
-pub(crate) struct RuleNode {
-    pub x: f64,
-    pub weight: f64,
-    /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
-    /// values of a function they give its Legendre coefficients.
-    pub probes: [f64; 4],
 }
 
 impl Rule {
@@ -47,27 +44,41 @@ impl Rule {
         let eigenvalues =
             jacobi.self_adjoint_eigenvalues(Side::Lower).expect("a tridiagonal matrix of finite numbers");
         // The eigenvalues are good to some 2e-15; one Newton step takes the nodes to rounding, and with them the weights.
-        let nodes: Vec<RuleNode> = (0..size)
-            .map(|i| {
-                let x = newton_step(size, 0.5 * (eigenvalues[i] - eigenvalues[size - 1 - i]));
-                let legendre = legendre_polynomials(x, size);
-                let coefficient = |k: usize| (k as f64 + 0.5) * legendre[k];
-                let weight =
-                    1.0 / legendre.iter().enumerate().map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>();
-                let half = size / 2;
-                RuleNode { x, weight, probes: [half, half - 1, size - 1, size - 2].map(coefficient) }
-            })
+        let x: Vec<f64> = (0..size)
+            .map(|i| newton_step(size, 0.5 * (eigenvalues[i] - eigenvalues[size - 1 - i])))
             .collect();
-        let polynomials = nodes.iter().flat_map(|node| {
-            let legendre = legendre_polynomials(node.x, size).into_iter();
-            legendre.enumerate().map(|(k, value)| (k as f64 + 0.5) * value)
-        });
-        Rule { polynomials: polynomials.collect(), nodes }
+        let scaled = |x: f64| {
+            let legendre = legendre_polynomials(x, size).into_iter().enumerate();
+            legendre.map(|(k, value)| (k as f64 + 0.5) * value).collect::<Vec<f64>>()
+        };
+        let weight = |x: f64| {
+            let legendre = legendre_polynomials(x, size);
+            1.0 / legendre.iter().enumerate().map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>()
+        };
+        let half = size / 2;
+        let probes = |x: &[f64]| {
+            [half, half - 1, size - 1, size - 2].map(|k| {
+                let mut lanes = [0.0; LANES];
+                lanes.iter_mut().zip(x).for_each(|(lane, &x)| *lane = scaled(x)[k]);
+                f64x2::new(lanes)
+            })
+        };
+        Rule {
+            weights: x.iter().copied().map(weight).collect(),
+            probes: x.chunks(LANES).map(probes).collect(),
+            polynomials: x.iter().copied().flat_map(scaled).collect(),
+            x,
+        }
+    }
+
+    /// The number of its nodes.
+    pub fn count(&self) -> usize {
+        self.x.len()
     }
 
     /// The integral from x to 1 of the polynomial with these weighted values at the nodes.
     pub fn integral_above(&self, x: f64, weighted_values: impl Iterator<Item = f64>) -> f64 {
-        let count = self.nodes.len();
+        let count = self.count();
         let mut coefficients = [0.0; MOST];
         for (row, value) in self.polynomials.chunks_exact(count).zip(weighted_values) {
             for (sum, polynomial) in coefficients.iter_mut().zip(row) {
@@ -113,9 +124,11 @@ mod tests {
     fn every_rule_integrates_the_polynomials_it_must() {
         for size in SIZES {
             let rule = Rule::of_at_least(size);
-            assert_eq!(rule.nodes.len(), size);
+            assert_eq!(rule.count(), size);
             for degree in 0..2 * size {
-                let sum: f64 = rule.nodes.iter().map(|n| n.weight * n.x.powi(degree as i32)).sum();
+                let terms =
+                    rule.x.iter().zip(&rule.weights).map(|(x, weight)| weight * x.powi(degree as i32));
+                let sum: f64 = terms.sum();
                 let exact = if degree % 2 == 0 { 2.0 / (degree + 1) as f64 } else { 0.0 };
                 assert!((sum - exact).abs() < 2e-15, "{size} nodes, degree {degree}: {sum} against {exact}");
             }
@@ -125,15 +138,16 @@ mod tests {
     #[test]
     fn the_outermost_weights_keep_their_relative_accuracy() {
         // Outermost node and weight of the 40-point rule to 20 digits.
-        let last = Rule::of_at_least(40).nodes[39];
-        assert!((last.x - 0.998_237_709_710_559_2).abs() < 3e-16, "{:e}", last.x);
-        assert!((last.weight / 0.004_521_277_098_533_191 - 1.0).abs() < 3e-13, "{:e}", last.weight);
+        let rule = Rule::of_at_least(40);
+        let (x, weight) = (rule.x[39], rule.weights[39]);
+        assert!((x - 0.998_237_709_710_559_2).abs() < 3e-16, "{x:e}");
+        assert!((weight / 0.004_521_277_098_533_191 - 1.0).abs() < 3e-13, "{weight:e}");
     }
 
     #[test]
     fn a_rule_of_the_wished_size_or_the_next_larger_is_given() {
-        assert_eq!(Rule::of_at_least(0).nodes.len(), 2);
-        assert_eq!(Rule::of_at_least(9).nodes.len(), 10);
-        assert_eq!(Rule::of_at_least(1000).nodes.len(), 40);
+        assert_eq!(Rule::of_at_least(0).count(), 2);
+        assert_eq!(Rule::of_at_least(9).count(), 10);
+        assert_eq!(Rule::of_at_least(1000).count(), 40);
     }
 }

@@ -3,10 +3,10 @@
 //! Their interference is explicit in the pressure, and the pressure in coordinates of the contact's own: the integrals run
 //! over those, and nothing is solved for.
 
-use asperity::{BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, FlowPoint, MaterialPair, PlasticFlow};
+use asperity::{BemSinusoid, ElasticPlasticSinusoid, ElasticSinusoid, MaterialPair, PlasticFlow, elementary};
 
 use crate::Population;
-use crate::asperities::{Asperities, Chart, Piece, Point, Response};
+use crate::asperities::{Asperities, Chart, Piece, Points, Response};
 
 /// t of the elastic mean gap, w/Delta = 1 - (1 - t)^(5/2) and p = p* t^2, at which the light chart gives over to the heavy one.
 const CHARTS_MEET_AT: f64 = 0.5;
@@ -34,6 +34,7 @@ impl ElasticSine {
     }
 
     /// 1 - (1-t)^(5/2) = (1 - (1-t)^5)/(1 + (1-t)^(5/2)), without cancellation at small t.
+    #[inline(always)]
     fn at_t(&self, t: f64) -> f64 {
         let left = 1.0 - t;
         let numerator = t * (5.0 - t * (10.0 - t * (10.0 - t * (5.0 - t))));
@@ -43,11 +44,15 @@ impl ElasticSine {
     /// The light chart's coordinate is t^(1/3), which turns the powers t^(4/3) and t^2.08 of the area into smooth ones; the
     /// heavy one's is -(1-t)^(1/2), in which w/Delta = 1 - (1-t)^(5/2) is a polynomial.
     pub fn coordinate(&self, chart: Chart, interference_m: f64) -> f64 {
-        let log_gap = (-(interference_m / self.amplitude_m).min(1.0)).ln_1p();
-        match chart {
-            Chart::SineLight => (-(0.4 * log_gap).exp_m1()).cbrt(),
-            _ => -(0.2 * log_gap).exp(),
+        let ratio = (interference_m / self.amplitude_m).min(1.0);
+        let root = elementary::exp(0.2 * elementary::ln(1.0 - ratio));
+        if chart != Chart::SineLight {
+            return -root;
         }
+        // t = 1 - root^2 = (1 - root^10)/(1 + root^2 + ... + root^8), without cancellation.
+        let y = root * root;
+        let t = ratio * (2.0 - ratio) / (1.0 + y * (1.0 + y * (1.0 + y * (1.0 + y))));
+        if t > 0.0 { elementary::exp(elementary::ln(t) / 3.0) } else { 0.0 }
     }
 
     /// Mean pressure \[Pa\] at t.
@@ -56,6 +61,7 @@ impl ElasticSine {
     }
 
     /// t, the interference \[m\] and its derivative by the coordinate.
+    #[inline(always)]
     pub fn at_coordinate(&self, chart: Chart, v: f64) -> (f64, f64, f64) {
         match chart {
             Chart::SineLight => {
@@ -67,6 +73,36 @@ impl ElasticSine {
                 let square = v * v;
                 let gap = self.amplitude_m * square * square;
                 (1.0 - square, self.amplitude_m + gap * v, 5.0 * gap)
+            }
+        }
+    }
+
+    /// The interferences, their derivatives and the pressures at coordinates, with t in the place of the area fractions.
+    pub fn at_coordinates(&self, chart: Chart, coordinates: &[f64], points: &mut Points<'_>) {
+        for ((((&v, interference_m), slope_m), pressure_pa), t) in coordinates
+            .iter()
+            .zip(&mut *points.interferences_m)
+            .zip(&mut *points.slopes_m)
+            .zip(&mut *points.pressures_pa)
+            .zip(&mut *points.area_fractions)
+        {
+            (*t, *interference_m, *slope_m) = self.at_coordinate(chart, v);
+            *pressure_pa = self.pressure_pa(*t);
+        }
+    }
+
+    /// Turns t into the area fraction of the elastic law. No break of the law divides the coordinates.
+    pub fn areas_at_coordinates(&self, chart: Chart, coordinates: &[f64], area_fractions: &mut [f64]) {
+        if area_fractions.first().is_some_and(|t| t * t >= ElasticSinusoid::JOINED_UP_TO) {
+            area_fractions.iter_mut().for_each(|t| *t = ElasticSinusoid::heavy_area_fraction(*t * *t));
+        } else if chart == Chart::SineLight {
+            for (t, &v) in area_fractions.iter_mut().zip(coordinates) {
+                *t = ElasticSinusoid::light_area_fraction(*t, v * v * (v * v));
+            }
+        } else {
+            for t in area_fractions {
+                let power = elementary::exp(4.0 / 3.0 * elementary::ln(*t));
+                *t = ElasticSinusoid::light_area_fraction(*t, power);
             }
         }
     }
@@ -128,11 +164,15 @@ impl Asperities for ElasticSines {
         self.shape.coordinate(chart, interference_m)
     }
 
-    fn at_coordinate(&self, chart: Chart, coordinate: f64) -> Point {
-        let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, coordinate);
-        let pressure_pa = self.shape.pressure_pa(t);
-        let area_fraction = self.law.area_fraction(pressure_pa);
-        Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } }
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.law.pressure_at_interference_pa(w / self.shape.amplitude_m);
+        }
+    }
+
+    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], mut points: Points<'_>) {
+        self.shape.at_coordinates(chart, coordinates, &mut points);
+        self.shape.areas_at_coordinates(chart, coordinates, points.area_fractions);
     }
 }
 
@@ -195,19 +235,19 @@ impl Asperities for BemSines {
         }
     }
 
-    fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
-        let (log_x, slope) = match chart {
-            Chart::TableLight => (3.0 * v.ln(), 3.0 / v),
-            Chart::TableHeavy => ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)),
-            _ => (v, 1.0),
-        };
-        let (ratio, by_log_x) = self.law.deformation_and_slope(log_x);
-        let pressure_pa = self.law.complete_contact_pressure_pa() * log_x.exp();
-        let area_fraction = self.law.area_fraction(pressure_pa);
-        Point {
-            interference_m: self.amplitude_m * ratio,
-            slope_m: self.amplitude_m * by_log_x * slope,
-            response: Response { pressure_pa, area_fraction },
+    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], points: Points<'_>) {
+        for (i, &v) in coordinates.iter().enumerate() {
+            let (log_x, slope) = match chart {
+                Chart::TableLight => (3.0 * v.ln(), 3.0 / v),
+                Chart::TableHeavy => ((-v * v).ln_1p(), -2.0 * v / (1.0 - v * v)),
+                _ => (v, 1.0),
+            };
+            let (ratio, by_log_x) = self.law.deformation_and_slope(log_x);
+            let pressure_pa = self.law.complete_contact_pressure_pa() * log_x.exp();
+            points.interferences_m[i] = self.amplitude_m * ratio;
+            points.slopes_m[i] = self.amplitude_m * by_log_x * slope;
+            points.pressures_pa[i] = pressure_pa;
+            points.area_fractions[i] = self.law.area_fraction(pressure_pa);
         }
     }
 }
@@ -253,6 +293,51 @@ impl ElasticPlasticSines {
             self.shape.amplitude_m * self.flow.at_log_pressure(log_x).interference_over_amplitude
         }
     }
+
+    /// Where the pressure is elastic; the area may be plastic.
+    fn at_elastic_coordinates(&self, chart: Chart, coordinates: &[f64], mut points: Points<'_>) {
+        self.shape.at_coordinates(chart, coordinates, &mut points);
+        if points.pressures_pa.first().is_some_and(|&pressure_pa| self.law.yields_at(pressure_pa)) {
+            let complete_pa = self.law.complete_contact_pressure_pa();
+            for (pressure_pa, area_fraction) in points.pressures_pa.iter().zip(points.area_fractions) {
+                *area_fraction = self.flow.yielding_area_fraction(pressure_pa / complete_pa);
+            }
+        } else {
+            self.shape.areas_at_coordinates(chart, coordinates, points.area_fractions);
+        }
+    }
+
+    /// Where plastic flow sets the pressure. The light chart's coordinate is x^(1/4), in which the powers of x at its low end
+    /// are mild (ln x took twice the nodes over decades), the heavy one's -(1-x)^(1/2), in which the end-point power
+    /// (1-x)^(5/2) of the gap is smooth.
+    fn at_flow_coordinates(&self, chart: Chart, coordinates: &[f64], points: Points<'_>) {
+        let complete_pa = self.law.complete_contact_pressure_pa();
+        let light = chart == Chart::FlowLight;
+        let yields = coordinates.first().is_some_and(|v| {
+            let x = if light { v * v * (v * v) } else { 1.0 - v * v };
+            self.law.yields_at(complete_pa * x)
+        });
+        let amplitude_m = self.shape.amplitude_m;
+        let nodes = coordinates
+            .iter()
+            .zip(points.interferences_m)
+            .zip(points.slopes_m)
+            .zip(points.pressures_pa)
+            .zip(points.area_fractions);
+        for ((((&v, interference_m), slope_m), pressure_pa), area_fraction) in nodes {
+            let (x, log_x, slope) = if light {
+                (v * v * (v * v), 4.0 * elementary::ln(v), 4.0 / v)
+            } else {
+                let x = 1.0 - v * v;
+                (x, elementary::ln_1p(-v * v), -2.0 * v / x)
+            };
+            let point =
+                if yields { self.flow.yielding_at(x, log_x) } else { self.flow.at_log_pressure(log_x) };
+            *interference_m = amplitude_m * point.interference_over_amplitude;
+            *slope_m = amplitude_m * point.slope_by_log_pressure * slope;
+            (*pressure_pa, *area_fraction) = (point.pressure_pa, point.area_fraction);
+        }
+    }
 }
 
 impl Asperities for ElasticPlasticSines {
@@ -294,31 +379,24 @@ impl Asperities for ElasticPlasticSines {
         }
         let ratio = interference_m / self.shape.amplitude_m;
         let log_x = if ratio < 1.0 { self.flow.log_pressure_at_interference(ratio) } else { 0.0 };
-        if chart == Chart::FlowLight { (0.25 * log_x).exp() } else { -(-log_x.exp_m1()).sqrt() }
+        if chart == Chart::FlowLight {
+            elementary::exp(0.25 * log_x)
+        } else {
+            -(-elementary::exp_m1(log_x)).sqrt()
+        }
     }
 
-    fn at_coordinate(&self, chart: Chart, v: f64) -> Point {
-        if matches!(chart, Chart::SineLight | Chart::SineHeavy) {
-            let (t, interference_m, slope_m) = self.shape.at_coordinate(chart, v);
-            let pressure_pa = self.shape.pressure_pa(t);
-            let area_fraction = self.flow.area_fraction(pressure_pa);
-            return Point { interference_m, slope_m, response: Response { pressure_pa, area_fraction } };
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.flow.pressure_at_interference_pa(w / self.shape.amplitude_m);
         }
-        // x^(1/4), in which the powers of x at its low end are mild (ln x took twice the nodes over decades), or -(1-x)^(1/2),
-        // in which the end-point power (1-x)^(5/2) of the gap is smooth.
-        let (x, log_x, slope) = if chart == Chart::FlowLight {
-            let square = v * v;
-            (square * square, 4.0 * v.ln(), 4.0 / v)
+    }
+
+    fn at_coordinates(&self, chart: Chart, coordinates: &[f64], points: Points<'_>) {
+        if matches!(chart, Chart::SineLight | Chart::SineHeavy) {
+            self.at_elastic_coordinates(chart, coordinates, points);
         } else {
-            let x = 1.0 - v * v;
-            (x, (-v * v).ln_1p(), -2.0 * v / x)
-        };
-        let FlowPoint { interference_over_amplitude, slope_by_log_pressure, pressure_pa, area_fraction } =
-            self.flow.at_pressure_share(x, log_x);
-        Point {
-            interference_m: self.shape.amplitude_m * interference_over_amplitude,
-            slope_m: self.shape.amplitude_m * slope_by_log_pressure * slope,
-            response: Response { pressure_pa, area_fraction },
+            self.at_flow_coordinates(chart, coordinates, points);
         }
     }
 

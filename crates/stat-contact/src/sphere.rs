@@ -6,7 +6,7 @@ use asperity::{
 };
 
 use crate::Population;
-use crate::asperities::{Asperities, Chart, Course, Piece, Response, pieces_between};
+use crate::asperities::{Asperities, Chart, Course, Hertzian, Piece, Response, pieces_between};
 use crate::root::in_bracket;
 
 /// Elastic spheres.
@@ -33,12 +33,40 @@ impl Asperities for ElasticSpheres {
         }
     }
 
-    fn hertzian(&self) -> Option<(f64, f64)> {
-        Some((f64::INFINITY, self.density_per_m2 * self.sphere.area_m2(1.0)))
+    fn at_interferences(
+        &self,
+        interferences_m: &[f64],
+        pressures_pa: &mut [f64],
+        area_fractions: &mut [f64],
+    ) {
+        for ((&w, pressure_pa), area_fraction) in interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+        {
+            *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
+            *area_fraction = self.density_per_m2 * self.sphere.area_m2(w);
+        }
+    }
+
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
+        }
+    }
+
+    fn hertzian(&self) -> Option<Hertzian> {
+        Some(hertzian(&self.sphere, self.density_per_m2, f64::INFINITY))
     }
 
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece> {
         Vec::new()
+    }
+}
+
+/// So many spheres that are Hertz's up to an interference.
+fn hertzian(sphere: &Hertz, density_per_m2: f64, until_m: f64) -> Hertzian {
+    Hertzian {
+        until_m,
+        area_per_m: density_per_m2 * sphere.area_m2(1.0),
+        pressure_per_three_halves: density_per_m2 * sphere.force_per_three_halves(),
     }
 }
 
@@ -82,10 +110,17 @@ impl ElasticPlasticSpheres {
     }
 
     /// The law of the strength at a depth \[m\].
+    #[inline(always)]
     fn at_depth(&self, depth_m: f64) -> JacksonGreen {
         if self.strength.strain_gradient_length_m().is_none() {
             return self.macroscopic;
         }
+        self.grown_at_depth(depth_m)
+    }
+
+    /// The same where the strength depends on the depth.
+    #[inline(always)]
+    fn grown_at_depth(&self, depth_m: f64) -> JacksonGreen {
         JacksonGreen::new(&self.pair, self.radius_m, self.strength.at_depth_pa(depth_m), self.hardness)
     }
 
@@ -124,9 +159,45 @@ impl Asperities for ElasticPlasticSpheres {
         Response { pressure_pa: self.density_per_m2 * force_n, area_fraction: self.density_per_m2 * area_m2 }
     }
 
-    fn hertzian(&self) -> Option<(f64, f64)> {
-        let area_per_m = self.density_per_m2 * std::f64::consts::PI * self.radius_m;
-        Some((self.onset_m.min(self.radius_m), area_per_m))
+    fn at_interferences(
+        &self,
+        interferences_m: &[f64],
+        pressures_pa: &mut [f64],
+        area_fractions: &mut [f64],
+    ) {
+        let (forces_n, areas_m2) = (&mut *pressures_pa, &mut *area_fractions);
+        let hardness = self.hardness;
+        if interferences_m.first().is_some_and(|&w| w < self.onset_m) {
+            for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
+                (*force_n, *area_m2) = self.elastic.force_and_area(w);
+            }
+        } else if self.strength.strain_gradient_length_m().is_none() {
+            let sphere = self.macroscopic;
+            JacksonGreen::plastic_forces_and_areas(hardness, |_| sphere, interferences_m, forces_n, areas_m2);
+        } else {
+            let of_strength = |depth_m: f64| self.grown_at_depth(depth_m);
+            JacksonGreen::plastic_forces_and_areas(
+                hardness,
+                of_strength,
+                interferences_m,
+                forces_n,
+                areas_m2,
+            );
+        }
+        pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
+        area_fractions.iter_mut().for_each(|area_m2| *area_m2 *= self.density_per_m2);
+    }
+
+    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            let sphere = if w < self.onset_m { self.elastic } else { self.at_depth(w) };
+            *pressure_pa = self.density_per_m2 * sphere.force_n(w);
+        }
+    }
+
+    fn hertzian(&self) -> Option<Hertzian> {
+        let sphere = Hertz::new(&self.pair, self.radius_m);
+        Some(hertzian(&sphere, self.density_per_m2, self.onset_m.min(self.radius_m)))
     }
 
     fn pieces(&self, _low_m: f64, high_m: f64) -> Vec<Piece> {
