@@ -10,6 +10,9 @@ use crate::{Break, ElasticSinusoid, MaterialPair, elementary};
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.
 pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
 
+/// Where r is held, so that nothing made of it overflows: some 300 decades beyond trust.
+const LARGEST_RATIO: f64 = 1e300;
+
 /// A sinusoidal surface, of one aspect ratio and strength, in contact with a flat: Krithivasan & Jackson (2007), as in
 /// `docs/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
 ///
@@ -20,10 +23,6 @@ pub struct ElasticPlasticSinusoid {
     elastic: ElasticSinusoid,
     critical_aspect_ratio: f64,
     aspect_ratio_over_critical: f64,
-    /// p*_ep \[Pa\], p* where the aspect ratio is at most the critical one.
-    complete_contact_pressure_pa: f64,
-    /// ln(p*_ep/p*).
-    log_softening: f64,
     critical_pressure_pa: f64,
     /// E* B/Sy, from which the exponent d of the plastic area follows.
     slope_over_yield_slope: f64,
@@ -41,23 +40,15 @@ impl ElasticPlasticSinusoid {
         let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
         let critical_aspect_ratio =
             pair.sinusoidal_yield_coefficient() * (yield_strength_pa / pair.composite_modulus_pa());
-        let aspect_ratio_over_critical = aspect_ratio / critical_aspect_ratio;
-        let (log_softening, softening) = if aspect_ratio_over_critical > 1.0 {
-            let logarithm = 0.6 * elementary::ln(11.0 / (4.0 * aspect_ratio_over_critical + 7.0));
-            (logarithm, elementary::exp(logarithm))
-        } else {
-            (0.0, 1.0)
-        };
+        let aspect_ratio_over_critical = (aspect_ratio / critical_aspect_ratio).min(LARGEST_RATIO);
         ElasticPlasticSinusoid {
             elastic,
             critical_aspect_ratio,
             aspect_ratio_over_critical,
-            complete_contact_pressure_pa: elastic.complete_contact_pressure_pa() * softening,
-            log_softening,
             // (C Sy/2)^3/(6 pi (E* B)^2), arranged so that no power over- or underflows.
             critical_pressure_pa: yield_pressure_pa * (yield_pressure_pa / slope_pa).powi(2)
                 / (48.0 * std::f64::consts::PI),
-            slope_over_yield_slope: slope_pa / yield_strength_pa,
+            slope_over_yield_slope: pair.sinusoidal_yield_coefficient() * aspect_ratio_over_critical,
             log_yield_coefficient: pair.log_spherical_yield_coefficient(),
         }
     }
@@ -82,7 +73,7 @@ impl ElasticPlasticSinusoid {
     /// Mean pressure of complete contact \[Pa\]: p*_ep = p* (11/(4 r + 7))^(3/5) for r > 1, else p*. The area is complete
     /// at [`flattening_pressure_pa`](Self::flattening_pressure_pa) already.
     pub fn complete_contact_pressure_pa(&self) -> f64 {
-        self.complete_contact_pressure_pa
+        self.softened_pressure_pa(self.log_softening())
     }
 
     /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It counts only
@@ -103,11 +94,16 @@ impl ElasticPlasticSinusoid {
         if !self.yields_at(pressure_pa) {
             return self.elastic.area_fraction(pressure_pa);
         }
-        let x = pressure_pa / self.complete_contact_pressure_pa;
-        if x >= 1.0 {
-            return 1.0;
+        self.yielding_area().fraction_at(pressure_pa)
+    }
+
+    /// The area of the yielding sinusoid, r > 1 and p > p_c, with its constants worked out: for many pressures.
+    pub fn yielding_area(&self) -> YieldingArea {
+        let log_softening = self.log_softening();
+        YieldingArea {
+            complete_contact_pressure_pa: self.softened_pressure_pa(log_softening),
+            plastic: self.plastic_area(log_softening),
         }
-        self.plastic_area().fraction(x, x.ln())
     }
 
     /// Mean gap over amplitude g/Delta = (1 - x^(A1 x + A2))^(5/2) in \[0, 1), x = p/p*_ep, at the mean pressure p > 0
@@ -118,26 +114,44 @@ impl ElasticPlasticSinusoid {
         if !self.yields_at(pressure_pa) {
             return self.elastic.mean_gap_over_amplitude(pressure_pa);
         }
-        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa)
+        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa())
             .map_or(0.0, |log_x| self.gap_exponent().gap_over_amplitude(log_x))
     }
 
-    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in (0, 1] at the mean pressure p > 0 \[Pa\].
+    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in \[0, 1\] at the mean pressure p > 0 \[Pa\]; 0 where it
+    /// underflows, which takes r beyond 1e4.
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
             return self.elastic.deformation_over_amplitude(pressure_pa);
         }
-        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa)
-            .map_or(1.0, |log_x| self.gap_exponent().deformation_over_amplitude(log_x))
+        let x = pressure_pa / self.complete_contact_pressure_pa();
+        if x < 1.0 { self.gap_exponent().deformation_over_amplitude(elementary::ln(x), x) } else { 1.0 }
+    }
+
+    /// [`area_fraction`](Self::area_fraction) and [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the
+    /// mean pressure p > 0 \[Pa\], of which the second costs little beside the first.
+    pub fn area_and_deformation(&self, pressure_pa: f64) -> (f64, f64) {
+        if !self.yields_at(pressure_pa) {
+            let elastic = self.elastic;
+            return (elastic.area_fraction(pressure_pa), elastic.deformation_over_amplitude(pressure_pa));
+        }
+        let log_softening = self.log_softening();
+        let x = pressure_pa / self.softened_pressure_pa(log_softening);
+        if x >= 1.0 {
+            return (1.0, 1.0);
+        }
+        let log_x = elementary::ln(x);
+        let area_fraction = self.plastic_area(log_softening).fraction(x, log_x);
+        (area_fraction, self.gap_exponent().deformation_over_amplitude(log_x, x))
     }
 
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and the
     /// elastic-plastic one, since plastic flow can only soften; p*_ep from w = Delta on.
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         if interference_over_amplitude >= 1.0 {
-            return self.complete_contact_pressure_pa;
+            return self.complete_contact_pressure_pa();
         }
-        self.pressed_at_power(power_at(interference_over_amplitude), self.gap_exponent()).pressure_pa
+        self.pressed_to_power(power_at(interference_over_amplitude), self.gap_exponent()).pressure_pa
     }
 
     /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
@@ -145,49 +159,54 @@ impl ElasticPlasticSinusoid {
     /// two thirds of their cost.
     pub fn pressure_and_area_at_interference(&self, interference_over_amplitude: f64) -> (f64, f64) {
         if interference_over_amplitude >= 1.0 {
-            return (self.complete_contact_pressure_pa, 1.0);
+            return (self.complete_contact_pressure_pa(), 1.0);
         }
         self.pressure_and_area_at_power(power_at(interference_over_amplitude))
     }
 
     /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
     pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
-        let Pressed { pressure_pa, x, log_x } = self.pressed_at_power(t, self.gap_exponent());
-        let area_fraction = if !self.yields_at(pressure_pa) {
-            self.elastic.area_fraction(pressure_pa)
-        } else if log_x >= 0.0 {
-            1.0
-        } else {
-            self.plastic_area().fraction(x, log_x)
+        let Pressed { pressure_pa, flow } = self.pressed_to_power(t, self.gap_exponent());
+        let area_fraction = match flow {
+            Some(Flow { log_softening, x, log_x }) if self.yields_at(pressure_pa) => {
+                if log_x < 0.0 {
+                    self.plastic_area(log_softening).fraction(x, log_x)
+                } else {
+                    1.0
+                }
+            }
+            _ => self.elastic.area_fraction(pressure_pa),
         };
         (pressure_pa, area_fraction)
     }
 
     /// The smaller of the elastic and the elastic-plastic pressure at t in (0, 1).
     #[inline]
-    fn pressed_at_power(&self, t: f64, gap: GapExponent) -> Pressed {
+    fn pressed_to_power(&self, t: f64, gap: GapExponent) -> Pressed {
         let elastic_pa = self.elastic.complete_contact_pressure_pa() * t * t;
-        let elastic = Pressed { pressure_pa: elastic_pa, x: 1.0, log_x: 0.0 };
         if self.aspect_ratio_over_critical <= 1.0 {
-            return elastic;
+            return Pressed { pressure_pa: elastic_pa, flow: None };
         }
-        let log_t = elementary::ln(t);
-        let log_x = 2.0 * log_t - self.log_softening;
+        let (log_t, log_softening) = (elementary::ln(t), self.log_softening());
+        let log_x = 2.0 * log_t - log_softening;
         // Where the elastic pressure is the smaller one, nothing has to be solved for.
         if log_x < 0.0 {
             let x = elementary::exp(log_x);
             if gap.log_power(log_x, x) <= log_t {
-                return Pressed { pressure_pa: elastic_pa, x, log_x };
+                return Pressed { pressure_pa: elastic_pa, flow: Some(Flow { log_softening, x, log_x }) };
             }
         }
         let log_x = gap.log_x_at_power(log_t);
-        let x = elementary::exp(log_x);
-        Pressed { pressure_pa: elastic_pa.min(self.complete_contact_pressure_pa * x), x, log_x }
+        let plastic_pa = self.softened_pressure_pa(log_softening + log_x);
+        Pressed {
+            pressure_pa: elastic_pa.min(plastic_pa),
+            flow: Some(Flow { log_softening, x: elementary::exp(log_x), log_x }),
+        }
     }
 
     /// The plastic branch with its constants worked out, for r > 1: for many pressures of one sinusoid.
     pub fn plastic_flow(&self) -> PlasticFlow {
-        PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.plastic_area() }
+        PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.yielding_area() }
     }
 
     /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
@@ -201,7 +220,7 @@ impl ElasticPlasticSinusoid {
     #[inline(always)]
     pub fn flow_margin_at_power(&self, t: f64) -> f64 {
         let log_t = elementary::ln(t);
-        let log_x = 2.0 * log_t - self.log_softening;
+        let log_x = 2.0 * log_t - self.log_softening();
         let margin = self.gap_exponent().log_power(log_x, elementary::exp(log_x)) - log_t;
         if self.aspect_ratio_over_critical <= 1.0 {
             -1.0
@@ -216,8 +235,9 @@ impl ElasticPlasticSinusoid {
     /// the sinusoid yields.
     #[inline(always)]
     pub fn yielding_area_fraction(&self, pressure_pa: f64) -> f64 {
-        let x = pressure_pa / self.complete_contact_pressure_pa;
-        self.plastic_area().fraction(x, elementary::ln(x))
+        let log_softening = self.log_softening();
+        let x = pressure_pa / self.softened_pressure_pa(log_softening);
+        self.plastic_area(log_softening).fraction(x, elementary::ln(x))
     }
 
     /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
@@ -228,19 +248,18 @@ impl ElasticPlasticSinusoid {
         if self.aspect_ratio_over_critical <= 1.0 {
             return None;
         }
-        let exponent = self.gap_exponent();
-        let log_x = exponent.log_x_where_half_power_is(self.log_softening);
-        Some(self.complete_contact_pressure_pa * log_x.exp())
+        let log_softening = self.log_softening();
+        let log_x = self.gap_exponent().log_x_where_half_power_is(log_softening);
+        Some(self.softened_pressure_pa(log_softening + log_x))
     }
 
     /// Mean pressure \[Pa\] from which the area fraction is 1: x_full p*_ep, below p*_ep for r > 1.5 or so because the
     /// fitted area, held at 1, overshoots.
     pub fn flattening_pressure_pa(&self) -> f64 {
         if self.aspect_ratio_over_critical <= 1.0 {
-            return self.complete_contact_pressure_pa;
+            return self.complete_contact_pressure_pa();
         }
-        let area = self.plastic_area();
-        let complete_pa = self.complete_contact_pressure_pa;
+        let YieldingArea { complete_contact_pressure_pa: complete_pa, plastic: area } = self.yielding_area();
         if area.overshoot(0.0).0 <= 0.0 {
             return complete_pa;
         }
@@ -254,8 +273,8 @@ impl ElasticPlasticSinusoid {
     /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, at mean
     /// pressures up to that of complete contact, for r > 1: a root of it is cheaper than the pressure itself.
     pub fn flattening_margin(&self, pressure_pa: f64) -> f64 {
-        let complete_pa = self.complete_contact_pressure_pa;
-        self.plastic_area().overshoot(((complete_pa - pressure_pa) / complete_pa).max(0.0)).0
+        let YieldingArea { complete_contact_pressure_pa: complete_pa, plastic: area } = self.yielding_area();
+        area.overshoot(((complete_pa - pressure_pa) / complete_pa).max(0.0)).0
     }
 
     /// The mean pressures \[Pa\] at which the area is not smooth, in rising order.
@@ -283,7 +302,7 @@ impl ElasticPlasticSinusoid {
             let above = self.deformation_over_amplitude(critical * (1.0 + 2.0 * f64::EPSILON));
             Break::jump(critical, "first yield at the critical pressure p_c", below, above)
         });
-        let complete = Break::kink(self.complete_contact_pressure_pa, "the gap closes");
+        let complete = Break::kink(self.complete_contact_pressure_pa(), "the gap closes");
         first_yield.into_iter().chain(std::iter::once(complete))
     }
 
@@ -297,19 +316,33 @@ impl ElasticPlasticSinusoid {
         GapExponent::elastic_plastic(self.aspect_ratio_over_critical)
     }
 
+    /// ln(p*_ep/p*).
+    #[inline(always)]
+    fn log_softening(&self) -> f64 {
+        if self.aspect_ratio_over_critical <= 1.0 {
+            return 0.0;
+        }
+        0.6 * elementary::ln(11.0 / (4.0 * self.aspect_ratio_over_critical + 7.0))
+    }
+
+    /// p* by a factor \[Pa\] given as its logarithm.
+    #[inline(always)]
+    fn softened_pressure_pa(&self, log_factor: f64) -> f64 {
+        self.elastic.complete_contact_pressure_pa() * elementary::exp(log_factor)
+    }
+
     /// phi_p = 2 (phi_c/2)^(1/(1+d)) [3 p/(4 C Sy)]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and
     /// d = 3.8 (E* B/Sy)^0.11, as a power of x = p/p*_ep. With s = E* B/Sy, 3 p*_ep/(4 C Sy) is
     /// (3 sqrt(2) pi/4) s/C times the softening.
     #[inline(always)]
-    fn plastic_area(&self) -> PlasticArea {
+    fn plastic_area(&self, log_softening: f64) -> PlasticArea {
         const LN_8: f64 = 2.079_441_541_679_835_9;
         const LN_PI: f64 = 1.144_729_885_849_400_2;
         const LN_3_SQRT_2_PI_OVER_4: f64 = 1.203_621_403_677_591_9;
         let log_slope = elementary::ln(self.slope_over_yield_slope);
         let d = 3.8 * elementary::exp(0.11 * log_slope);
         let log_half_critical_area = 2.0 * (self.log_yield_coefficient - LN_8 - log_slope) - LN_PI;
-        let log_complete =
-            LN_3_SQRT_2_PI_OVER_4 - self.log_yield_coefficient + log_slope + self.log_softening;
+        let log_complete = LN_3_SQRT_2_PI_OVER_4 - self.log_yield_coefficient + log_slope + log_softening;
         PlasticArea {
             log_factor: std::f64::consts::LN_2 + (log_half_critical_area + d * log_complete) / (1.0 + d),
             exponent: d / (1.0 + d),
@@ -317,9 +350,15 @@ impl ElasticPlasticSinusoid {
     }
 }
 
-/// A mean pressure \[Pa\], and x = p/p*_ep with its logarithm where r > 1.
+/// A mean pressure \[Pa\], and where r > 1 what was worked out on the way to it.
 struct Pressed {
     pressure_pa: f64,
+    flow: Option<Flow>,
+}
+
+/// ln(p*_ep/p*), and x = p/p*_ep with its logarithm.
+struct Flow {
+    log_softening: f64,
     x: f64,
     log_x: f64,
 }
@@ -330,7 +369,7 @@ struct Pressed {
 pub struct PlasticFlow {
     law: ElasticPlasticSinusoid,
     gap: GapExponent,
-    area: PlasticArea,
+    area: YieldingArea,
 }
 
 /// What a sinusoid answers where plastic flow sets its pressure.
@@ -347,6 +386,11 @@ pub struct FlowPoint {
 }
 
 impl PlasticFlow {
+    /// [`ElasticPlasticSinusoid::complete_contact_pressure_pa`].
+    pub fn complete_contact_pressure_pa(&self) -> f64 {
+        self.area.complete_contact_pressure_pa
+    }
+
     /// The point at ln x < 0 and x, p = p*_ep x, without a branch, where the sinusoid yields.
     #[inline(always)]
     pub fn yielding_at(&self, x: f64, log_x: f64) -> FlowPoint {
@@ -354,24 +398,24 @@ impl PlasticFlow {
         FlowPoint {
             interference_over_amplitude,
             slope_by_log_pressure,
-            pressure_pa: self.law.complete_contact_pressure_pa * x,
-            area_fraction: self.area.fraction(x, log_x),
+            pressure_pa: self.area.complete_contact_pressure_pa * x,
+            area_fraction: self.area.plastic.fraction(x, log_x),
         }
     }
 
     /// The fraction of the area at p = p*_ep x, x < 1, without a branch, where the sinusoid yields.
     #[inline(always)]
     pub fn yielding_area_fraction(&self, x: f64) -> f64 {
-        self.area.fraction(x, elementary::ln(x))
+        self.area.plastic.fraction(x, elementary::ln(x))
     }
 
     /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
     pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
         let x = log_x.exp();
         let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
-        let pressure_pa = self.law.complete_contact_pressure_pa * x;
+        let pressure_pa = self.area.complete_contact_pressure_pa * x;
         let area_fraction = if self.law.yields_at(pressure_pa) {
-            self.area.fraction(x, log_x)
+            self.area.plastic.fraction(x, log_x)
         } else {
             self.law.elastic.area_fraction(pressure_pa)
         };
@@ -381,9 +425,9 @@ impl PlasticFlow {
     /// [`ElasticPlasticSinusoid::pressure_at_interference_pa`].
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         if interference_over_amplitude >= 1.0 {
-            return self.law.complete_contact_pressure_pa;
+            return self.complete_contact_pressure_pa();
         }
-        self.law.pressed_at_power(power_at(interference_over_amplitude), self.gap).pressure_pa
+        self.law.pressed_to_power(power_at(interference_over_amplitude), self.gap).pressure_pa
     }
 
     /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1).
@@ -393,11 +437,27 @@ impl PlasticFlow {
 
     /// [`ElasticPlasticSinusoid::area_fraction`].
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
-        if !self.law.yields_at(pressure_pa) {
-            return self.law.elastic.area_fraction(pressure_pa);
+        if self.law.yields_at(pressure_pa) {
+            self.area.fraction_at(pressure_pa)
+        } else {
+            self.law.elastic.area_fraction(pressure_pa)
         }
-        let x = pressure_pa / self.law.complete_contact_pressure_pa;
-        if x < 1.0 { self.area.fraction(x, x.ln()) } else { 1.0 }
+    }
+}
+
+/// The area of a sinusoid that yields, with what does not depend on the pressure worked out
+/// ([`ElasticPlasticSinusoid::yielding_area`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YieldingArea {
+    complete_contact_pressure_pa: f64,
+    plastic: PlasticArea,
+}
+
+impl YieldingArea {
+    /// [`ElasticPlasticSinusoid::area_fraction`] where the sinusoid yields at the mean pressure p \[Pa\].
+    pub fn fraction_at(&self, pressure_pa: f64) -> f64 {
+        let x = pressure_pa / self.complete_contact_pressure_pa;
+        if x < 1.0 { self.plastic.fraction(x, elementary::ln(x)) } else { 1.0 }
     }
 }
 
@@ -415,7 +475,7 @@ impl PlasticArea {
         let [light, heavy] = joining_powers(x, log_x);
         let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
         let fitted = plastic * (1.0 - light) + heavy_limit(x) * heavy;
-        if fitted < 1.0 { fitted } else { 1.0 }
+        if fitted < 1.0 { fitted.max(f64::MIN_POSITIVE) } else { 1.0 }
     }
 
     /// The fraction before it is held at 1, minus 1 and over 1 - x, at u = 1 - x in \[0, 1), and the derivative by u. The
@@ -479,6 +539,52 @@ mod tests {
         assert_eq!(law.aspect_ratio_over_critical(), 0.0);
         assert_eq!(law.area_fraction(1e9), law.elastic().area_fraction(1e9));
         assert_eq!(law.deformation_over_amplitude(1e9), law.elastic().deformation_over_amplitude(1e9));
+    }
+
+    #[test]
+    fn results_stay_in_range_where_the_aspect_ratio_is_beyond_all_bounds() {
+        let ends = [f64::from_bits(1), 1e-300, 1e-12, 1.0, 1e300];
+        for (modulus_pa, strength_pa, aspect_ratio) in
+            [(1e150, 1e-170, 1e3), (1e133, 2e37, 8e76), (1e116, 9e-44, 6e63), (1e9, 1e9, 1e-300)]
+        {
+            let pair = MaterialPair::against_rigid(ElasticBody::new(modulus_pa, 0.0).unwrap());
+            let law = ElasticPlasticSinusoid::new(&pair, aspect_ratio, strength_pa);
+            assert!(law.aspect_ratio_over_critical() <= LARGEST_RATIO);
+            for end in ends {
+                let area_fraction = law.area_fraction(end);
+                assert!(area_fraction > 0.0 && area_fraction <= 1.0, "{law:?}, p = {end}: {area_fraction}");
+                assert!((0.0..=1.0).contains(&law.deformation_over_amplitude(end)), "{law:?}, p = {end}");
+                let (pressure_pa, area_fraction) = law.pressure_and_area_at_interference(end);
+                assert!(pressure_pa.is_finite(), "{law:?}, w/Delta = {end}: {pressure_pa}");
+                assert!(area_fraction > 0.0 && area_fraction <= 1.0, "{law:?}, w/Delta = {end}");
+            }
+        }
+    }
+
+    #[test]
+    fn area_and_deformation_together_are_those_of_each_alone() {
+        for r in [0.5, 1.2, 37.0, 1e4] {
+            let law = at_ratio(r);
+            for x in [1e-12, 1e-3, 0.4, 0.999, 1.0, 3.0] {
+                let pressure = x * law.complete_contact_pressure_pa();
+                let alone = (law.area_fraction(pressure), law.deformation_over_amplitude(pressure));
+                assert_eq!(law.area_and_deformation(pressure), alone, "r = {r}, x = {x}");
+            }
+        }
+    }
+
+    /// What lets a stack tell a flattened scale from a steeper one that was flattened before.
+    #[test]
+    fn a_steeper_sinusoid_takes_more_pressure_to_flatten_up_to_four_thousand_critical_aspect_ratios() {
+        for poisson_ratio in [-0.99, 0.0, 0.2, 0.5] {
+            let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, poisson_ratio).unwrap());
+            let critical = ElasticPlasticSinusoid::new(&pair, 1.0, 1e9).critical_aspect_ratio();
+            let flattening_pa: Vec<f64> = (-100..=1200)
+                .map(|i| critical * 4000f64.powf(f64::from(i) / 1200.0))
+                .map(|b| ElasticPlasticSinusoid::new(&pair, b, 1e9).flattening_pressure_pa())
+                .collect();
+            assert!(flattening_pa.is_sorted_by(|flatter, steeper| flatter < steeper), "nu = {poisson_ratio}");
+        }
     }
 
     #[test]

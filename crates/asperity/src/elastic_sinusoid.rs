@@ -6,7 +6,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::mean_gap::{GapExponent, power_at};
+use crate::mean_gap::{complement, power_at};
 use crate::{Break, MaterialPair, elementary};
 
 /// x = p/p* from which the law is its full-contact limit alone; the area steps down by 4.2e-4 there.
@@ -70,15 +70,15 @@ impl ElasticSinusoid {
     /// Mean gap over amplitude g/Delta = (1 - (p/p*)^(1/2))^(5/2) in \[0, 1) at the mean pressure p > 0 \[Pa\], 0 from
     /// p* on (Rostami & Jackson 2013).
     pub fn mean_gap_over_amplitude(&self, pressure_pa: f64) -> f64 {
-        self.below_complete_contact(pressure_pa)
-            .map_or(0.0, |log_x| GapExponent::ELASTIC.gap_over_amplitude(log_x))
+        let (_, opening) = self.root_and_opening(pressure_pa);
+        opening * opening * opening.sqrt()
     }
 
     /// Deformation over amplitude h_p/Delta = 1 - g/Delta in (0, 1\] at the mean pressure p > 0 \[Pa\] (Jackson & Jacobs,
     /// Eq. 9), to full precision where it is small. At light pressure it exceeds boundary elements, 2.5 times at 1e-4 p*.
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
-        self.below_complete_contact(pressure_pa)
-            .map_or(1.0, |log_x| GapExponent::ELASTIC.deformation_over_amplitude(log_x))
+        let (root, opening) = self.root_and_opening(pressure_pa);
+        complement(root, opening)
     }
 
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: p = p* t^2, t = 1 - (1 - w/Delta)^(2/5);
@@ -102,9 +102,14 @@ impl ElasticSinusoid {
         .into_iter()
     }
 
-    /// ln(p/p*) where it is negative.
-    fn below_complete_contact(&self, pressure_pa: f64) -> Option<f64> {
-        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa)
+    /// t = (p/p*)^(1/2) and 1 - t, which keeps its digits when p is close to p*; 1 and 0 from there on.
+    fn root_and_opening(&self, pressure_pa: f64) -> (f64, f64) {
+        let complete_pa = self.complete_contact_pressure_pa;
+        if pressure_pa >= complete_pa {
+            return (1.0, 0.0);
+        }
+        let root = (pressure_pa / complete_pa).max(f64::MIN_POSITIVE).sqrt();
+        (root, (complete_pa - pressure_pa) / complete_pa / (1.0 + root))
     }
 }
 

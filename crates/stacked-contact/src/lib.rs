@@ -17,7 +17,9 @@
 //! * [`Scale`]: one wavelength of the roughness and its amplitude, two plain numbers.
 //! * [`StackedModel`]: how a scale deforms, elastically or elastic-plastically, with a strength that may depend on depth.
 //! * [`Level`]: what is known once a scale has been passed; [`levels`] yields one per scale, lazily. Cutting the stack
-//!   short at a wavelength is stopping there, so one pass answers every cutoff.
+//!   short at a wavelength is stopping there, so one pass answers every cutoff. [`levels_under_loads`] takes several loads
+//!   through the same scales at half the cost.
+//! * [`FinalLevels`]: the last level alone, for any number of loads, without the scales that change nothing any more.
 //! * [`Convergence`]: the wavelength below which the area no longer changes; [`largest_full_contact_pressure_pa`]: the
 //!   pressure that it tends to as the spectrum is sampled more densely; [`setting_level`]: the scale that sets it.
 //!
@@ -26,10 +28,14 @@
 
 mod convergence;
 mod dense_limit;
+mod descent;
+mod final_level;
 mod level;
 mod model;
 
 pub use convergence::{Convergence, LEAST_WAVELENGTH_RATIO_BELOW, convergence};
 pub use dense_limit::{largest_full_contact_pressure_pa, setting_level};
-pub use level::{Level, Regime, Scale, levels};
+pub use descent::{levels, levels_under_loads};
+pub use final_level::{FinalLevel, FinalLevels};
+pub use level::{Level, Regime, Scale};
 pub use model::StackedModel;

@@ -284,7 +284,7 @@ impl ElasticPlasticSines {
     }
 
     fn interference_m(&self, pressure_pa: f64) -> f64 {
-        let log_x = (pressure_pa / self.law.complete_contact_pressure_pa()).ln();
+        let log_x = (pressure_pa / self.flow.complete_contact_pressure_pa()).ln();
         if pressure_pa <= self.flow_onset.0 {
             self.shape.interference_m(pressure_pa)
         } else if log_x >= 0.0 {
@@ -352,7 +352,7 @@ impl Asperities for ElasticPlasticSines {
         let complete_m = self.shape.amplitude_m;
         let mut pieces = self.shape.pieces(0.0, onset_m, self.breaks_m.iter().copied());
         let meet_m =
-            self.interference_m(FLOW_CHARTS_MEET_AT * self.law.complete_contact_pressure_pa()).max(onset_m);
+            self.interference_m(FLOW_CHARTS_MEET_AT * self.flow.complete_contact_pressure_pa()).max(onset_m);
         let mut ends_m = vec![onset_m, meet_m, complete_m];
         ends_m.extend(self.breaks_m.iter().filter(|&&w| onset_m < w && w < complete_m));
         ends_m.sort_by(f64::total_cmp);
@@ -365,11 +365,11 @@ impl Asperities for ElasticPlasticSines {
     }
 
     fn highest_response_pa(&self) -> f64 {
-        self.law.complete_contact_pressure_pa()
+        self.flow.complete_contact_pressure_pa()
     }
 
     fn saturation(&self) -> Option<(f64, Response)> {
-        let pressure_pa = self.law.complete_contact_pressure_pa();
+        let pressure_pa = self.flow.complete_contact_pressure_pa();
         Some((self.shape.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))
     }
 
