@@ -212,14 +212,6 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// [`area_fraction`](Self::area_fraction), without a branch, at mean pressures below that of complete contact at which
-    /// the sinusoid yields.
-    #[inline(always)]
-    pub fn yielding_area_fraction(&self, pressure_pa: f64) -> f64 {
-        let x = pressure_pa / self.complete_contact_pressure_pa;
-        self.plastic_area().fraction(x, elementary::ln(x))
-    }
-
     /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
     ///
     /// There is one: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
