@@ -231,15 +231,6 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// [`area_fraction`](Self::area_fraction), without a branch, at mean pressures below that of complete contact at which
-    /// the sinusoid yields.
-    #[inline(always)]
-    pub fn yielding_area_fraction(&self, pressure_pa: f64) -> f64 {
-        let log_softening = self.log_softening();
-        let x = pressure_pa / self.softened_pressure_pa(log_softening);
-        self.plastic_area(log_softening).fraction(x, elementary::ln(x))
-    }
-
     /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
     ///
     /// There is one: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
@@ -545,7 +536,7 @@ mod tests {
     fn results_stay_in_range_where_the_aspect_ratio_is_beyond_all_bounds() {
         let ends = [f64::from_bits(1), 1e-300, 1e-12, 1.0, 1e300];
         for (modulus_pa, strength_pa, aspect_ratio) in
-            [(1e150, 1e-170, 1e3), (1e133, 2e37, 8e76), (1e116, 9e-44, 6e63), (1e9, 1e9, 1e-300)]
+            [(1e30, 1e-290, 1e3), (1e30, 2e-66, 8e76), (1e16, 9e-144, 6e63), (1e9, 1e9, 1e-300)]
         {
             let pair = MaterialPair::against_rigid(ElasticBody::new(modulus_pa, 0.0).unwrap());
             let law = ElasticPlasticSinusoid::new(&pair, aspect_ratio, strength_pa);

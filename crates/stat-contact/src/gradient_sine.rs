@@ -168,23 +168,13 @@ impl Asperities for GradientSines {
     fn at_coordinates(&self, chart: Chart, coordinates: &[f64], mut points: Points<'_>) {
         self.shape.at_coordinates(chart, coordinates, &mut points);
         let Points { interferences_m, pressures_pa, area_fractions, .. } = points;
-        let (depth_m, t) = (interferences_m[0], area_fractions[0]);
-        let law = self.at_depth(depth_m);
-        if law.flow_margin_at_power(t) > 0.0 {
-            for ((&depth_m, pressure_pa), area_fraction) in
-                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
-            {
-                (*pressure_pa, *area_fraction) =
-                    self.at_depth(depth_m).pressure_and_area_at_power(*area_fraction);
-            }
-        } else if law.yields_at(pressures_pa[0]) {
-            for ((&depth_m, pressure_pa), area_fraction) in
-                interferences_m.iter().zip(pressures_pa).zip(area_fractions)
-            {
-                *area_fraction = self.at_depth(depth_m).yielding_area_fraction(*pressure_pa);
-            }
-        } else {
-            self.shape.areas_at_coordinates(chart, coordinates, area_fractions);
+        // Each node by itself: with strengths that fall over decades of depth a short stretch of another branch may lie
+        // between two of them, unseen by the breaks.
+        for ((&depth_m, pressure_pa), area_fraction) in
+            interferences_m.iter().zip(pressures_pa).zip(area_fractions)
+        {
+            let t = *area_fraction;
+            (*pressure_pa, *area_fraction) = self.at_depth(depth_m).pressure_and_area_at_power(t);
         }
     }
 
