@@ -73,7 +73,9 @@ impl GradientSines {
         }
         let at = |log_m: f64| {
             let depth_m = elementary::exp(log_m);
-            self.at_depth(depth_m).flow_margin_at_interference(depth_m / self.amplitude_m)
+            // The exponential of a logarithm may pass complete contact by its rounding.
+            let ratio = (depth_m / self.amplitude_m).min(1.0 - f64::EPSILON);
+            self.at_depth(depth_m).flow_margin_at_interference(ratio)
         };
         let step = (to_m / from_m).ln() / (SAMPLES - 1) as f64;
         let sample = |log_m: f64| (log_m, at(log_m));
