@@ -388,7 +388,7 @@ impl<'a> Frame<'a> {
         let trapezoidal = self.panels.iter().any(|panel| panel.rule.is_none());
         let trapezoid = if trapezoidal { (-self.precision.digits).exp() } else { 0.0 };
         // Far below the mean plane the interference has no more digits than u.
-        let digits_of_u = 2.0 * f64::EPSILON * (-self.u).max(0.0);
+        let digits_of_u = 8.0 * f64::EPSILON * (-self.u).max(0.0);
         CAUTION * (rules + self.left_out() + trapezoid) + ROUNDING + digits_of_u
     }
 
