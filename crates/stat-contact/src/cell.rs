@@ -46,7 +46,7 @@ pub(crate) fn error_estimate(rules: f64, u: f64) -> f64 {
     // With it the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty of it.
     const CAUTION: f64 = 4.0;
     // Far below the mean plane the interference has no more digits than u.
-    let digits_of_u = 2.0 * f64::EPSILON * (-u).max(0.0);
+    let digits_of_u = 8.0 * f64::EPSILON * (-u).max(0.0);
     CAUTION * rules + ROUNDING + digits_of_u
 }
 

@@ -142,12 +142,16 @@ impl StatisticalContact {
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
+        let ln_pressure_pa = sums.pressure_pa.ln() + log_density;
         let ln_area_fraction = sums.area_fraction.ln() + log_density;
+        // Where the density has left the normal doubles, its product with a large number may not have.
+        let product =
+            |sum: f64, logarithm: f64| if scale.is_normal() { sum * scale } else { logarithm.exp() };
         ContactState {
             separation_m: Some(u * self.sigma_s_m),
-            pressure_pa: sums.pressure_pa * scale,
-            area_fraction: (sums.area_fraction * scale).min(1.0),
-            ln_pressure_pa: sums.pressure_pa.ln() + log_density,
+            pressure_pa: product(sums.pressure_pa, ln_pressure_pa),
+            area_fraction: product(sums.area_fraction, ln_area_fraction).min(1.0),
+            ln_pressure_pa,
             ln_area_fraction: ln_area_fraction.min(0.0),
             error_estimate: 0.0,
             evaluations: 0,
