@@ -1,5 +1,6 @@
-//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`, `cargo xtask docs`.
+//! Project chores, by name: `cargo xtask reproduce`, `cargo xtask golden`, `cargo xtask docs`, `cargo xtask bench`.
 
+mod bench;
 mod docs;
 mod golden;
 mod reproduce;
@@ -12,12 +13,14 @@ const HELP: &str = "\
 cargo xtask reproduce          the paper's figures as tables and SVG, under target/reproduce
 cargo xtask golden [--accept]  how far every golden curve has moved; --accept rewrites those that have
 cargo xtask docs [--check]     draws the pictures of docs/; --check only tells which of the committed ones differ
+cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
 ";
 
 enum Task {
     Reproduce,
     Golden { accept: bool },
     Docs { check: bool },
+    Bench,
 }
 
 fn main() -> ExitCode {
@@ -25,6 +28,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Reproduce)) => reproduce::run(),
         Ok(Some(Task::Golden { accept })) => golden::run(accept),
         Ok(Some(Task::Docs { check })) => docs::run(check),
+        Ok(Some(Task::Bench)) => bench::run(),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -44,6 +48,7 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             (Value(name), None) if name == "reproduce" => task = Some(Task::Reproduce),
             (Value(name), None) if name == "golden" => task = Some(Task::Golden { accept: false }),
             (Value(name), None) if name == "docs" => task = Some(Task::Docs { check: false }),
+            (Value(name), None) if name == "bench" => task = Some(Task::Bench),
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
