@@ -1,5 +1,6 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `stress`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `stress`, `bench`.
 
+mod bench;
 mod docs;
 mod golden;
 mod instructions;
@@ -20,6 +21,7 @@ cargo xtask instructions [--accept]
                                --accept takes the counts as they are
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                random extreme states against what every result promises: docs/stress.md
+cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
 ";
 
 enum Task {
@@ -28,6 +30,7 @@ enum Task {
     Docs { check: bool },
     Instructions { accept: bool },
     Stress { arguments: Vec<OsString> },
+    Bench,
 }
 
 fn main() -> ExitCode {
@@ -37,6 +40,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Docs { check })) => docs::run(check),
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Stress { arguments })) => stress::run(&arguments),
+        Ok(Some(Task::Bench)) => bench::run(),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -63,6 +67,7 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
                 let arguments = parser.raw_args()?.collect();
                 task = Some(Task::Stress { arguments });
             }
+            (Value(name), None) if name == "bench" => task = Some(Task::Bench),
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),

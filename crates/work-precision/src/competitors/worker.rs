@@ -1,0 +1,185 @@
+//! The process that answers for the competitors, a line of JSON for a line of JSON, so that they can be asked in turn
+//! with ourselves.
+
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, Write};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+use serde::{Deserialize, Serialize};
+
+use super::environment::{Environment, Missing, scripts};
+use crate::reference::Case;
+
+/// What is asked.
+#[derive(Debug, Serialize)]
+pub struct Asked<'a> {
+    /// Name of the engine in `worker.py`.
+    pub engine: &'a str,
+    /// Tolerance, or number of nodes.
+    pub setting: Setting,
+    /// Whether ln p is given rather than the separation over sigma.
+    pub by_pressure: bool,
+    /// Population and law.
+    pub case: &'a Case,
+    /// The states, by what is given.
+    pub at: At,
+    /// Seconds that repetitions may take.
+    pub seconds: f64,
+}
+
+/// A tolerance stays a fraction, a number of nodes has to be whole.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Setting {
+    /// A tolerance.
+    Tolerance(f64),
+    /// A number of nodes.
+    Nodes(u32),
+}
+
+impl Setting {
+    /// What a number of a table stands for.
+    pub fn of(number: f64) -> Self {
+        if number < 1.0 { Setting::Tolerance(number) } else { Setting::Nodes(number as u32) }
+    }
+}
+
+/// One interference, or several states.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum At {
+    /// An interference over sigma.
+    One(f64),
+    /// Separations over sigma, or logarithms of pressures in Pa.
+    Many(Vec<f64>),
+}
+
+/// One answer: its numbers, and the seconds it took.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Row {
+    /// Separation over sigma, pressure \[Pa\] and area fraction; of a single asperity only the last two.
+    pub numbers: Vec<Option<f64>>,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+impl Row {
+    /// A number that is NaN where it is none.
+    pub fn number(&self, at: usize) -> f64 {
+        self.numbers.get(at).copied().flatten().unwrap_or(f64::NAN)
+    }
+}
+
+#[derive(Deserialize)]
+struct Greeting {
+    versions: BTreeMap<String, String>,
+    missing: BTreeMap<String, String>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Reply {
+    Rows(Vec<Row>),
+    Error(String),
+}
+
+/// The process; it ends when this is dropped.
+#[derive(Debug)]
+pub struct Worker {
+    child: Child,
+    questions: Option<ChildStdin>,
+    answers: BufReader<ChildStdout>,
+    /// Versions of everything it uses, by name.
+    pub versions: BTreeMap<String, String>,
+    /// What could not be loaded.
+    pub missing: Vec<Missing>,
+}
+
+impl Worker {
+    /// Starts the process, on one thread.
+    ///
+    /// # Errors
+    /// A message where it does not greet.
+    pub fn start(environment: &Environment) -> Result<Self, String> {
+        let mut command = Command::new(&environment.python);
+        command.arg(scripts().join("worker.py")).stdin(Stdio::piped()).stdout(Stdio::piped());
+        for threads in ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"] {
+            command.env(threads, "1");
+        }
+        let mut child = command.env("PYTHONDONTWRITEBYTECODE", "1").spawn().map_err(|e| e.to_string())?;
+        let questions = child.stdin.take();
+        let answers = BufReader::new(child.stdout.take().ok_or("no output")?);
+        let (versions, missing) = (BTreeMap::new(), Vec::new());
+        let mut worker = Worker { child, questions, answers, versions, missing };
+        let greeting: Greeting = parse(&worker.line()?)?;
+        worker.versions = greeting.versions;
+        worker.missing =
+            greeting.missing.into_iter().map(|(package, reason)| Missing { package, reason }).collect();
+        Ok(worker)
+    }
+
+    /// The answers, one per state.
+    ///
+    /// # Errors
+    /// What the engine says instead.
+    pub fn ask(&mut self, asked: &Asked<'_>) -> Result<Vec<Row>, String> {
+        let question = serde_json::to_string(asked).map_err(|error| error.to_string())?;
+        let questions = self.questions.as_mut().ok_or("the worker has ended")?;
+        writeln!(questions, "{question}").map_err(|error| error.to_string())?;
+        rows(&self.line()?)
+    }
+
+    fn line(&mut self) -> Result<String, String> {
+        let mut line = String::new();
+        match self.answers.read_line(&mut line) {
+            Ok(0) => Err("the worker has ended".to_owned()),
+            Ok(_) => Ok(line),
+            Err(error) => Err(error.to_string()),
+        }
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // The end of its input ends it.
+        self.questions = None;
+        let _ = self.child.wait();
+    }
+}
+
+/// Python writes NaN and infinities as words that JSON does not have.
+fn parse<T: for<'a> Deserialize<'a>>(line: &str) -> Result<T, String> {
+    let line = line.replace("-Infinity", "null").replace("Infinity", "null").replace("NaN", "null");
+    serde_json::from_str(&line).map_err(|error| format!("{error} in {line}"))
+}
+
+fn rows(line: &str) -> Result<Vec<Row>, String> {
+    match parse(line)? {
+        Reply::Rows(rows) => Ok(rows),
+        Reply::Error(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_read_with_what_is_no_number() {
+        let rows = rows(r#"{"rows": [{"numbers": [3.0, NaN, -Infinity], "seconds": 1e-3}]}"#).unwrap();
+        assert_eq!((rows[0].number(0), rows[0].seconds), (3.0, 1e-3));
+        assert!(rows[0].number(1).is_nan() && rows[0].number(2).is_nan() && rows[0].number(7).is_nan());
+    }
+
+    #[test]
+    fn an_error_is_the_engines_answer() {
+        assert_eq!(rows(r#"{"error": "ValueError: no bracket"}"#).unwrap_err(), "ValueError: no bracket");
+        assert!(rows("Traceback").is_err());
+    }
+
+    #[test]
+    fn tolerances_and_nodes_are_told_apart() {
+        let written = |number| serde_json::to_string(&Setting::of(number)).unwrap();
+        assert_eq!((written(1e-4).as_str(), written(1e5).as_str()), ("0.0001", "100000"));
+    }
+}

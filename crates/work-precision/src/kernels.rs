@@ -1,0 +1,262 @@
+//! What one asperity costs: force and area at an interference, area at a pressure, against the tables of single
+//! asperities in `tests/reference`, whose rows stand in the hard regions of each law.
+
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+use asperity::{
+    ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, Hertz, JacksonGreen, MaterialPair,
+};
+
+use crate::clock::seconds_per_call;
+use crate::competitors::{Asked, At, Row, Setting, Worker};
+use crate::reference::{Case, repository};
+
+const OUR_BUDGET_S: f64 = 0.05;
+const THEIR_BUDGET_S: f64 = 1e-3;
+
+/// What evaluating a law once costs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KernelCost {
+    /// What is evaluated.
+    pub kernel: &'static str,
+    /// Ours.
+    pub ours: Cost,
+    /// The same formulas in Python, a number at a time; `None` where they are not compared.
+    pub scalar: Option<Cost>,
+    /// In numpy, for each of a thousand numbers.
+    pub array: Option<Cost>,
+}
+
+/// Time and error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// Seconds per evaluation.
+    pub seconds: f64,
+    /// Median relative error over the table.
+    pub median_error: f64,
+}
+
+/// A row of a table, by column.
+type Columns = HashMap<String, f64>;
+
+/// A law at one row, evaluated: its two answers.
+type Evaluation = Box<dyn Fn() -> (f64, f64)>;
+
+/// A kernel: its table, its law made ready for a row, and the columns that hold its two answers.
+struct Kernel {
+    name: &'static str,
+    table: &'static str,
+    law: fn(&Columns) -> Evaluation,
+    exact: [&'static str; 2],
+    /// The law's name in Python.
+    model: Option<&'static str>,
+}
+
+const KERNELS: [Kernel; 7] = [
+    Kernel {
+        name: "Hertz: force, area",
+        table: "sphere.csv",
+        law: |row| {
+            let (hertz, w_m) = (Hertz::new(&pair(row), row["radius_m"]), row["interference_m"]);
+            Box::new(move || (hertz.force_n(black_box(w_m)), hertz.area_m2(w_m)))
+        },
+        exact: ["hertz_force_n", "hertz_area_m2"],
+        model: Some("hertz"),
+    },
+    Kernel {
+        name: "Jackson & Green: force, area",
+        table: "sphere.csv",
+        law: |row| {
+            let strength_pa = row["yield_strength_pa"];
+            let sphere = JacksonGreen::new(&pair(row), row["radius_m"], strength_pa, Hardness::default());
+            let w_m = row["interference_m"];
+            Box::new(move || sphere.force_and_area(black_box(w_m)))
+        },
+        exact: ["jackson_green_force_n", "jackson_green_area_m2"],
+        model: Some("ep-sphere"),
+    },
+    Kernel {
+        name: "elastic sinusoid at an interference: pressure, area",
+        table: "sinusoid_interference.csv",
+        law: |row| {
+            let (sinusoid, depth) = (ElasticSinusoid::new(&pair(row), row["aspect_ratio"]), depth(row));
+            Box::new(move || {
+                let pressure_pa = sinusoid.pressure_at_interference_pa(black_box(depth));
+                (pressure_pa, sinusoid.area_fraction(pressure_pa))
+            })
+        },
+        exact: ["pressure_elastic_pa", "area_fraction_elastic"],
+        model: Some("elastic-sine"),
+    },
+    Kernel {
+        name: "elastic-plastic sinusoid at an interference: pressure, area",
+        table: "sinusoid_interference.csv",
+        law: |row| {
+            let (sinusoid, depth) = (plastic(row), depth(row));
+            Box::new(move || sinusoid.pressure_and_area_at_interference(black_box(depth)))
+        },
+        exact: ["pressure_ep_pa", "area_fraction_ep"],
+        model: Some("ep-sine"),
+    },
+    Kernel {
+        name: "elastic sinusoid at a pressure: area",
+        table: "sinusoid.csv",
+        law: |row| {
+            let (sinusoid, p_pa) =
+                (ElasticSinusoid::new(&pair(row), row["aspect_ratio"]), row["pressure_pa"]);
+            Box::new(move || twice(sinusoid.area_fraction(black_box(p_pa))))
+        },
+        exact: ["area_fraction_elastic"; 2],
+        model: None,
+    },
+    Kernel {
+        name: "elastic-plastic sinusoid at a pressure: area",
+        table: "sinusoid.csv",
+        law: |row| {
+            let (sinusoid, p_pa) = (plastic(row), row["pressure_pa"]);
+            Box::new(move || twice(sinusoid.area_fraction(black_box(p_pa))))
+        },
+        exact: ["area_fraction_ep"; 2],
+        model: None,
+    },
+    Kernel {
+        name: "elastic-plastic sinusoid at a pressure: mean gap",
+        table: "sinusoid.csv",
+        law: |row| {
+            let (sinusoid, p_pa) = (plastic(row), row["pressure_pa"]);
+            Box::new(move || twice(sinusoid.mean_gap_over_amplitude(black_box(p_pa))))
+        },
+        exact: ["mean_gap_over_amplitude"; 2],
+        model: None,
+    },
+];
+
+/// Every law of one asperity, beside the same formulas in Python where there is a worker.
+///
+/// # Errors
+/// A message where a table cannot be read.
+pub fn costs(mut worker: Option<&mut Worker>) -> Result<Vec<KernelCost>, String> {
+    KERNELS.iter().map(|kernel| cost(kernel, worker.as_deref_mut())).collect()
+}
+
+fn cost(kernel: &Kernel, worker: Option<&mut Worker>) -> Result<KernelCost, String> {
+    let rows = read(kernel.table)?;
+    let laws: Vec<_> = rows.iter().map(kernel.law).collect();
+    let seconds =
+        seconds_per_call(OUR_BUDGET_S, || laws.iter().map(|law| law().1).sum::<f64>()) / rows.len() as f64;
+    let errors = laws.iter().zip(&rows).map(|(law, row)| error(kernel, row, law()));
+    let ours = Cost { seconds, median_error: median(errors) };
+    let (scalar, array) = match (kernel.model, worker) {
+        (Some(model), Some(worker)) => theirs(kernel, model, &rows, worker),
+        _ => (None, None),
+    };
+    Ok(KernelCost { kernel: kernel.name, ours, scalar, array })
+}
+
+/// In Python: a number at a time, and arrays; the mean over the rows.
+fn theirs(
+    kernel: &Kernel,
+    model: &str,
+    rows: &[Columns],
+    worker: &mut Worker,
+) -> (Option<Cost>, Option<Cost>) {
+    let answers = rows.iter().map(|row| {
+        let (case, at) = (case(model, row), At::One(row["interference_m"]));
+        let (setting, seconds) = (Setting::Nodes(0), THEIR_BUDGET_S);
+        worker.ask(&Asked { engine: "kernel", setting, by_pressure: false, case: &case, at, seconds })
+    });
+    let Ok(answers) = answers.collect::<Result<Vec<Vec<Row>>, String>>() else { return (None, None) };
+    let of = |at: usize| {
+        let answers: Option<Vec<&Row>> = answers.iter().map(|answer| answer.get(at)).collect();
+        let answers = answers?;
+        let errors = answers
+            .iter()
+            .zip(rows)
+            .map(|(answer, row)| error(kernel, row, (answer.number(0), answer.number(1))));
+        let seconds = answers.iter().map(|answer| answer.seconds).sum::<f64>() / rows.len() as f64;
+        Some(Cost { seconds, median_error: median(errors) })
+    };
+    (of(0), of(1))
+}
+
+/// The row as a population of one asperity per square metre with a spread of one metre, so that pressure is force; for
+/// sinusoids the density that makes their wavelength.
+fn case(model: &str, row: &Columns) -> Case {
+    let (density_per_m2, radius_m) = match row.get("wavelength_m") {
+        Some(wavelength_m) => {
+            let amplitude_m = row["aspect_ratio"] * wavelength_m;
+            (2.0 / wavelength_m.powi(2), (wavelength_m / TAU).powi(2) / amplitude_m)
+        }
+        None => (1.0, row["radius_m"]),
+    };
+    Case {
+        model: model.to_owned(),
+        youngs_modulus_pa: row["youngs_modulus_pa"],
+        poisson_ratio: row["poisson_ratio"],
+        yield_strength_pa: row["yield_strength_pa"],
+        strain_gradient_length_m: None,
+        radius_m,
+        density_per_m2,
+        sigma_s_m: 1.0,
+    }
+}
+
+fn pair(row: &Columns) -> MaterialPair {
+    let body = ElasticBody::new(row["youngs_modulus_pa"], row["poisson_ratio"]).expect("a body of the table");
+    MaterialPair::against_rigid(body)
+}
+
+fn plastic(row: &Columns) -> ElasticPlasticSinusoid {
+    ElasticPlasticSinusoid::new(&pair(row), row["aspect_ratio"], row["yield_strength_pa"])
+}
+
+/// Interference over amplitude.
+fn depth(row: &Columns) -> f64 {
+    row["interference_m"] / (row["aspect_ratio"] * row["wavelength_m"])
+}
+
+fn twice(value: f64) -> (f64, f64) {
+    (value, value)
+}
+
+fn error(kernel: &Kernel, row: &Columns, found: (f64, f64)) -> f64 {
+    let [first, second] = kernel.exact.map(|column| row[column]);
+    let relative = |value: f64, exact: f64| if value == exact { 0.0 } else { (value / exact - 1.0).abs() };
+    relative(found.0, first).max(relative(found.1, second))
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+fn read(table: &str) -> Result<Vec<Columns>, String> {
+    let path = repository("tests/reference").join(table);
+    let failed = |error: csv::Error| format!("{table}: {error}");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).map_err(failed)?;
+    let columns = reader.headers().map_err(failed)?.clone();
+    let row = |record: Result<csv::StringRecord, csv::Error>| {
+        let record = record.map_err(failed)?;
+        let numbers = columns.iter().zip(&record);
+        Ok(numbers.filter_map(|(name, cell)| Some((name.to_owned(), cell.parse().ok()?))).collect())
+    };
+    reader.records().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kernel_is_right_where_its_law_is_hard() {
+        for kernel in &KERNELS {
+            let rows = read(kernel.table).unwrap();
+            assert!(rows.len() > 100, "{}", kernel.name);
+            let errors = rows.iter().map(|row| error(kernel, row, (kernel.law)(row)()));
+            assert!(median(errors) < 1e-14, "{}", kernel.name);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Measures everything and rewrites `docs/performance/` and the tables of `docs/performance.md`: `cargo xtask bench`.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use work_precision::competitors::{Environment, Missing, Worker};
+use work_precision::machine;
+use work_precision::point::{Given, Outcome, Point};
+use work_precision::reference::{self, repository};
+use work_precision::sections::Measured;
+use work_precision::verdicts::FOUR_LAWS;
+use work_precision::{files, kernels, page, pictures, scaling, sections, stack, study};
+
+/// The population whose states are drawn; the tables hold all.
+const DRAWN: &str = "steel";
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), String> {
+    let groups = reference::committed()?;
+    println!("installing the competitors below target/");
+    let environment = Environment::prepare(&repository("target/work-precision/venv"));
+    let mut missing = environment.missing.clone();
+    let mut worker = started(&environment, &mut missing);
+    let mut facts = machine::facts();
+    facts.extend(worker.iter().flat_map(|worker| worker.versions.clone()));
+
+    let mut points = Vec::new();
+    for group in &groups {
+        println!("{}, {}", group.population, group.case.law());
+        points.extend(study::points(group, worker.as_mut(), &missing));
+    }
+    gate(&points)?;
+    println!("single asperities, the stack, how the program grows");
+    let kernels = kernels::costs(worker.as_mut())?;
+    let stack = stack::costs();
+    let scaling = scaling::measure(&repository("target/work-precision/tables"));
+    let measured = Measured { facts, missing, points, kernels, stack, scaling };
+    write_files(&repository("docs/performance"), &measured)?;
+    write_page(&repository("docs/performance.md"), &measured)
+}
+
+/// The competitors' process; who is not there is told.
+fn started(environment: &Environment, missing: &mut Vec<Missing>) -> Option<Worker> {
+    let worker = Worker::start(environment).map_err(|reason| {
+        if missing.is_empty() {
+            missing.push(Missing { package: "Python".to_owned(), reason });
+        }
+    });
+    let worker = worker.ok();
+    missing.extend(worker.iter().flat_map(|worker| worker.missing.clone()));
+    for Missing { package, reason } in &*missing {
+        println!("{package} is missing: {reason}");
+    }
+    worker
+}
+
+/// No time of ours counts unless every answer of ours is right.
+fn gate(points: &[Point]) -> Result<(), String> {
+    let wrong = |point: &&Point| {
+        point.engine == point.engine.counterpart() && !matches!(point.outcome, Outcome::Right(_))
+    };
+    match points.iter().find(wrong) {
+        Some(point) => Err(format!("a wrong answer of our own: {point:?}")),
+        None => Ok(()),
+    }
+}
+
+/// A table for every law and question, a plot for those of the four laws; asperities, stack and growth.
+fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
+    let Measured { facts, points, kernels, stack, scaling, .. } = measured;
+    for law in sections::laws(points) {
+        for given in Given::ALL {
+            let here: Vec<&Point> = points.iter().filter(|p| p.law == law && p.given == given).collect();
+            let file = |extension: &str| folder.join(format!("{}.{extension}", files::stem(law, given)));
+            write(&file("csv"), &files::points_csv(&here, facts))?;
+            if FOUR_LAWS.contains(&law) {
+                write(&file("svg"), &pictures::work_precision(&here, DRAWN, law, given, facts))?;
+            }
+        }
+    }
+    write(&folder.join("kernels.csv"), &files::kernels_csv(kernels, facts))?;
+    write(&folder.join("stack.csv"), &files::stack_csv(stack, facts))?;
+    if let Ok(scaling) = scaling {
+        write(&folder.join("scaling.csv"), &files::scaling_csv(scaling, facts))?;
+        write(&folder.join("scaling.svg"), &pictures::scaling(scaling, facts))?;
+    }
+    Ok(())
+}
+
+/// The page's tables; its verdicts are printed as well.
+fn write_page(path: &Path, measured: &Measured) -> Result<(), String> {
+    let mut page = std::fs::read_to_string(path).map_err(|error| format!("docs/performance.md: {error}"))?;
+    for (name, contents) in sections::all(measured) {
+        page = page::with_section(&page, name, &contents)?;
+    }
+    write(path, &page)?;
+    println!("\n{}", sections::verdicts(&measured.points, &measured.stack));
+    Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    let failed = |error: std::io::Error| format!("{}: {error}", path.display());
+    path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(failed)?;
+    std::fs::write(path, text).map_err(failed)
+}

@@ -1,0 +1,98 @@
+//! `docs/performance.md`: its words are written by hand, its tables between markers by this program.
+
+/// The page with a section's contents replaced: what stands between `<!-- measured: NAME -->` and `<!-- end -->`.
+///
+/// # Errors
+/// A message where the page has no such section.
+pub fn with_section(page: &str, name: &str, contents: &str) -> Result<String, String> {
+    let opening = format!("<!-- measured: {name} -->\n");
+    let missing = || format!("docs/performance.md has no section {name}");
+    let (before, rest) = page.split_once(&opening).ok_or_else(missing)?;
+    let (_, after) = rest.split_once("<!-- end -->").ok_or_else(missing)?;
+    Ok(format!("{before}{opening}\n{}\n\n<!-- end -->{after}", contents.trim_end()))
+}
+
+/// A table; the first column is left-aligned, the others are numbers.
+pub fn table(columns: &[&str], rows: &[Vec<String>]) -> String {
+    let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+    let mut text = line(columns.iter().map(|&column| column.to_owned()).collect());
+    text += &line(
+        columns.iter().enumerate().map(|(i, _)| if i == 0 { "---" } else { "---:" }.to_owned()).collect(),
+    );
+    rows.iter().for_each(|row| text += &line(row.clone()));
+    text
+}
+
+/// A time in the unit that leaves one to three digits before the point.
+pub fn time(seconds: f64) -> String {
+    let (value, unit) = match seconds {
+        s if s >= 1.0 => (s, "s"),
+        s if s >= 1e-3 => (s * 1e3, "ms"),
+        s if s >= 1e-6 => (s * 1e6, "µs"),
+        s => (s * 1e9, "ns"),
+    };
+    format!("{} {unit}", three_digits(value))
+}
+
+/// A number to three digits; from five places on in groups of three.
+pub fn three_digits(value: f64) -> String {
+    let digits = match value.abs() {
+        v if v >= 99.95 => 0,
+        v if v >= 9.995 => 1,
+        _ => 2,
+    };
+    let rounded = if value.abs() >= 999.5 {
+        let unit = 10f64.powf(value.abs().log10().floor() - 2.0);
+        (value / unit).round() * unit
+    } else {
+        value
+    };
+    let mut text = format!("{rounded:.digits$}");
+    if rounded.abs() >= 1e4 {
+        for at in (1..text.len()).rev().filter(|at| (text.len() - at) % 3 == 0).collect::<Vec<_>>() {
+            text.insert(at, ',');
+        }
+    }
+    text
+}
+
+/// An error as 1.2e-9.
+pub fn error(value: f64) -> String {
+    format!("{value:.1e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_section_is_replaced_and_everything_else_stays() {
+        let page =
+            "words\n<!-- measured: a -->\nold\n<!-- end -->\nmore\n<!-- measured: b -->\n<!-- end -->\n";
+        let new = with_section(page, "a", "| x |\n").unwrap();
+        assert_eq!(
+            new,
+            "words\n<!-- measured: a -->\n\n| x |\n\n<!-- end -->\nmore\n<!-- measured: b -->\n<!-- end -->\n"
+        );
+        assert_eq!(with_section(&new, "a", "| x |\n").unwrap(), new);
+        assert!(with_section(page, "c", "").is_err());
+    }
+
+    #[test]
+    fn times_and_numbers_have_three_digits() {
+        assert_eq!(
+            [3.7e-2, 3.4e-4, 8.31e-6, 1.5e-8, 2.0].map(time),
+            ["37.0 ms", "340 µs", "8.31 µs", "15.0 ns", "2.00 s"]
+        );
+        assert_eq!(
+            [3456.0, 34567.0, 1_234_567.0, 0.5, 99.99].map(three_digits),
+            ["3460", "34,600", "1,230,000", "0.50", "100"]
+        );
+    }
+
+    #[test]
+    fn a_table_has_a_rule_under_its_columns() {
+        let text = table(&["law", "time"], &[vec!["hertz".to_owned(), "1 µs".to_owned()]]);
+        assert_eq!(text, "| law | time |\n| --- | ---: |\n| hertz | 1 µs |\n");
+    }
+}

@@ -1,0 +1,83 @@
+//! Work-precision plots: the error of a state against the time it took.
+
+use cli::figure::{Axis, FigureData, Series, Shows};
+use cli::plot;
+
+use crate::files::stem;
+use crate::machine::Fact;
+use crate::point::{Engine, Given, Point};
+use crate::scaling::Scaling;
+
+/// Errors below this are drawn at it: logarithmic axes have no zero, and doubles have no more digits.
+const LEAST_ERROR: f64 = 1e-16;
+
+const X_LABEL: &str = "error of the state";
+
+/// The plot of one law and question of a population: a line per engine and separation, which joins its settings.
+pub fn work_precision(
+    points: &[&Point],
+    population: &str,
+    law: &str,
+    given: Given,
+    facts: &[Fact],
+) -> String {
+    let mut series = Vec::new();
+    for (colour, engine) in Engine::ALL.into_iter().enumerate() {
+        let of_engine =
+            || points.iter().filter(|point| point.engine == engine && point.population == population);
+        let mut separations: Vec<f64> = of_engine().map(|point| point.separation_over_sigma).collect();
+        separations.sort_by(f64::total_cmp);
+        separations.dedup();
+        series.extend(separations.into_iter().map(|separation| {
+            let here = of_engine().filter(|point| point.separation_over_sigma == separation);
+            let right = here.filter_map(|point| Some((point.error()?.max(LEAST_ERROR), point.seconds)));
+            line(engine.name(), colour, right.collect())
+        }));
+    }
+    let figure = FigureData {
+        name: stem(law, given),
+        shows: Shows::Area,
+        title: format!("{law}, {}", given.question()),
+        x: Axis { column: "error", label: X_LABEL },
+        x_label: X_LABEL.to_owned(),
+        y_label: "time per state (s)",
+        series: series.into_iter().filter(|line| !line.points.is_empty()).collect(),
+    };
+    plot::svg(&figure, &format!("{population}, a line for each of d/σ = −3, 0, 3, 6, 20"), &provenance(facts))
+}
+
+/// The plot of the program's processor time against the size of what it is asked.
+pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
+    let series = scaling.growths.iter().enumerate().map(|(colour, growth)| {
+        line(growth.what, colour, growth.runs.iter().map(|run| (run.size, run.processor_s)).collect())
+    });
+    let x_label = "number of scales, cutoffs, loads or rows";
+    let figure = FigureData {
+        name: "scaling".to_owned(),
+        shows: Shows::Area,
+        title: "Cost of a run of the program".to_owned(),
+        x: Axis { column: "size", label: x_label },
+        x_label: x_label.to_owned(),
+        y_label: "processor time (s)",
+        series: series.collect(),
+    };
+    plot::svg(&figure, "one thread, start-up and writing included", &provenance(facts))
+}
+
+fn provenance(facts: &[Fact]) -> Vec<String> {
+    let measured = "measured by `cargo xtask bench`; do not edit".to_owned();
+    std::iter::once(measured).chain(facts.iter().map(|(name, value)| format!("{name}: {value}"))).collect()
+}
+
+/// A line among those of its colour.
+fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
+    Series {
+        column: condition.to_owned(),
+        curve: String::new(),
+        condition: condition.to_owned(),
+        condition_in_full: condition.to_owned(),
+        colour,
+        dash: 0,
+        points,
+    }
+}

@@ -1,0 +1,262 @@
+//! How the cost of the program grows with what it is asked: scales, cutoffs, loads, rows of a table, threads.
+//!
+//! The program is measured from outside, with everything a user waits for: start-up, reading, computing, writing. Time is
+//! that of the processor, user and system, which a busy machine disturbs less than the clock on the wall; only threads are
+//! measured by that.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Runs are repeated until they have taken this much, since the kernel counts in ticks.
+const LEAST_TOTAL_S: f64 = 0.6;
+/// The kernel's ticks, whatever its clock: `USER_HZ` of Linux.
+const TICKS_PER_S: f64 = 100.0;
+/// How often memory is looked at; the kernel keeps the peak, so that only the last moment could be missed.
+const GLANCE: Duration = Duration::from_micros(300);
+
+const MATERIAL: [&str; 6] =
+    ["--youngs-modulus", "463 GPa", "--poisson-ratio", "0.2", "--yield-strength", "1.8 GPa"];
+const SPECTRUM: &str = "builtin:uncd-reconstructed";
+const DECADES: f64 = 7.3;
+
+/// What is made larger, and how long the answer takes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Growth {
+    /// What grows, of which model.
+    pub what: &'static str,
+    /// Runs, the smallest first.
+    pub runs: Vec<Run>,
+    /// Least-squares slope of ln(time) over ln(size), both beyond those of the smallest run; `None` where fewer than two
+    /// runs take longer than that one.
+    pub exponent: Option<f64>,
+}
+
+/// One size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Run {
+    /// How many scales, cutoffs, loads or rows.
+    pub size: f64,
+    /// Processor time \[s\] of a run, start-up included.
+    pub processor_s: f64,
+    /// Most memory held \[bytes\]; `None` where the system does not tell.
+    pub peak_bytes: Option<u64>,
+}
+
+/// Time on the wall by number of threads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Threads {
+    /// Threads allowed.
+    pub threads: usize,
+    /// Shortest time \[s\] of some runs.
+    pub wall_s: f64,
+}
+
+/// Everything that was measured of the program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scaling {
+    /// Processor time \[s\] of a run that computes nothing.
+    pub start_up_s: f64,
+    /// What grows.
+    pub growths: Vec<Growth>,
+    /// The same work on more threads.
+    pub threads: Vec<Threads>,
+}
+
+/// Measures the program beside this one, as cargo builds it; tables of rows are kept in `folder` while it reads them.
+///
+/// # Errors
+/// A message where the program is not there or fails.
+pub fn measure(folder: &Path) -> Result<Scaling, String> {
+    let program = std::env::current_exe().map_err(|error| error.to_string())?.with_file_name("truearea");
+    if !program.exists() {
+        return Err("truearea is not built: cargo build --release -p cli".to_owned());
+    }
+    let start_up_s = processor_s(&program, &["--version".to_owned()])?;
+    let growth = |what, sizes: &[f64], arguments: &dyn Fn(f64) -> Vec<String>| -> Result<Growth, String> {
+        let run = |&size: &f64| {
+            let (arguments, size) = (arguments(size), size.round());
+            let processor_s = processor_s(&program, &arguments)?;
+            Ok(Run { size, processor_s, peak_bytes: peak_bytes(&program, &arguments)? })
+        };
+        let runs = sizes.iter().map(run).collect::<Result<Vec<Run>, String>>()?;
+        Ok(Growth { what, exponent: exponent(&runs), runs })
+    };
+    let per_decade = |sizes: &[f64]| sizes.iter().map(|size| size * DECADES).collect::<Vec<f64>>();
+    let loads = [1.0, 10.0, 100.0, 1000.0];
+    let rows = [1e3, 1e4, 1e5, 1e6];
+    let growths = vec![
+        growth("scales, stacked", &per_decade(&[1e2, 1e3, 1e4, 1e5]), &|scales| {
+            resampled("stacked", "elastic-plastic", scales, 1)
+        })?,
+        growth("loads, stacked", &loads, &|loads| {
+            resampled("stacked", "elastic-plastic", 100.0 * DECADES, loads as usize)
+        })?,
+        growth("cutoffs, statistical", &per_decade(&[1e1, 1e2, 1e3, 1e4]), &|cutoffs| {
+            resampled("statistical", "ep-sphere", cutoffs, 1)
+        })?,
+        growth("loads, statistical", &loads, &|loads| {
+            resampled("statistical", "ep-sphere", 10.0 * DECADES, loads as usize)
+        })?,
+        growth("rows of a table, statistical", &rows, &|rows| {
+            vec!["statistical".to_owned(), "--input".to_owned(), table(folder, rows as usize)]
+        })?,
+    ];
+    let available = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = (1..=available).map(|threads| {
+        let wall_s = wall_s(&program, &resampled("statistical", "ep-sphere", 1e3 * DECADES, 4), threads)?;
+        Ok(Threads { threads, wall_s })
+    });
+    let threads = threads.collect::<Result<Vec<Threads>, String>>()?;
+    let _ = std::fs::remove_dir_all(folder);
+    Ok(Scaling { start_up_s, growths, threads })
+}
+
+/// A model over the spectrum of diamond, resampled to about as many scales, under loads from 10⁻⁶ to 1 GPa.
+fn resampled(model: &str, law: &str, scales: f64, loads: usize) -> Vec<String> {
+    let mut arguments = vec![model.to_owned(), SPECTRUM.to_owned()];
+    arguments.extend(["--model", law, "--scales-per-decade"].map(str::to_owned));
+    arguments.push(format!("{}", (scales / DECADES).round()));
+    arguments.extend(MATERIAL.map(str::to_owned));
+    for load in 0..loads {
+        let decades = if loads == 1 { 2.0 } else { 6.0 * load as f64 / (loads - 1) as f64 };
+        arguments.extend(["--pressure".to_owned(), format!("{} kPa", 10f64.powf(decades))]);
+    }
+    arguments
+}
+
+/// A table of unrelated populations under unrelated loads; where it cannot be written, the program will say so.
+fn table(folder: &Path, rows: usize) -> String {
+    let mut text =
+        "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,radius_m,density_per_m2,sigma_s_m,\
+                    pressure_pa\n"
+            .to_owned();
+    for row in 0..rows {
+        // Fractions of the golden ratio: spread evenly however many there are.
+        let [a, b, c] =
+            [0.618_033_988_75, 0.754_877_666_25, 0.569_840_290_99].map(|step| (step * row as f64).fract());
+        let (sigma_m, radius_m) = (1e-9 * 10f64.powf(2.0 * a), 1e-7 * 10f64.powf(2.0 * b));
+        let (density, pressure_pa) = (0.03 / (sigma_m * radius_m), 1e3 * 10f64.powf(5.0 * c));
+        let _ = writeln!(
+            text,
+            "ep-sphere,4.63e11,0.2,1.8e9,{radius_m:e},{density:e},{sigma_m:e},{pressure_pa:e}"
+        );
+    }
+    let path: PathBuf = folder.join(format!("states-{rows}.csv"));
+    let _ = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));
+    path.display().to_string()
+}
+
+fn command(program: &Path, arguments: &[String], threads: usize) -> Command {
+    let mut command = Command::new(program);
+    command.args(arguments).env("RAYON_NUM_THREADS", threads.to_string());
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+fn succeed(command: &mut Command) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{command:?}: {status}")),
+        Err(error) => Err(format!("{command:?}: {error}")),
+    }
+}
+
+/// Mean processor time of a run on one thread.
+fn processor_s(program: &Path, arguments: &[String]) -> Result<f64, String> {
+    let before = childrens_ticks()?;
+    let mut runs = 0;
+    loop {
+        succeed(&mut command(program, arguments, 1))?;
+        runs += 1;
+        let taken_s = (childrens_ticks()? - before) / TICKS_PER_S;
+        if taken_s >= LEAST_TOTAL_S {
+            return Ok(taken_s / f64::from(runs));
+        }
+    }
+}
+
+/// Processor time of all children that have ended, in the kernel's ticks.
+fn childrens_ticks() -> Result<f64, String> {
+    let stat =
+        std::fs::read_to_string("/proc/self/stat").map_err(|error| format!("/proc/self/stat: {error}"))?;
+    ticks(&stat).ok_or_else(|| format!("/proc/self/stat: {stat}"))
+}
+
+/// Fields 16 and 17; the name in parentheses before them may hold anything.
+fn ticks(stat: &str) -> Option<f64> {
+    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
+    Some(fields.get(13)?.parse::<f64>().ok()? + fields.get(14)?.parse::<f64>().ok()?)
+}
+
+/// Most memory that a run holds.
+fn peak_bytes(program: &Path, arguments: &[String]) -> Result<Option<u64>, String> {
+    let mut child = command(program, arguments, 1).spawn().map_err(|error| error.to_string())?;
+    let status = format!("/proc/{}/status", child.id());
+    let mut peak = None;
+    while child.try_wait().map_err(|error| error.to_string())?.is_none() {
+        peak = std::fs::read_to_string(&status).ok().and_then(|text| high_water_bytes(&text)).max(peak);
+        std::thread::sleep(GLANCE);
+    }
+    Ok(peak)
+}
+
+fn high_water_bytes(status: &str) -> Option<u64> {
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(line.split_whitespace().next()?.parse::<u64>().ok()? * 1024)
+}
+
+/// Shortest time on the wall of five runs.
+fn wall_s(program: &Path, arguments: &[String], threads: usize) -> Result<f64, String> {
+    let mut shortest = f64::INFINITY;
+    for _ in 0..5 {
+        let start = Instant::now();
+        succeed(&mut command(program, arguments, threads))?;
+        shortest = shortest.min(start.elapsed().as_secs_f64());
+    }
+    Ok(shortest)
+}
+
+/// The slope beyond the smallest run, which stands for all that does not grow.
+fn exponent(runs: &[Run]) -> Option<f64> {
+    let (least, others) = runs.split_first()?;
+    let points: Vec<(f64, f64)> = others
+        .iter()
+        .filter(|run| run.processor_s > least.processor_s)
+        .map(|run| ((run.size - least.size).ln(), (run.processor_s - least.processor_s).ln()))
+        .collect();
+    let count = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let spread: f64 = points.iter().map(|point| (point.0 - x).powi(2)).sum();
+    let slope = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum::<f64>() / spread;
+    (points.len() > 1).then_some(slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cost_beyond_what_is_fixed_has_its_exponent() {
+        let run = |size: f64, power: f64| Run {
+            size,
+            processor_s: 0.01 + 1e-6 * size.powf(power),
+            peak_bytes: None,
+        };
+        for power in [1.0, 2.0] {
+            let runs = [10.0, 1e3, 1e5, 1e7].map(|size| run(size, power));
+            assert!((exponent(&runs).unwrap() - power).abs() < 0.01);
+        }
+        assert_eq!(exponent(&[run(10.0, 1.0), run(1e6, 1.0)]), None, "a point has no slope");
+    }
+
+    #[test]
+    fn the_systems_figures_are_read() {
+        let stat = "123 (a (strange) name) S 1 2 3 4 5 6 7 8 9 10 11 12 250 50 20 0 1";
+        assert_eq!(ticks(stat), Some(300.0));
+        assert_eq!(high_water_bytes("VmPeak:\t 9 kB\nVmHWM:\t    2048 kB\n"), Some(2 << 20));
+        assert_eq!(high_water_bytes("Threads: 1"), None);
+    }
+}

@@ -1,0 +1,25 @@
+//! Run time against error, beside what users have today: `docs/performance.md`.
+
+use std::process::{Command, ExitCode};
+
+use tests::committed_file;
+
+/// Builds the study optimised and runs it: it measures for some minutes and rewrites the page's tables and plots.
+pub(crate) fn run() -> ExitCode {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    // The program as well: how it scales is measured from outside.
+    for arguments in [
+        ["build", "--release", "--package", "cli"].as_slice(),
+        ["run", "--release", "--package", "work-precision"].as_slice(),
+    ] {
+        match Command::new(&cargo).args(arguments).current_dir(committed_file("")).status() {
+            Ok(status) if status.success() => {}
+            Ok(_) => return ExitCode::FAILURE,
+            Err(error) => {
+                eprintln!("error: cargo: {error}");
+                return ExitCode::FAILURE;
+            }
+        }
+    }
+    ExitCode::SUCCESS
+}
