@@ -74,8 +74,8 @@ fn curve_summary(
             load.label.clone(),
             three_digits(answer.area_fraction),
             real_pressure,
-            converged(answer.within_1_percent),
-            converged(answer.within_01_percent),
+            converged(answer, answer.within_1_percent),
+            converged(answer, answer.within_01_percent),
         ]);
     }
     let mut text = format!("{}\n{}", curve.name, aligned(&rows));
@@ -155,8 +155,12 @@ pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
     })
 }
 
-fn converged(found: Convergence) -> String {
-    if found.converged { length(found.wavelength_m) } else { "not converged".to_owned() }
+fn converged(answer: &LoadAnswer, found: Convergence) -> String {
+    match (answer.followed, found.if_converged_m()) {
+        (false, _) => "not asked for".to_owned(),
+        (true, Some(wavelength_m)) => length(wavelength_m),
+        (true, None) => "not converged".to_owned(),
+    }
 }
 
 /// Rows as indented columns of equal width.

@@ -34,7 +34,6 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         material.statistical(model, gradient, hardness, args.interference_law).map_err(Failure::input)?;
     let needs = Needs {
         moments: Some(context.shared.normalisation.unwrap_or_default()),
-        asperities: true,
         curves: vec![Curve {
             name: model.to_string(),
             model: CurveModel::Statistical { pair: material.pair, law },
