@@ -20,10 +20,6 @@ pub struct ElasticPlasticSinusoid {
     elastic: ElasticSinusoid,
     critical_aspect_ratio: f64,
     aspect_ratio_over_critical: f64,
-    /// p*_ep \[Pa\], p* where the aspect ratio is at most the critical one.
-    complete_contact_pressure_pa: f64,
-    /// ln(p*_ep/p*).
-    log_softening: f64,
     critical_pressure_pa: f64,
     /// E* B/Sy, from which the exponent d of the plastic area follows.
     slope_over_yield_slope: f64,
@@ -41,18 +37,10 @@ impl ElasticPlasticSinusoid {
         let critical_aspect_ratio =
             pair.sinusoidal_yield_coefficient() * (yield_strength_pa / pair.composite_modulus_pa());
         let aspect_ratio_over_critical = aspect_ratio / critical_aspect_ratio;
-        let (log_softening, softening) = if aspect_ratio_over_critical > 1.0 {
-            let logarithm = 0.6 * (11.0 / (4.0 * aspect_ratio_over_critical + 7.0)).ln();
-            (logarithm, logarithm.exp())
-        } else {
-            (0.0, 1.0)
-        };
         ElasticPlasticSinusoid {
             elastic,
             critical_aspect_ratio,
             aspect_ratio_over_critical,
-            complete_contact_pressure_pa: elastic.complete_contact_pressure_pa() * softening,
-            log_softening,
             // (C Sy/2)^3/(6 pi (E* B)^2), arranged so that no power over- or underflows.
             critical_pressure_pa: yield_pressure_pa * (yield_pressure_pa / slope_pa).powi(2)
                 / (48.0 * std::f64::consts::PI),
@@ -81,7 +69,10 @@ impl ElasticPlasticSinusoid {
     /// Mean pressure of complete contact \[Pa\]: p*_ep = p* (11/(4 r + 7))^(3/5) for r > 1, else p*. The area is complete
     /// at [`flattening_pressure_pa`](Self::flattening_pressure_pa) already.
     pub fn complete_contact_pressure_pa(&self) -> f64 {
-        self.complete_contact_pressure_pa
+        if self.aspect_ratio_over_critical <= 1.0 {
+            return self.elastic.complete_contact_pressure_pa();
+        }
+        self.elastic.complete_contact_pressure_pa() * self.log_softening().exp()
     }
 
     /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It counts only
@@ -102,11 +93,16 @@ impl ElasticPlasticSinusoid {
         if !self.yields_at(pressure_pa) {
             return self.elastic.area_fraction(pressure_pa);
         }
-        let x = pressure_pa / self.complete_contact_pressure_pa;
-        if x >= 1.0 {
-            return 1.0;
+        self.yielding_area().fraction_at(pressure_pa)
+    }
+
+    /// The area of the yielding sinusoid, r > 1 and p > p_c, with its constants worked out: for many pressures.
+    pub fn yielding_area(&self) -> YieldingArea {
+        let log_softening = self.log_softening();
+        YieldingArea {
+            complete_contact_pressure_pa: self.elastic.complete_contact_pressure_pa() * log_softening.exp(),
+            plastic: self.plastic_area(log_softening),
         }
-        self.plastic_area().fraction(x, x.ln())
     }
 
     /// Mean gap over amplitude g/Delta = (1 - x^(A1 x + A2))^(5/2) in \[0, 1), x = p/p*_ep, at the mean pressure p > 0
@@ -117,7 +113,7 @@ impl ElasticPlasticSinusoid {
         if !self.yields_at(pressure_pa) {
             return self.elastic.mean_gap_over_amplitude(pressure_pa);
         }
-        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa)
+        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa())
             .map_or(0.0, |log_x| self.gap_exponent().gap_over_amplitude(log_x))
     }
 
@@ -126,7 +122,7 @@ impl ElasticPlasticSinusoid {
         if !self.yields_at(pressure_pa) {
             return self.elastic.deformation_over_amplitude(pressure_pa);
         }
-        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa)
+        log_of_fraction(pressure_pa, self.complete_contact_pressure_pa())
             .map_or(1.0, |log_x| self.gap_exponent().deformation_over_amplitude(log_x))
     }
 
@@ -134,9 +130,9 @@ impl ElasticPlasticSinusoid {
     /// elastic-plastic one, since plastic flow can only soften; p*_ep from w = Delta on.
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         if interference_over_amplitude >= 1.0 {
-            return self.complete_contact_pressure_pa;
+            return self.complete_contact_pressure_pa();
         }
-        self.log_pressure_at_power(power_at(interference_over_amplitude)).pressure_pa
+        self.pressed_to_power(power_at(interference_over_amplitude)).pressure_pa
     }
 
     /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
@@ -144,48 +140,53 @@ impl ElasticPlasticSinusoid {
     /// two thirds of their cost.
     pub fn pressure_and_area_at_interference(&self, interference_over_amplitude: f64) -> (f64, f64) {
         if interference_over_amplitude >= 1.0 {
-            return (self.complete_contact_pressure_pa, 1.0);
+            return (self.complete_contact_pressure_pa(), 1.0);
         }
         self.pressure_and_area_at_power(power_at(interference_over_amplitude))
     }
 
     /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
     pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
-        let Pressed { pressure_pa, x, log_x } = self.log_pressure_at_power(t);
-        let area_fraction = if !self.yields_at(pressure_pa) {
-            self.elastic.area_fraction(pressure_pa)
-        } else if log_x >= 0.0 {
-            1.0
-        } else {
-            self.plastic_area().fraction(x, log_x)
+        let Pressed { pressure_pa, flow } = self.pressed_to_power(t);
+        let area_fraction = match flow {
+            Some(Flow { log_softening, x, log_x }) if self.yields_at(pressure_pa) => {
+                if log_x < 0.0 {
+                    self.plastic_area(log_softening).fraction(x, log_x)
+                } else {
+                    1.0
+                }
+            }
+            _ => self.elastic.area_fraction(pressure_pa),
         };
         (pressure_pa, area_fraction)
     }
 
     /// The smaller of the elastic and the elastic-plastic pressure at t in (0, 1).
-    fn log_pressure_at_power(&self, t: f64) -> Pressed {
+    fn pressed_to_power(&self, t: f64) -> Pressed {
         let elastic_pa = self.elastic.complete_contact_pressure_pa() * t * t;
-        let elastic = Pressed { pressure_pa: elastic_pa, x: 1.0, log_x: 0.0 };
         if self.aspect_ratio_over_critical <= 1.0 {
-            return elastic;
+            return Pressed { pressure_pa: elastic_pa, flow: None };
         }
-        let (log_t, gap) = (t.ln(), self.gap_exponent());
-        let log_x = 2.0 * log_t - self.log_softening;
+        let (log_t, gap, log_softening) = (t.ln(), self.gap_exponent(), self.log_softening());
+        let log_x = 2.0 * log_t - log_softening;
         // Where the elastic pressure is the smaller one, nothing has to be solved for.
         if log_x < 0.0 {
             let x = log_x.exp();
             if gap.log_power(log_x, x) <= log_t {
-                return Pressed { pressure_pa: elastic_pa, x, log_x };
+                return Pressed { pressure_pa: elastic_pa, flow: Some(Flow { log_softening, x, log_x }) };
             }
         }
         let log_x = gap.log_x_at_power(log_t);
-        let x = log_x.exp();
-        Pressed { pressure_pa: elastic_pa.min(self.complete_contact_pressure_pa * x), x, log_x }
+        let plastic_pa = self.elastic.complete_contact_pressure_pa() * (log_softening + log_x).exp();
+        Pressed {
+            pressure_pa: elastic_pa.min(plastic_pa),
+            flow: Some(Flow { log_softening, x: log_x.exp(), log_x }),
+        }
     }
 
     /// The plastic branch with its constants worked out, for r > 1: for many pressures of one sinusoid.
     pub fn plastic_flow(&self) -> PlasticFlow {
-        PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.plastic_area() }
+        PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.yielding_area() }
     }
 
     /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
@@ -195,7 +196,7 @@ impl ElasticPlasticSinusoid {
             return -1.0;
         }
         let log_t = power_at(interference_over_amplitude).ln();
-        let log_x = 2.0 * log_t - self.log_softening;
+        let log_x = 2.0 * log_t - self.log_softening();
         if log_x >= 0.0 {
             return 1.0;
         }
@@ -210,19 +211,18 @@ impl ElasticPlasticSinusoid {
         if self.aspect_ratio_over_critical <= 1.0 {
             return None;
         }
-        let exponent = self.gap_exponent();
-        let log_x = exponent.log_x_where_half_power_is(self.log_softening);
-        Some(self.complete_contact_pressure_pa * log_x.exp())
+        let log_softening = self.log_softening();
+        let log_x = self.gap_exponent().log_x_where_half_power_is(log_softening);
+        Some(self.elastic.complete_contact_pressure_pa() * (log_softening + log_x).exp())
     }
 
     /// Mean pressure \[Pa\] from which the area fraction is 1: x_full p*_ep, below p*_ep for r > 1.5 or so because the
     /// fitted area, held at 1, overshoots.
     pub fn flattening_pressure_pa(&self) -> f64 {
         if self.aspect_ratio_over_critical <= 1.0 {
-            return self.complete_contact_pressure_pa;
+            return self.complete_contact_pressure_pa();
         }
-        let area = self.plastic_area();
-        let complete_pa = self.complete_contact_pressure_pa;
+        let YieldingArea { complete_contact_pressure_pa: complete_pa, plastic: area } = self.yielding_area();
         if area.overshoot(0.0).0 <= 0.0 {
             return complete_pa;
         }
@@ -236,8 +236,8 @@ impl ElasticPlasticSinusoid {
     /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, at mean
     /// pressures up to that of complete contact, for r > 1: a root of it is cheaper than the pressure itself.
     pub fn flattening_margin(&self, pressure_pa: f64) -> f64 {
-        let complete_pa = self.complete_contact_pressure_pa;
-        self.plastic_area().overshoot(((complete_pa - pressure_pa) / complete_pa).max(0.0)).0
+        let YieldingArea { complete_contact_pressure_pa: complete_pa, plastic: area } = self.yielding_area();
+        area.overshoot(((complete_pa - pressure_pa) / complete_pa).max(0.0)).0
     }
 
     /// The mean pressures \[Pa\] at which the area is not smooth, in rising order.
@@ -265,7 +265,7 @@ impl ElasticPlasticSinusoid {
             let above = self.deformation_over_amplitude(critical * (1.0 + 2.0 * f64::EPSILON));
             Break::jump(critical, "first yield at the critical pressure p_c", below, above)
         });
-        let complete = Break::kink(self.complete_contact_pressure_pa, "the gap closes");
+        let complete = Break::kink(self.complete_contact_pressure_pa(), "the gap closes");
         first_yield.into_iter().chain(std::iter::once(complete))
     }
 
@@ -278,18 +278,25 @@ impl ElasticPlasticSinusoid {
         GapExponent::elastic_plastic(self.aspect_ratio_over_critical)
     }
 
+    /// ln(p*_ep/p*).
+    fn log_softening(&self) -> f64 {
+        if self.aspect_ratio_over_critical <= 1.0 {
+            return 0.0;
+        }
+        0.6 * (11.0 / (4.0 * self.aspect_ratio_over_critical + 7.0)).ln()
+    }
+
     /// phi_p = 2 (phi_c/2)^(1/(1+d)) [3 p/(4 C Sy)]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and
     /// d = 3.8 (E* B/Sy)^0.11, as a power of x = p/p*_ep. With s = E* B/Sy, 3 p*_ep/(4 C Sy) is
     /// (3 sqrt(2) pi/4) s/C times the softening.
-    fn plastic_area(&self) -> PlasticArea {
+    fn plastic_area(&self, log_softening: f64) -> PlasticArea {
         const LN_8: f64 = 2.079_441_541_679_835_9;
         const LN_PI: f64 = 1.144_729_885_849_400_2;
         const LN_3_SQRT_2_PI_OVER_4: f64 = 1.203_621_403_677_591_9;
         let log_slope = self.slope_over_yield_slope.ln();
         let d = 3.8 * (0.11 * log_slope).exp();
         let log_half_critical_area = 2.0 * (self.log_yield_coefficient - LN_8 - log_slope) - LN_PI;
-        let log_complete =
-            LN_3_SQRT_2_PI_OVER_4 - self.log_yield_coefficient + log_slope + self.log_softening;
+        let log_complete = LN_3_SQRT_2_PI_OVER_4 - self.log_yield_coefficient + log_slope + log_softening;
         PlasticArea {
             log_factor: std::f64::consts::LN_2 + (log_half_critical_area + d * log_complete) / (1.0 + d),
             exponent: d / (1.0 + d),
@@ -297,9 +304,15 @@ impl ElasticPlasticSinusoid {
     }
 }
 
-/// A mean pressure \[Pa\], and x = p/p*_ep with its logarithm where r > 1.
+/// A mean pressure \[Pa\], and where r > 1 what was worked out on the way to it.
 struct Pressed {
     pressure_pa: f64,
+    flow: Option<Flow>,
+}
+
+/// ln(p*_ep/p*), and x = p/p*_ep with its logarithm.
+struct Flow {
+    log_softening: f64,
     x: f64,
     log_x: f64,
 }
@@ -310,7 +323,7 @@ struct Pressed {
 pub struct PlasticFlow {
     law: ElasticPlasticSinusoid,
     gap: GapExponent,
-    area: PlasticArea,
+    area: YieldingArea,
 }
 
 /// What a sinusoid answers where plastic flow sets its pressure.
@@ -331,9 +344,9 @@ impl PlasticFlow {
     pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
         let x = log_x.exp();
         let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
-        let pressure_pa = self.law.complete_contact_pressure_pa * x;
+        let pressure_pa = self.area.complete_contact_pressure_pa * x;
         let area_fraction = if self.law.yields_at(pressure_pa) {
-            self.area.fraction(x, log_x)
+            self.area.plastic.fraction(x, log_x)
         } else {
             self.law.elastic.area_fraction(pressure_pa)
         };
@@ -347,11 +360,27 @@ impl PlasticFlow {
 
     /// [`ElasticPlasticSinusoid::area_fraction`].
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
-        if !self.law.yields_at(pressure_pa) {
-            return self.law.elastic.area_fraction(pressure_pa);
+        if self.law.yields_at(pressure_pa) {
+            self.area.fraction_at(pressure_pa)
+        } else {
+            self.law.elastic.area_fraction(pressure_pa)
         }
-        let x = pressure_pa / self.law.complete_contact_pressure_pa;
-        if x < 1.0 { self.area.fraction(x, x.ln()) } else { 1.0 }
+    }
+}
+
+/// The area of a sinusoid that yields, with what does not depend on the pressure worked out
+/// ([`ElasticPlasticSinusoid::yielding_area`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YieldingArea {
+    complete_contact_pressure_pa: f64,
+    plastic: PlasticArea,
+}
+
+impl YieldingArea {
+    /// [`ElasticPlasticSinusoid::area_fraction`] where the sinusoid yields at the mean pressure p \[Pa\].
+    pub fn fraction_at(&self, pressure_pa: f64) -> f64 {
+        let x = pressure_pa / self.complete_contact_pressure_pa;
+        if x < 1.0 { self.plastic.fraction(x, x.ln()) } else { 1.0 }
     }
 }
 

@@ -40,7 +40,7 @@ mod root;
 pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;
 pub use elastic_plastic_sinusoid::{
-    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, FlowPoint, PlasticFlow,
+    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, FlowPoint, PlasticFlow, YieldingArea,
 };
 pub use elastic_sinusoid::ElasticSinusoid;
 pub use error::{AsperityError, Bound};

@@ -26,10 +26,14 @@
 
 mod convergence;
 mod dense_limit;
+mod descent;
+mod final_level;
 mod level;
 mod model;
 
 pub use convergence::{Convergence, LEAST_WAVELENGTH_RATIO_BELOW, convergence};
 pub use dense_limit::{largest_full_contact_pressure_pa, setting_level};
-pub use level::{Level, Regime, Scale, levels};
+pub use descent::{levels, levels_under_loads};
+pub use final_level::{FinalLevel, FinalLevels};
+pub use level::{Level, Regime, Scale};
 pub use model::StackedModel;
