@@ -9,13 +9,13 @@ use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
 use crate::material::strength;
 use crate::number::number;
-use crate::output::Place;
-use crate::plan::{Curve, CurveModel, Cutoffs, Needs, Results};
+use crate::output::{Place, Stopped};
+use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
 use crate::progress::Progress;
 use crate::provenance::program;
-use crate::summary::{state_notes, statistical_notes};
-use crate::table::{Cell, Cells, InputTable, Row};
-use crate::tables::{self, STATE_DETAILS};
+use crate::summary::StateCounts;
+use crate::table::{Cell, Cells, InputTable, Refusal, Row, TableSource};
+use crate::tables::STATE_DETAILS;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, &args.input) {
@@ -39,18 +39,14 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
             model: CurveModel::Statistical { pair: material.pair, law },
             cutoffs: Cutoffs::Every,
         }],
-        loads: loads(&args.pressures, &material)?,
+        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),
         tolerance: args.tolerance,
         ..Needs::default()
     };
-    let table =
-        |results: &Results, needs: &Needs| tables::curve(&results.curves[0], &needs.loads, args.details);
-    let notes = |results: &Results| {
-        let first = "the longest wavelength has no asperities yet: its row is empty".to_owned();
-        std::iter::once(first).chain(statistical_notes(&results.curves[0])).collect()
-    };
-    context.spectrum_to_table(psd, &args.reading, needs, table, notes)
+    context.curve_to_table(psd, &args.reading, needs, args.details, |_| {
+        "the longest wavelength has no asperities yet: its row is empty".to_owned()
+    })
 }
 
 /// A row of the table: a population, and what it is asked at.
@@ -65,12 +61,24 @@ enum At {
     Pressure(f64),
 }
 
+/// Rows that are in memory together.
+const BLOCK: usize = 1 << 12;
+
+/// Reads the table twice: all of it is checked before anything is computed.
 fn row_by_row(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let mut input = InputTable::read(input)?;
+    let mut source = TableSource::open(input)?;
     let reader = RowReader { args, context, counterface: context.counterface()? };
-    let asked = input.rows(&REQUIRED_COLUMNS, |row| reader.read(row))?;
+    let asked = |block: &InputTable| block.rows(&REQUIRED_COLUMNS, |row| reader.read(row));
+    let mut rows = 0;
+    let mut refusal = Refusal::default();
+    source.blocks(BLOCK, |block| {
+        rows += block.table.rows();
+        refusal.extend(asked(&block).err().unwrap_or_default());
+        Ok::<(), Failure>(())
+    })?;
+    refusal.into_result()?;
     let tolerance = args.tolerance.value();
-    let progress = Progress::towards(asked.len());
+    let progress = Progress::towards(rows);
     let state = |Asked { contact, at }: &Asked| {
         let state = match at {
             At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
@@ -79,15 +87,22 @@ fn row_by_row(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> R
         progress.step();
         state
     };
-    let states: Vec<ContactState> =
-        asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
-    drop(progress);
-    say_notes(beyond_complete_contact(&input, &asked, &states));
-    say_notes(state_notes(&states));
-    fill_in(&mut input, &asked, &states, args.details);
     let mut comments = vec![program(context.typed)];
-    comments.append(&mut input.comments);
-    context.write(&input.table, &comments)
+    comments.append(&mut source.comments);
+    context.write_blocks(&context.shared.output, &comments, |out| {
+        let mut counts = StateCounts::default();
+        source.blocks(BLOCK, |mut block| {
+            let asked = asked(&block).map_err(Failure::from)?;
+            let states: Vec<ContactState> =
+                asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
+            progress.aside(|| say_notes(beyond_complete_contact(&block, &asked, &states)));
+            counts.add(&states);
+            fill_in(&mut block, &asked, &states, args.details);
+            Ok::<(), Stopped>(out.block(&block.table)?)
+        })?;
+        progress.aside(|| say_notes(counts.notes()));
+        Ok(())
+    })
 }
 
 const REQUIRED_COLUMNS: [&str; 6] =

@@ -84,7 +84,7 @@ impl Plan<'_> {
         stacks * kinds.distinct_loads(self).count() * self.most_scales()
     }
 
-    pub(super) fn kinds(&self) -> Kinds {
+    fn kinds(&self) -> Kinds {
         let curves = &self.needs.curves;
         let first_equal = |model| curves.iter().position(|other| other.model == model);
         let models = Distinct::by(curves.iter().map(|curve| first_equal(curve.model)));
@@ -126,8 +126,9 @@ impl Plan<'_> {
                 let all: Vec<Given> = self.givens().collect();
                 let givens: Vec<Given> = kinds.givens.firsts.iter().map(|&first| all[first]).collect();
                 let statistical = Statistical { pair, law, tolerance: self.needs.tolerance, observe };
-                let (blocks, work) =
-                    statistical.over_cutoffs(&ground.cutoffs(kinds.cutoffs[kind]), &givens)?;
+                let wanted = kinds.cutoffs[kind];
+                let cutoffs = ground.cutoffs(wanted, 0..ground.cutoff_count(wanted));
+                let (blocks, work) = statistical.over_cutoffs(&cutoffs, &givens)?;
                 Ok((CurveResult::Statistical(blocks), work))
             }
         }
@@ -236,7 +237,7 @@ impl Plan<'_> {
 }
 
 /// What of a plan is the same.
-pub(super) struct Kinds {
+struct Kinds {
     /// The models of its curves.
     models: Distinct,
     /// At which cutoffs each kind of model is wanted.
@@ -258,7 +259,7 @@ impl Kinds {
 }
 
 /// The block of each kind, or its last row.
-fn of_blocks<T: Clone>(blocks: Vec<Vec<T>>, kinds: &[usize], last_row_alone: bool) -> Vec<Vec<T>> {
+pub(super) fn of_blocks<T: Clone>(blocks: Vec<Vec<T>>, kinds: &[usize], last_row_alone: bool) -> Vec<Vec<T>> {
     let as_they_are = kinds.len() == blocks.len() && kinds.iter().enumerate().all(|(at, kind)| at == *kind);
     match (as_they_are, last_row_alone) {
         (true, false) => blocks,

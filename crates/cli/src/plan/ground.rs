@@ -1,5 +1,7 @@
 //! What curves stand on: the scales of the spectrum that take part, their moments and asperities, their amplitudes.
 
+use std::ops::Range;
+
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Moments, ProfilePsd, SelfAffineFit, amplitudes,
     cumulative_moments, cumulative_moments_to, fit_self_affine,
@@ -42,16 +44,25 @@ impl Ground {
         }
     }
 
-    /// The cutoffs at which a statistical curve is wanted, from long to short wavelengths.
-    pub(super) fn cutoffs(&self, wanted: Cutoffs) -> Vec<Cutoff> {
-        let longest = Cutoff { wavelength_m: self.psd.longest_wavelength_m(), asperities: None };
-        let cutoff = |(moments, asperities): &(Moments, Option<AsperityParameters>)| Cutoff {
-            wavelength_m: moments.wavelength_m,
-            asperities: *asperities,
+    /// How many cutoffs there are at which a statistical curve is wanted.
+    pub(super) fn cutoff_count(&self, wanted: Cutoffs) -> usize {
+        match wanted {
+            Cutoffs::Every => self.moments.len() + 1,
+            Cutoffs::Shortest => 1,
+        }
+    }
+
+    /// Some of these cutoffs, counted from long to short wavelengths.
+    pub(super) fn cutoffs(&self, wanted: Cutoffs, places: Range<usize>) -> Vec<Cutoff> {
+        let cutoff = |place: usize| match place.checked_sub(1).map(|at| &self.moments[at]) {
+            None => Cutoff { wavelength_m: self.psd.longest_wavelength_m(), asperities: None },
+            Some((moments, asperities)) => {
+                Cutoff { wavelength_m: moments.wavelength_m, asperities: *asperities }
+            }
         };
-        match (wanted, &self.moments[..]) {
-            (Cutoffs::Shortest, [.., shortest]) => vec![cutoff(shortest)],
-            _ => std::iter::once(longest).chain(self.moments.iter().map(cutoff)).collect(),
+        match wanted {
+            Cutoffs::Every => places.map(cutoff).collect(),
+            Cutoffs::Shortest => places.map(|_| cutoff(self.moments.len())).collect(),
         }
     }
 }
@@ -60,27 +71,25 @@ impl Plan<'_> {
     /// Computes what the curves stand on.
     pub(super) fn ground(&self) -> Result<Ground, PlanError> {
         let sampled = self.sampled()?;
-        let psd = match self.sampling.cutoff_m {
-            Some(cutoff_m) => sampled
-                .truncated_at(cutoff_m)
-                .ok_or(PlanError::NothingLeft { cutoff_m, longest_m: sampled.longest_wavelength_m() })?,
-            None => sampled.clone(),
-        };
+        let nothing_left =
+            |cutoff_m| PlanError::NothingLeft { cutoff_m, longest_m: sampled.longest_wavelength_m() };
+        let kept = |cutoff_m| sampled.truncated_at(cutoff_m).ok_or_else(|| nothing_left(cutoff_m));
+        let kept = self.sampling.cutoff_m.map(kept).transpose()?;
+        let psd = kept.as_ref().unwrap_or(&sampled);
         let moments = self.moments(&sampled);
         let scales =
-            self.needs.amplitudes.map_or_else(Vec::new, |definition| kept_scales(&sampled, &psd, definition));
+            self.needs.amplitudes.map_or_else(Vec::new, |definition| kept_scales(&sampled, psd, definition));
         let fit =
-            self.needs.fit_band_m.map(|(from_m, to_m)| fit_self_affine(&psd, from_m..=to_m)).transpose()?;
-        let work = Work {
+            self.needs.fit_band_m.map(|(from_m, to_m)| fit_self_affine(psd, from_m..=to_m)).transpose()?;
+        let mut work = Work {
             moment_cutoffs: moments.len(),
             asperity_cutoffs: moments.iter().filter(|(_, asperities)| asperities.is_some()).count(),
             amplitude_scales: scales.len(),
             fitted_samples: fit.as_ref().map_or(0, |fit| fit.points),
             ..Work::default()
         };
-        let mut ground = Ground { psd, moments, scales, fit, sweep_asperities: Vec::new(), work };
-        self.add_sweep_asperities(&sampled, &mut ground);
-        Ok(ground)
+        let sweep_asperities = self.sweep_asperities(&sampled, &moments, &mut work);
+        Ok(Ground { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_asperities, work })
     }
 
     /// How many scales take part, at most.
@@ -141,26 +150,29 @@ impl Plan<'_> {
     }
 
     /// Sweeps at one cutoff share their asperities, and those at the shortest wavelength that takes part share the curves'.
-    fn add_sweep_asperities(&self, sampled: &ProfilePsd, ground: &mut Ground) {
+    fn sweep_asperities(
+        &self,
+        sampled: &ProfilePsd,
+        of_curves: &[(Moments, Option<AsperityParameters>)],
+        work: &mut Work,
+    ) -> Vec<Option<AsperityParameters>> {
+        let sweeps = &self.needs.sweeps;
         let shortest_m = self.sampling.cutoff_m.unwrap_or(0.0).max(sampled.shortest_wavelength_m());
         let norm = self.needs.moments.unwrap_or_default();
-        let multiples = Distinct::by(self.needs.sweeps.iter().map(|sweep| sweep.cutoff_multiple.to_bits()));
-        let mut asperities_at = |cutoff_multiple: f64| match ground.moments.last() {
+        let mut at = |cutoff_multiple: f64| match of_curves.last() {
             Some((_, Some(asperities))) if cutoff_multiple == 1.0 => Some(*asperities),
             _ => {
                 let moments = cumulative_moments_to(sampled, norm, cutoff_multiple * shortest_m);
                 let asperities = moments.last().and_then(AsperityParameters::from_moments);
-                ground.work.moment_cutoffs += moments.len();
-                ground.work.asperity_cutoffs += usize::from(asperities.is_some());
+                work.moment_cutoffs += moments.len();
+                work.asperity_cutoffs += usize::from(asperities.is_some());
                 asperities
             }
         };
-        let found: Vec<Option<AsperityParameters>> = multiples
-            .firsts
-            .iter()
-            .map(|&sweep| asperities_at(self.needs.sweeps[sweep].cutoff_multiple))
-            .collect();
-        ground.sweep_asperities = multiples.kinds.iter().map(|&kind| found[kind]).collect();
+        let multiples = Distinct::by(sweeps.iter().map(|sweep| sweep.cutoff_multiple.to_bits()));
+        let found: Vec<Option<AsperityParameters>> =
+            multiples.firsts.iter().map(|&sweep| at(sweeps[sweep].cutoff_multiple)).collect();
+        multiples.kinds.iter().map(|&kind| found[kind]).collect()
     }
 }
 

@@ -9,8 +9,10 @@ mod distinct;
 mod ground;
 mod stack;
 mod states;
+mod stream;
 
 pub use ground::Ground;
+pub use stream::{Part, Stream};
 
 use std::num::NonZeroU32;
 use std::ops::AddAssign;

@@ -8,6 +8,7 @@ use super::values::{check_file_name, quantity};
 use crate::figure::{Figure, Shows};
 use crate::material::Material;
 use crate::plan::{Curve, CurveModel, Cutoffs, LoadSweep};
+use crate::pressure_range::log_spaced;
 use crate::quantity::Pressure;
 
 /// The figures, and the sweeps over loads that they draw.
@@ -150,9 +151,5 @@ fn load_range(range: &RawLoadRange, material: Option<&Material>) -> Result<Vec<f
         let message = format!("key figure.loads.points: {points} must be a whole number from 2 to 100000");
         return Err(SceneError::at(range.points.span(), message));
     }
-    let ratio = to_pa / from_pa;
-    let steps = (points - 1) as f64;
-    Ok((0..points)
-        .map(|i| if i == points - 1 { to_pa } else { from_pa * ratio.powf(i as f64 / steps) })
-        .collect())
+    Ok(log_spaced(from_pa, to_pa, points))
 }
