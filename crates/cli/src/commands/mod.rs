@@ -4,6 +4,7 @@ mod completions;
 mod man_pages;
 mod one_asperity;
 mod psd;
+mod row_by_row;
 mod run_scene;
 mod spectrum_tables;
 mod stacked;

@@ -4,23 +4,26 @@ use asperity::{Bound, ElasticBody, MaterialPair, NixGao};
 use rayon::prelude::*;
 use stat_contact::{AsperityLaw, ContactState, Model, Population, StatisticalContact};
 
+use super::row_by_row::{self, RowByRow};
 use super::{Context, loads, material, say_notes};
 use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
 use crate::material::strength;
 use crate::number::number;
-use crate::output::{Place, Stopped};
 use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
 use crate::progress::Progress;
-use crate::provenance::program;
 use crate::summary::StateCounts;
-use crate::table::{Cell, Cells, InputTable, Refusal, Row, TableSource};
+use crate::table::{Cell, Cells, InputTable, Refusal, Row};
 use crate::tables::STATE_DETAILS;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, &args.input) {
         (Some(psd), _) => over_cutoffs(psd, args, context),
-        (None, Some(input)) => row_by_row(input, args, context),
+        (None, Some(input)) => {
+            let counterface = context.counterface()?;
+            let counts = StateCounts::default();
+            row_by_row::run(input, &mut Populations { args, context, counterface, counts }, context)
+        }
         (None, None) => Err(Failure::input("give a spectrum, or a table with --input")),
     }
 }
@@ -61,60 +64,51 @@ enum At {
     Pressure(f64),
 }
 
-/// Rows that are in memory together.
-const BLOCK: usize = 1 << 12;
-
-/// Reads the table twice: all of it is checked before anything is computed.
-fn row_by_row(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let mut source = TableSource::open(input)?;
-    let reader = RowReader { args, context, counterface: context.counterface()? };
-    let asked = |block: &InputTable| block.rows(&REQUIRED_COLUMNS, |row| reader.read(row));
-    let mut rows = 0;
-    let mut refusal = Refusal::default();
-    source.blocks(BLOCK, |block| {
-        rows += block.table.rows();
-        refusal.extend(asked(&block).err().unwrap_or_default());
-        Ok::<(), Failure>(())
-    })?;
-    refusal.into_result()?;
-    let tolerance = args.tolerance.value();
-    let progress = Progress::towards(rows);
-    let state = |Asked { contact, at }: &Asked| {
-        let state = match at {
-            At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
-            At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
-        };
-        progress.step();
-        state
-    };
-    let mut comments = vec![program(context.typed)];
-    comments.append(&mut source.comments);
-    context.write_blocks(&context.shared.output, &comments, |out| {
-        let mut counts = StateCounts::default();
-        source.blocks(BLOCK, |mut block| {
-            let asked = asked(&block).map_err(Failure::from)?;
-            let states: Vec<ContactState> =
-                asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
-            progress.aside(|| say_notes(beyond_complete_contact(&block, &asked, &states)));
-            counts.add(&states);
-            fill_in(&mut block, &asked, &states, args.details);
-            Ok::<(), Stopped>(out.block(&block.table)?)
-        })?;
-        progress.aside(|| say_notes(counts.notes()));
-        Ok(())
-    })
-}
-
 const REQUIRED_COLUMNS: [&str; 6] =
     ["model", "youngs_modulus_pa", "poisson_ratio", "radius_m", "density_per_m2", "sigma_s_m"];
 
-struct RowReader<'a> {
+/// A table of populations.
+struct Populations<'a> {
     args: &'a StatisticalArgs,
     context: &'a Context<'a>,
     counterface: Option<ElasticBody>,
+    counts: StateCounts,
 }
 
-impl RowReader<'_> {
+impl RowByRow for Populations<'_> {
+    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
+        self.asked(block).map(|_| ())
+    }
+
+    fn fill_in(&mut self, block: &mut InputTable, progress: &Progress) -> Result<(), Failure> {
+        let asked = self.asked(block)?;
+        let tolerance = self.args.tolerance.value();
+        let state = |Asked { contact, at }: &Asked| {
+            let state = match at {
+                At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
+                At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
+            };
+            progress.step();
+            state
+        };
+        let states: Vec<ContactState> =
+            asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
+        progress.aside(|| say_notes(beyond_complete_contact(block, &asked, &states)));
+        self.counts.add(&states);
+        fill_in(block, &asked, &states, self.args.details);
+        Ok(())
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.counts.notes()
+    }
+}
+
+impl Populations<'_> {
+    fn asked(&self, block: &InputTable) -> Result<Vec<Asked>, Refusal> {
+        block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
+    }
+
     fn read(&self, row: &Row<'_>) -> Result<Asked, String> {
         let model: Model =
             row.text("model").trim().parse().map_err(|error| format!("column model: {error}"))?;
