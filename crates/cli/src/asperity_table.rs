@@ -11,6 +11,9 @@ const MATERIAL_COLUMNS: [(&str, Bound); 3] = [
     ("yield_strength_pa", Bound::Positive),
 ];
 
+/// Modulus \[Pa\], Poisson's ratio and yield strength \[Pa\] of a row, and the inputs of its law.
+type Inputs<const IN: usize> = ([f64; 3], [f64; IN]);
+
 /// A law of a material pair, a yield strength \[Pa\] and its inputs.
 type Law<const IN: usize, const OUT: usize> = fn(&MaterialPair, f64, [f64; IN]) -> ([f64; OUT], bool);
 
@@ -174,7 +177,7 @@ impl AsperityTable {
 
 impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
     /// The material and the arguments of every row.
-    fn read(&self, input: &InputTable) -> Result<Vec<([f64; 3], [f64; IN])>, Refusal> {
+    fn read(&self, input: &InputTable) -> Result<Vec<Inputs<IN>>, Refusal> {
         let materials = input.numbers(MATERIAL_COLUMNS)?;
         Ok(materials.into_iter().zip(input.numbers(self.inputs)?).collect())
     }
