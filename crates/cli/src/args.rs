@@ -13,6 +13,7 @@ use stat_contact::{InterferenceLaw, Model};
 use crate::material::StackedModelName;
 use crate::output::Place;
 use crate::plan::Tolerance;
+use crate::pressure_range::PressureRange;
 use crate::quantity::{Length, Modulus, Pressure, SignedLength};
 use crate::scene::Template;
 use crate::table::Format;
@@ -102,6 +103,8 @@ negative.
 Examples:
   truearea statistical psd.csv --model ep-sphere --pressure 5.4MPa \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
+  truearea statistical psd.csv --model hertz --pressures 1kPa:1GPa:1000 \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --output sweep.csv
   truearea statistical --input rows.csv --given pressure --output rows.csv")]
     Statistical(StatisticalArgs),
     /// The power spectrum of scans, each in the band that shows the surface, and their composite
@@ -383,6 +386,7 @@ pub(crate) struct TableArgs {
 }
 
 #[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct StackedArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
@@ -390,8 +394,11 @@ pub(crate) struct StackedArgs {
     #[arg(long)]
     pub model: StackedModelName,
     /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", required = true, value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]
     pub material: MaterialArgs,
     /// Append the columns pressure_in_pa and yield_strength_pa
@@ -401,7 +408,7 @@ pub(crate) struct StackedArgs {
 
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
-#[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "separations"]))]
+#[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges", "separations"]))]
 pub(crate) struct StatisticalArgs {
     /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
     #[arg(requires = "model", requires = "pressed")]
@@ -421,6 +428,14 @@ pub(crate) struct StatisticalArgs {
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true,
         conflicts_with = "input")]
     pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(
+        long = "pressures",
+        value_name = "FROM:TO:COUNT",
+        allow_hyphen_values = true,
+        conflicts_with = "input"
+    )]
+    pub pressure_ranges: Vec<PressureRange>,
     /// Separation from the mean of the asperity heights, of either sign; repeatable
     #[arg(long = "separation", value_name = "L", allow_hyphen_values = true, conflicts_with = "input")]
     pub separations: Vec<SignedLength>,

@@ -3,13 +3,16 @@
 use asperity::{Bound, ElasticBody, ElasticPlasticSinusoid, Hardness, Hertz, JacksonGreen, MaterialPair};
 
 use crate::failure::Failure;
-use crate::table::{Cells, InputTable};
+use crate::table::{Cells, InputTable, Refusal};
 
 const MATERIAL_COLUMNS: [(&str, Bound); 3] = [
     ("youngs_modulus_pa", Bound::Positive),
     ("poisson_ratio", ElasticBody::POISSON_RATIO),
     ("yield_strength_pa", Bound::Positive),
 ];
+
+/// Modulus \[Pa\], Poisson's ratio and yield strength \[Pa\] of a row, and the inputs of its law.
+type Inputs<const IN: usize> = ([f64; 3], [f64; IN]);
 
 /// A law of a material pair, a yield strength \[Pa\] and its inputs.
 type Law<const IN: usize, const OUT: usize> = fn(&MaterialPair, f64, [f64; IN]) -> ([f64; OUT], bool);
@@ -129,26 +132,65 @@ impl AsperityTable {
         input: &mut InputTable,
         counterface: Option<ElasticBody>,
     ) -> Result<Option<String>, Failure> {
+        let beyond = self.set_results(input, counterface)?;
+        Ok(self.note(beyond, input.table.rows()))
+    }
+
+    /// The same, yielding how many rows lie beyond the law's range.
+    ///
+    /// # Errors
+    /// Those of [`extend`](Self::extend).
+    pub fn set_results(
+        self,
+        input: &mut InputTable,
+        counterface: Option<ElasticBody>,
+    ) -> Result<usize, Failure> {
         match self {
-            AsperityTable::Sphere => SPHERE.extend(input, counterface),
-            AsperityTable::Sinusoid => SINUSOID.extend(input, counterface),
-            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.extend(input, counterface),
+            AsperityTable::Sphere => SPHERE.set_results(input, counterface),
+            AsperityTable::Sinusoid => SINUSOID.set_results(input, counterface),
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.set_results(input, counterface),
         }
+    }
+
+    /// Finds what is wrong with the input columns.
+    ///
+    /// # Errors
+    /// [`Refusal`] for a missing column, or of the bad cells.
+    pub fn check(self, input: &InputTable) -> Result<(), Refusal> {
+        match self {
+            AsperityTable::Sphere => SPHERE.read(input).map(|_| ()),
+            AsperityTable::Sinusoid => SINUSOID.read(input).map(|_| ()),
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.read(input).map(|_| ()),
+        }
+    }
+
+    /// What there is to say where so many of all rows lie beyond the law's range.
+    pub fn note(self, beyond: usize, rows: usize) -> Option<String> {
+        let range = match self {
+            AsperityTable::Sphere => SPHERE.range,
+            AsperityTable::Sinusoid => SINUSOID.range,
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.range,
+        };
+        (beyond > 0).then(|| format!("{beyond} of {rows} rows lie beyond {range}"))
     }
 }
 
 impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
-    fn extend(
+    /// The material and the arguments of every row.
+    fn read(&self, input: &InputTable) -> Result<Vec<Inputs<IN>>, Refusal> {
+        let materials = input.numbers(MATERIAL_COLUMNS)?;
+        Ok(materials.into_iter().zip(input.numbers(self.inputs)?).collect())
+    }
+
+    fn set_results(
         &self,
         input: &mut InputTable,
         counterface: Option<ElasticBody>,
-    ) -> Result<Option<String>, Failure> {
-        let materials = input.numbers(MATERIAL_COLUMNS)?;
-        let arguments = input.numbers(self.inputs)?;
-        let rows = materials.len();
-        let mut results: [Vec<Option<f64>>; OUT] = std::array::from_fn(|_| Vec::with_capacity(rows));
+    ) -> Result<usize, Failure> {
+        let rows = self.read(input)?;
+        let mut results: [Vec<Option<f64>>; OUT] = std::array::from_fn(|_| Vec::with_capacity(rows.len()));
         let mut beyond = 0;
-        for ([modulus_pa, poisson_ratio, strength_pa], arguments) in materials.into_iter().zip(arguments) {
+        for ([modulus_pa, poisson_ratio, strength_pa], arguments) in rows {
             let body = ElasticBody::new(modulus_pa, poisson_ratio).map_err(Failure::input)?;
             let pair = counterface
                 .map_or(MaterialPair::against_rigid(body), |other| MaterialPair::against(body, other));
@@ -161,6 +203,6 @@ impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
         for (name, values) in self.results.into_iter().zip(results) {
             input.table.set(name, Cells::Numbers(values));
         }
-        Ok((beyond > 0).then(|| format!("{beyond} of {rows} rows lie beyond {}", self.range)))
+        Ok(beyond)
     }
 }

@@ -94,13 +94,13 @@ const PSD: &str = "power spectral density C1D (m³)";
 const AREA: &str = "contact area / nominal area";
 
 impl Figure {
-    /// The figure drawn where none is asked for: the area of every curve.
-    pub fn area_of_all(curves: usize) -> Self {
+    /// The figure drawn where none is asked for: the area of all these curves against cutoff.
+    pub fn area_of_all(curves: Vec<usize>) -> Self {
         Figure {
             name: "area-fraction".to_owned(),
             shows: Shows::Area,
             title: None,
-            curves: (0..curves).collect(),
+            curves,
             sweeps: Vec::new(),
         }
     }

@@ -29,6 +29,7 @@ mod number;
 pub mod output;
 pub mod plan;
 pub mod plot;
+pub mod pressure_range;
 pub mod products;
 mod progress;
 mod provenance;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
+use crate::plan::PlanError;
 
 /// A path, or `-` for stdin or stdout.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,14 +55,16 @@ impl Place {
     /// Writes there; a file is replaced only once `write` has succeeded.
     ///
     /// # Errors
-    /// [`Failure::System`] that names the place; [`Failure::ClosedPipe`] where nobody reads stdout any more.
-    pub fn write(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    /// [`Failure::System`] that names the place; [`Failure::ClosedPipe`] where nobody reads stdout any more; what else
+    /// stopped `write`.
+    pub fn write<E: Into<Stopped>>(
+        &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(), Failure> {
         match self {
             Place::Standard => {
                 let mut stdout = BufWriter::new(io::stdout().lock());
-                write(&mut stdout)
-                    .and_then(|()| stdout.flush())
-                    .map_err(|error| Failure::writing("standard output", &error))
+                written(write, &mut stdout).map_err(|stopped| stopped.writing("standard output"))
             }
             Place::File(path) => {
                 let mut files = StagedFiles::default();
@@ -70,6 +73,50 @@ impl Place {
             }
         }
     }
+}
+
+/// Why something was not written.
+#[derive(Debug)]
+pub enum Stopped {
+    /// It could not be written.
+    Writing(io::Error),
+    /// There was nothing to write.
+    Failed(Failure),
+}
+
+impl From<io::Error> for Stopped {
+    fn from(error: io::Error) -> Self {
+        Stopped::Writing(error)
+    }
+}
+
+impl From<Failure> for Stopped {
+    fn from(failure: Failure) -> Self {
+        Stopped::Failed(failure)
+    }
+}
+
+impl From<PlanError> for Stopped {
+    fn from(error: PlanError) -> Self {
+        Stopped::Failed(Failure::input(error))
+    }
+}
+
+impl Stopped {
+    fn writing(self, what: &str) -> Failure {
+        match self {
+            Stopped::Writing(error) => Failure::writing(what, &error),
+            Stopped::Failed(failure) => failure,
+        }
+    }
+}
+
+fn written<E: Into<Stopped>>(
+    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    out: &mut impl Write,
+) -> Result<(), Stopped> {
+    write(out).map_err(Into::into)?;
+    out.flush().map_err(Into::into)
 }
 
 /// What was read from `source` as text, without a byte-order mark; `what` it is meant to be.
@@ -92,24 +139,25 @@ impl StagedFiles {
     /// Writes one file aside, in the folder it is meant for.
     ///
     /// # Errors
-    /// [`Failure::System`] that names the path. Nothing is left behind.
-    pub fn stage(
+    /// [`Failure::System`] that names the path, or what else stopped `write`. Nothing is left behind.
+    pub fn stage<E: Into<Stopped>>(
         &mut self,
         path: &Path,
-        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
     ) -> Result<(), Failure> {
         let failed = |error: io::Error| Failure::writing(&path.display().to_string(), &error);
+        let stopped = |stopped: Stopped| stopped.writing(&path.display().to_string());
         // A device or a pipe cannot be replaced, and a link is to be followed.
         if path.metadata().is_ok_and(|existing| !existing.is_file()) {
             let mut file = BufWriter::new(std::fs::File::options().write(true).open(path).map_err(failed)?);
-            return write(&mut file).and_then(|()| file.flush()).map_err(failed);
+            return written(write, &mut file).map_err(stopped);
         }
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let folder =
             target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut aside = builder().tempfile_in(folder).map_err(failed)?;
         let mut buffered = BufWriter::new(&mut aside);
-        write(&mut buffered).and_then(|()| buffered.flush()).map_err(failed)?;
+        written(write, &mut buffered).map_err(stopped)?;
         drop(buffered);
         self.0.push((aside, target));
         Ok(())

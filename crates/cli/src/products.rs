@@ -6,12 +6,12 @@ use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::figure::{Figure, FigureData, Shows};
 use crate::output::StagedFiles;
-use crate::plan::{PlanError, Results};
+use crate::plan::{PlanError, Results, Work};
 use crate::plot;
 use crate::provenance::provenance;
 use crate::report::{Report, SceneReport};
 use crate::scene::Scene;
-use crate::sensitivity::{self, Sensitivity, sensitivities};
+use crate::sensitivity::{self, Sensitivity, counted_sensitivities};
 use crate::table::{Format, Table};
 use crate::tables;
 
@@ -50,6 +50,8 @@ pub struct Findings {
     pub answer: Answer,
     /// What rests on which choice.
     pub sensitivities: Vec<Sensitivity>,
+    /// How much was computed for that.
+    pub work: Work,
 }
 
 impl Findings {
@@ -59,7 +61,8 @@ impl Findings {
     /// [`PlanError`], as of the scene itself.
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
         let answer = Answer::of(scene, results);
-        Ok(Findings { answer, sensitivities: sensitivities(scene, results)? })
+        let (sensitivities, work) = counted_sensitivities(scene, results)?;
+        Ok(Findings { answer, sensitivities, work })
     }
 
     /// The part of a report that they make.

@@ -30,6 +30,11 @@ impl Progress {
         Progress { bar, begun: Instant::now(), done: AtomicU64::new(0) }
     }
 
+    /// Says something meanwhile, with the bar out of the way.
+    pub fn aside(&self, say: impl FnOnce()) {
+        self.bar.suspend(say);
+    }
+
     /// One more step is done.
     pub fn step(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;

@@ -8,7 +8,7 @@ use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 
 use crate::display::pressure;
-use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Needs, Plan, PlanError, Results};
+use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -64,13 +64,123 @@ enum Variation {
 }
 
 /// Every open choice made another way, where curves of the scene depend on it; `results` are those of its own choices.
-/// Only final areas are computed.
+/// Only final areas are computed, and none that the results hold.
 ///
 /// # Errors
 /// [`PlanError`], as of the scene's own plan.
 pub fn sensitivities(scene: &Scene, results: &Results) -> Result<Vec<Sensitivity>, PlanError> {
-    let moved = |variation: &Variation| variation.sensitivity(scene, results).transpose();
-    variations(scene).iter().filter_map(moved).collect()
+    counted_sensitivities(scene, results).map(|(sensitivities, _)| sensitivities)
+}
+
+/// The same, and how much was computed for them.
+///
+/// # Errors
+/// Those of [`sensitivities`].
+pub fn counted_sensitivities(
+    scene: &Scene,
+    results: &Results,
+) -> Result<(Vec<Sensitivity>, Work), PlanError> {
+    let varied = Varied::all(scene);
+    let mut work = Work::default();
+    let own = FinalAreas::new(scene.needs.curves.iter().map(|curve| curve.model).collect(), &results.curves);
+    // Laws made another way stand on the spectrum as it is: one plan has them all, and the scene some of them.
+    let laws = varied.iter().filter(|varied| varied.variation.is_of_a_law()).flat_map(Varied::models);
+    let laws: Vec<CurveModel> = laws.filter(|model| !own.models.contains(model)).collect();
+    let of_laws = match laws[..] {
+        [] => Vec::new(),
+        _ => {
+            let found = plan(scene, None, &laws).compute_on(Ground::of(results), &|| ())?;
+            work += found.work;
+            found.curves
+        }
+    };
+    let of_laws = FinalAreas::new(laws, &of_laws);
+    let mut sensitivities = Vec::new();
+    for varied in &varied {
+        let rows = if varied.variation.is_of_a_law() {
+            varied.rows(scene, &own, |model, load| own.of(model, load).or_else(|| of_laws.of(model, load)))
+        } else {
+            let models: Vec<CurveModel> = varied.models().collect();
+            let found = plan(scene, Some(varied.variation), &models).compute()?;
+            work += found.work;
+            let found = FinalAreas::new(models, &found.curves);
+            varied.rows(scene, &own, |model, load| found.of(model, load))
+        };
+        let (choice, setting) = (varied.variation.choice(), varied.variation.setting());
+        sensitivities.push(Sensitivity { choice, setting, rows });
+    }
+    Ok((sensitivities, work))
+}
+
+/// How many final areas the sensitivities of a scene are about.
+pub fn wanted_areas(scene: &Scene) -> usize {
+    Varied::all(scene).iter().map(|varied| varied.curves.len() * scene.needs.loads.len()).sum()
+}
+
+/// A choice made another way, and the curves that depend on it.
+struct Varied {
+    variation: Variation,
+    /// The curves of the scene, by index, and their models with the choice made that way.
+    curves: Vec<(usize, CurveModel)>,
+}
+
+impl Varied {
+    /// Every choice that a curve depends on, made every other way.
+    fn all(scene: &Scene) -> Vec<Self> {
+        let curves = |variation: &Variation| {
+            let curves = scene.needs.curves.iter().enumerate();
+            curves.filter_map(|(at, curve)| Some((at, variation.of(&curve.model)?))).collect()
+        };
+        let varied =
+            variations(scene).into_iter().map(|variation| Varied { curves: curves(&variation), variation });
+        varied.filter(|varied| !varied.curves.is_empty() && !scene.needs.loads.is_empty()).collect()
+    }
+
+    fn models(&self) -> impl Iterator<Item = CurveModel> {
+        self.curves.iter().map(|(_, model)| *model)
+    }
+
+    fn rows(
+        &self,
+        scene: &Scene,
+        own: &FinalAreas<'_>,
+        area_fraction: impl Fn(&CurveModel, usize) -> Option<f64>,
+    ) -> Vec<Moved> {
+        let mut rows = Vec::new();
+        for (curve, model) in &self.curves {
+            for load in 0..scene.needs.loads.len() {
+                let areas = area_fraction(model, load).zip(own.of_curve(*curve, load));
+                rows.extend(areas.map(|(area_fraction, own)| Moved {
+                    curve: *curve,
+                    load,
+                    area_fraction,
+                    ratio: area_fraction / own,
+                }));
+            }
+        }
+        rows
+    }
+}
+
+/// The areas that models end in.
+struct FinalAreas<'r> {
+    models: Vec<CurveModel>,
+    curves: &'r [CurveResult],
+}
+
+impl<'r> FinalAreas<'r> {
+    fn new(models: Vec<CurveModel>, curves: &'r [CurveResult]) -> Self {
+        FinalAreas { models, curves }
+    }
+
+    fn of(&self, model: &CurveModel, load: usize) -> Option<f64> {
+        let curve = self.models.iter().position(|other| other == model)?;
+        self.of_curve(curve, load)
+    }
+
+    fn of_curve(&self, curve: usize, load: usize) -> Option<f64> {
+        self.curves[curve].area_fractions(load).last().map(|(_, area_fraction)| *area_fraction)
+    }
 }
 
 fn variations(scene: &Scene) -> Vec<Variation> {
@@ -142,67 +252,38 @@ impl Variation {
         (varied != *model).then_some(varied)
     }
 
-    fn sensitivity(&self, scene: &Scene, results: &Results) -> Result<Option<Sensitivity>, PlanError> {
-        let varied: Vec<(usize, CurveModel)> = scene
-            .needs
-            .curves
-            .iter()
-            .enumerate()
-            .filter_map(|(index, curve)| Some((index, self.of(&curve.model)?)))
-            .collect();
-        if varied.is_empty() || scene.needs.loads.is_empty() {
-            return Ok(None);
+    /// Whether the spectrum, its moments and amplitudes stay as they are.
+    fn is_of_a_law(&self) -> bool {
+        match self {
+            Variation::Hardness(_) | Variation::Interference(_) | Variation::StrengthCap(_) => true,
+            Variation::Normalisation(_) | Variation::Amplitude(_) | Variation::ScalesPerDecade(_) => false,
         }
-        let models: Vec<CurveModel> = varied.iter().map(|(_, model)| *model).collect();
-        let moved = self.plan(scene, &models).compute()?;
-        let final_area =
-            |result: &CurveResult, load| result.area_fractions(load).last().map(|(_, area)| *area);
-        let mut rows = Vec::new();
-        for (&(curve, _), result) in varied.iter().zip(&moved.curves) {
-            for load in 0..scene.needs.loads.len() {
-                let areas = final_area(result, load).zip(final_area(&results.curves[curve], load));
-                rows.extend(areas.map(|(area_fraction, own)| Moved {
-                    curve,
-                    load,
-                    area_fraction,
-                    ratio: area_fraction / own,
-                }));
-            }
-        }
-        Ok(Some(Sensitivity { choice: self.choice(), setting: self.setting(), rows }))
     }
+}
 
-    /// What yields the final areas of these models under the loads of the scene: of a stack all its levels, of a
-    /// statistical model the one state at the shortest cutoff.
-    fn plan<'s>(&self, scene: &'s Scene, models: &[CurveModel]) -> Plan<'s> {
-        let mut sampling = scene.sampling;
-        if let Variation::ScalesPerDecade(density) = self {
-            sampling.scales_per_decade = Some(*density);
-        }
-        let statistical = |model: &CurveModel| matches!(model, CurveModel::Statistical { .. });
-        let (any_statistical, any_stacked) =
-            (models.iter().any(statistical), !models.iter().all(statistical));
-        let normalisation = match self {
-            Variation::Normalisation(normalisation) => Some(*normalisation),
-            _ => scene.needs.moments,
-        };
-        let amplitude = match self {
-            Variation::Amplitude(definition) => Some(*definition),
-            _ => scene.needs.amplitudes,
-        };
-        let curve =
-            |model: &CurveModel| Curve { name: String::new(), model: *model, cutoffs: Cutoffs::Shortest };
-        let needs = Needs {
-            moments: normalisation.filter(|_| any_statistical),
-            asperities: any_statistical,
-            amplitudes: amplitude.filter(|_| any_stacked),
-            curves: models.iter().map(curve).collect(),
-            loads: scene.needs.loads.clone(),
-            tolerance: scene.needs.tolerance,
-            ..Needs::default()
-        };
-        Plan { psd: &scene.surface.psd, sampling, needs }
+/// What yields the final areas of these models under the loads of the scene, with a choice made another way or as they
+/// are.
+fn plan<'s>(scene: &'s Scene, variation: Option<Variation>, models: &[CurveModel]) -> Plan<'s> {
+    let mut sampling = scene.sampling;
+    let (mut normalisation, mut amplitude) = (scene.needs.moments, scene.needs.amplitudes);
+    match variation {
+        Some(Variation::Normalisation(other)) => normalisation = Some(other),
+        Some(Variation::Amplitude(other)) => amplitude = Some(other),
+        Some(Variation::ScalesPerDecade(density)) => sampling.scales_per_decade = Some(density),
+        _ => {}
     }
+    let statistical = |model: &CurveModel| matches!(model, CurveModel::Statistical { .. });
+    let (any_statistical, any_stacked) = (models.iter().any(statistical), !models.iter().all(statistical));
+    let curve = |model: &CurveModel| Curve { name: String::new(), model: *model, cutoffs: Cutoffs::Shortest };
+    let needs = Needs {
+        moments: normalisation.filter(|_| any_statistical),
+        amplitudes: amplitude.filter(|_| any_stacked),
+        curves: models.iter().map(curve).collect(),
+        loads: scene.needs.loads.clone(),
+        tolerance: scene.needs.tolerance,
+        ..Needs::default()
+    };
+    Plan { psd: &scene.surface.psd, sampling, needs }
 }
 
 /// The model with its strength capped, or not; `None` where its strength does not grow.

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
+use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 use stat_contact::ContactState;
 
@@ -34,7 +35,11 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
 
 /// How the spectrum is sampled, which the stacked area depends on.
 pub fn sampling(results: &Results) -> String {
-    let psd = &results.psd;
+    sampling_of(&results.psd)
+}
+
+/// How a spectrum is sampled.
+pub fn sampling_of(psd: &ProfilePsd) -> String {
     let density =
         scales_per_decade(psd).map_or(String::new(), |n| format!(", {} per decade", three_digits(n)));
     format!(
@@ -74,8 +79,8 @@ fn curve_summary(
             load.label.clone(),
             three_digits(answer.area_fraction),
             real_pressure,
-            converged(answer.within_1_percent),
-            converged(answer.within_01_percent),
+            converged(answer, answer.within_1_percent),
+            converged(answer, answer.within_01_percent),
         ]);
     }
     let mut text = format!("{}\n{}", curve.name, aligned(&rows));
@@ -109,54 +114,118 @@ fn stacked_remarks(
 
 /// What the states of a statistical curve leave open or go beyond.
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
-    let CurveResult::Statistical(blocks) = result else { return Vec::new() };
-    let states: Vec<ContactState> =
-        blocks.iter().flatten().filter_map(|row| row.contact.map(|(_, state)| state)).collect();
-    let mut notes = Vec::new();
-    let incomplete = states.iter().filter(|state| state.separation_m.is_none()).count();
-    if incomplete > 0 {
-        let all = states.len();
-        notes.push(format!(
-            "{incomplete} of {all} states are beyond complete contact of every asperity: area fraction 1, no separation"
-        ));
-    }
-    notes.extend(state_notes(&states));
-    notes
-}
-
-/// How many states are held at the nominal area, or rest on asperities that their law was not fitted for.
-pub fn state_notes(states: &[ContactState]) -> Vec<String> {
-    let count = |of: fn(&ContactState) -> bool, what: &str| {
-        let found = states.iter().filter(|state| of(state)).count();
-        (found > 0).then(|| format!("{found} of {} states {what}", states.len()))
-    };
-    let clamped = count(
-        |state| state.clamped,
-        "have more contact area than there is nominal area, held at an area fraction of 1",
-    );
-    let out_of_range = count(
-        |state| state.out_of_range_load_share > 0.5,
-        "carry most of their load on asperities outside the range their law was fitted in",
-    );
-    clamped.into_iter().chain(out_of_range).collect()
+    let mut counts = CurveCounts::default();
+    counts.add(result);
+    counts.states.notes_of_curve()
 }
 
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
 pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
-    let flagged =
-        |level: &&Level| level.aspect_ratio_over_critical > Some(FLAGGED_ASPECT_RATIO_OVER_CRITICAL);
-    let levels = curve.iter().flatten();
-    let (all, beyond) = (levels.clone().count(), levels.filter(flagged).count());
-    (beyond > 0).then(|| {
-        format!(
-            "{beyond} of {all} levels have B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the \
-         elastic-plastic sinusoid is trusted for"
-        )
-    })
+    let mut counts = LevelCounts::default();
+    counts.add(curve);
+    counts.note()
 }
 
-fn converged(found: Convergence) -> String {
-    if found.converged { length(found.wavelength_m) } else { "not converged".to_owned() }
+/// What there is to count of a curve, whose parts may come one by one.
+#[derive(Debug, Default)]
+pub struct CurveCounts {
+    states: StateCounts,
+    levels: LevelCounts,
+}
+
+impl CurveCounts {
+    /// Counts the rows of a curve, or of a part of one.
+    pub fn add(&mut self, part: &CurveResult) {
+        match part {
+            CurveResult::Stacked(blocks) => self.levels.add(blocks),
+            CurveResult::Statistical(blocks) => {
+                let contacts = blocks.iter().flatten().filter_map(|row| row.contact.as_ref());
+                self.states.add(contacts.map(|(_, state)| state));
+            }
+        }
+    }
+
+    /// What there is to say of them.
+    pub fn notes(&self) -> Vec<String> {
+        self.states.notes_of_curve().into_iter().chain(self.levels.note()).collect()
+    }
+}
+
+/// How many states are held at a bound, or rest on asperities that their law was not fitted for.
+#[derive(Debug, Default)]
+pub struct StateCounts {
+    all: usize,
+    incomplete: usize,
+    clamped: usize,
+    out_of_range: usize,
+}
+
+impl StateCounts {
+    /// Counts states.
+    pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
+        for state in states {
+            self.all += 1;
+            self.incomplete += usize::from(state.separation_m.is_none());
+            self.clamped += usize::from(state.clamped);
+            self.out_of_range += usize::from(state.out_of_range_load_share > 0.5);
+        }
+    }
+
+    fn notes_of_curve(&self) -> Vec<String> {
+        let what = "are beyond complete contact of every asperity: area fraction 1, no separation";
+        self.note(self.incomplete, what).into_iter().chain(self.notes()).collect()
+    }
+
+    /// What there is to say where each state beyond complete contact is told by itself.
+    pub fn notes(&self) -> Vec<String> {
+        let clamped = self.note(
+            self.clamped,
+            "have more contact area than there is nominal area, held at an area fraction of 1",
+        );
+        let out_of_range = self.note(
+            self.out_of_range,
+            "carry most of their load on asperities outside the range their law was fitted in",
+        );
+        clamped.into_iter().chain(out_of_range).collect()
+    }
+
+    fn note(&self, found: usize, what: &str) -> Option<String> {
+        (found > 0).then(|| format!("{found} of {} states {what}", self.all))
+    }
+}
+
+/// How many levels lie beyond what their law is trusted for.
+#[derive(Debug, Default)]
+struct LevelCounts {
+    all: usize,
+    beyond: usize,
+}
+
+impl LevelCounts {
+    fn add(&mut self, curve: &[Vec<Level>]) {
+        let flagged =
+            |level: &&Level| level.aspect_ratio_over_critical > Some(FLAGGED_ASPECT_RATIO_OVER_CRITICAL);
+        self.all += curve.iter().map(Vec::len).sum::<usize>();
+        self.beyond += curve.iter().flatten().filter(flagged).count();
+    }
+
+    fn note(&self) -> Option<String> {
+        let LevelCounts { all, beyond } = self;
+        (*beyond > 0).then(|| {
+            format!(
+                "{beyond} of {all} levels have B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the \
+                 elastic-plastic sinusoid is trusted for"
+            )
+        })
+    }
+}
+
+fn converged(answer: &LoadAnswer, found: Convergence) -> String {
+    match (answer.followed, found.if_converged_m()) {
+        (false, _) => "not asked for".to_owned(),
+        (true, Some(wavelength_m)) => length(wavelength_m),
+        (true, None) => "not converged".to_owned(),
+    }
 }
 
 /// Rows as indented columns of equal width.

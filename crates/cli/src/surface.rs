@@ -8,7 +8,7 @@ use crate::display::length;
 use crate::failure::Failure;
 use crate::output::{Place, utf8};
 use crate::table::{Format, InputTable};
-use crate::topography::{CompositeSpectrum, Recipe, ScanRequest};
+use crate::topography::{CompositeSpectrum, Recipe, ScanFailure, ScanRequest};
 
 /// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
 /// and licence stand in their comments.
@@ -70,7 +70,7 @@ impl Surface {
     ///
     /// # Errors
     /// [`Failure::Input`] that names the file, and place, value and bound where they are to blame.
-    pub fn from_scans(requests: &[ScanRequest], folder: &Path, recipe: &Recipe) -> Result<Self, Failure> {
+    pub fn from_scans(requests: &[ScanRequest], folder: &Path, recipe: &Recipe) -> Result<Self, ScanFailure> {
         let scans = CompositeSpectrum::of_files(requests, folder, recipe)?;
         let psd = scans.psd()?.profile().map_err(Failure::input)?;
         let files: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();

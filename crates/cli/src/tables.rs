@@ -58,8 +58,14 @@ pub fn fit(results: &Results) -> Table {
 /// A curve against cutoff, block after block, a block per load (and per separation); `details` appends how each row was
 /// found.
 pub fn curve(curve: &CurveResult, loads: &[Load], details: bool) -> Table {
+    part_of_curve(curve, loads, loads.len() > 1, details)
+}
+
+/// Some blocks of a curve, whose first belongs to the first of `loads`; `several` tells whether the whole curve has more
+/// loads than one.
+pub fn part_of_curve(curve: &CurveResult, loads: &[Load], several: bool, details: bool) -> Table {
     match curve {
-        CurveResult::Stacked(blocks) => stacked(blocks, loads, details),
+        CurveResult::Stacked(blocks) => stacked(blocks, loads, several, details),
         CurveResult::Statistical(blocks) => statistical(blocks, details),
     }
 }
@@ -98,9 +104,9 @@ pub const STATE_DETAILS: [StateColumn; 5] = [
 ];
 
 /// A stacked curve; which load a row belongs to is told where there are several.
-fn stacked(curve: &[Vec<Level>], loads: &[Load], details: bool) -> Table {
+fn stacked(curve: &[Vec<Level>], loads: &[Load], several: bool, details: bool) -> Table {
     let mut table = Table::default();
-    if loads.len() > 1 {
+    if several {
         let pressures = curve.iter().zip(loads);
         table = table.with_numbers(
             "nominal_pressure_pa",

@@ -22,6 +22,13 @@ impl Timings {
         self.since = Instant::now();
     }
 
+    /// Ends a lap in which something else was done as well, for so long in all.
+    pub fn lap_with(&mut self, name: &'static str, other: &'static str, for_other: Duration) {
+        self.laps.push((name, self.since.elapsed().saturating_sub(for_other)));
+        self.laps.push((other, for_other));
+        self.since = Instant::now();
+    }
+
     /// Says the laps on stderr, if `wanted`.
     pub fn report(&self, wanted: bool) {
         if wanted {

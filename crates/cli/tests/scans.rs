@@ -149,6 +149,34 @@ fn a_scene_takes_scans_and_a_rough_counterface() {
 }
 
 #[test]
+fn what_is_wrong_with_one_scan_of_a_scene_points_at_that_scan() {
+    let bench = Bench::new();
+    bench.write("a.txt", line(512, 5.0)).write("b.txt", line(512, 20.0));
+    let scene = "[surface]\nscans = [\n    { file = \"a.txt\", unit = \"nm\" },\n    { file = \"b.txt\" },\n]\n\
+                 [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
+    let refused = bench.write("s.toml", scene).run(&["run", "s.toml"]).refused();
+    assert!(refused.contains("say it with unit (") && !refused.contains("--unit"), "{refused}");
+    assert!(refused.contains("--> s.toml:4:5") && !refused.contains("a.txt"), "{refused}");
+}
+
+#[test]
+fn options_that_say_nothing_about_scans_are_refused() {
+    let bench = Bench::new();
+    bench.write("a.txt", line(512, 5.0));
+    let refused = |more: &[&str]| bench.run(&[&["psd", "a.txt", "--unit", "nm"], more].concat()).refused();
+    assert_eq!(
+        refused(&["--cutoff", "1um"]),
+        "error: --cutoff has no bearing on the spectrum of scans; leave it out, and give it to the command that takes the \
+         spectrum\n"
+    );
+    assert_eq!(
+        refused(&["--out", "a.csv", "--output", "b.csv"]),
+        "error: --out and --output are the same; give one of them\n"
+    );
+    assert_eq!(bench.files(), ["a.txt"]);
+}
+
+#[test]
 fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
     let bench = Bench::new();
     bench.write("psd.csv", "Wavevector (1/m),PSD (m^3)\n1e3,1e-15\n1e4,1e-17\n1e5,1e-19\n");

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::Bench;
+use support::{Bench, column, numbers};
 
 const SMALL: &str = r#"
 title = "small"
@@ -118,10 +118,91 @@ fn explaining_computes_and_writes_nothing() {
          needed    stacked curve elastic at 2 loads\n  \
          needed    stacked curve hardening at 2 loads\n  \
          skipped   statistical model: no curve asks for it\n  \
+         at most   184 levels of stacks, each once\n  \
+         needed    18 final areas for the report, choices made another way (not with --no-report)\n  \
          skipped   self-affine fit: only `truearea fit` computes it\n  \
          needed    figure area-fraction\n"
     );
     assert_eq!(bench.files(), ["s.toml"]);
+}
+
+#[test]
+fn explaining_tells_what_is_the_same() {
+    let bench = Bench::new();
+    let scene = "title = \"t\"\n[surface]\npsd = \"builtin:uncd-measured\"\n\
+                 [material]\nyoungs_modulus = \"463 GPa\"\npoisson_ratio = 0.2\n\
+                 [loads]\npressures = [\"1 MPa\", \"1000 kPa\"]\n\
+                 [[curve]]\nmodel = \"hertz\"\ncutoffs = \"shortest\"\n\
+                 [[curve]]\nmodel = \"hertz\"\nname = \"again\"\ncutoffs = \"shortest\"\n\
+                 [[figure]]\nname = \"f\"\nshows = \"area-against-load\"\n\
+                 loads = { from = \"1 MPa\", to = \"1 GPa\", points = 4 }\n";
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    let told: Vec<&str> = explanation.lines().skip(3).map(str::trim).collect();
+    assert_eq!(
+        told,
+        [
+            "needed    moments for every cutoff, parseval (asperities at the shortest alone)",
+            "skipped   amplitudes: no curve and no figure uses them",
+            "skipped   stacked model: no curve asks for it",
+            "needed    statistical curve hertz at 2 loads, the shortest cutoff alone",
+            "shared    statistical curve again at 2 loads, the shortest cutoff alone: the model of hertz",
+            "shared    load 1000 kPa: the pressure of 1 MPa",
+            "needed    8 statistical states over loads (f)",
+            "at most   5 statistical states, each once",
+            "needed    16 final areas for the report, choices made another way (not with --no-report)",
+            "skipped   self-affine fit: only `truearea fit` computes it",
+            "needed    figure f",
+        ]
+    );
+}
+
+#[test]
+fn a_curve_may_be_wanted_at_the_shortest_cutoff_alone() {
+    let bench = Bench::new();
+    let statistical = "[[curve]]\nmodel = \"ep-sphere\"\n";
+    let whole = format!("{SMALL}\n{statistical}");
+    let alone = whole.replace("[[curve]]", "[[curve]]\ncutoffs = \"shortest\"");
+    bench.write("whole.toml", &whole).write("alone.toml", &alone);
+    bench.run(&["run", "whole.toml"]).ok();
+    let said = bench.run(&["run", "alone.toml"]).ok().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("elastic: 1.06e-4 to 0.00106 of the nominal area touches"), "{said}");
+    assert!(said.contains("At the shortest wavelength alone: where it settles was not asked for."), "{said}");
+    assert!(!said.contains("cannot tell") && !said.contains("not converged"), "{said}");
+    for curve in ["elastic", "hardening", "ep-sphere"] {
+        let [whole, alone] =
+            ["whole", "alone"].map(|scene| bench.read(&format!("{scene}-results/{curve}.csv")));
+        for name in ["area_fraction", "wavelength_m"] {
+            let last_of_blocks: Vec<&str> =
+                column(&whole, name).chunks(46).filter_map(|block| block.last().copied()).collect();
+            assert_eq!(column(&alone, name), last_of_blocks, "{curve}");
+        }
+    }
+    // Without a curve to follow over cutoffs there is nothing to draw, and nothing to say of where it settles.
+    assert!(!bench.path("alone-results/area-fraction.svg").exists());
+    let scales = bench.read("alone-results/report-scales.csv");
+    assert!(column(&scales, "settled").iter().all(|settled| settled.is_empty()), "{scales}");
+    let [whole, alone] =
+        ["whole", "alone"].map(|scene| bench.read(&format!("{scene}-results/report-sensitivity.csv")));
+    assert_eq!(numbers(&whole, "area_fraction"), numbers(&alone, "area_fraction"));
+}
+
+#[test]
+fn an_area_against_cutoff_cannot_be_drawn_of_a_curve_at_one_cutoff() {
+    let bench = Bench::new();
+    let refused = |scene: &str| bench.write("s.toml", scene).run(&["run", "s.toml"]).refused();
+    let alone = SMALL.replacen("[[curve]]", "[[curve]]\ncutoffs = \"shortest\"", 1);
+    let named = format!("{alone}\n[[figure]]\nname = \"f\"\nshows = \"area\"\ncurves = [\"elastic\"]\n");
+    assert!(
+        refused(&named).starts_with(
+            "error: a figure of the area against cutoff cannot draw \"elastic\", whose cutoffs = \"shortest\"; take one of \
+             them away"
+        )
+    );
+    let none = SMALL.replace("[[curve]]", "[[curve]]\ncutoffs = \"shortest\"");
+    let message = refused(&format!("{none}\n[[figure]]\nname = \"f\"\nshows = \"area\"\n"));
+    assert!(message.contains("needs a [[curve]] without cutoffs = \"shortest\""), "{message}");
+    let message = refused(&SMALL.replacen("[[curve]]", "[[curve]]\ncutoffs = \"longest\"", 1));
+    assert!(message.contains("unknown variant `longest`, expected `every` or `shortest`"), "{message}");
 }
 
 #[test]

@@ -156,3 +156,118 @@ fn what_a_spectrum_needs_is_asked_for() {
     let message = bench.run(&["statistical", "--input", "x", "--tolerance", "0.5"]).refused();
     assert!(message.contains("tolerance is 0.5; it must be greater than 0 and at most 0.01"), "{message}");
 }
+
+#[test]
+fn a_table_of_many_blocks_is_read_and_written_in_its_order() {
+    let bench = Bench::new();
+    // Rows of three blocks, each told from the others, the last one beyond complete contact.
+    let row = |at: usize| {
+        format!(
+            "ep-sine,1.03947e+12,0.3348,5.14497e+09,,5.44878e-07,8.96886e+11,1.41043e-08,,{},{at}",
+            1000 + at
+        )
+    };
+    let mut rows: Vec<String> = (0..10_000).map(row).collect();
+    rows[9_999] = rows[9_999].replace(",10999,", ",1e13,");
+    let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+    let input = format!("# made up\n{}# at its end\n", table(&rows));
+    bench.write("in.csv", &input);
+    let ran = bench.run(&["statistical", "--input", "in.csv", "--output", "out.csv"]);
+    assert!(
+        ran.stderr.starts_with("note: in.csv, line 10002: 10000000000000 Pa is beyond"),
+        "{}",
+        ran.stderr
+    );
+    ran.ok();
+    let out = bench.read("out.csv");
+    let comments = "# truearea 0.1.0: statistical --input in.csv --output out.csv\n# made up\n# at its end\n";
+    assert!(out.starts_with(&format!("{comments}{HEADER}\n")), "{}", &out[..300]);
+    assert_eq!(out.lines().filter(|line| line.starts_with("model")).count(), 1);
+    let pressures = column(&out, "pressure_pa");
+    assert!(pressures[..9_999].iter().enumerate().all(|(at, pressure)| *pressure == (1000 + at).to_string()));
+    // A row is what it is by itself, and JSON holds the same.
+    let alone = bench.run_with_input(&["statistical", "--input", "-"], &table(&[rows[5_000]])).ok();
+    assert_eq!(out.lines().nth(3 + 1 + 5_000), alone.lines().nth(1));
+    let json = bench.run(&["statistical", "--input", "in.csv", "--format", "json"]).ok();
+    bench.write("in.json", &json);
+    let again = bench.run(&["statistical", "--input", "in.json", "--given", "pressure"]).ok();
+    assert_eq!(again.lines().collect::<Vec<_>>(), out.lines().skip(3).collect::<Vec<_>>());
+}
+
+#[test]
+fn what_is_wrong_far_down_a_table_is_found_before_anything_is_written() {
+    let bench = Bench::new();
+    let mut rows = vec![SPHERES; 9_000];
+    let [strange, short] = [SPHERES.replace("463e9", "x"), SPHERES.replace("2.11632e-08", "-1")];
+    rows[5_000] = &strange;
+    rows.extend([short.as_str(); 12]);
+    let ran = bench.run_with_input(&["statistical", "--input", "-"], &table(&rows));
+    let message = ran.refused();
+    assert!(
+        message.starts_with(
+            "error: standard input, line 5002, column youngs_modulus_pa: \"x\" is not a number\n"
+        ),
+        "{message}"
+    );
+    assert!(message.contains("standard input, line 9002, column sigma_s_m: -1 must be"), "{message}");
+    assert!(message.ends_with("\n       and 3 more\n"), "{message}");
+}
+
+#[test]
+fn a_range_of_pressures_is_as_many_loads() {
+    let bench = Bench::new();
+    let run = |command: &[&str], pressed: &[&str]| {
+        bench.run(&[command, &["builtin:uncd-measured"], pressed, &DIAMOND].concat()).ok()
+    };
+    let one_by_one = ["--pressure", "1kPa", "--pressure", "1MPa", "--pressure", "1GPa"];
+    for command in [&["statistical", "--model", "ep-sphere"][..], &["stacked", "--model", "elastic-plastic"]]
+    {
+        let (range, expected) = (run(command, &["--pressures", "1kPa:1GPa:3"]), run(command, &one_by_one));
+        let areas = [&range, &expected].map(|table| {
+            column(table, "area_fraction")
+                .into_iter()
+                .map(|cell| cell.parse().unwrap_or(f64::NAN))
+                .collect::<Vec<f64>>()
+        });
+        assert_eq!(areas[0].len(), 3 * 46);
+        for (found, expected) in areas[0].iter().zip(&areas[1]) {
+            assert!(found.is_nan() && expected.is_nan() || (found / expected - 1.0).abs() < 1e-12);
+        }
+    }
+    // Blocks of more rows than are in memory together, behind a single load.
+    let statistical = ["statistical", "--model", "hertz"];
+    let many = run(&statistical, &["--pressures", "1kPa:1GPa:1000", "--pressure", "1e-3H"]);
+    let pressures = column(&many, "pressure_pa");
+    assert_eq!((pressures.len(), pressures[1], pressures[47]), (1001 * 46, "5400000", "1000"));
+    assert_eq!(pressures.last(), Some(&"1000000000"));
+    let alone = run(&statistical, &["--pressure", "1GPa"]);
+    assert_eq!(
+        many.lines().skip(1 + 1000 * 46).collect::<Vec<_>>(),
+        alone.lines().skip(1).collect::<Vec<_>>()
+    );
+    let refused = |pressures: &str| {
+        bench.run(&[&statistical[..], &["psd.csv", "--pressures", pressures]].concat()).refused()
+    };
+    assert!(refused("1kPa:1GPa").contains("one reads FROM:TO:COUNT, as in '1kPa:1GPa:1000'"));
+    assert!(refused("1kPa:1GPa:1").contains("'1' must be a whole number from 2 to 10000000"));
+    let mut in_hardnesses =
+        vec!["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressures", "1H:2H:2"];
+    in_hardnesses.extend(&DIAMOND[..4]);
+    assert!(bench.run(&in_hardnesses).refused().contains("--pressures: "));
+}
+
+#[test]
+fn many_cutoffs_at_one_load_are_the_same_whatever_is_computed_together() {
+    let bench = Bench::new();
+    let dense = ["statistical", "builtin:uncd-measured", "--model", "hertz", "--scales-per-decade", "4000"];
+    let run = |pressed: &[&str]| bench.run(&[&dense, pressed, &DIAMOND].concat()).ok();
+    let (two, one) = (run(&["--pressure", "1MPa", "--pressure", "2MPa"]), run(&["--pressure", "2MPa"]));
+    let rows = one.lines().count() - 1;
+    assert!(rows > 1 << 14);
+    assert_eq!(two.lines().skip(1 + rows).collect::<Vec<_>>(), one.lines().skip(1).collect::<Vec<_>>());
+    let areas = numbers(
+        &one.lines().filter(|line| !line.contains(",,")).collect::<Vec<_>>().join("\n"),
+        "area_fraction",
+    );
+    assert_eq!(areas.len(), rows - 1);
+}

@@ -34,7 +34,7 @@ pub fn run(states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
             done(length);
             tally
         })
-        .reduce(Tally::default, Tally::add)
+        .reduce(Tally::default, Tally::joined)
 }
 
 /// A stretch of states; where one of them panics, they are gone through one by one.
@@ -92,7 +92,7 @@ fn one<C: Debug>(
         own = Tally::default();
         Trial::of(&mut own, family, index, case).hold("no panic", false);
     }
-    *tally = std::mem::take(tally).add(own);
+    *tally = std::mem::take(tally).joined(own);
 }
 
 #[cfg(test)]

@@ -105,7 +105,7 @@ impl Tally {
     const EXAMPLES: usize = 12;
 
     /// Adds what was found elsewhere.
-    pub fn add(mut self, other: Tally) -> Tally {
+    pub fn joined(mut self, other: Tally) -> Tally {
         for (family, count) in other.states {
             *self.states.entry(family).or_default() += count;
         }
@@ -239,7 +239,7 @@ mod tests {
         let whole = tally_of(&values);
         for cut in 0..values.len() {
             let (head, tail) = values.split_at(cut);
-            let parts = tally_of(tail).add(tally_of(head));
+            let parts = tally_of(tail).joined(tally_of(head));
             // As text, in which NaN is the same as NaN.
             assert_eq!(format!("{parts:?}"), format!("{whole:?}"));
         }

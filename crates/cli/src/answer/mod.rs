@@ -6,7 +6,7 @@ mod words;
 use stacked_contact::setting_level;
 
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
-use crate::plan::{Curve, CurveModel, CurveResult, Results};
+use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Results};
 use crate::scene::Scene;
 use crate::topography::InstrumentsDisagree;
 
@@ -42,6 +42,8 @@ pub struct LoadAnswer {
     pub within_1_percent: Convergence,
     /// Where the area has settled within 0.1 %.
     pub within_01_percent: Convergence,
+    /// Whether the area was followed from cutoff to cutoff; else nothing tells where it settles, nor which scales decide it.
+    pub followed: bool,
     /// Whether the spectrum goes far enough below the former, has scales enough and is of one surface, for the area to be the
     /// surface's own rather than that of a spectrum cut short or of a step between two instruments.
     pub settled: bool,
@@ -75,7 +77,8 @@ pub struct Disagreement {
     pub most: usize,
     /// The largest final area over the least.
     pub ratio: f64,
-    /// The cutoff \[m\] from which on, at every shorter one, these two are a factor of [`DISAGREEMENT`] or more apart.
+    /// The cutoff \[m\] from which on, at every shorter one, these two are a factor of [`DISAGREEMENT`] or more apart, where
+    /// both were followed there.
     pub parting_wavelength_m: Option<f64>,
 }
 
@@ -116,9 +119,10 @@ impl LoadAnswer {
         let &(_, area_fraction) = points.last()?;
         let within = |tolerance| convergence(&points, tolerance);
         let within_1_percent = within(0.01)?;
+        let followed = curve.cutoffs == Cutoffs::Every;
         let setting = match (&curve.model, result) {
             // In complete contact the load sets the pressure.
-            _ if area_fraction == 1.0 => None,
+            _ if area_fraction == 1.0 || !followed => None,
             (CurveModel::Stacked(model), CurveResult::Stacked(blocks)) => {
                 setting_level(model, &blocks[block])
             }
@@ -133,8 +137,9 @@ impl LoadAnswer {
             real_pressure_pa: pressure_pa / area_fraction,
             within_1_percent,
             within_01_percent: within(0.001)?,
-            settled: can_settle && within_1_percent.converged,
-            decades: decade_shares(&points),
+            followed,
+            settled: followed && can_settle && within_1_percent.converged,
+            decades: if followed { decade_shares(&points) } else { Vec::new() },
             setting: setting.map(|(level, full_contact_pressure_pa)| SettingScale {
                 wavelength_m: level.wavelength_m,
                 aspect_ratio: level.amplitude_m / level.wavelength_m,
@@ -157,12 +162,17 @@ impl Disagreement {
         let (least, least_area) = areas().reduce(|a, b| if b.1 < a.1 { b } else { a })?;
         let (most, most_area) = areas().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
         let points = |curve: usize| -> Vec<Point> { results.curves[curve].area_fractions(load) };
+        let followed = |curve: usize| curves[curve][load].as_ref().is_some_and(|answer| answer.followed);
         (areas().count() > 1).then(|| Disagreement {
             load,
             least,
             most,
             ratio: most_area / least_area,
-            parting_wavelength_m: parts_at(&ratio(&points(most), &points(least)), DISAGREEMENT),
+            parting_wavelength_m: if followed(least) && followed(most) {
+                parts_at(&ratio(&points(most), &points(least)), DISAGREEMENT)
+            } else {
+                None
+            },
         })
     }
 }

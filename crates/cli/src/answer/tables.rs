@@ -6,7 +6,7 @@ use crate::table::Table;
 
 impl Answer {
     /// A row per curve and load: `curve, nominal_pressure_pa, area_fraction, real_pressure_pa, settled_1_percent_m,
-    /// settled_01_percent_m, settled` (yes or no), `setting_wavelength_m, setting_pressure_pa,
+    /// settled_01_percent_m, settled` (yes or no, empty where only the shortest cutoff was asked for), `setting_wavelength_m, setting_pressure_pa,
     /// out_of_range_load_share`. A wavelength is empty where the spectrum ends too soon below it.
     pub fn scales_table(&self, needs: &Needs) -> Table {
         let rows = || {
@@ -26,7 +26,7 @@ impl Answer {
             .with_numbers("real_pressure_pa", found(|answer| Some(answer.real_pressure_pa)))
             .with_numbers("settled_1_percent_m", found(|answer| answer.within_1_percent.if_converged_m()))
             .with_numbers("settled_01_percent_m", found(|answer| answer.within_01_percent.if_converged_m()))
-            .with_words("settled", rows().map(|(_, _, answer)| if answer.settled { "yes" } else { "no" }))
+            .with_text("settled", rows().map(|(_, _, answer)| settled(answer).to_owned()))
             .with_numbers("setting_wavelength_m", found(|answer| Some(answer.setting?.wavelength_m)))
             .with_numbers(
                 "setting_pressure_pa",
@@ -52,5 +52,13 @@ impl Answer {
             .with_numbers("longest_wavelength_m", rows().map(|(_, _, decade)| decade.longest_m))
             .with_numbers("shortest_wavelength_m", rows().map(|(_, _, decade)| decade.shortest_m))
             .with_numbers("share", rows().map(|(_, _, decade)| decade.share))
+    }
+}
+
+fn settled(answer: &super::LoadAnswer) -> &'static str {
+    match (answer.followed, answer.settled) {
+        (false, _) => "",
+        (true, true) => "yes",
+        (true, false) => "no",
     }
 }

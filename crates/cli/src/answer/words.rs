@@ -24,6 +24,14 @@ impl Answer {
                     flattened.loads_text(scene)
                 ));
             }
+            let ends = Group::of(scene, answers, |answer| !answer.followed);
+            if !ends.is_empty() {
+                sentences.push(format!(
+                    "{}: {} At the shortest wavelength alone: where it settles was not asked for.",
+                    curve.name,
+                    ends.touching(scene)
+                ));
+            }
         }
         sentences
     }
@@ -59,7 +67,7 @@ impl Answer {
         // Curves that fail in the same way share a sentence.
         let mut failing: Vec<(String, Vec<&str>)> = Vec::new();
         for (curve, answers) in scene.needs.curves.iter().zip(&self.curves) {
-            let open = Group::of(scene, answers, |answer| !answer.settled);
+            let open = Group::of(scene, answers, |answer| answer.followed && !answer.settled);
             if open.is_empty() {
                 continue;
             }
@@ -159,18 +167,23 @@ impl<'a> Group<'a> {
         }
     }
 
-    /// Area, real pressure, where it settles, and which scales decide it.
-    fn found(&self, scene: &Scene) -> String {
+    /// Area and real pressure.
+    fn touching(&self, scene: &Scene) -> String {
         let real_pressure = |pressure_pa: f64| match scene.hardness_pa() {
             Some(hardness_pa) => format!("{} H", three_digits(pressure_pa / hardness_pa)),
             None => pressure(pressure_pa),
         };
-        let mut text = format!(
+        format!(
             "{} of the nominal area touches {}, at a real pressure of {}.",
             self.range(|answer| answer.area_fraction, three_digits),
             self.load_range(scene),
             self.range(|answer| answer.real_pressure_pa, real_pressure)
-        );
+        )
+    }
+
+    /// Area, real pressure, where it settles, and which scales decide it.
+    fn found(&self, scene: &Scene) -> String {
+        let mut text = self.touching(scene);
         text += &format!(
             " The area has settled within 1 % at {}",
             self.range(|answer| answer.within_1_percent.wavelength_m, length)

@@ -4,12 +4,14 @@ mod completions;
 mod man_pages;
 mod one_asperity;
 mod psd;
+mod row_by_row;
 mod run_scene;
 mod spectrum_tables;
 mod stacked;
 mod statistical;
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use asperity::ElasticBody;
 use spectrum::ReadOptions;
@@ -17,15 +19,19 @@ use spectrum::ReadOptions;
 use crate::args::{Args, Command, MaterialArgs, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::material::{GivenMaterial, Material};
-use crate::output::Place;
-use crate::plan::{Load, Needs, Plan, PlanError, Results, Sampling};
+use crate::number::number;
+use crate::output::{Place, Stopped};
+use crate::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
+use crate::pressure_range::PressureRange;
 use crate::progress::Progress;
 use crate::provenance::provenance;
 use crate::quantity::{Modulus, Pressure};
 use crate::scene::Overrides;
 use crate::stderr::say;
+use crate::summary::CurveCounts;
 use crate::surface::Surface;
-use crate::table::Table;
+use crate::table::{Table, TableWriter};
+use crate::tables;
 use crate::timings::Timings;
 
 /// Carries a command out; `typed` is the command line without the program's name.
@@ -105,23 +111,76 @@ impl Context<'_> {
         Ok(())
     }
 
+    /// Reads the spectrum, and writes the one curve that is needed of it part by part as it is computed; `first_note` is
+    /// said before all that is found.
+    fn curve_to_table(
+        &self,
+        psd: &str,
+        reading: &ReadingArgs,
+        needs: Needs,
+        details: bool,
+        first_note: impl FnOnce(&Stream<'_>) -> String,
+    ) -> Result<(), Failure> {
+        let mut timings = Timings::start();
+        let surface = load(psd, reading)?;
+        timings.lap("reading");
+        let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
+        let stream = plan.stream().map_err(Failure::input)?;
+        say_notes(surface.notes.iter().cloned().chain([first_note(&stream)]));
+        let loads = &plan.needs.loads;
+        let mut counts = CurveCounts::default();
+        let mut writing = Duration::ZERO;
+        let comments = provenance(self.typed, &surface, plan.sampling);
+        self.write_blocks(&self.shared.output, &comments, |out| {
+            for curve in &plan.needs.curves {
+                let progress = Progress::towards(stream.rows(curve));
+                stream.parts(curve, &|| progress.step(), |part| {
+                    counts.add(&part.rows);
+                    let of_part = &loads[part.first_block.min(loads.len())..];
+                    let begun = Instant::now();
+                    out.block(&tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
+                    writing += begun.elapsed();
+                    Ok::<(), Stopped>(())
+                })?;
+            }
+            say_notes(counts.notes());
+            Ok(())
+        })?;
+        timings.lap_with("computing", "writing", writing);
+        timings.report(self.shared.timings);
+        Ok(())
+    }
+
     fn write(&self, table: &Table, comments: &[String]) -> Result<(), Failure> {
         self.write_to(&self.shared.output, table, comments)
     }
 
-    /// Writes a table; what is written to a file carries its provenance, stdout carries the table alone.
     fn write_to(&self, output: &Place, table: &Table, comments: &[String]) -> Result<(), Failure> {
+        self.write_blocks(output, comments, |out| Ok(out.block(table)?))
+    }
+
+    /// Writes a table block by block; what is written to a file carries its provenance, stdout carries the table alone.
+    fn write_blocks(
+        &self,
+        output: &Place,
+        comments: &[String],
+        write: impl FnOnce(&mut TableWriter<'_>) -> Result<(), Stopped>,
+    ) -> Result<(), Failure> {
         let comments = match output {
             Place::Standard => &[],
             Place::File(_) => comments,
         };
-        let unrepresentable = table.unrepresentable();
-        if unrepresentable > 0 {
-            say_notes([format!(
-                "{unrepresentable} results lie beyond the range of double-precision numbers: their cells are empty"
-            )]);
-        }
-        output.write(|out| table.write(self.shared.format, comments, out))
+        output.write(|out| {
+            let mut writer = TableWriter::begin(self.shared.format, comments, out)?;
+            write(&mut writer)?;
+            let unrepresentable = writer.end()?;
+            if unrepresentable > 0 {
+                say_notes([format!(
+                    "{unrepresentable} results lie beyond the range of double-precision numbers: their cells are empty"
+                )]);
+            }
+            Ok::<(), Stopped>(())
+        })
     }
 }
 
@@ -159,15 +218,34 @@ fn material(given: &MaterialArgs, context: &Context<'_>) -> Result<Material, Fai
     }))
 }
 
-/// The loads given by `--pressure`.
-fn loads(pressures: &[(Pressure, String)], material: &Material) -> Result<Vec<Load>, Failure> {
+/// The loads given by `--pressure`, and behind them those by `--pressures`.
+fn loads(
+    pressures: &[(Pressure, String)],
+    ranges: &[PressureRange],
+    material: &Material,
+) -> Result<Vec<Load>, Failure> {
     let load = |(pressure, label): &(Pressure, String)| {
         let nominal_pressure_pa = material
             .pascals(*pressure)
             .map_err(|error| Failure::Input(format!("--pressure {label}: {error}: add --yield-strength")))?;
         Ok(Load { nominal_pressure_pa, label: label.clone() })
     };
-    pressures.iter().map(load).collect()
+    let mut loads: Vec<Load> = pressures.iter().map(load).collect::<Result<_, Failure>>()?;
+    for range in ranges {
+        // A pressure in H is the only one that may lack something.
+        for end in [range.from, range.to] {
+            material
+                .pascals(end)
+                .map_err(|error| Failure::Input(format!("--pressures: {error}: add --yield-strength")))?;
+        }
+        loads.extend(range.pascals(material.hardness_pa()).into_iter().flatten().map(
+            |nominal_pressure_pa| Load {
+                nominal_pressure_pa,
+                label: format!("{} Pa", number(nominal_pressure_pa)),
+            },
+        ));
+    }
+    Ok(loads)
 }
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {

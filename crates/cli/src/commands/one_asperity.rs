@@ -1,11 +1,14 @@
 //! `asperity`: the contact law of one asperity, row by row of a table.
 
-use super::{Context, say_notes};
+use asperity::ElasticBody;
+
+use super::Context;
+use super::row_by_row::{self, RowByRow};
 use crate::args::AsperityLaw;
 use crate::asperity_table::AsperityTable;
 use crate::failure::Failure;
-use crate::provenance::program;
-use crate::table::InputTable;
+use crate::progress::Progress;
+use crate::table::{InputTable, Refusal};
 
 pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failure> {
     let (law, args) = match law {
@@ -13,9 +16,31 @@ pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failur
         AsperityLaw::Sinusoid(args) => (AsperityTable::Sinusoid, args),
         AsperityLaw::SinusoidInterference(args) => (AsperityTable::SinusoidInterference, args),
     };
-    let mut input = InputTable::read(&args.input)?;
-    say_notes(law.extend(&mut input, context.counterface()?)?);
-    let mut comments = vec![program(context.typed)];
-    comments.append(&mut input.comments);
-    context.write(&input.table, &comments)
+    let counterface = context.counterface()?;
+    row_by_row::run(&args.input, &mut Asperities { law, counterface, rows: 0, beyond: 0 }, context)
+}
+
+/// A table of asperities.
+struct Asperities {
+    law: AsperityTable,
+    counterface: Option<ElasticBody>,
+    rows: usize,
+    /// How many of them lie beyond the law's range.
+    beyond: usize,
+}
+
+impl RowByRow for Asperities {
+    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
+        self.law.check(block)
+    }
+
+    fn fill_in(&mut self, block: &mut InputTable, _: &Progress) -> Result<(), Failure> {
+        self.beyond += self.law.set_results(block, self.counterface)?;
+        self.rows += block.table.rows();
+        Ok(())
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.law.note(self.beyond, self.rows).into_iter().collect()
+    }
 }

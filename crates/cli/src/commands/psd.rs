@@ -12,6 +12,7 @@ use crate::timings::Timings;
 use crate::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
+    refuse_idle_options(args, context)?;
     let recipe = Recipe {
         detrend: args.detrend,
         window: args.window,
@@ -47,5 +48,27 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     }
     timings.lap("writing");
     timings.report(context.shared.timings);
+    Ok(())
+}
+
+/// Refuses options that say nothing about scans: a call that is not carried out as it reads is worse than none.
+fn refuse_idle_options(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let shared = &context.shared;
+    let idle = [
+        ("--normalisation", shared.normalisation.is_some()),
+        ("--amplitude", shared.amplitude.is_some()),
+        ("--scales-per-decade", shared.scales_per_decade.is_some()),
+        ("--hardness", shared.hardness.is_some()),
+        ("--strength-cap", shared.strength_cap.is_some()),
+        ("--cutoff", shared.cutoff.is_some()),
+        ("--counterface-youngs-modulus", shared.counterface_youngs_modulus.is_some()),
+    ];
+    if let Some((option, _)) = idle.iter().find(|(_, given)| *given) {
+        let message = "has no bearing on the spectrum of scans; leave it out, and give it to the command that takes the spectrum";
+        return Err(Failure::Input(format!("{option} {message}")));
+    }
+    if args.out.is_some() && shared.output != Place::Standard {
+        return Err(Failure::input("--out and --output are the same; give one of them"));
+    }
     Ok(())
 }

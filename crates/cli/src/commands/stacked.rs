@@ -3,8 +3,8 @@
 use super::{Context, loads, material};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
-use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Needs, Results};
-use crate::{summary, tables};
+use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
+use crate::summary::sampling_of;
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
     let material = material(&args.material, context)?;
@@ -13,20 +13,11 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
     let needs = Needs {
         amplitudes: Some(context.shared.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
-        loads: loads(&args.pressures, &material)?,
+        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
         ..Needs::default()
     };
-    let table =
-        |results: &Results, needs: &Needs| tables::curve(&results.curves[0], &needs.loads, args.details);
-    context.spectrum_to_table(&args.psd.psd, &args.psd.reading, needs, table, notes)
-}
-
-fn notes(results: &Results) -> Vec<String> {
-    let sampling = summary::sampling(results);
-    let mut notes =
-        vec![format!("{sampling}; the area depends on how densely scales are sampled (--scales-per-decade)")];
-    if let CurveResult::Stacked(levels) = &results.curves[0] {
-        notes.extend(summary::beyond_fitted_range(levels));
-    }
-    notes
+    context.curve_to_table(&args.psd.psd, &args.psd.reading, needs, args.details, |stream| {
+        let sampling = sampling_of(stream.psd());
+        format!("{sampling}; the area depends on how densely scales are sampled (--scales-per-decade)")
+    })
 }

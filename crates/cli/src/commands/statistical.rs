@@ -4,23 +4,26 @@ use asperity::{Bound, ElasticBody, MaterialPair, NixGao};
 use rayon::prelude::*;
 use stat_contact::{AsperityLaw, ContactState, Model, Population, StatisticalContact};
 
+use super::row_by_row::{self, RowByRow};
 use super::{Context, loads, material, say_notes};
 use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
 use crate::material::strength;
 use crate::number::number;
-use crate::output::Place;
-use crate::plan::{Curve, CurveModel, Cutoffs, Needs, Results};
+use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
 use crate::progress::Progress;
-use crate::provenance::program;
-use crate::summary::{state_notes, statistical_notes};
-use crate::table::{Cell, Cells, InputTable, Row};
-use crate::tables::{self, STATE_DETAILS};
+use crate::summary::StateCounts;
+use crate::table::{Cell, Cells, InputTable, Refusal, Row};
+use crate::tables::STATE_DETAILS;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, &args.input) {
         (Some(psd), _) => over_cutoffs(psd, args, context),
-        (None, Some(input)) => row_by_row(input, args, context),
+        (None, Some(input)) => {
+            let counterface = context.counterface()?;
+            let counts = StateCounts::default();
+            row_by_row::run(input, &mut Populations { args, context, counterface, counts }, context)
+        }
         (None, None) => Err(Failure::input("give a spectrum, or a table with --input")),
     }
 }
@@ -34,24 +37,19 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         material.statistical(model, gradient, hardness, args.interference_law).map_err(Failure::input)?;
     let needs = Needs {
         moments: Some(context.shared.normalisation.unwrap_or_default()),
-        asperities: true,
         curves: vec![Curve {
             name: model.to_string(),
             model: CurveModel::Statistical { pair: material.pair, law },
             cutoffs: Cutoffs::Every,
         }],
-        loads: loads(&args.pressures, &material)?,
+        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),
         tolerance: args.tolerance,
         ..Needs::default()
     };
-    let table =
-        |results: &Results, needs: &Needs| tables::curve(&results.curves[0], &needs.loads, args.details);
-    let notes = |results: &Results| {
-        let first = "the longest wavelength has no asperities yet: its row is empty".to_owned();
-        std::iter::once(first).chain(statistical_notes(&results.curves[0])).collect()
-    };
-    context.spectrum_to_table(psd, &args.reading, needs, table, notes)
+    context.curve_to_table(psd, &args.reading, needs, args.details, |_| {
+        "the longest wavelength has no asperities yet: its row is empty".to_owned()
+    })
 }
 
 /// A row of the table: a population, and what it is asked at.
@@ -66,41 +64,51 @@ enum At {
     Pressure(f64),
 }
 
-fn row_by_row(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let mut input = InputTable::read(input)?;
-    let reader = RowReader { args, context, counterface: context.counterface()? };
-    let asked = input.rows(&REQUIRED_COLUMNS, |row| reader.read(row))?;
-    let tolerance = args.tolerance.value();
-    let progress = Progress::towards(asked.len());
-    let state = |Asked { contact, at }: &Asked| {
-        let state = match at {
-            At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
-            At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
-        };
-        progress.step();
-        state
-    };
-    let states: Vec<ContactState> =
-        asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
-    drop(progress);
-    say_notes(beyond_complete_contact(&input, &asked, &states));
-    say_notes(state_notes(&states));
-    fill_in(&mut input, &asked, &states, args.details);
-    let mut comments = vec![program(context.typed)];
-    comments.append(&mut input.comments);
-    context.write(&input.table, &comments)
-}
-
 const REQUIRED_COLUMNS: [&str; 6] =
     ["model", "youngs_modulus_pa", "poisson_ratio", "radius_m", "density_per_m2", "sigma_s_m"];
 
-struct RowReader<'a> {
+/// A table of populations.
+struct Populations<'a> {
     args: &'a StatisticalArgs,
     context: &'a Context<'a>,
     counterface: Option<ElasticBody>,
+    counts: StateCounts,
 }
 
-impl RowReader<'_> {
+impl RowByRow for Populations<'_> {
+    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
+        self.asked(block).map(|_| ())
+    }
+
+    fn fill_in(&mut self, block: &mut InputTable, progress: &Progress) -> Result<(), Failure> {
+        let asked = self.asked(block)?;
+        let tolerance = self.args.tolerance.value();
+        let state = |Asked { contact, at }: &Asked| {
+            let state = match at {
+                At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
+                At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
+            };
+            progress.step();
+            state
+        };
+        let states: Vec<ContactState> =
+            asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
+        progress.aside(|| say_notes(beyond_complete_contact(block, &asked, &states)));
+        self.counts.add(&states);
+        fill_in(block, &asked, &states, self.args.details);
+        Ok(())
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.counts.notes()
+    }
+}
+
+impl Populations<'_> {
+    fn asked(&self, block: &InputTable) -> Result<Vec<Asked>, Refusal> {
+        block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
+    }
+
     fn read(&self, row: &Row<'_>) -> Result<Asked, String> {
         let model: Model =
             row.text("model").trim().parse().map_err(|error| format!("column model: {error}"))?;

@@ -33,11 +33,14 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if decades.is_empty() {
         return None;
     }
+    // A decade that the spectrum covers in part is told as far as it goes.
+    let psd = &report.results.psd;
+    let (begins_m, ends_m) = (psd.longest_wavelength_m(), psd.shortest_wavelength_m());
     let head = html! {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
             @for (longest_m, shortest_m) in &decades {
-                th scope="col" { (unbroken(*longest_m)) " to " (unbroken(*shortest_m)) }
+                th scope="col" { (unbroken(longest_m.min(begins_m))) " to " (unbroken(shortest_m.max(ends_m))) }
             }
         }
     };

@@ -35,7 +35,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                         td { (report.load(*load)) }
                         td { (typeset_digits(answer.area_fraction)) }
                         td { (report.pressure(answer.real_pressure_pa)) }
-                        (settled(answer.within_1_percent)) (settled(answer.within_01_percent))
+                        (settled(answer, answer.within_1_percent)) (settled(answer, answer.within_01_percent))
                         td { (answer.setting.map_or("–".to_owned(), |scale| length(scale.wavelength_m))) }
                         td { (answer.out_of_range_load_share.map_or("–".to_owned(), percent)) }
                     }
@@ -50,10 +50,11 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     Some(table(caption, &head, &body))
 }
 
-fn settled(found: Convergence) -> Markup {
-    match found.if_converged_m() {
-        Some(wavelength_m) => html! { td { (length(wavelength_m)) } },
-        None => html! { td.open { "not settled" } },
+fn settled(answer: &LoadAnswer, found: Convergence) -> Markup {
+    match (answer.followed, found.if_converged_m()) {
+        (false, _) => html! { td { "–" } },
+        (true, Some(wavelength_m)) => html! { td { (length(wavelength_m)) } },
+        (true, None) => html! { td.open { "not settled" } },
     }
 }
 

@@ -8,7 +8,7 @@ use super::diagnostic::SceneError;
 use super::raw::RawCurve;
 use super::values::check_file_name;
 use crate::material::{Framework, Material, MaterialError, ModelName};
-use crate::plan::{Curve, CurveModel, Cutoffs};
+use crate::plan::{Curve, CurveModel};
 
 /// What the laws of statistical curves leave to choose.
 #[derive(Clone, Copy)]
@@ -36,7 +36,7 @@ pub(super) fn resolve_curves(
             let message = format!("two curves are called {name:?}; give one of them another name = \"...\"");
             return Err(SceneError::at(name_span, message));
         }
-        curves.push(Curve { name, model, cutoffs: Cutoffs::Every });
+        curves.push(Curve { name, model, cutoffs: curve.cutoffs.unwrap_or_default() });
     }
     Ok(curves)
 }

@@ -7,7 +7,8 @@ use super::raw::{RawFigure, RawLoadRange};
 use super::values::{check_file_name, quantity};
 use crate::figure::{Figure, Shows};
 use crate::material::Material;
-use crate::plan::{Curve, CurveModel, LoadSweep};
+use crate::plan::{Curve, CurveModel, Cutoffs, LoadSweep};
+use crate::pressure_range::log_spaced;
 use crate::quantity::Pressure;
 
 /// The figures, and the sweeps over loads that they draw.
@@ -16,8 +17,10 @@ pub(super) fn resolve_figures(
     curves: &[Curve],
     material: Option<&Material>,
 ) -> Result<(Vec<Figure>, Vec<LoadSweep>), SceneError> {
-    if raw.is_empty() && !curves.is_empty() {
-        return Ok((vec![Figure::area_of_all(curves.len())], Vec::new()));
+    if raw.is_empty() {
+        let over_cutoffs = followed(curves);
+        let any = !over_cutoffs.is_empty();
+        return Ok((any.then(|| Figure::area_of_all(over_cutoffs)).into_iter().collect(), Vec::new()));
     }
     let mut figures: Vec<Figure> = Vec::new();
     let mut sweeps = Vec::new();
@@ -34,15 +37,22 @@ pub(super) fn resolve_figures(
             return Err(SceneError::at(spanned.span(), "a figure of the area needs a [[curve]]"));
         }
         let drawn = match &figure.curves {
+            None if figure.shows == Shows::Area => followed(curves),
             None => (0..curves.len()).collect(),
-            Some(names) => {
-                names.iter().map(|name| curve_index(name, curves)).collect::<Result<Vec<_>, _>>()?
-            }
+            Some(names) => names
+                .iter()
+                .map(|name| drawn_curve(name, curves, figure.shows))
+                .collect::<Result<Vec<_>, _>>()?,
         };
         if drawn.is_empty() && matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
             return Err(SceneError::at(
                 spanned.span(),
-                "a figure of the area draws at least one curve; curves is empty",
+                match figure.curves {
+                    Some(_) => "a figure of the area draws at least one curve; curves is empty",
+                    None => {
+                        "a figure of the area against cutoff needs a [[curve]] without cutoffs = \"shortest\""
+                    }
+                },
             ));
         }
         let first_sweep = sweeps.len();
@@ -58,6 +68,23 @@ pub(super) fn resolve_figures(
         });
     }
     Ok((figures, sweeps))
+}
+
+/// The curves with an area at every cutoff, by index.
+fn followed(curves: &[Curve]) -> Vec<usize> {
+    (0..curves.len()).filter(|&curve| curves[curve].cutoffs == Cutoffs::Every).collect()
+}
+
+fn drawn_curve(name: &Spanned<String>, curves: &[Curve], shows: Shows) -> Result<usize, SceneError> {
+    let curve = curve_index(name, curves)?;
+    if shows == Shows::Area && curves[curve].cutoffs == Cutoffs::Shortest {
+        let message = format!(
+            "a figure of the area against cutoff cannot draw {:?}, whose cutoffs = \"shortest\"; take one of them away",
+            name.get_ref()
+        );
+        return Err(SceneError::at(name.span(), message));
+    }
+    Ok(curve)
 }
 
 fn curve_index(name: &Spanned<String>, curves: &[Curve]) -> Result<usize, SceneError> {
@@ -124,9 +151,5 @@ fn load_range(range: &RawLoadRange, material: Option<&Material>) -> Result<Vec<f
         let message = format!("key figure.loads.points: {points} must be a whole number from 2 to 100000");
         return Err(SceneError::at(range.points.span(), message));
     }
-    let ratio = to_pa / from_pa;
-    let steps = (points - 1) as f64;
-    Ok((0..points)
-        .map(|i| if i == points - 1 { to_pa } else { from_pa * ratio.powf(i as f64 / steps) })
-        .collect())
+    Ok(log_spaced(from_pa, to_pa, points))
 }

@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::figure::Figure;
 use crate::material::Material;
 use crate::number::number;
-use crate::plan::{Needs, Plan, Sampling};
+use crate::plan::{CurveModel, Needs, Plan, Sampling};
 use crate::surface::Surface;
 
 /// A checked scene.
@@ -75,7 +75,7 @@ impl Scene {
         choices.extend(
             self.needs.moments.map(|normalisation| format!("normalisation of moments: {normalisation}")),
         );
-        if self.needs.asperities {
+        if self.needs.curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. })) {
             choices
                 .push(format!("tolerance of statistical states: {}", number(self.needs.tolerance.value())));
         }

@@ -8,6 +8,7 @@ use stat_contact::InterferenceLaw;
 use super::diagnostic::SceneError;
 use crate::figure::Shows;
 use crate::material::ModelName;
+use crate::plan::Cutoffs;
 use crate::topography::Average;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
@@ -93,6 +94,7 @@ pub(super) struct RawCurve {
     #[serde(default)]
     pub strain_gradient: bool,
     pub interference_law: Option<InterferenceLaw>,
+    pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
 }
 

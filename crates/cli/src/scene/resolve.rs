@@ -94,7 +94,6 @@ pub(super) fn resolve(raw: RawScene, folder: &Path, overrides: &Overrides) -> Re
         },
         needs: Needs {
             moments: (any_statistical || shows(&[Shows::Moments])).then_some(normalisation),
-            asperities: any_statistical,
             amplitudes: (any_stacked || shows(&[Shows::Amplitude, Shows::AspectRatio])).then_some(amplitude),
             curves,
             loads,

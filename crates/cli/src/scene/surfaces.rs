@@ -11,7 +11,7 @@ use super::values::{count, optional, parsed};
 use crate::failure::Failure;
 use crate::quantity::Length;
 use crate::surface::Surface;
-use crate::topography::{DEFAULT_BINS_PER_DECADE, Recipe, ScanRequest};
+use crate::topography::{DEFAULT_BINS_PER_DECADE, Recipe, ScanFailure, ScanRequest};
 
 /// The surface under this key of the scene, files relative to `folder`.
 pub(super) fn resolve_surface(
@@ -106,8 +106,10 @@ fn composite(key: &str, surface: &RawSurface, folder: &Path) -> Result<Surface, 
     };
     let requests =
         surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;
-    let span = surface.scans[0].span().start..surface.scans[surface.scans.len() - 1].span().end;
-    Surface::from_scans(&requests, folder, &recipe).map_err(|failure| blamed(failure, span))
+    Surface::from_scans(&requests, folder, &recipe).map_err(|ScanFailure { request, failure }| {
+        let all = surface.scans[0].span().start..surface.scans[surface.scans.len() - 1].span().end;
+        blamed(in_words_of_a_scene(failure), request.map_or(all, |request| surface.scans[request].span()))
+    })
 }
 
 fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
@@ -123,6 +125,16 @@ fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
         tip_radius_m: length("tip_radius", raw.tip_radius.as_ref())?,
         shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
     })
+}
+
+/// What is an option on the command line is a key of the scan here.
+fn in_words_of_a_scene(failure: Failure) -> Failure {
+    match failure {
+        Failure::Input(message) => {
+            Failure::Input(message.replace("--unit", "unit").replace("--size", "size"))
+        }
+        other => other,
+    }
 }
 
 fn blamed(failure: Failure, span: std::ops::Range<usize>) -> SceneError {

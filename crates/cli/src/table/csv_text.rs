@@ -1,37 +1,81 @@
 //! Tables as comma-separated values.
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 
 use super::{Cell, Cells, Table};
 use crate::failure::Failure;
 use crate::number::write_number;
 
-/// Column names, and rows with the line each began on.
-pub(super) struct Fields {
+/// Rows as they are read.
+pub(super) struct Rows<'s, R: Read> {
+    /// The column names.
     pub names: Vec<String>,
-    pub rows: Vec<(u64, csv::StringRecord)>,
+    reader: csv::Reader<Window<R>>,
+    source: &'s str,
 }
 
-pub(super) fn read(text: &str, source: &str) -> Result<Fields, Failure> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    let refuse = |error: &csv::Error, line: u64| refusal(source, line, error);
-    let names = match reader.headers() {
-        Ok(names) => names.iter().map(str::to_owned).collect(),
-        Err(error) => return Err(refuse(&error, 1)),
-    };
-    let mut rows = Vec::new();
-    loop {
+impl<'s, R: Read> Rows<'s, R> {
+    /// Reads the header.
+    pub fn begin(text: R, source: &'s str) -> Result<Self, Failure> {
+        let window = Window { inner: text, bytes: Vec::new(), before: None, delivered: 0 };
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(window);
+        let names: Vec<String> = match reader.headers() {
+            Ok(names) => names.iter().map(str::to_owned).collect(),
+            Err(error) => return Err(refusal(source, 1, &error)),
+        };
+        if names.iter().all(String::is_empty) {
+            return Err(Failure::input(format!(
+                "{source}: no header row; the first line must name the columns"
+            )));
+        }
+        if let Some(twice) = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name)) {
+            return Err(Failure::input(format!("{source}: column {:?} stands twice; keep one", twice.1)));
+        }
+        Ok(Rows { names, reader, source })
+    }
+
+    /// The next row, and the line that it ends on.
+    pub fn next(&mut self) -> Result<Option<(u64, csv::StringRecord)>, Failure> {
         let mut record = csv::StringRecord::new();
-        let more = reader.read_record(&mut record);
+        let more = self.reader.read_record(&mut record);
         // A record's own position is that of the comments before it: the line it ends on is counted from behind.
-        let behind = reader.position();
-        let ended =
-            usize::try_from(behind.byte()).ok().and_then(|byte| text.as_bytes().get(byte.checked_sub(1)?));
-        let line = behind.line() - u64::from(ended == Some(&b'\n'));
+        let behind = self.reader.position();
+        let ended = self.reader.get_ref().byte_before(behind.byte());
+        let line = behind.line() - u64::from(ended == Some(b'\n'));
         match more {
-            Ok(true) => rows.push((line, record)),
-            Ok(false) => return Ok(Fields { names, rows }),
-            Err(error) => return Err(refuse(&error, line)),
+            Ok(true) => Ok(Some((line, record))),
+            Ok(false) => Ok(None),
+            Err(error) => Err(refusal(self.source, line, &error)),
+        }
+    }
+}
+
+/// What has been read last of a text, to look back by one byte from any place in it.
+struct Window<R> {
+    inner: R,
+    bytes: Vec<u8>,
+    before: Option<u8>,
+    delivered: u64,
+}
+
+impl<R: Read> Read for Window<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.inner.read(buffer)?;
+        self.before = self.bytes.last().copied().or(self.before);
+        self.bytes.clear();
+        self.bytes.extend_from_slice(&buffer[..read]);
+        self.delivered += read as u64;
+        Ok(read)
+    }
+}
+
+impl<R> Window<R> {
+    /// The byte before a position that is not before the window.
+    fn byte_before(&self, position: u64) -> Option<u8> {
+        let begin = self.delivered - self.bytes.len() as u64;
+        match position.checked_sub(begin)? {
+            0 => self.before,
+            within => self.bytes.get(usize::try_from(within - 1).ok()?).copied(),
         }
     }
 }
@@ -47,21 +91,28 @@ fn refusal(source: &str, line: u64, error: &csv::Error) -> Failure {
     })
 }
 
-pub(super) fn write(table: &Table, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write_comments(comments: &[String], out: &mut dyn Write) -> io::Result<()> {
     for line in comments.iter().flat_map(|comment| comment.lines()) {
         writeln!(out, "# {line}")?;
     }
+    Ok(())
+}
+
+/// Writes rows, under the column names where these are wanted.
+pub(super) fn write(table: &Table, names: bool, out: &mut dyn Write) -> io::Result<()> {
     // A first cell that begins like a comment is quoted, or the next reader would take its row for one.
     let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-    write_rows(table, &mut writer).map_err(|error| match error.into_kind() {
+    write_rows(table, names, &mut writer).map_err(|error| match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),
     })?;
     writer.flush()
 }
 
-fn write_rows(table: &Table, writer: &mut csv::Writer<&mut dyn Write>) -> csv::Result<()> {
-    writer.write_record(table.columns().map(|(name, _)| name))?;
+fn write_rows(table: &Table, names: bool, writer: &mut csv::Writer<&mut dyn Write>) -> csv::Result<()> {
+    if names {
+        writer.write_record(table.columns().map(|(name, _)| name))?;
+    }
     let mut number = String::new();
     for row in 0..table.rows() {
         for (_, cells) in table.columns() {

@@ -1,10 +1,13 @@
 //! Tables that come in, CSV or JSON, and the numbers in them.
 
+use std::borrow::Cow;
+
 use asperity::Bound;
 
-use super::{Cell, Cells, Table, csv_text, json_text};
+use super::source::TableSource;
+use super::{Cells, Table};
 use crate::failure::Failure;
-use crate::output::{Place, utf8};
+use crate::output::Place;
 
 /// How many bad cells one message lists.
 const MOST_PROBLEMS_LISTED: usize = 10;
@@ -23,48 +26,12 @@ pub struct InputTable {
 }
 
 impl InputTable {
-    /// Reads a table from a place, as JSON where it begins like an array and else as CSV.
+    /// Reads a whole table from a place, as JSON where it begins like an array and else as CSV.
     ///
     /// # Errors
     /// [`Failure::Input`] that names the file, and the line and column where it has them.
     pub fn read(place: &Place) -> Result<Self, Failure> {
-        let source = match place {
-            Place::Standard => "standard input".to_owned(),
-            Place::File(path) => path.display().to_string(),
-        };
-        let bytes = place.read()?;
-        let text = utf8(&bytes, &source, "table")?;
-        if text.trim_start().starts_with('[') {
-            Self::from_json(text, source)
-        } else {
-            Self::from_csv(text, source)
-        }
-    }
-
-    fn from_csv(text: &str, source: String) -> Result<Self, Failure> {
-        let fields = csv_text::read(text, &source)?;
-        if fields.names.iter().all(String::is_empty) {
-            return Err(Failure::input(format!(
-                "{source}: no header row; the first line must name the columns"
-            )));
-        }
-        if let Some(twice) =
-            fields.names.iter().enumerate().find(|(i, name)| fields.names[..*i].contains(name))
-        {
-            return Err(Failure::input(format!("{source}: column {:?} stands twice; keep one", twice.1)));
-        }
-        let mut table = Table::default();
-        for (at, name) in fields.names.iter().enumerate() {
-            table.set(name, Cells::Typed(fields.rows.iter().map(|(_, row)| Cell::from(&row[at])).collect()));
-        }
-        let comments = text
-            .lines()
-            .filter_map(|line| line.strip_prefix('#').map(str::trim))
-            .filter(|comment| !comment.starts_with(OWN_COMMENT))
-            .map(str::to_owned)
-            .collect();
-        let row_names = fields.rows.iter().map(|(line, _)| format!("line {line}")).collect();
-        Ok(InputTable { table, comments, source, row_names })
+        Self::whole(TableSource::open(place)?)
     }
 
     /// Reads an array of row objects; `source` stands for it in messages.
@@ -72,23 +39,28 @@ impl InputTable {
     /// # Errors
     /// [`Failure::Input`] that names the source.
     pub fn from_json(text: &str, source: String) -> Result<Self, Failure> {
-        let (names, rows) = json_text::read(text, &source)?;
-        let null = serde_json::value::to_raw_value(&()).map_err(Failure::input)?;
-        let mut table = Table::default();
-        for name in &names {
-            let cell =
-                |row: &indexmap::IndexMap<String, _>| Cell::Json(row.get(name).unwrap_or(&null).clone());
-            table.set(name, Cells::Typed(rows.iter().map(cell).collect()));
-        }
-        let row_names = (1..=rows.len()).map(|row| format!("row {row}")).collect();
-        Ok(InputTable { table, comments: Vec::new(), source, row_names })
+        Self::whole(TableSource::of_json(text, source)?)
+    }
+
+    fn whole(mut source: TableSource) -> Result<Self, Failure> {
+        let mut whole = None;
+        source.blocks(usize::MAX, |block| {
+            whole = Some(block);
+            Ok::<(), Failure>(())
+        })?;
+        let whole = whole.unwrap_or_else(|| unreachable!("there is a block even without rows"));
+        Ok(InputTable { comments: source.comments, ..whole })
+    }
+
+    pub(super) fn new(table: Table, source: String, row_names: Vec<String>) -> Self {
+        InputTable { table, comments: Vec::new(), source, row_names }
     }
 
     /// The named columns as numbers within their bounds, row by row.
     ///
     /// # Errors
-    /// [`Failure::Input`] for a missing column, or listing the first bad cells with line, column, value and bound.
-    pub fn numbers<const N: usize>(&self, columns: [(&str, Bound); N]) -> Result<Vec<[f64; N]>, Failure> {
+    /// [`Refusal`] for a missing column, or of the bad cells with line, column, value and bound.
+    pub fn numbers<const N: usize>(&self, columns: [(&str, Bound); N]) -> Result<Vec<[f64; N]>, Refusal> {
         let mut values = vec![[0.0; N]; self.row_names.len()];
         let mut problems = Vec::new();
         for (at, (name, bound)) in columns.into_iter().enumerate() {
@@ -102,37 +74,35 @@ impl InputTable {
             for (row, cell) in cells.iter().enumerate() {
                 match read_number(&cell.text(), bound) {
                     Ok(value) => values[row][at] = value,
-                    Err(problem) => {
-                        problems.push((row, format!("{}, column {name}: {problem}", self.row_names[row])))
-                    }
+                    Err(problem) => problems.push((row, format!("column {name}: {problem}"))),
                 }
             }
         }
         problems.sort_by_key(|(row, _)| *row);
-        if problems.is_empty() { Ok(values) } else { Err(self.bad_cells(problems)) }
+        if problems.is_empty() { Ok(values) } else { Err(self.bad_rows(problems)) }
     }
 
     /// What `read` makes of every row.
     ///
     /// # Errors
-    /// [`Failure::Input`] where one of the `required` columns is missing, or listing the first bad rows.
+    /// [`Refusal`] where one of the `required` columns is missing, or of the bad rows.
     pub fn rows<T>(
         &self,
         required: &[&str],
         read: impl Fn(&Row<'_>) -> Result<T, String>,
-    ) -> Result<Vec<T>, Failure> {
+    ) -> Result<Vec<T>, Refusal> {
         if let Some(missing) = required.iter().find(|name| self.table.column(name).is_none()) {
             return Err(self.missing_column(missing));
         }
         let mut values = Vec::with_capacity(self.row_names.len());
         let mut problems = Vec::new();
-        for (at, name) in self.row_names.iter().enumerate() {
+        for at in 0..self.row_names.len() {
             match read(&Row { table: &self.table, at }) {
                 Ok(value) => values.push(value),
-                Err(problem) => problems.push((at, format!("{name}, {problem}"))),
+                Err(problem) => problems.push((at, problem)),
             }
         }
-        if problems.is_empty() { Ok(values) } else { Err(self.bad_cells(problems)) }
+        if problems.is_empty() { Ok(values) } else { Err(self.bad_rows(problems)) }
     }
 
     /// The name of a row in messages.
@@ -140,26 +110,71 @@ impl InputTable {
         format!("{}, {}", self.source, self.row_names[row])
     }
 
-    fn missing_column(&self, name: &str) -> Failure {
+    fn missing_column(&self, name: &str) -> Refusal {
         let found: Vec<&str> = self.table.columns().map(|(name, _)| name).collect();
-        Failure::input(format!(
-            "{}: column {name} is missing; the columns are {}",
-            self.source,
-            found.join(", ")
-        ))
+        let columns = found.join(", ");
+        let message = format!("{}: column {name} is missing; the columns are {columns}", self.source);
+        Refusal { listed: vec![message], more: 0, of_every_row: true }
     }
 
-    fn bad_cells(&self, problems: Vec<(usize, String)>) -> Failure {
-        let more = problems.len().saturating_sub(MOST_PROBLEMS_LISTED);
-        let mut lines: Vec<String> = problems
-            .into_iter()
-            .take(MOST_PROBLEMS_LISTED)
-            .map(|(_, problem)| format!("{}, {problem}", self.source))
-            .collect();
-        if more > 0 {
-            lines.push(format!("and {more} more"));
+    fn bad_rows(&self, problems: Vec<(usize, String)>) -> Refusal {
+        let mut refusal = Refusal::default();
+        for (row, problem) in problems {
+            refusal.add(|| format!("{}, {problem}", self.row_name(row)));
         }
-        Failure::input(lines.join("\n       "))
+        refusal
+    }
+}
+
+/// What is wrong with a table: the first problems, and how many more there are.
+#[derive(Debug, Default)]
+pub struct Refusal {
+    listed: Vec<String>,
+    more: usize,
+    /// A missing column, which need not be told again of the next block of rows.
+    of_every_row: bool,
+}
+
+impl Refusal {
+    /// Goes on with what is wrong with the next block of rows.
+    pub fn extend(&mut self, next: Refusal) {
+        if self.of_every_row {
+            return;
+        }
+        if next.of_every_row {
+            *self = next;
+            return;
+        }
+        self.more += next.more;
+        for problem in next.listed {
+            self.add(|| problem);
+        }
+    }
+
+    fn add(&mut self, problem: impl FnOnce() -> String) {
+        if self.listed.len() < MOST_PROBLEMS_LISTED {
+            self.listed.push(problem());
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// A failure, if there is anything wrong.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that lists what is wrong.
+    pub fn into_result(self) -> Result<(), Failure> {
+        if self.listed.is_empty() { Ok(()) } else { Err(self.into()) }
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        let mut lines = refusal.listed;
+        if refusal.more > 0 {
+            lines.push(format!("and {} more", refusal.more));
+        }
+        Failure::Input(lines.join("\n       "))
     }
 }
 
@@ -171,10 +186,10 @@ pub struct Row<'t> {
 
 impl Row<'_> {
     /// The cell as a person would read it; empty where there is no such column.
-    pub fn text(&self, column: &str) -> String {
+    pub fn text(&self, column: &str) -> Cow<'_, str> {
         match self.table.column(column) {
-            Some(Cells::Typed(cells)) => cells[self.at].text().into_owned(),
-            _ => String::new(),
+            Some(Cells::Typed(cells)) => cells[self.at].text(),
+            _ => Cow::Borrowed(""),
         }
     }
 
@@ -191,7 +206,12 @@ impl Row<'_> {
     /// # Errors
     /// The problem, with the column.
     pub fn optional_number(&self, column: &str, bound: Bound) -> Result<Option<f64>, String> {
-        if self.text(column).trim().is_empty() { Ok(None) } else { self.number(column, bound).map(Some) }
+        let text = self.text(column);
+        if text.trim().is_empty() {
+            return Ok(None);
+        }
+        let number = read_number(&text, bound).map_err(|problem| format!("column {column}: {problem}"))?;
+        Ok(Some(number))
     }
 }
 

@@ -1,16 +1,16 @@
 //! Tables as a JSON array of row objects.
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 
-use indexmap::{IndexMap, IndexSet};
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use indexmap::IndexMap;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::{Cell, Cells, Table};
 use crate::failure::Failure;
 use crate::number::write_number;
 
-type Row = IndexMap<String, Box<RawValue>>;
+pub(super) type Row = IndexMap<String, Box<RawValue>>;
 
 /// A row as it stands in the text; a map would let the last of two equal keys win.
 struct RowText(Row);
@@ -42,21 +42,57 @@ impl<'de> Visitor<'de> for RowVisitor {
     }
 }
 
-/// Every key of any row in the order of its first appearance, and the rows.
-pub(super) fn read(text: &str, source: &str) -> Result<(IndexSet<String>, Vec<Row>), Failure> {
-    let rows: Vec<RowText> = serde_json::from_str(text)
-        .map_err(|error| Failure::input(format!("{source}: reading an array of row objects: {error}")))?;
-    let rows: Vec<Row> = rows.into_iter().map(|RowText(row)| row).collect();
-    let names = rows.iter().flat_map(|row| row.keys().cloned()).collect();
-    Ok((names, rows))
+/// Reads an array of rows, one after the other.
+pub(super) fn each_row<E: From<Failure>>(
+    text: impl Read,
+    source: &str,
+    each: &mut dyn FnMut(Row) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut stopped = None;
+    let mut deserializer = serde_json::Deserializer::from_reader(text);
+    let read = deserializer
+        .deserialize_seq(RowsVisitor { each, stopped: &mut stopped })
+        .and_then(|()| deserializer.end());
+    match (stopped, read) {
+        (Some(error), _) => Err(error),
+        (None, Ok(())) => Ok(()),
+        (None, Err(error)) => {
+            Err(Failure::input(format!("{source}: reading an array of row objects: {error}")).into())
+        }
+    }
 }
 
-pub(super) fn write(table: &Table, out: &mut dyn Write) -> io::Result<()> {
+struct RowsVisitor<'e, E> {
+    each: &'e mut dyn FnMut(Row) -> Result<(), E>,
+    /// Why `each` ended it.
+    stopped: &'e mut Option<E>,
+}
+
+impl<'de, E> Visitor<'de> for RowsVisitor<'_, E> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "a sequence")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut rows: A) -> Result<(), A::Error> {
+        while let Some(RowText(row)) = rows.next_element()? {
+            if let Err(error) = (self.each)(row) {
+                *self.stopped = Some(error);
+                return Err(A::Error::custom("stopped"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Writes rows; the first of all rows has none before it.
+pub(super) fn write(table: &Table, first: bool, out: &mut dyn Write) -> io::Result<()> {
     let keys: Vec<String> =
         table.columns().map(|(name, _)| serde_json::to_string(name)).collect::<Result<_, _>>()?;
-    let mut text = String::from("[");
+    let mut text = String::new();
     for row in 0..table.rows() {
-        text.push_str(if row == 0 { "\n{" } else { ",\n{" });
+        text.push_str(if first && row == 0 { "\n{" } else { ",\n{" });
         for (column, (key, (_, cells))) in keys.iter().zip(table.columns()).enumerate() {
             text.push_str(if column == 0 { "" } else { "," });
             text.push_str(key);
@@ -67,8 +103,7 @@ pub(super) fn write(table: &Table, out: &mut dyn Write) -> io::Result<()> {
         out.write_all(text.as_bytes())?;
         text.clear();
     }
-    out.write_all(text.as_bytes())?;
-    out.write_all(b"\n]\n")
+    Ok(())
 }
 
 fn write_cell(text: &mut String, cells: &Cells, row: usize) -> io::Result<()> {

@@ -3,8 +3,12 @@
 mod csv_text;
 mod input;
 mod json_text;
+mod source;
+mod writer;
 
-pub use input::{InputTable, Row};
+pub use input::{InputTable, Refusal, Row};
+pub use source::TableSource;
+pub use writer::TableWriter;
 
 use std::io::{self, Write};
 
@@ -151,9 +155,8 @@ impl Table {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, format: Format, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
-        match format {
-            Format::Csv => csv_text::write(self, comments, out),
-            Format::Json => json_text::write(self, out),
-        }
+        let mut writer = TableWriter::begin(format, comments, out)?;
+        writer.block(self)?;
+        writer.end().map(|_| ())
     }
 }

@@ -30,6 +30,27 @@ pub struct InstrumentsDisagree {
     pub shortest_m: f64,
 }
 
+/// Why there is no composite.
+#[derive(Debug)]
+pub struct ScanFailure {
+    /// Which of the scans asked for is to blame, by index; absent where it is all of them together.
+    pub request: Option<usize>,
+    /// What is wrong.
+    pub failure: Failure,
+}
+
+impl From<Failure> for ScanFailure {
+    fn from(failure: Failure) -> Self {
+        ScanFailure { request: None, failure }
+    }
+}
+
+impl From<ScanFailure> for Failure {
+    fn from(ScanFailure { failure, .. }: ScanFailure) -> Self {
+        failure
+    }
+}
+
 /// The spectra of some scans and their composite.
 #[derive(Debug, Clone)]
 pub struct CompositeSpectrum {
@@ -47,11 +68,14 @@ impl CompositeSpectrum {
     /// Reads the scans, relative to `folder`, transforms them, on several threads, and averages them.
     ///
     /// # Errors
-    /// [`Failure::Input`] that names the file, and place, value and bound where they are to blame.
-    pub fn of_files(requests: &[ScanRequest], folder: &Path, recipe: &Recipe) -> Result<Self, Failure> {
+    /// [`ScanFailure`] that names the file, and place, value and bound where they are to blame.
+    pub fn of_files(requests: &[ScanRequest], folder: &Path, recipe: &Recipe) -> Result<Self, ScanFailure> {
         let spectra = |request| ScanSpectrum::of_file(request, folder, recipe);
-        let scans: Vec<ScanSpectrum> =
-            requests.par_iter().map(spectra).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        let of_files: Vec<Result<Vec<ScanSpectrum>, Failure>> = requests.par_iter().map(spectra).collect();
+        let mut scans = Vec::new();
+        for (at, of_file) in of_files.into_iter().enumerate() {
+            scans.extend(of_file.map_err(|failure| ScanFailure { request: Some(at), failure })?);
+        }
         let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
         let options = CompositeOptions {
             bins_per_decade: recipe.bins_per_decade,

@@ -19,6 +19,6 @@ mod request;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
 pub use checks::Checks;
-pub use composite::{CompositeSpectrum, InstrumentsDisagree};
+pub use composite::{CompositeSpectrum, InstrumentsDisagree, ScanFailure};
 pub use measure::ScanSpectrum;
 pub use request::{Average, DEFAULT_BINS_PER_DECADE, Recipe, RequestError, ScanRequest};

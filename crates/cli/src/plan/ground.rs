@@ -1,0 +1,186 @@
+//! What curves stand on: the scales of the spectrum that take part, their moments and asperities, their amplitudes.
+
+use std::ops::Range;
+
+use spectrum::{
+    AmplitudeDefinition, AsperityParameters, Moments, ProfilePsd, SelfAffineFit, amplitudes,
+    cumulative_moments, cumulative_moments_to, fit_self_affine,
+};
+use stacked_contact::Scale;
+
+use super::distinct::Distinct;
+use super::{CurveModel, Cutoffs, MOST_SCALES, Plan, PlanError, Results, Work};
+
+/// All that is needed of a spectrum but the curves. A plan of the same spectrum, sampling, normalisation and amplitude can
+/// go on from it.
+#[derive(Debug, Clone)]
+pub struct Ground {
+    pub(super) psd: ProfilePsd,
+    pub(super) moments: Vec<(Moments, Option<AsperityParameters>)>,
+    pub(super) scales: Vec<Scale>,
+    pub(super) fit: Option<SelfAffineFit>,
+    /// The asperities that each sweep's cutoff leaves.
+    pub(super) sweep_asperities: Vec<Option<AsperityParameters>>,
+    pub(super) work: Work,
+}
+
+/// A cutoff, and the asperities that it leaves; none at the longest wavelength.
+#[derive(Clone, Copy)]
+pub(super) struct Cutoff {
+    pub wavelength_m: f64,
+    pub asperities: Option<AsperityParameters>,
+}
+
+impl Ground {
+    /// What a plan without sweeps and fit can go on from: it has been computed already.
+    pub fn of(results: &Results) -> Self {
+        Ground {
+            psd: results.psd.clone(),
+            moments: results.moments.clone(),
+            scales: results.scales.clone(),
+            fit: None,
+            sweep_asperities: Vec::new(),
+            work: Work::default(),
+        }
+    }
+
+    /// How many cutoffs there are at which a statistical curve is wanted.
+    pub(super) fn cutoff_count(&self, wanted: Cutoffs) -> usize {
+        match wanted {
+            Cutoffs::Every => self.moments.len() + 1,
+            Cutoffs::Shortest => 1,
+        }
+    }
+
+    /// Some of these cutoffs, counted from long to short wavelengths.
+    pub(super) fn cutoffs(&self, wanted: Cutoffs, places: Range<usize>) -> Vec<Cutoff> {
+        let cutoff = |place: usize| match place.checked_sub(1).map(|at| &self.moments[at]) {
+            None => Cutoff { wavelength_m: self.psd.longest_wavelength_m(), asperities: None },
+            Some((moments, asperities)) => {
+                Cutoff { wavelength_m: moments.wavelength_m, asperities: *asperities }
+            }
+        };
+        match wanted {
+            Cutoffs::Every => places.map(cutoff).collect(),
+            Cutoffs::Shortest => places.map(|_| cutoff(self.moments.len())).collect(),
+        }
+    }
+}
+
+impl Plan<'_> {
+    /// Computes what the curves stand on.
+    pub(super) fn ground(&self) -> Result<Ground, PlanError> {
+        let sampled = self.sampled()?;
+        let nothing_left =
+            |cutoff_m| PlanError::NothingLeft { cutoff_m, longest_m: sampled.longest_wavelength_m() };
+        let kept = |cutoff_m| sampled.truncated_at(cutoff_m).ok_or_else(|| nothing_left(cutoff_m));
+        let kept = self.sampling.cutoff_m.map(kept).transpose()?;
+        let psd = kept.as_ref().unwrap_or(&sampled);
+        let moments = self.moments(&sampled);
+        let scales =
+            self.needs.amplitudes.map_or_else(Vec::new, |definition| kept_scales(&sampled, psd, definition));
+        let fit =
+            self.needs.fit_band_m.map(|(from_m, to_m)| fit_self_affine(psd, from_m..=to_m)).transpose()?;
+        let mut work = Work {
+            moment_cutoffs: moments.len(),
+            asperity_cutoffs: moments.iter().filter(|(_, asperities)| asperities.is_some()).count(),
+            amplitude_scales: scales.len(),
+            fitted_samples: fit.as_ref().map_or(0, |fit| fit.points),
+            ..Work::default()
+        };
+        let sweep_asperities = self.sweep_asperities(&sampled, &moments, &mut work);
+        Ok(Ground { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_asperities, work })
+    }
+
+    /// How many scales take part, at most.
+    pub(super) fn most_scales(&self) -> usize {
+        let (longest_m, shortest_m) = (self.psd.longest_wavelength_m(), self.psd.shortest_wavelength_m());
+        let cutoff_m = self.sampling.cutoff_m.unwrap_or(0.0);
+        match self.sampling.scales_per_decade {
+            // Both ends may be scales beside the evenly spaced ones.
+            Some(scales_per_decade) => {
+                let decades = (longest_m / shortest_m.max(cutoff_m)).log10().max(0.0);
+                (f64::from(scales_per_decade.get()) * decades) as usize + 2
+            }
+            None => {
+                let kept = self.psd.wavelengths_m().partition_point(|wavelength_m| *wavelength_m >= cutoff_m);
+                (kept + 1).min(self.psd.len())
+            }
+        }
+    }
+
+    fn sampled(&self) -> Result<ProfilePsd, PlanError> {
+        let Some(scales_per_decade) = self.sampling.scales_per_decade else { return Ok(self.psd.clone()) };
+        let decades = (self.psd.longest_wavelength_m() / self.psd.shortest_wavelength_m()).log10();
+        let scales = f64::from(scales_per_decade.get()) * decades;
+        if scales > MOST_SCALES as f64 {
+            return Err(PlanError::TooManyScales { scales_per_decade, scales });
+        }
+        Ok(self.psd.resampled(scales_per_decade))
+    }
+
+    /// The moments, and the asperities at the cutoffs where something needs them.
+    fn moments(&self, sampled: &ProfilePsd) -> Vec<(Moments, Option<AsperityParameters>)> {
+        let Some(norm) = self.needs.moments else { return Vec::new() };
+        let moments = match self.sampling.cutoff_m {
+            Some(cutoff_m) => cumulative_moments_to(sampled, norm, cutoff_m),
+            None => cumulative_moments(sampled, norm),
+        };
+        let first_needed = match self.asperity_cutoffs_wanted() {
+            None => moments.len(),
+            Some(Cutoffs::Shortest) => moments.len().saturating_sub(1),
+            Some(Cutoffs::Every) => 0,
+        };
+        let asperities =
+            |at: usize, moments| (at >= first_needed).then(|| AsperityParameters::from_moments(moments));
+        let rows = moments.iter().enumerate();
+        rows.map(|(at, moments)| (*moments, asperities(at, moments).flatten())).collect()
+    }
+
+    /// At which cutoffs asperities are needed, if at any.
+    pub fn asperity_cutoffs_wanted(&self) -> Option<Cutoffs> {
+        let statistical =
+            self.needs.curves.iter().filter(|curve| matches!(curve.model, CurveModel::Statistical { .. }));
+        let mut wanted = statistical.map(|curve| curve.cutoffs).peekable();
+        if wanted.peek().is_none() && !self.needs.asperities {
+            return None;
+        }
+        let every = self.needs.asperities || wanted.any(|cutoffs| cutoffs == Cutoffs::Every);
+        Some(if every { Cutoffs::Every } else { Cutoffs::Shortest })
+    }
+
+    /// Sweeps at one cutoff share their asperities, and those at the shortest wavelength that takes part share the curves'.
+    fn sweep_asperities(
+        &self,
+        sampled: &ProfilePsd,
+        of_curves: &[(Moments, Option<AsperityParameters>)],
+        work: &mut Work,
+    ) -> Vec<Option<AsperityParameters>> {
+        let sweeps = &self.needs.sweeps;
+        let shortest_m = self.sampling.cutoff_m.unwrap_or(0.0).max(sampled.shortest_wavelength_m());
+        let norm = self.needs.moments.unwrap_or_default();
+        let mut at = |cutoff_multiple: f64| match of_curves.last() {
+            Some((_, Some(asperities))) if cutoff_multiple == 1.0 => Some(*asperities),
+            _ => {
+                let moments = cumulative_moments_to(sampled, norm, cutoff_multiple * shortest_m);
+                let asperities = moments.last().and_then(AsperityParameters::from_moments);
+                work.moment_cutoffs += moments.len();
+                work.asperity_cutoffs += usize::from(asperities.is_some());
+                asperities
+            }
+        };
+        let multiples = Distinct::by(sweeps.iter().map(|sweep| sweep.cutoff_multiple.to_bits()));
+        let found: Vec<Option<AsperityParameters>> =
+            multiples.firsts.iter().map(|&sweep| at(sweeps[sweep].cutoff_multiple)).collect();
+        multiples.kinds.iter().map(|&kind| found[kind]).collect()
+    }
+}
+
+/// The amplitudes of the scales kept. An amplitude does not depend on the cutoff, so that a curve cut short is the
+/// beginning of the whole one: the band of the last scale reaches to its neighbour below the cutoff.
+fn kept_scales(sampled: &ProfilePsd, kept: &ProfilePsd, definition: AmplitudeDefinition) -> Vec<Scale> {
+    let neighbour_m = sampled.wavelengths_m().get(kept.len()).copied();
+    let reached = neighbour_m.and_then(|neighbour_m| sampled.truncated_at(neighbour_m));
+    let scales = amplitudes(reached.as_ref().unwrap_or(kept), definition).into_iter().take(kept.len());
+    scales.map(|scale| Scale { wavelength_m: scale.wavelength_m, amplitude_m: scale.amplitude_m }).collect()
+}

@@ -1,0 +1,145 @@
+//! States of statistical models, in runs: one after the other from its neighbour, run beside run.
+
+use asperity::MaterialPair;
+use rayon::prelude::*;
+use spectrum::AsperityParameters;
+use stat_contact::{AsperityLaw, ContactState, Population, StatisticalContact};
+
+use super::ground::Cutoff;
+use super::{CutoffState, PlanError, Tolerance, Work};
+
+/// The states of a run at most. A run starts without a neighbour, which costs some evaluations and no digit.
+const RUN: usize = 256;
+
+/// What a state is asked at.
+#[derive(Clone, Copy)]
+pub(super) enum Given {
+    Pressure(f64),
+    Separation(f64),
+}
+
+impl Given {
+    /// Equal where the states of one population are.
+    pub fn key(self) -> (bool, u64) {
+        match self {
+            Given::Pressure(pressure_pa) => (true, pressure_pa.to_bits()),
+            Given::Separation(separation_m) => (false, separation_m.to_bits()),
+        }
+    }
+}
+
+/// A model that is asked for states.
+pub(super) struct Statistical<'a> {
+    pub pair: MaterialPair,
+    pub law: AsperityLaw,
+    pub tolerance: Tolerance,
+    /// Called after each state, from any thread.
+    pub observe: &'a (dyn Fn() + Sync),
+}
+
+impl Statistical<'_> {
+    /// A block of rows for everything given, a row for every cutoff.
+    pub fn over_cutoffs(
+        &self,
+        cutoffs: &[Cutoff],
+        givens: &[Given],
+    ) -> Result<(Vec<Vec<CutoffState>>, Work), PlanError> {
+        let run = |given: Given, cutoffs: &[Cutoff]| {
+            let asked = cutoffs.iter().filter_map(|cutoff| Some((cutoff.asperities?, given)));
+            let (states, work) = self.run(asked)?;
+            let mut states = states.into_iter();
+            let row = |cutoff: &Cutoff| CutoffState {
+                wavelength_m: cutoff.wavelength_m,
+                contact: cutoff.asperities.and_then(|asperities| Some((asperities, states.next()?))),
+            };
+            Ok((cutoffs.iter().map(row).collect::<Vec<_>>(), work))
+        };
+        let block = |&given: &Given| joined(cutoffs.par_chunks(RUN).map(|cutoffs| run(given, cutoffs)));
+        let blocks = givens.par_iter().map(block).collect::<Result<Vec<_>, _>>()?;
+        let mut work = Work::default();
+        let rows = |(rows, of_block)| {
+            work += of_block;
+            rows
+        };
+        Ok((blocks.into_iter().map(rows).collect(), work))
+    }
+
+    /// The states of one population, one for every pressure \[Pa\].
+    pub fn over_loads(
+        &self,
+        asperities: &AsperityParameters,
+        pressures_pa: &[f64],
+    ) -> Result<(Vec<ContactState>, Work), PlanError> {
+        let run = |pressures_pa: &[f64]| {
+            self.run(pressures_pa.iter().map(|&pressure_pa| (*asperities, Given::Pressure(pressure_pa))))
+        };
+        joined(pressures_pa.par_chunks(RUN).map(run))
+    }
+
+    /// States, each found from the one before it, which saves work. Where a cutoff has left the asperities as they were, so
+    /// is the state.
+    fn run(
+        &self,
+        asked: impl Iterator<Item = (AsperityParameters, Given)>,
+    ) -> Result<(Vec<ContactState>, Work), PlanError> {
+        let mut states: Vec<ContactState> = Vec::with_capacity(asked.size_hint().1.unwrap_or(0));
+        let mut work = Work::default();
+        let mut before = None;
+        for (asperities, given) in asked {
+            let population = population(&asperities);
+            let question = (population.map(f64::to_bits), given.key());
+            let known = states.last().filter(|_| before == Some(question)).copied();
+            let state = match known {
+                Some(state) => {
+                    work.shared_states += 1;
+                    state
+                }
+                None => {
+                    let state = self.state(population, given, states.last())?;
+                    (self.observe)();
+                    work.statistical_states += 1;
+                    work.law_evaluations += state.evaluations;
+                    state
+                }
+            };
+            states.push(state);
+            before = Some(question);
+        }
+        Ok((states, work))
+    }
+
+    /// `neighbour` saves work and changes no digit.
+    fn state(
+        &self,
+        [radius_m, density_per_m2, sigma_s_m]: [f64; 3],
+        given: Given,
+        neighbour: Option<&ContactState>,
+    ) -> Result<ContactState, PlanError> {
+        let population = Population::new(radius_m, density_per_m2, sigma_s_m)?;
+        let contact = StatisticalContact::new(&self.pair, &population, &self.law);
+        let tolerance = self.tolerance.value();
+        Ok(match given {
+            Given::Pressure(pressure_pa) => contact.at_pressure(pressure_pa, tolerance, neighbour)?,
+            Given::Separation(separation_m) => contact.at_separation(separation_m, tolerance)?,
+        })
+    }
+}
+
+/// What a state depends on of the asperities: their radius \[m\], density \[1/m^2\] and height spread \[m\].
+pub(super) fn population(asperities: &AsperityParameters) -> [f64; 3] {
+    [asperities.radius_m, asperities.density_per_m2, asperities.sigma_s_m]
+}
+
+/// The rows of all runs, in their order, and the work of them.
+fn joined<T: Send>(
+    runs: impl IndexedParallelIterator<Item = Result<(Vec<T>, Work), PlanError>>,
+) -> Result<(Vec<T>, Work), PlanError> {
+    let runs = runs.collect::<Result<Vec<_>, _>>()?;
+    let mut work = Work::default();
+    let mut all = Vec::with_capacity(runs.iter().map(|(rows, _)| rows.len()).sum());
+    for (rows, of_run) in runs {
+        work += of_run;
+        all.extend(rows);
+    }
+    Ok((all, work))
+}
