@@ -14,7 +14,7 @@ use crate::tally::{Tally, Trial};
 use crate::{Draw, Reach};
 
 /// States to a chunk.
-const CHUNK: u64 = 10_000;
+const CHUNK: u64 = 2000;
 /// Families draw from seeds of their own.
 const ASPERITY_SEED: u64 = 0x0061_7370_6572_6974;
 const STACK_SEED: u64 = 0x0073_7461_636b;
