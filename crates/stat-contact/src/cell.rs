@@ -17,17 +17,15 @@ impl Precision {
     pub const FINEST: f64 = 1e-13;
     pub const COARSEST: f64 = 1e-2;
 
+    /// For what is known in closed form.
+    pub const EXACT: Precision = Precision { tolerance: 0.0, digits: f64::INFINITY, drop: f64::INFINITY };
+
     /// The precision for a relative tolerance, held within what doubles and the rules can do.
     pub fn new(tolerance: f64) -> Self {
         let tolerance = tolerance.clamp(Self::FINEST, Self::COARSEST);
         let digits = -elementary::ln(tolerance);
         // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
         Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * elementary::ln(digits) + 2.0 }
-    }
-
-    /// Relative error of the trapezoidal rule, which converges as it was laid out to.
-    pub fn trapezoidal_error(&self) -> f64 {
-        elementary::exp(-self.digits)
     }
 
     /// The precision that a cell needs: far below the mean plane ln p goes like ln(-u), and a search has to see its slope

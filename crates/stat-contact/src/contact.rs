@@ -11,7 +11,6 @@ use crate::gradient_sine::GradientSines;
 use crate::search::{Found, Search};
 use crate::sine::{BemSines, ElasticPlasticSines, ElasticSines};
 use crate::sphere::{ElasticPlasticSpheres, ElasticSpheres};
-use crate::trapezoid::{Summed, sums_of_hertz};
 use crate::{AsperityLaw, ContactState, InterferenceLaw, Population};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
@@ -59,17 +58,13 @@ impl StatisticalContact {
             return Ok(state);
         }
         let u = separation_m / self.sigma_s_m;
-        let (cell, precision) = (Cell::of(u), Precision::new(tolerance));
         // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
         let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
-        let hertz = self.asperities.hertzian();
-        let of_hertz = hertz.and_then(|hertz| sums_of_hertz(&hertz, self.sigma_s_m, cell, precision, u));
-        let state = if let Some(Summed { sums, evaluations, error_estimate }) = of_hertz {
-            ContactState { error_estimate, evaluations, ..self.state(&sums, u, rounding) }
-        } else {
-            let mut frame = Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision);
-            self.state_on(&mut frame, u, rounding)
-        };
+        let mut frame = Frame::for_every_cell(&*self.asperities, self.sigma_s_m).unwrap_or_else(|| {
+            let (cell, precision) = (Cell::of(u), Precision::new(tolerance));
+            Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision)
+        });
+        let state = self.state_on(&mut frame, u, rounding);
         Ok(ContactState { separation_m: Some(separation_m), ..state })
     }
 

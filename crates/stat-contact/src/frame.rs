@@ -13,6 +13,7 @@ use crate::cell::{Cell, Precision, error_estimate};
 use crate::coordinate::Coordinate;
 use crate::density::Density;
 use crate::gaussian::{self, DENSITY_SCALE, Window, log_reference_density};
+use crate::hertz_load::HertzIntegrals;
 use crate::legendre::Rule;
 use crate::nodes::{Block, Nodes, Rows, Summed, total};
 use crate::trapezoid::Trapezoid;
@@ -36,8 +37,8 @@ pub(crate) struct Frame<'a> {
     nodes: Nodes,
     /// The separation last summed at.
     u: f64,
-    /// The area fraction per unit of interference where it is proportional to it throughout.
-    area_per_sigma: Option<f64>,
+    /// Stands for all nodes where no asperity within the window leaves Hertz's law.
+    hertz: Option<HertzIntegrals>,
     /// The interference, in units of sigma_s, from which on the response is this one.
     saturation: Option<(f64, Response)>,
     /// The interferences that count.
@@ -58,9 +59,9 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
-    /// Those of Hertz's spheres, as far as their state needs them.
-    pub fn of_hertz(pressure_pa: f64, area_fraction: f64, mean_height: f64) -> Self {
-        Sums { pressure_pa, area_fraction, mean_heights: [mean_height, f64::NAN, f64::NAN] }
+    /// Pressure, area fraction, and means of the height u + s, its square and its cube, weighted by load.
+    pub fn new(pressure_pa: f64, area_fraction: f64, mean_heights: [f64; 3]) -> Self {
+        Sums { pressure_pa, area_fraction, mean_heights }
     }
 
     /// Derivative of ln p by u.
@@ -82,7 +83,7 @@ struct Panel {
     from: f64,
     to: f64,
     halvings: usize,
-    /// None for the trapezoidal rule, whose error is known beforehand.
+    /// None for the trapezoidal rule of rough frames, whose error is of no interest.
     rule: Option<&'static Rule>,
     nodes: Block,
 }
@@ -95,6 +96,12 @@ enum Weights {
 }
 
 impl<'a> Frame<'a> {
+    /// The one frame that all separations share where every asperity is Hertz's at any interference.
+    pub fn for_every_cell(asperities: &'a dyn Asperities, sigma_s_m: f64) -> Option<Self> {
+        let hertz = HertzIntegrals::of(&asperities.hertzian()?, sigma_s_m, || f64::INFINITY)?;
+        Some(Self::closed(asperities, sigma_s_m, hertz, Window::up_to(f64::INFINITY), 0.0))
+    }
+
     /// The quadrature that serves a cell of separations at a precision.
     pub fn for_cell(
         asperities: &'a dyn Asperities,
@@ -102,23 +109,16 @@ impl<'a> Frame<'a> {
         cell: Cell,
         precision: Precision,
     ) -> Self {
-        // Room for nearly all; one panel of Hertz's spheres has a quarter.
+        // Room for nearly all.
         const NODES: usize = 96;
-        const NODES_OF_HERTZ: usize = 24;
         let precision = precision.in_cell(cell);
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
-        let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
-        let area_per_m = asperities
-            .hertzian()
-            .and_then(|hertz| (window.high * sigma_s_m <= hertz.until_m).then_some(hertz.area_per_m));
-        let nodes = if area_per_m.is_some() { NODES_OF_HERTZ } else { NODES };
-        let mut frame =
-            Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, window, precision, nodes);
-        if let Some(area_per_m) = area_per_m {
-            frame.area_per_sigma = Some(area_per_m * sigma_s_m);
-            frame.add_trapezoid(&window);
-            return frame;
+        if let Some(hertz) = Self::hertz(asperities, sigma_s_m, &window) {
+            return Self::closed(asperities, sigma_s_m, hertz, window, cell.centre());
         }
+        let coordinate = Coordinate::around(cell.centre(), cell.farthest(), precision.digits);
+        let mut frame =
+            Self::empty(asperities, sigma_s_m, cell.centre(), coordinate, window, precision, NODES);
         frame.saturation = asperities.saturation().map(|(from_m, at)| (from_m / sigma_s_m, at));
         let (low_m, high_m) = (window.low * sigma_s_m, window.high * sigma_s_m);
         for piece in asperities.pieces(low_m, high_m) {
@@ -137,6 +137,9 @@ impl<'a> Frame<'a> {
         let digits = 10.0 + 2.0 * (-u).max(0.0).ln_1p();
         let precision = Precision { tolerance: (-digits).exp(), digits, drop: digits };
         let window = Window::new(u, u, precision.drop);
+        if let Some(hertz) = Self::hertz(asperities, sigma_s_m, &window) {
+            return Self::closed(asperities, sigma_s_m, hertz, window, u);
+        }
         let coordinate = Coordinate::around(u, u, precision.digits);
         let mut frame =
             Self::empty(asperities, sigma_s_m, u, coordinate, window, precision, NODES_BELOW + NODES_ABOVE);
@@ -161,6 +164,23 @@ impl<'a> Frame<'a> {
         frame
     }
 
+    fn hertz(asperities: &dyn Asperities, sigma_s_m: f64, window: &Window) -> Option<HertzIntegrals> {
+        HertzIntegrals::of(&asperities.hertzian()?, sigma_s_m, || window.high)
+    }
+
+    /// A frame without nodes.
+    fn closed(
+        asperities: &'a dyn Asperities,
+        sigma_s_m: f64,
+        hertz: HertzIntegrals,
+        window: Window,
+        centre: f64,
+    ) -> Self {
+        let (coordinate, precision) = (Coordinate::Height { u: centre }, Precision::EXACT);
+        let frame = Self::empty(asperities, sigma_s_m, centre, coordinate, window, precision, 0);
+        Frame { hertz: Some(hertz), evaluations: 1, ..frame }
+    }
+
     fn empty(
         asperities: &'a dyn Asperities,
         sigma_s_m: f64,
@@ -180,7 +200,7 @@ impl<'a> Frame<'a> {
             nodes: Nodes::with_room_for(nodes),
             u: centre,
             window,
-            area_per_sigma: None,
+            hertz: None,
             saturation: None,
             with_areas: true,
             evaluations: 0,
@@ -343,7 +363,8 @@ impl<'a> Frame<'a> {
 
     /// Whether a separation is near enough to the centre.
     pub fn serves(&self, u: f64) -> bool {
-        (u - self.centre).abs() < 0.2 * (1.0 + self.centre.max(0.0)) + 1e-15 * self.centre.abs()
+        self.hertz.is_some()
+            || (u - self.centre).abs() < 0.2 * (1.0 + self.centre.max(0.0)) + 1e-15 * self.centre.abs()
     }
 
     /// The integrals at a separation near the centre.
@@ -361,6 +382,9 @@ impl<'a> Frame<'a> {
 
     /// The integrals at the separation last summed at.
     fn sums(&self) -> Sums {
+        if let Some(hertz) = &self.hertz {
+            return hertz.sums_at(self.u);
+        }
         let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
         let mut sums = [f64x2::ZERO; 5];
         for panel in &self.panels {
@@ -391,15 +415,15 @@ impl<'a> Frame<'a> {
             total[3] += ((u + from).powi(2) + 2.0) * at_edge * response.pressure_pa;
             total[4] += share * response.area_fraction;
         }
-        if let Some(area_per_sigma) = self.area_per_sigma {
-            total[4] = area_per_sigma * gaussian::first_moment(u);
-        }
         let [pressure_pa, first, second, third, area_fraction] = total;
-        Sums { pressure_pa, area_fraction, mean_heights: [first, second, third].map(|sum| sum / pressure_pa) }
+        Sums::new(pressure_pa, area_fraction, [first, second, third].map(|sum| sum / pressure_pa))
     }
 
     /// Estimate of the larger relative error of the two integrals at the separation last summed at.
     pub fn relative_error(&self, sums: &Sums) -> f64 {
+        if let Some(hertz) = &self.hertz {
+            return hertz.relative_error(self.u);
+        }
         let mut errors = [0.0; 2];
         for panel in &self.panels {
             let [pressure, area] = self.errors(panel);
@@ -407,17 +431,14 @@ impl<'a> Frame<'a> {
             errors[1] += area;
         }
         let rules = (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction);
-        // The trapezoidal rule has no coefficients to judge by.
-        let trapezoidal = self.panels.iter().any(|panel| panel.rule.is_none());
-        let trapezoid = if trapezoidal { self.precision.trapezoidal_error() } else { 0.0 };
         let saturates = self.saturation.is_some_and(|(from, _)| from <= self.window.high);
-        error_estimate(rules + trapezoid + self.window.left_out(self.u, saturates), self.u)
+        error_estimate(rules + self.window.left_out(self.u, saturates), self.u)
     }
 
     /// Share of the load, at the separation last summed at, that is carried at interferences for which the law was not
     /// fitted.
     pub fn out_of_range_load_share(&self, sums: &Sums) -> f64 {
-        if self.area_per_sigma.is_some() {
+        if self.hertz.is_some() {
             return 0.0;
         }
         let load_pa: f64 = self

@@ -32,6 +32,11 @@ impl Window {
         }
     }
 
+    /// All interferences up to one.
+    pub fn up_to(high: f64) -> Window {
+        Window { low: 0.0, high, drop: f64::INFINITY }
+    }
+
     /// Share of the integrals at the separation u that lies outside: that of a response like s^2, or of one that does not
     /// change above the window.
     pub fn left_out(&self, u: f64, saturates: bool) -> f64 {

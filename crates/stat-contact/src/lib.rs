@@ -36,6 +36,7 @@ mod far;
 mod frame;
 mod gaussian;
 mod gradient_sine;
+mod hertz_load;
 mod law;
 mod legendre;
 mod nodes;

@@ -132,6 +132,11 @@ impl<'a> Search<'a> {
     }
 
     fn find(&self, start: Option<f64>) -> Option<Found<'a>> {
+        if let Some(mut frame) = Frame::for_every_cell(self.asperities, self.sigma_s_m) {
+            let mut bracket = Bracket { margin: Bracket::FINE_MARGIN, ..Bracket::EVERYTHING };
+            let u = self.solve_on(&mut frame, USUAL_SEPARATION, &mut bracket)?;
+            return Some(Found { evaluations: frame.evaluations, frame, u });
+        }
         let near = start.unwrap_or(USUAL_SEPARATION);
         match self.asperities.course(self.sigma_s_m) {
             Course::StepsDown { at_m } if at_m < FAR * self.sigma_s_m => {
