@@ -66,6 +66,27 @@ def quad_at_pressure(law, log_p, tolerance):
     return u, math.exp(log_p), math.exp(log_density(u)) * area
 
 
+class InNumpy:
+    """A law as most scripts have it: written once, in numpy, for single numbers and for arrays."""
+
+    def __init__(self, law):
+        self.law, self.found_breaks = law, law.found_breaks
+
+    def pressure(self, s):
+        return self.law.arrays(np.float64(s))[0]
+
+    def area(self, s):
+        return self.law.arrays(np.float64(s))[1]
+
+
+def numpy_at_separation(law, u, tolerance):
+    return quad_at_separation(InNumpy(law), u, tolerance)
+
+
+def numpy_at_pressure(law, log_p, tolerance):
+    return quad_at_pressure(InNumpy(law), log_p, tolerance)
+
+
 # --- ContactMechanics: its integral Fn, which is Greenwood & Williamson's with Hertz's law ----
 
 def fn_at_separation(law, u, _):
@@ -130,6 +151,7 @@ def batch_at_pressures(law, log_ps, nodes):
 
 
 SINGLE = {"quad": (quad_at_separation, quad_at_pressure),
+          "quad numpy": (numpy_at_separation, numpy_at_pressure),
           "Fn": (fn_at_separation, fn_at_pressure),
           "grid": (grid_at_separation, grid_at_pressure)}
 BATCHED = {"grid batch": (batch_at_separations, batch_at_pressures)}

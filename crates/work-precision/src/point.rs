@@ -64,8 +64,10 @@ pub enum Engine {
     Ours,
     /// The same for a thousand states of one population, one after the other.
     OursBatch,
-    /// scipy: `quad` between the law's breaks, `brentq` in ln p.
+    /// scipy: `quad` between the law's breaks, `brentq` in ln p, laws tuned for single numbers.
     Quad,
+    /// The same with the laws as numpy functions, written once for numbers and arrays.
+    QuadNumpy,
     /// `ContactMechanics`: its `Fn`, and `brentq` around it.
     Fn,
     /// numpy: the trapezoidal rule on a fixed grid, a state at a time.
@@ -76,17 +78,25 @@ pub enum Engine {
 
 impl Engine {
     /// Everybody, ourselves first.
-    pub const ALL: [Engine; 6] =
-        [Engine::Ours, Engine::Quad, Engine::Fn, Engine::Grid, Engine::GridBatch, Engine::OursBatch];
+    pub const ALL: [Engine; 7] = [
+        Engine::Ours,
+        Engine::Quad,
+        Engine::Fn,
+        Engine::Grid,
+        Engine::GridBatch,
+        Engine::OursBatch,
+        Engine::QuadNumpy,
+    ];
 
     /// Everybody else.
-    pub const COMPETITORS: [Engine; 4] = [Engine::Quad, Engine::Fn, Engine::Grid, Engine::GridBatch];
+    pub const COMPETITORS: [Engine; 5] =
+        [Engine::Quad, Engine::QuadNumpy, Engine::Fn, Engine::Grid, Engine::GridBatch];
 
     /// What of ours a competitor is held against: who computes a thousand states at once, against a thousand of ours.
     pub fn counterpart(self) -> Engine {
         match self {
             Engine::GridBatch | Engine::OursBatch => Engine::OursBatch,
-            Engine::Ours | Engine::Quad | Engine::Fn | Engine::Grid => Engine::Ours,
+            _ => Engine::Ours,
         }
     }
 
@@ -95,7 +105,8 @@ impl Engine {
         match self {
             Engine::Ours => "truearea",
             Engine::OursBatch => "truearea, batch",
-            Engine::Quad => "scipy",
+            Engine::Quad => "scipy, laws tuned",
+            Engine::QuadNumpy => "scipy, laws in numpy",
             Engine::Fn => "ContactMechanics",
             Engine::Grid => "grid",
             Engine::GridBatch => "grid, batch",
@@ -108,6 +119,7 @@ impl Engine {
             Engine::Ours | Engine::OursBatch => {
                 &[1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13]
             }
+            Engine::QuadNumpy => &[1e-6, 1e-10],
             Engine::Quad => &[1e-4, 1e-6, 1e-8, 1e-10, 1e-12],
             // Its tolerance is scipy's default and cannot be chosen.
             Engine::Fn => &[1.49e-8],

@@ -78,7 +78,8 @@ fn machine_table(facts: &[Fact], missing: &[Missing]) -> String {
 
 /// The bars of the study, and where we stand.
 pub fn verdicts(points: &[Point], stack: &[StackCost]) -> String {
-    let mut rows = vec![state_bar(points), pair_bar(points)];
+    let mut rows =
+        vec![state_bar(points, Engine::QuadNumpy), state_bar(points, Engine::Quad), pair_bar(points)];
     rows.extend(stack.iter().filter(|cost| cost.law == BARRED_LAW).map(|cost| {
         let seconds = cost.seconds_per_scale;
         vec![
@@ -118,10 +119,10 @@ fn ratio_row(what: &str, bar: f64, ours: Option<f64>, theirs: Option<f64>, name:
     vec![what.to_owned(), format!("{} times cheaper", three_digits(bar)), measured, met]
 }
 
-fn state_bar(points: &[Point]) -> Vec<String> {
+fn state_bar(points: &[Point], scipy: Engine) -> Vec<String> {
     let mean = |engine| mean_of_four(points, engine, STATE_TOLERANCE, Given::Pressure);
-    let what = "a state at a given load, 10⁻¹⁰, mean of four laws, against scipy";
-    ratio_row(what, STATE_BAR, mean(Engine::Ours), mean(Engine::Quad), "scipy")
+    let what = format!("a state at a given load, 10⁻¹⁰, mean of four laws, against {}", scipy.name());
+    ratio_row(&what, STATE_BAR, mean(Engine::Ours), mean(scipy), scipy.name())
 }
 
 fn pair_bar(points: &[Point]) -> Vec<String> {

@@ -97,6 +97,7 @@ fn worker_name(engine: Engine) -> &'static str {
     match engine {
         Engine::Ours | Engine::OursBatch => unreachable!("we answer for ourselves"),
         Engine::Quad => "quad",
+        Engine::QuadNumpy => "quad numpy",
         Engine::Fn => "Fn",
         Engine::Grid => "grid",
         Engine::GridBatch => "grid batch",

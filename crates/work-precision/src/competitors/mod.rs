@@ -13,6 +13,6 @@ pub fn package(engine: Engine) -> Option<&'static str> {
     match engine {
         Engine::Ours | Engine::OursBatch => None,
         Engine::Fn => Some("ContactMechanics"),
-        Engine::Quad | Engine::Grid | Engine::GridBatch => Some("scipy"),
+        Engine::Quad | Engine::QuadNumpy | Engine::Grid | Engine::GridBatch => Some("scipy"),
     }
 }
