@@ -62,6 +62,9 @@ impl Cell {
     /// density in contact is that much narrower.
     const WIDTH: f64 = 0.1;
 
+    /// Any of them, where it does not matter which.
+    pub const ANY: Cell = Cell { index: 0.0 };
+
     /// The cell of a separation.
     pub fn of(u: f64) -> Cell {
         let position = if u > 0.0 { elementary::ln_1p(u) } else { u };

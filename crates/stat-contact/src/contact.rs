@@ -3,15 +3,23 @@
 use asperity::{AsperityError, Bound, MaterialPair};
 
 use crate::asperities::Asperities;
-use crate::cell::{Cell, Precision};
+use crate::cell::Precision;
 use crate::far::FarBelow;
 use crate::frame::{Frame, Sums};
+use crate::frames::Frames;
 use crate::gaussian::{log_reference_density, reference_density};
 use crate::gradient_sine::GradientSines;
-use crate::search::{Found, Search};
+use crate::search::{Found, Neighbour, Search};
 use crate::sine::{BemSines, ElasticPlasticSines, ElasticSines};
 use crate::sphere::{ElasticPlasticSpheres, ElasticSpheres};
-use crate::{AsperityLaw, ContactState, InterferenceLaw, Population};
+use crate::{AsperityLaw, ContactState, InterferenceLaw, Population, Sweep};
+
+/// A state, and where the next one may be looked for.
+pub(crate) struct Carried {
+    pub state: ContactState,
+    /// `None` where the state was found without a frame.
+    pub near: Option<Neighbour>,
+}
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
 /// the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1.
@@ -53,19 +61,34 @@ impl StatisticalContact {
     /// # Errors
     /// [`AsperityError`] where the separation is not finite, or beyond 1e30 m.
     pub fn at_separation(&self, separation_m: f64, tolerance: f64) -> Result<ContactState, AsperityError> {
+        self.carried_at(separation_m, &mut self.frames(tolerance)).map(|at| at.state)
+    }
+
+    /// States at many separations and pressures, to a relative `tolerance` as [`at_separation`](Self::at_separation) takes
+    /// it, for less than as many single ones.
+    pub fn sweep(&self, tolerance: f64) -> Sweep<'_> {
+        Sweep::new(self, self.frames(tolerance))
+    }
+
+    /// The state at a separation \[m\], on frames that may be there already.
+    pub(crate) fn carried_at<'a>(
+        &'a self,
+        separation_m: f64,
+        frames: &mut Frames<'a>,
+    ) -> Result<Carried, AsperityError> {
         let separation_m = Bound::Signed.check("separation in m", separation_m)?;
         if let Some(state) = self.far_below().at_separation(separation_m) {
-            return Ok(state);
+            return Ok(Carried { state, near: None });
         }
         let u = separation_m / self.sigma_s_m;
         // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
         let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
-        let mut frame = Frame::for_every_cell(&*self.asperities, self.sigma_s_m).unwrap_or_else(|| {
-            let (cell, precision) = (Cell::of(u), Precision::new(tolerance));
-            Frame::for_cell(&*self.asperities, self.sigma_s_m, cell, precision)
-        });
-        let state = self.state_on(&mut frame, u, rounding);
-        Ok(ContactState { separation_m: Some(separation_m), ..state })
+        let spent = frames.evaluations;
+        let frame = frames.at(u);
+        let (state, sums) = (self.state_on(frame, u, rounding), frame.sums_at(u));
+        let evaluations = frames.evaluations - spent;
+        let state = ContactState { separation_m: Some(separation_m), evaluations, ..state };
+        Ok(Carried { state, near: Some(Neighbour { u, sums: Some(sums) }) })
     }
 
     /// The state that carries a pressure \[Pa\] over the nominal area, found to rounding on a quadrature of the relative
@@ -83,42 +106,59 @@ impl StatisticalContact {
         tolerance: f64,
         start: Option<&ContactState>,
     ) -> Result<ContactState, AsperityError> {
+        let near = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
+        let near = near.map(|u| Neighbour { u, sums: None });
+        self.carrying(pressure_pa, near, &mut self.frames(tolerance)).map(|carrying| carrying.state)
+    }
+
+    /// The state that carries a pressure \[Pa\], on frames that may be there already.
+    pub(crate) fn carrying<'a>(
+        &'a self,
+        pressure_pa: f64,
+        near: Option<Neighbour>,
+        frames: &mut Frames<'a>,
+    ) -> Result<Carried, AsperityError> {
+        let complete = |pressure_pa| Ok(Carried { state: ContactState::complete(pressure_pa), near: None });
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
         let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
         if pressure_pa >= self.asperities.highest_response_pa() {
-            return Ok(ContactState::complete(pressure_pa));
+            return complete(pressure_pa);
         }
         let far_below = self.far_below();
         // Where the highest pressure is carried far below, no nearer separation carries more.
         if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
-            return Ok(ContactState::complete(pressure_pa));
+            return complete(pressure_pa);
         }
         if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
             let state = far_below.state(separation_m);
-            return Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state });
+            let state = ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state };
+            return Ok(Carried { state, near: None });
         }
-        let start = start.and_then(|state| state.separation_m).map(|d| d / self.sigma_s_m);
-        let Some(Found { mut frame, u, evaluations }) = self.search(pressure_pa, tolerance).run(start) else {
-            return Ok(ContactState::complete(pressure_pa));
+        let spent = frames.evaluations;
+        let Some(Found { cell, u }) = (Search { frames, pressure_pa }).run(near) else {
+            return complete(pressure_pa);
         };
-        let state = self.state_on(&mut frame, u, 0.0);
-        Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), evaluations, ..state })
+        let evaluations = frames.evaluations - spent;
+        let frame = frames.of(cell);
+        let (state, sums) = (self.state_on(frame, u, 0.0), frame.sums_at(u));
+        let state = ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), evaluations, ..state };
+        Ok(Carried { state, near: Some(Neighbour { u, sums: Some(sums) }) })
     }
 
     /// The pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid, or
     /// the most that sinusoids softening with depth carry. Infinite for spheres.
     pub fn highest_pressure_pa(&self) -> f64 {
         let far = self.far_below().highest_pressure_pa();
-        far.unwrap_or_else(|| self.search(0.0, Precision::FINEST).highest_pressure_pa())
+        let highest = |frames: &mut Frames<'_>| Search { frames, pressure_pa: 0.0 }.highest_pressure_pa();
+        far.unwrap_or_else(|| highest(&mut self.frames(Precision::FINEST)))
     }
 
     fn far_below(&self) -> FarBelow<'_> {
         FarBelow::new(&*self.asperities, self.sigma_s_m)
     }
 
-    fn search(&self, pressure_pa: f64, tolerance: f64) -> Search<'_> {
-        let precision = Precision::new(tolerance);
-        Search { asperities: &*self.asperities, sigma_s_m: self.sigma_s_m, pressure_pa, precision }
+    fn frames(&self, tolerance: f64) -> Frames<'_> {
+        Frames::new(&*self.asperities, self.sigma_s_m, Precision::new(tolerance))
     }
 
     /// The state at the separation u + rounding in units of sigma_s, on a frame near it.
@@ -126,7 +166,6 @@ impl StatisticalContact {
         let sums = frame.sums_at(u);
         ContactState {
             error_estimate: frame.relative_error(&sums),
-            evaluations: frame.evaluations,
             out_of_range_load_share: frame.out_of_range_load_share(&sums),
             ..self.state(&sums, u, rounding)
         }

@@ -28,7 +28,8 @@ const MOST_HALVINGS: usize = 24;
 /// The law at the nodes of a quadrature.
 pub(crate) struct Frame<'a> {
     asperities: &'a dyn Asperities,
-    centre: f64,
+    /// The separation it is built around.
+    pub centre: f64,
     sigma_s_m: f64,
     coordinate: Coordinate,
     precision: Precision,
@@ -37,6 +38,10 @@ pub(crate) struct Frame<'a> {
     nodes: Nodes,
     /// The separation last summed at.
     u: f64,
+    /// The integrals there, once they have been asked for.
+    sums: Option<Sums>,
+    /// The integrals at the centre, at which every search on the frame begins.
+    sums_at_centre: Option<Sums>,
     /// Stands for all nodes where no asperity within the window leaves Hertz's law.
     hertz: Option<HertzIntegrals>,
     /// The interference, in units of sigma_s, from which on the response is this one.
@@ -168,7 +173,7 @@ impl<'a> Frame<'a> {
         HertzIntegrals::of(&asperities.hertzian()?, sigma_s_m, || window.high)
     }
 
-    /// A frame without nodes.
+    /// A frame without nodes, for which no law is evaluated.
     fn closed(
         asperities: &'a dyn Asperities,
         sigma_s_m: f64,
@@ -178,7 +183,7 @@ impl<'a> Frame<'a> {
     ) -> Self {
         let (coordinate, precision) = (Coordinate::Height { u: centre }, Precision::EXACT);
         let frame = Self::empty(asperities, sigma_s_m, centre, coordinate, window, precision, 0);
-        Frame { hertz: Some(hertz), evaluations: 1, ..frame }
+        Frame { hertz: Some(hertz), ..frame }
     }
 
     fn empty(
@@ -199,6 +204,8 @@ impl<'a> Frame<'a> {
             panels: Vec::new(),
             nodes: Nodes::with_room_for(nodes),
             u: centre,
+            sums: None,
+            sums_at_centre: None,
             window,
             hertz: None,
             saturation: None,
@@ -376,8 +383,24 @@ impl<'a> Frame<'a> {
                 density.at(places, densities);
             }
             self.u = u;
+            self.sums = None;
         }
-        self.sums()
+        if u == self.centre {
+            self.sums_at_centre = Some(self.sums_here());
+        }
+        self.sums_here()
+    }
+
+    /// The integrals at the separation last summed at, added up once.
+    fn sums_here(&mut self) -> Sums {
+        let sums = self.sums.unwrap_or_else(|| self.sums());
+        self.sums = Some(sums);
+        sums
+    }
+
+    /// The integrals at the centre, for which the frame need not go back there.
+    pub fn sums_at_centre(&mut self) -> Sums {
+        self.sums_at_centre.unwrap_or_else(|| self.sums_at(self.centre))
     }
 
     /// The integrals at the separation last summed at.

@@ -19,11 +19,12 @@
 //! * [`Population`]: radius, density and height spread of the asperities, three plain numbers.
 //! * [`AsperityLaw`]: how one of them answers; [`Model`] and [`InterferenceLaw`] are the names for it.
 //! * [`StatisticalContact`]: the two under a material; asked for its state at a separation or at a pressure.
+//! * [`Sweep`]: the same population and material asked for many states, which share what they can.
 //! * [`ContactState`]: the answer, also in logarithms, since pressures span hundreds of decades, with its error estimate
 //!   and its cost.
 //!
 //! Not here: where the population comes from (moments of a spectrum, McCool's parameters), the distance between the mean
-//! plane of the surface and that of its summits, sweeps and their parallelism, units. SI throughout; everything is
+//! plane of the surface and that of its summits, parallelism, units. SI throughout; everything is
 //! serial and `Sync`.
 #![deny(missing_docs)]
 
@@ -34,6 +35,7 @@ mod coordinate;
 mod density;
 mod far;
 mod frame;
+mod frames;
 mod gaussian;
 mod gradient_sine;
 mod hertz_load;
@@ -46,9 +48,11 @@ mod search;
 mod sine;
 mod sphere;
 mod state;
+mod sweep;
 mod trapezoid;
 
 pub use contact::StatisticalContact;
 pub use law::{AsperityLaw, InterferenceLaw, Model, UnknownName};
 pub use population::Population;
 pub use state::ContactState;
+pub use sweep::Sweep;

@@ -5,10 +5,11 @@
 //! Gaussian being variation diminishing: a force with one maximum makes a pressure with one, whose far side holds the
 //! larger separation, and only a force that steps down between two rises has to be scanned.
 
-use crate::asperities::{Asperities, Course};
-use crate::cell::{Cell, Precision};
+use crate::asperities::Course;
+use crate::cell::Cell;
 use crate::far::FAR;
-use crate::frame::{Frame, Sums};
+use crate::frame::Sums;
+use crate::frames::Frames;
 use crate::gaussian::{log_reference_density, reference_density};
 use crate::root::in_bracket;
 
@@ -22,18 +23,39 @@ const USUAL_SEPARATION: f64 = 2.0;
 const OUT_OF_SIGHT: f64 = 9.0;
 
 /// A search for a pressure, which is carried no farther below the mean plane than [`FAR`].
-pub(crate) struct Search<'a> {
-    pub asperities: &'a dyn Asperities,
-    pub sigma_s_m: f64,
+pub(crate) struct Search<'s, 'a> {
+    pub frames: &'s mut Frames<'a>,
     pub pressure_pa: f64,
-    pub precision: Precision,
 }
 
-/// Where it ended, and what it cost.
-pub(crate) struct Found<'a> {
-    pub frame: Frame<'a>,
+/// A separation, and the cell on whose frame it carries the pressure.
+#[derive(Clone, Copy)]
+pub(crate) struct Found {
+    pub cell: Cell,
     pub u: f64,
-    pub evaluations: usize,
+}
+
+/// A state to start from.
+#[derive(Clone, Copy)]
+pub(crate) struct Neighbour {
+    pub u: f64,
+    /// The integrals there, where they are known.
+    pub sums: Option<Sums>,
+}
+
+/// Where a search has ended.
+struct Settled {
+    found: Found,
+    /// The cell it came from, where it did not begin in the last one.
+    from: Option<Cell>,
+}
+
+/// Whether a step on a rough quadrature has led near the solution: steps converge with the fourth power, on the scale of
+/// 1 + |u|, and cells are as wide as their separation is positive.
+fn is_near(u: f64, next: f64) -> bool {
+    let step = (next - u).abs();
+    let left = step * (step / (1.0 + next.abs())).powi(3);
+    left < 0.005 * (1.0 + next.max(0.0))
 }
 
 /// Separations between which the solution lies: ln p is above the target at `low`, below it at `high`.
@@ -52,8 +74,9 @@ impl Bracket {
     /// Small enough for bisection to end in one cell, be it a million standard deviations below the mean plane.
     const FINE_MARGIN: f64 = 1e-8;
 
-    fn holds(&self, u: f64) -> bool {
-        self.low <= u && u <= self.high
+    /// Where to begin in a cell: at its centre, where its quadrature is summed already, or as near to it as the bracket allows.
+    fn inside(&self, cell: Cell) -> f64 {
+        cell.centre().clamp(self.low, self.high)
     }
 
     /// Takes note that pressure is missing at u, or in excess. The margin keeps the bracket, which is there to stop runaway
@@ -84,11 +107,42 @@ impl Bracket {
     }
 }
 
-impl<'a> Search<'a> {
-    /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
-    pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
-        let mut found = self.find(start);
-        if let Some(near) = &mut found {
+impl Search<'_, '_> {
+    /// The largest separation that carries the pressure, `None` where none does. A neighbour saves work, and changes no digit:
+    /// what is found from it counts where the solution is the only one and lies in its cell beyond doubt.
+    pub fn run(&mut self, neighbour: Option<Neighbour>) -> Option<Found> {
+        if self.frames.are_one() {
+            // Always from the same start, a few steps off: so the digits are always the same.
+            let mut bracket = Bracket { margin: Bracket::FINE_MARGIN, ..Bracket::EVERYTHING };
+            let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
+            return Some(Found { cell: Cell::ANY, u });
+        }
+        neighbour.and_then(|neighbour| self.find_from(neighbour)).or_else(|| self.find_alone())
+    }
+
+    fn find_from(&mut self, neighbour: Neighbour) -> Option<Found> {
+        if !matches!(self.course(), Course::Rises | Course::Peaks { certain: true }) {
+            return None;
+        }
+        let near = self.near(neighbour);
+        let found = self.settle(near, Bracket::EVERYTHING)?;
+        (self.is_carried_by(found) && self.leeway(found).is_some()).then_some(found)
+    }
+
+    /// Where to look for the solution on fine quadratures.
+    fn near(&mut self, neighbour: Neighbour) -> f64 {
+        let Some(sums) = neighbour.sums else { return self.approach(neighbour.u, Bracket::EVERYTHING) };
+        let Some(next) = self.next(neighbour.u, &sums, &mut { Bracket::EVERYTHING }) else {
+            return self.approach(neighbour.u, Bracket::EVERYTHING);
+        };
+        // A frame that is there costs less than a rough one.
+        let is_near = is_near(neighbour.u, next) || self.frames.have(Cell::of(next));
+        if is_near { next } else { self.approach(next, Bracket::EVERYTHING) }
+    }
+
+    fn find_alone(&mut self) -> Option<Found> {
+        let found = self.find();
+        if let Some(near) = found {
             if self.is_carried_by(near) {
                 return found;
             }
@@ -104,21 +158,27 @@ impl<'a> Search<'a> {
     }
 
     /// Whether a search has converged. Near a maximum, and between several, its parabolas may not lead to the load.
-    fn is_carried_by(&self, found: &mut Found) -> bool {
+    fn is_carried_by(&mut self, Found { cell, u }: Found) -> bool {
         const CLOSE: f64 = 1e-11;
-        let sums = found.frame.sums_at(found.u);
-        self.missing(found.u, &sums).abs() <= CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs()
+        let sums = self.frames.of(cell).sums_at(u);
+        self.missing(u, &sums).abs() <= CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs()
+    }
+
+    /// How far off the quadratures may place the solution; `None` where that is no small part of a cell.
+    fn leeway(&mut self, Found { cell, u }: Found) -> Option<f64> {
+        const CAUTION: f64 = 4.0;
+        const SMALL: f64 = 0.25;
+        let slope = self.frames.of(cell).sums_at(u).log_pressure_slope();
+        let leeway = -CAUTION * self.frames.precision.in_cell(cell).tolerance / slope;
+        (0.0 < leeway && leeway < SMALL * (cell.farthest() - cell.nearest())).then_some(leeway)
     }
 
     /// The crossing of the load nearest to a separation, each on the quadrature of its cell: slow and sure.
-    fn bisect_around(&self, u: f64) -> Option<Found<'a>> {
+    fn bisect_around(&mut self, u: f64) -> Option<Found> {
         const NARROWEST: f64 = 1e-6;
         const MOST_DOUBLINGS: i32 = 60;
-        let mut evaluations = 0;
         let mut missing = |u: f64| {
-            let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
-            evaluations += frame.evaluations;
-            let sums = frame.sums_at(u);
+            let sums = self.frames.sums_at(u);
             self.missing(u, &sums)
         };
         let bracket = (0..MOST_DOUBLINGS).find_map(|doubling| {
@@ -127,38 +187,34 @@ impl<'a> Search<'a> {
             (missing(low) <= 0.0 && missing(high) > 0.0).then_some((low, high))
         });
         let u = bracket.map(|(low, high)| in_bracket(low, high, &mut missing))?;
-        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
-        Some(Found { evaluations: evaluations + frame.evaluations, frame, u })
+        Some(Found { cell: Cell::of(u), u })
     }
 
-    fn find(&self, start: Option<f64>) -> Option<Found<'a>> {
-        if let Some(mut frame) = Frame::for_every_cell(self.asperities, self.sigma_s_m) {
-            let mut bracket = Bracket { margin: Bracket::FINE_MARGIN, ..Bracket::EVERYTHING };
-            let u = self.solve_on(&mut frame, USUAL_SEPARATION, &mut bracket)?;
-            return Some(Found { evaluations: frame.evaluations, frame, u });
-        }
-        let near = start.unwrap_or(USUAL_SEPARATION);
-        match self.asperities.course(self.sigma_s_m) {
-            Course::StepsDown { at_m } if at_m < FAR * self.sigma_s_m => {
-                let bracket = self.scan_across(at_m / self.sigma_s_m);
-                self.solve(near.clamp(bracket.low, bracket.high), bracket)
+    fn find(&mut self) -> Option<Found> {
+        let bracket = match self.course() {
+            Course::StepsDown { at_m } if at_m < FAR * self.frames.sigma_s_m => {
+                self.scan_across(at_m / self.frames.sigma_s_m)
             }
-            // From a fixed start, so that it is always the same maximum.
-            Course::Peaks { certain: false } => self.solve(USUAL_SEPARATION, Bracket::EVERYTHING),
-            _ => self.solve(near, Bracket::EVERYTHING),
-        }
+            _ => Bracket::EVERYTHING,
+        };
+        let near = self.approach(USUAL_SEPARATION.clamp(bracket.low, bracket.high), bracket);
+        self.settle(near, bracket)
+    }
+
+    fn course(&self) -> Course {
+        self.frames.asperities.course(self.frames.sigma_s_m)
     }
 
     /// The highest pressure \[Pa\] that a separation carries, or its limit.
-    pub fn highest_pressure_pa(&self) -> f64 {
+    pub fn highest_pressure_pa(&mut self) -> f64 {
         match self.peak() {
             Some(peak) => self.pressure_and_slope(peak).0,
-            None => self.asperities.highest_response_pa(),
+            None => self.frames.asperities.highest_response_pa(),
         }
     }
 
     /// For a force with a maximum: the separation at which the pressure has it.
-    fn peak(&self) -> Option<f64> {
+    fn peak(&mut self) -> Option<f64> {
         let edge = self.far_edge()?;
         let rises_at_edge = self.pressure_and_slope(edge).1 > 0.0;
         Some(if rises_at_edge { in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1) } else { edge })
@@ -166,12 +222,12 @@ impl<'a> Search<'a> {
 
     /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach.
     fn far_edge(&self) -> Option<f64> {
-        Some(-OUT_OF_SIGHT - self.asperities.falls_from_m()? / self.sigma_s_m)
+        Some(-OUT_OF_SIGHT - self.frames.asperities.falls_from_m()? / self.frames.sigma_s_m)
     }
 
     /// The bracket of the largest solution for a force that steps down at an interference. The steps are those of the
     /// density, by which the step of the force is smeared out; a maximum between two of them shows in the slopes.
-    fn scan_across(&self, step_down: f64) -> Bracket {
+    fn scan_across(&mut self, step_down: f64) -> Bracket {
         let mut high = (OUT_OF_SIGHT - step_down).min(0.0);
         let (pressure_pa, mut slope_at_high) = self.pressure_and_slope(high);
         if pressure_pa >= self.pressure_pa {
@@ -195,72 +251,82 @@ impl<'a> Search<'a> {
     }
 
     /// Pressure \[Pa\] and derivative of ln p by u, each separation on the quadrature of its cell.
-    fn pressure_and_slope(&self, u: f64) -> (f64, f64) {
-        let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
-        let sums = frame.sums_at(u);
-        (sums.pressure_pa * reference_density(u), sums.log_pressure_slopes()[0])
-    }
-
-    fn solve(&self, start: f64, bracket: Bracket) -> Option<Found<'a>> {
-        let (near, rough_evaluations) = self.approach(start, bracket);
-        let found = self.settle(near, bracket)?;
-        Some(Found { evaluations: found.evaluations + rough_evaluations, ..found })
+    fn pressure_and_slope(&mut self, u: f64) -> (f64, f64) {
+        let sums = self.frames.sums_at(u);
+        (sums.pressure_pa * reference_density(u), sums.log_pressure_slope())
     }
 
     /// Gets within a few percent of a standard deviation, on quadratures of a few nodes.
-    fn approach(&self, start: f64, mut bracket: Bracket) -> (f64, usize) {
-        let (mut u, mut evaluations) = (start, 0);
+    fn approach(&mut self, start: f64, mut bracket: Bracket) -> f64 {
+        let mut u = start;
         for _ in 0..MOST_ROUGH_STEPS {
-            let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u);
-            evaluations += frame.evaluations;
-            let Some(next) = self.next(u, &frame.sums_at(u), &mut bracket) else { break };
-            let step = next - u;
+            let sums = self.frames.rough_sums_at(u);
+            let Some(next) = self.next(u, &sums, &mut bracket) else { break };
+            let before = u;
             u = next;
-            // Steps converge with the fourth power, on the scale of 1 + |u|; cells are as wide as their separation is positive.
-            let left = step.abs() * (step / (1.0 + u.abs())).abs().powi(3);
-            if left < 0.005 * (1.0 + u.max(0.0)) {
+            if is_near(before, next) {
                 break;
             }
         }
-        (u, evaluations)
+        u
     }
 
     /// Solves on the quadrature of the cell that the solution lies in.
-    fn settle(&self, mut u: f64, bracket: Bracket) -> Option<Found<'a>> {
-        let mut bracket = Bracket { margin: Bracket::FINE_MARGIN, ..bracket };
-        let mut evaluations = 0;
-        let mut cell = Cell::of(u);
-        let mut left = None;
+    ///
+    /// From wherever it comes, it ends on the same quadrature with the same digits: it solves from the centre of the last cell
+    /// even where it came from another one, and of two cells that both place the solution in themselves it takes the nearer.
+    fn settle(&mut self, near: f64, bracket: Bracket) -> Option<Found> {
+        let whole = Bracket { margin: Bracket::FINE_MARGIN, ..bracket };
+        let Settled { found, from } = self.move_to_cell(near, whole)?;
+        let found = if from.is_some() { self.solve_again(found, whole) } else { found };
+        let Some(leeway) = self.leeway(found) else { return Some(found) };
+        let nearer = Cell::of(found.cell.nearest() - leeway);
+        let beyond_doubt = found.u - found.cell.nearest() > leeway || from == Some(nearer);
+        if beyond_doubt || !nearer.is_nearer_than(found.cell) {
+            return Some(found);
+        }
+        let u = self.solve_on(nearer, whole.inside(nearer), &mut { whole });
+        Some(u.filter(|&u| Cell::of(u) == nearer).map_or(found, |u| Found { cell: nearer, u }))
+    }
+
+    /// Goes on from cell to cell until one places the solution in itself.
+    fn move_to_cell(&mut self, near: f64, mut bracket: Bracket) -> Option<Settled> {
+        let (mut u, mut cell) = (bracket.inside(Cell::of(near)), Cell::of(near));
+        let mut from = None;
         for step in 0.. {
-            let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
-            evaluations += frame.evaluations;
-            // At the centre of its cell a quadrature is summed already, and a rough separation is no nearer the solution;
-            // one that another cell has found is.
-            let centre = cell.centre();
-            let start = if left.is_none() && bracket.holds(centre) { centre } else { u };
-            u = self.solve_on(&mut frame, start, &mut bracket)?;
+            u = self.solve_on(cell, u, &mut bracket)?;
             let next = Cell::of(u);
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
-            let undecided = left == Some(next) && next.is_beside(cell);
+            let undecided = from == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || step == MOST_STEPS {
-                return Some(Found { frame, u, evaluations });
+                return Some(Settled { found: Found { cell, u }, from });
             }
-            left = Some(cell);
+            from = Some(cell);
             cell = next;
         }
         unreachable!("the last step returns")
     }
 
+    /// What has been found on a quadrature, found from its centre: the same but for rounding.
+    fn solve_again(&mut self, found: Found, mut bracket: Bracket) -> Found {
+        const CLOSE: f64 = 1e-6;
+        let u = self.solve_on(found.cell, bracket.inside(found.cell), &mut bracket);
+        let u = u.filter(|u| (u - found.u).abs() <= CLOSE * (1.0 + u.abs())).unwrap_or(found.u);
+        Found { u, ..found }
+    }
+
     /// The solution on a quadrature, or a separation that needs another one; `None` above the highest pressure.
-    fn solve_on(&self, frame: &mut Frame, start: f64, bracket: &mut Bracket) -> Option<f64> {
+    fn solve_on(&mut self, cell: Cell, start: f64, bracket: &mut Bracket) -> Option<f64> {
         const LAST_STEP: f64 = 1e-4;
         let mut u = start;
         for _ in 0..MOST_STEPS {
-            let next = self.next(u, &frame.sums_at(u), bracket)?;
+            let frame = self.frames.of(cell);
+            let sums = if u == frame.centre { frame.sums_at_centre() } else { frame.sums_at(u) };
+            let next = self.next(u, &sums, bracket)?;
             let step = next - u;
             u = next;
             // The error of a step is the fourth power of the one before: the next one would not show.
-            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !frame.serves(u) {
+            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !self.frames.of(cell).serves(u) {
                 break;
             }
         }
@@ -277,7 +343,7 @@ impl<'a> Search<'a> {
     }
 
     /// Where the parabola through ln p at u meets the target, or its tangent where it does not, bent as ln p is.
-    fn next(&self, u: f64, sums: &Sums, bracket: &mut Bracket) -> Option<f64> {
+    fn next(&mut self, u: f64, sums: &Sums, bracket: &mut Bracket) -> Option<f64> {
         let missing = self.missing(u, sums);
         let [slope, curvature, third] = sums.log_pressure_slopes();
         if let Some(edge) = self.far_edge() {

@@ -21,7 +21,7 @@ pub struct ContactState {
     /// Estimate, on the side of caution, of the relative numerical error of pressure and area fraction at the
     /// separation; it says nothing about the law.
     pub error_estimate: f64,
-    /// How often the law of one asperity was evaluated to find this.
+    /// How often the law of one asperity was evaluated to find this: never where the integrals are known in closed form.
     pub evaluations: usize,
     /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in: those that
     /// yield with Sy/E* > 0.01 or a/R > 0.41 (spheres) or r > 100 (sinusoids); 0 for elastic laws.

@@ -41,7 +41,7 @@ fn a_hertz_state_is_closed_at_any_separation_and_at_any_load() {
     for u in [-60.0, -5.0, -1.0, 0.0, 3.0, 30.0] {
         let state = contact.at_separation(u * SIGMA_M, 1e-12).unwrap();
         let back = contact.at_pressure(state.pressure_pa, 1e-12, None).unwrap();
-        assert_eq!((state.evaluations, back.evaluations), (1, 1), "u = {u}");
+        assert_eq!((state.evaluations, back.evaluations), (0, 0), "u = {u}");
     }
 }
 
@@ -206,5 +206,5 @@ fn numbers_out_of_bounds_are_named() {
     );
 }
 
-const COSTS_6: [usize; 7] = [1, 58, 34, 46, 82, 56, 56];
-const COSTS_12: [usize; 7] = [1, 108, 64, 90, 167, 106, 104];
+const COSTS_6: [usize; 7] = [0, 58, 34, 46, 82, 56, 56];
+const COSTS_12: [usize; 7] = [0, 108, 64, 90, 167, 106, 104];

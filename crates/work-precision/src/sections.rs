@@ -316,11 +316,11 @@ mod tests {
         let of = |engine, seconds| FOUR_LAWS.iter().map(move |law| point(engine, law, 1e-10, seconds));
         let verdict = |theirs: f64| {
             let points: Vec<Point> = of(Engine::Ours, 1e-5).chain(of(Engine::Quad, theirs)).collect();
-            state_bar(&points)[3].clone()
+            state_bar(&points, Engine::Quad)[3].clone()
         };
         assert_eq!((verdict(0.04).as_str(), verdict(0.02).as_str()), ("yes", "**no**"));
         let alone: Vec<Point> = of(Engine::Ours, 1e-5).collect();
-        assert_eq!(state_bar(&alone)[3], "unknown");
+        assert_eq!(state_bar(&alone, Engine::Quad)[3], "unknown");
     }
 
     #[test]
