@@ -46,8 +46,8 @@ pub(crate) struct Neighbour {
 /// Where a search has ended.
 struct Settled {
     found: Found,
-    /// The cell it came from, where it did not begin in the last one.
-    from: Option<Cell>,
+    /// Whether it came from another cell.
+    moved: bool,
 }
 
 /// Whether a step on a rough quadrature has led near the solution: steps converge with the fourth power, on the scale of
@@ -277,16 +277,16 @@ impl Search<'_, '_> {
     /// even where it came from another one, and of two cells that both place the solution in themselves it takes the nearer.
     fn settle(&mut self, near: f64, bracket: Bracket) -> Option<Found> {
         let whole = Bracket { margin: Bracket::FINE_MARGIN, ..bracket };
-        let Settled { found, from } = self.move_to_cell(near, whole)?;
-        let found = if from.is_some() { self.solve_again(found, whole) } else { found };
+        let Settled { found, moved } = self.move_to_cell(near, whole)?;
+        let found = if moved { self.solve_again(found, whole).unwrap_or(found) } else { found };
         let Some(leeway) = self.leeway(found) else { return Some(found) };
-        let nearer = Cell::of(found.cell.nearest() - leeway);
-        let beyond_doubt = found.u - found.cell.nearest() > leeway || from == Some(nearer);
-        if beyond_doubt || !nearer.is_nearer_than(found.cell) {
+        let edge = found.cell.nearest();
+        if found.u - edge > leeway {
             return Some(found);
         }
-        let u = self.solve_on(nearer, whole.inside(nearer), &mut { whole });
-        Some(u.filter(|&u| Cell::of(u) == nearer).map_or(found, |u| Found { cell: nearer, u }))
+        let nearer = Found { cell: Cell::of(edge - leeway), ..found };
+        let nearer = self.solve_again(nearer, whole).filter(|at| found.u < edge || Cell::of(at.u) == at.cell);
+        Some(nearer.unwrap_or(found))
     }
 
     /// Goes on from cell to cell until one places the solution in itself.
@@ -299,7 +299,7 @@ impl Search<'_, '_> {
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
             let undecided = from == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || step == MOST_STEPS {
-                return Some(Settled { found: Found { cell, u }, from });
+                return Some(Settled { found: Found { cell, u }, moved: step > 0 });
             }
             from = Some(cell);
             cell = next;
@@ -307,12 +307,11 @@ impl Search<'_, '_> {
         unreachable!("the last step returns")
     }
 
-    /// What has been found on a quadrature, found from its centre: the same but for rounding.
-    fn solve_again(&mut self, found: Found, mut bracket: Bracket) -> Found {
-        const CLOSE: f64 = 1e-6;
-        let u = self.solve_on(found.cell, bracket.inside(found.cell), &mut bracket);
-        let u = u.filter(|u| (u - found.u).abs() <= CLOSE * (1.0 + u.abs())).unwrap_or(found.u);
-        Found { u, ..found }
+    /// What has been found on a quadrature, found from the centre of its cell: the same but for rounding, or for what the bracket
+    /// has cut off where two cells are at odds. `None` where that leads away.
+    fn solve_again(&mut self, Found { cell, .. }: Found, mut bracket: Bracket) -> Option<Found> {
+        let u = self.solve_on(cell, bracket.inside(cell), &mut bracket)?;
+        (Cell::of(u) == cell || Cell::of(u).is_beside(cell)).then_some(Found { cell, u })
     }
 
     /// The solution on a quadrature, or a separation that needs another one; `None` above the highest pressure.
