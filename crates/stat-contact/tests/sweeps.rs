@@ -89,7 +89,11 @@ fn states_at_pressures_have_the_digits_of_single_ones() {
                     assert_eq!(without_cost(state), without_cost(single), "{contact:?} at {tolerance}");
                     (costs, single_costs) = (costs + state.evaluations, single_costs + single.evaluations);
                 }
-                assert!(2 * costs < single_costs, "{contact:?}: {costs} in place of {single_costs}");
+                // Hertz's spheres cost none in any case.
+                assert!(
+                    2 * costs < single_costs || single_costs == 0,
+                    "{contact:?}: {costs} in place of {single_costs}"
+                );
             }
         }
     }
@@ -98,10 +102,11 @@ fn states_at_pressures_have_the_digits_of_single_ones() {
 #[test]
 fn a_state_where_all_is_known_costs_nothing() {
     // Of the last one the searches all begin anew: several separations may carry the load.
-    for contact in &contacts()[..7] {
+    for (i, contact) in contacts()[..7].iter().enumerate() {
         let mut sweep = contact.sweep(1e-10);
         let [first, _, again] = [1e7, 1.1e7, 1e7].map(|pressure_pa| sweep.at_pressure(pressure_pa).unwrap());
-        assert!(first.evaluations > 0);
+        let is_hertz = i == 0;
+        assert_eq!(first.evaluations == 0, is_hertz, "{contact:?}");
         assert_eq!(again, ContactState { evaluations: 0, ..first });
     }
 }
