@@ -1,7 +1,8 @@
 //! What a state costs: first the answers are checked, then time and law evaluations are printed against tolerance.
 //!
-//! The states are unrelated, in a shuffled order, one thread, nothing carried over: each builds its contact anew and finds
+//! The first states are unrelated, in a shuffled order, one thread, nothing carried over: each builds its contact anew and finds
 //! the separation at a given load. Populations are spread over six decades of scale and loads over nine.
+//! Then come sweeps of one population.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -51,6 +52,60 @@ fn main() {
     for (tolerance, sum_s) in TOLERANCES.into_iter().zip(sum_of_four_s) {
         println!("mean of the four models at {tolerance:.0e}: {:.2} us", sum_s / 4.0 * 1e6);
     }
+    sweeps();
+}
+
+/// Nanoseconds per state of a thousand states of one population over -3 to 20 standard deviations, and of the loads that
+/// go with them, in one sweep and one by one.
+fn sweeps() {
+    const SWEPT: u32 = 1000;
+    println!("{:28} tolerance  ns/state at d: sweep  single  at p: sweep  single", "a sweep");
+    for (kind, name) in KINDS.iter().enumerate().take(4) {
+        let Case { pair, population, law, sigma_s_m, .. } = &cases(kind)[0];
+        let contact = StatisticalContact::new(pair, population, law);
+        let separations_m: Vec<f64> =
+            (0..SWEPT).map(|at| sigma_s_m * (-3.0 + 23.0 * f64::from(at) / f64::from(SWEPT - 1))).collect();
+        let pressure = |&d: &f64| contact.at_separation(d, 1e-13).unwrap().pressure_pa;
+        let pressures_pa: Vec<f64> = separations_m.iter().map(pressure).collect();
+        for tolerance in [1e-3, 1e-6, 1e-10] {
+            let ns = [
+                best_s(|| {
+                    let mut sweep = contact.sweep(tolerance);
+                    for &d in &separations_m {
+                        black_box(sweep.at_separation(black_box(d)).unwrap());
+                    }
+                }),
+                best_s(|| {
+                    for &d in &separations_m {
+                        black_box(contact.at_separation(black_box(d), tolerance).unwrap());
+                    }
+                }),
+                best_s(|| {
+                    let mut sweep = contact.sweep(tolerance);
+                    for &pressure_pa in &pressures_pa {
+                        black_box(sweep.at_pressure(black_box(pressure_pa)).unwrap());
+                    }
+                }),
+                best_s(|| {
+                    for &pressure_pa in &pressures_pa {
+                        black_box(contact.at_pressure(black_box(pressure_pa), tolerance, None).unwrap());
+                    }
+                }),
+            ];
+            let [d, single_d, p, single_p] = ns.map(|seconds| seconds * 1e9 / f64::from(SWEPT));
+            println!("{name:28} {tolerance:9.0e}  {d:20.0}  {single_d:6.0}  {p:11.0}  {single_p:6.0}");
+        }
+    }
+}
+
+/// Seconds of a pass, the best of the repetitions.
+fn best_s(mut pass: impl FnMut()) -> f64 {
+    let mut once = || {
+        let start = Instant::now();
+        pass();
+        start.elapsed().as_secs_f64()
+    };
+    (0..REPETITIONS).map(|_| once()).fold(f64::INFINITY, f64::min)
 }
 
 /// Worst deviations from the state the load was taken at, and mean law evaluations.

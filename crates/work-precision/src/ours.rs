@@ -54,18 +54,16 @@ impl Parts {
         self.as_answer(&found.expect("a state of the table"))
     }
 
-    /// The states at many separations \[m\] or pressures \[Pa\] of one contact, each begun from the one before.
+    /// The states at many separations \[m\] or pressures \[Pa\] of one contact, in one sweep.
     fn answers(&self, asked: &[f64], given: Given, tolerance: f64) -> Vec<ContactState> {
         let contact = self.contact();
-        let mut states: Vec<ContactState> = Vec::with_capacity(asked.len());
-        for &value in asked {
-            let state = match given {
-                Given::Separation => contact.at_separation(value, tolerance),
-                Given::Pressure => contact.at_pressure(value, tolerance, states.last()),
-            };
-            states.push(state.expect("a state between those of the table"));
-        }
-        states
+        let mut sweep = contact.sweep(tolerance);
+        let state = |&value: &f64| match given {
+            Given::Separation => sweep.at_separation(value),
+            Given::Pressure => sweep.at_pressure(value),
+        };
+        let states = asked.iter().map(state).collect::<Result<_, _>>();
+        states.expect("states between those of the table")
     }
 
     fn as_answer(&self, state: &ContactState) -> Answer {

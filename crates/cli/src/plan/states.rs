@@ -8,7 +8,7 @@ use stat_contact::{AsperityLaw, ContactState, Population, StatisticalContact};
 use super::ground::Cutoff;
 use super::{CutoffState, PlanError, Tolerance, Work};
 
-/// The states of a run at most. A run starts without a neighbour, which costs some evaluations and no digit.
+/// The states of a run at most. A run starts with nothing known, which costs some evaluations and no digit.
 const RUN: usize = 256;
 
 /// What a state is asked at.
@@ -64,14 +64,27 @@ impl Statistical<'_> {
         Ok((blocks.into_iter().map(rows).collect(), work))
     }
 
-    /// The states of one population, one for every pressure \[Pa\].
+    /// The states of one population, one for every pressure \[Pa\], which are distinct.
     pub fn over_loads(
         &self,
         asperities: &AsperityParameters,
         pressures_pa: &[f64],
     ) -> Result<(Vec<ContactState>, Work), PlanError> {
+        let [radius_m, density_per_m2, sigma_s_m] = population(asperities);
+        let population = Population::new(radius_m, density_per_m2, sigma_s_m)?;
+        let contact = StatisticalContact::new(&self.pair, &population, &self.law);
         let run = |pressures_pa: &[f64]| {
-            self.run(pressures_pa.iter().map(|&pressure_pa| (*asperities, Given::Pressure(pressure_pa))))
+            let mut sweep = contact.sweep(self.tolerance.value());
+            let mut work = Work::default();
+            let state = |&pressure_pa: &f64| {
+                let state = sweep.at_pressure(pressure_pa)?;
+                (self.observe)();
+                work.statistical_states += 1;
+                work.law_evaluations += state.evaluations;
+                Ok(state)
+            };
+            let states = pressures_pa.iter().map(state).collect::<Result<Vec<_>, PlanError>>()?;
+            Ok((states, work))
         };
         joined(pressures_pa.par_chunks(RUN).map(run))
     }
