@@ -89,9 +89,9 @@ fn states_at_pressures_have_the_digits_of_single_ones() {
                     assert_eq!(without_cost(state), without_cost(single), "{contact:?} at {tolerance}");
                     (costs, single_costs) = (costs + state.evaluations, single_costs + single.evaluations);
                 }
-                // Hertz's spheres cost none in any case.
+                // Hertz's spheres are evaluated nowhere but far below the mean plane.
                 assert!(
-                    2 * costs < single_costs || single_costs == 0,
+                    2 * costs < single_costs || single_costs < 10,
                     "{contact:?}: {costs} in place of {single_costs}"
                 );
             }
