@@ -115,16 +115,31 @@ impl<'a> Search<'a> {
         const NARROWEST: f64 = 1e-6;
         const MOST_DOUBLINGS: i32 = 60;
         let mut evaluations = 0;
+        // The last halvings go to and fro between two cells, or stay in one.
+        let mut frames: [Option<(Cell, Frame)>; 2] = [None, None];
         let mut missing = |u: f64| {
-            let mut frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
-            evaluations += frame.evaluations;
+            let cell = Cell::of(u);
+            if frames[0].as_ref().is_none_or(|(of, _)| *of != cell) {
+                frames.swap(0, 1);
+            }
+            if frames[0].as_ref().is_none_or(|(of, _)| *of != cell) {
+                let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
+                evaluations += frame.evaluations;
+                frames[0] = Some((cell, frame));
+            }
+            let (_, frame) = frames[0].as_mut().expect("the frame of the cell");
             let sums = frame.sums_at(u);
             self.missing(u, &sums)
         };
+        let mut last_high = None;
         let bracket = (0..MOST_DOUBLINGS).find_map(|doubling| {
             let reach = NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling);
-            let (low, high) = ((u - reach).max(-FAR), u + reach);
-            (missing(low) <= 0.0 && missing(high) > 0.0).then_some((low, high))
+            let (low, high) = (last_high.unwrap_or((u - reach).max(-FAR)), u + reach);
+            if missing(high) > 0.0 {
+                return (missing(low) <= 0.0).then_some((low, high));
+            }
+            last_high = Some(high);
+            None
         });
         let u = bracket.map(|(low, high)| in_bracket(low, high, &mut missing))?;
         let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
@@ -159,9 +174,10 @@ impl<'a> Search<'a> {
         Some(if rises_at_edge { in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1) } else { edge })
     }
 
-    /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach.
+    /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach, or where
+    /// the search ends.
     fn far_edge(&self) -> Option<f64> {
-        Some(-OUT_OF_SIGHT - self.asperities.falls_from_m()? / self.sigma_s_m)
+        Some((-OUT_OF_SIGHT - self.asperities.falls_from_m()? / self.sigma_s_m).max(-FAR))
     }
 
     /// The bracket of the largest solution for a force that steps down at an interference. The steps are those of the
