@@ -3,7 +3,7 @@
 //! Everything is in u = d/sigma_s and ln p, which is nearly a parabola of u. Pressure falls with u wherever u > 0, whatever
 //! the law: dp/du is eta Int F(s) g'(u+s) ds, and g' is negative there. Elsewhere p turns at most as often as F does, the
 //! Gaussian being variation diminishing: a force with one maximum makes a pressure with one, whose far side holds the
-//! larger separation, and only a force that steps down between two rises has to be scanned.
+//! larger separation, and only a force that steps down or dips between two rises has to be scanned.
 
 use crate::asperities::{Asperities, Course};
 use crate::cell::{Cell, Precision};
@@ -84,9 +84,67 @@ impl Bracket {
     }
 }
 
+/// How much pressure is missing at separations, each on the quadrature of its cell. The last two are kept: the last halvings
+/// of a bracket go to and fro between two cells, or stay in one.
+struct ByCell<'s, 'a> {
+    search: &'s Search<'a>,
+    frames: [Option<(Cell, Frame<'a>)>; 2],
+    evaluations: usize,
+}
+
+impl<'s, 'a> ByCell<'s, 'a> {
+    fn of(search: &'s Search<'a>) -> Self {
+        ByCell { search, frames: [None, None], evaluations: 0 }
+    }
+
+    fn missing(&mut self, u: f64) -> f64 {
+        let Search { asperities, sigma_s_m, precision, .. } = *self.search;
+        let cell = Cell::of(u);
+        let is_of_cell = |kept: &Option<(Cell, Frame)>| kept.as_ref().is_some_and(|(of, _)| *of == cell);
+        if !is_of_cell(&self.frames[0]) {
+            self.frames.swap(0, 1);
+        }
+        if !is_of_cell(&self.frames[0]) {
+            self.frames[0] = None;
+        }
+        let (_, frame) = self.frames[0].get_or_insert_with(|| {
+            let frame = Frame::for_cell(asperities, sigma_s_m, cell, precision);
+            self.evaluations += frame.evaluations;
+            (cell, frame)
+        });
+        let sums = frame.sums_at(u);
+        self.search.missing(u, &sums)
+    }
+}
+
 impl<'a> Search<'a> {
     /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
     pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
+        let found = self.run_to_any(start)?;
+        // Above the mean plane there is no other.
+        if found.u >= 0.0 {
+            return Some(found);
+        }
+        Some(self.before_dip(found.u).unwrap_or(found))
+    }
+
+    /// A force that dips between two rises carries some pressures thrice: the largest of these separations, where the one
+    /// that was found, u, may be another.
+    fn before_dip(&self, u: f64) -> Option<Found<'a>> {
+        let [from, to] = self.asperities.dip_m()?.map(|at_m| at_m / self.sigma_s_m);
+        let top = (OUT_OF_SIGHT - from).min(0.0);
+        if u >= top {
+            return None;
+        }
+        let bottom = (-OUT_OF_SIGHT - to).max(-FAR);
+        let [low, high] =
+            self.crossing_below(top, bottom, |u| (0.1 * u.abs()).min(0.25 * (to - from))).ok()?;
+        // Above the mean plane the pressure falls for good.
+        if high.is_finite() { Some(self.bisect(low, high)) } else { self.bisect_around(top) }
+    }
+
+    /// A separation that carries the pressure: the largest, unless the force dips.
+    fn run_to_any(&self, start: Option<f64>) -> Option<Found<'a>> {
         let mut found = self.find(start);
         if let Some(near) = &mut found {
             if self.is_carried_by(near) {
@@ -114,36 +172,27 @@ impl<'a> Search<'a> {
     fn bisect_around(&self, u: f64) -> Option<Found<'a>> {
         const NARROWEST: f64 = 1e-6;
         const MOST_DOUBLINGS: i32 = 60;
-        let mut evaluations = 0;
-        // The last halvings go to and fro between two cells, or stay in one.
-        let mut frames: [Option<(Cell, Frame)>; 2] = [None, None];
-        let mut missing = |u: f64| {
-            let cell = Cell::of(u);
-            if frames[0].as_ref().is_none_or(|(of, _)| *of != cell) {
-                frames.swap(0, 1);
-            }
-            if frames[0].as_ref().is_none_or(|(of, _)| *of != cell) {
-                let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
-                evaluations += frame.evaluations;
-                frames[0] = Some((cell, frame));
-            }
-            let (_, frame) = frames[0].as_mut().expect("the frame of the cell");
-            let sums = frame.sums_at(u);
-            self.missing(u, &sums)
-        };
+        let mut by_cell = ByCell::of(self);
         let mut last_high = None;
-        let bracket = (0..MOST_DOUBLINGS).find_map(|doubling| {
+        let [low, high] = (0..MOST_DOUBLINGS).find_map(|doubling| {
             let reach = NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling);
             let (low, high) = (last_high.unwrap_or((u - reach).max(-FAR)), u + reach);
-            if missing(high) > 0.0 {
-                return (missing(low) <= 0.0).then_some((low, high));
+            if by_cell.missing(high) > 0.0 {
+                return (by_cell.missing(low) <= 0.0).then_some([low, high]);
             }
             last_high = Some(high);
             None
-        });
-        let u = bracket.map(|(low, high)| in_bracket(low, high, &mut missing))?;
+        })?;
+        let found = self.bisect(low, high);
+        Some(Found { evaluations: found.evaluations + by_cell.evaluations, ..found })
+    }
+
+    /// The same between two separations, the nearer of which carries the pressure or more, and the other one does not.
+    fn bisect(&self, low: f64, high: f64) -> Found<'a> {
+        let mut by_cell = ByCell::of(self);
+        let u = in_bracket(low, high, |u| by_cell.missing(u));
         let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(u), self.precision);
-        Some(Found { evaluations: evaluations + frame.evaluations, frame, u })
+        Found { evaluations: by_cell.evaluations + frame.evaluations, frame, u }
     }
 
     fn find(&self, start: Option<f64>) -> Option<Found<'a>> {
@@ -180,16 +229,27 @@ impl<'a> Search<'a> {
         Some((-OUT_OF_SIGHT - self.asperities.falls_from_m()? / self.sigma_s_m).max(-FAR))
     }
 
-    /// The bracket of the largest solution for a force that steps down at an interference. The steps are those of the
-    /// density, by which the step of the force is smeared out; a maximum between two of them shows in the slopes.
+    /// The bracket of the largest solution for a force that steps down at an interference.
     fn scan_across(&self, step_down: f64) -> Bracket {
-        let mut high = (OUT_OF_SIGHT - step_down).min(0.0);
+        let top = (OUT_OF_SIGHT - step_down).min(0.0);
+        match self.crossing_below(top, -OUT_OF_SIGHT - step_down, |_| 0.0) {
+            Ok([low, high]) => Bracket { low, high, ..Bracket::EVERYTHING },
+            Err(high) => Bracket { high, ..Bracket::EVERYTHING },
+        }
+    }
+
+    /// The largest separations from `top` down to `bottom` between which the pressure comes to be carried, without an upper
+    /// end where it is at `top`; where it is not carried, the lowest that was tried. The strides are those of the density, by
+    /// which a step of the force is smeared out, or longer ones; a maximum between two of them shows in the slopes.
+    fn crossing_below(&self, top: f64, bottom: f64, longer: impl Fn(f64) -> f64) -> Result<[f64; 2], f64> {
+        const STRIDE: f64 = 0.5;
+        let mut high = top;
         let (pressure_pa, mut slope_at_high) = self.pressure_and_slope(high);
         if pressure_pa >= self.pressure_pa {
-            return Bracket { low: high, ..Bracket::EVERYTHING };
+            return Ok([high, f64::INFINITY]);
         }
-        while high > -OUT_OF_SIGHT - step_down {
-            let mut low = high - 0.5;
+        while high > bottom {
+            let mut low = high - longer(high).max(STRIDE);
             let (mut pressure_pa, slope) = self.pressure_and_slope(low);
             if slope > 0.0 && slope_at_high <= 0.0 && pressure_pa < self.pressure_pa {
                 let peak = in_bracket(low, high, |u| self.pressure_and_slope(u).1);
@@ -198,11 +258,11 @@ impl<'a> Search<'a> {
                 }
             }
             if pressure_pa >= self.pressure_pa {
-                return Bracket { low, high, ..Bracket::EVERYTHING };
+                return Ok([low, high]);
             }
             (high, slope_at_high) = (low, slope);
         }
-        Bracket { high, ..Bracket::EVERYTHING }
+        Err(high)
     }
 
     /// Pressure \[Pa\] and derivative of ln p by u, each separation on the quadrature of its cell.
