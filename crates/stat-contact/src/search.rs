@@ -120,12 +120,21 @@ impl<'s, 'a> ByCell<'s, 'a> {
 impl<'a> Search<'a> {
     /// The largest separation that carries the pressure, `None` where none does. `start` only saves work.
     pub fn run(&self, start: Option<f64>) -> Option<Found<'a>> {
-        let found = self.run_to_any(start)?;
+        let found = self.run_to_any(start).or_else(|| self.end())?;
         // Above the mean plane there is no other.
         if found.u >= 0.0 {
             return Some(found);
         }
         Some(self.before_dip(found.u).unwrap_or(found))
+    }
+
+    /// The end of the search, for a force with its maximum beyond: a load that is missing all the way is missing by rounding.
+    fn end(&self) -> Option<Found<'a>> {
+        let rises_on = self.asperities.falls_from_m()? > FAR * self.sigma_s_m;
+        rises_on.then(|| {
+            let frame = Frame::for_cell(self.asperities, self.sigma_s_m, Cell::of(-FAR), self.precision);
+            Found { evaluations: frame.evaluations, frame, u: -FAR }
+        })
     }
 
     /// A force that dips between two rises carries some pressures thrice: the largest of these separations, where the one
