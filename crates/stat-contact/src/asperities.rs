@@ -117,6 +117,11 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
         Course::Rises
     }
 
+    /// For a force that rises on the whole: interferences \[m\] between which it falls smoothly, where it does.
+    fn dip_m(&self) -> Option<[f64; 2]> {
+        None
+    }
+
     /// For a force with a maximum: an interference \[m\] from which on it certainly falls.
     fn falls_from_m(&self) -> Option<f64> {
         None

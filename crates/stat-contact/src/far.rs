@@ -45,6 +45,9 @@ impl<'a> FarBelow<'a> {
         if missing(nearest_m.ln()) <= 0.0 {
             return None;
         }
+        if let Some(top_m) = self.top_before_dip_m().filter(|top_m| missing(top_m.ln()) <= 0.0) {
+            return Some(-in_bracket(nearest_m.ln(), top_m.ln(), missing).exp());
+        }
         let deepest_m = match self.asperities.course(self.sigma_s_m) {
             Course::Rises => self.deep_enough_m(missing)?,
             Course::Peaks { .. } => self.peak_m().filter(|peak_m| missing(peak_m.ln()) <= 0.0)?,
@@ -56,6 +59,14 @@ impl<'a> FarBelow<'a> {
             }
         };
         Some(-in_bracket(nearest_m.ln(), deepest_m.ln(), missing).exp())
+    }
+
+    /// The interference \[m\] of the maximum before a dip of the force, where it is a far one.
+    fn top_before_dip_m(&self) -> Option<f64> {
+        const STEPS: usize = 90;
+        let [from_m, to_m] = self.asperities.dip_m()?;
+        let low = from_m.max(FAR * self.sigma_s_m).ln();
+        (low < to_m.ln()).then(|| minimum(low, to_m.ln(), STEPS, |log_m| -self.log_response(log_m)).exp())
     }
 
     /// An interference \[m\] at which no pressure is missing; `None` where the pressure is never reached.

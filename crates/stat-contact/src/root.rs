@@ -14,14 +14,14 @@ pub(crate) fn in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> 
             return b;
         }
         let secant = b - at_b * ((b - a) / (at_b - at_a));
+        // A secant that does not move is right next to the zero, or small at b beside a jump: a step across tells which.
+        let least = f64::EPSILON * b.abs();
+        let secant = if (secant - b).abs() < least { b + least.copysign(a - b) } else { secant };
         let x = if step % 3 == 0 && (b - a).abs() > due { 0.5 * (a + b) } else { secant };
         if step % 3 == 0 {
             due = 0.5 * (b - a).abs();
         }
         let at_x = f(x);
-        if (x - b).abs() <= f64::EPSILON * x.abs() {
-            return x;
-        }
         if at_x.signum() == at_b.signum() {
             let shrink = 1.0 - at_x / at_b;
             at_a *= if shrink > 0.0 { shrink } else { 0.5 };
@@ -84,6 +84,12 @@ mod tests {
             assert!((found - zero).abs() <= within, "{found} after {calls}");
             assert!(calls < 60, "{calls}");
         }
+    }
+
+    #[test]
+    fn a_jump_is_located_from_a_side_that_is_nearly_zero() {
+        let found = in_bracket(1.0, 3.0, |x| if x < 2.5 { 1e-17 * (x - 3.0) } else { 0.1 });
+        assert!((found - 2.5).abs() < 1e-15, "{found}");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //! Everything is in u = d/sigma_s and ln p, which is nearly a parabola of u. Pressure falls with u wherever u > 0, whatever
 //! the law: dp/du is eta Int F(s) g'(u+s) ds, and g' is negative there. Elsewhere p turns at most as often as F does, the
 //! Gaussian being variation diminishing: a force with one maximum makes a pressure with one, whose far side holds the
-//! larger separation, and only a force that steps down between two rises has to be scanned.
+//! larger separation, and only a force that steps down or dips between two rises has to be scanned.
 
 use crate::asperities::Course;
 use crate::cell::Cell;
@@ -117,7 +117,35 @@ impl Search<'_, '_> {
             let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
             return Some(Found { cell: Cell::ANY, u });
         }
-        neighbour.and_then(|neighbour| self.find_from(neighbour)).or_else(|| self.find_alone())
+        let found = neighbour.and_then(|neighbour| self.find_from(neighbour));
+        let found = found.or_else(|| self.find_alone()).or_else(|| self.end())?;
+        // Above the mean plane there is no other.
+        if found.u >= 0.0 {
+            return Some(found);
+        }
+        Some(self.before_dip(found.u).unwrap_or(found))
+    }
+
+    /// The end of the search, for a force with its maximum beyond: a load that is missing all the way is missing by rounding.
+    fn end(&self) -> Option<Found> {
+        let rises_on = self.frames.asperities.falls_from_m()? > FAR * self.frames.sigma_s_m;
+        rises_on.then_some(Found { cell: Cell::of(-FAR), u: -FAR })
+    }
+
+    /// A force that dips between two rises carries some pressures thrice: the largest of these separations, where the one
+    /// that was found, u, may be another.
+    fn before_dip(&mut self, u: f64) -> Option<Found> {
+        let sigma_s_m = self.frames.sigma_s_m;
+        let [from, to] = self.frames.asperities.dip_m()?.map(|at_m| at_m / sigma_s_m);
+        let top = (OUT_OF_SIGHT - from).min(0.0);
+        if u >= top {
+            return None;
+        }
+        let bottom = (-OUT_OF_SIGHT - to).max(-FAR);
+        let [low, high] =
+            self.crossing_below(top, bottom, |u| (0.1 * u.abs()).min(0.25 * (to - from))).ok()?;
+        // Above the mean plane the pressure falls for good.
+        if high.is_finite() { Some(self.bisect(low, high)) } else { self.bisect_around(top) }
     }
 
     fn find_from(&mut self, neighbour: Neighbour) -> Option<Found> {
@@ -177,17 +205,29 @@ impl Search<'_, '_> {
     fn bisect_around(&mut self, u: f64) -> Option<Found> {
         const NARROWEST: f64 = 1e-6;
         const MOST_DOUBLINGS: i32 = 60;
-        let mut missing = |u: f64| {
-            let sums = self.frames.sums_at(u);
-            self.missing(u, &sums)
-        };
-        let bracket = (0..MOST_DOUBLINGS).find_map(|doubling| {
+        let mut last_high = None;
+        let [low, high] = (0..MOST_DOUBLINGS).find_map(|doubling| {
             let reach = NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling);
-            let (low, high) = ((u - reach).max(-FAR), u + reach);
-            (missing(low) <= 0.0 && missing(high) > 0.0).then_some((low, high))
-        });
-        let u = bracket.map(|(low, high)| in_bracket(low, high, &mut missing))?;
-        Some(Found { cell: Cell::of(u), u })
+            let (low, high) = (last_high.unwrap_or((u - reach).max(-FAR)), u + reach);
+            if self.missing_at(high) > 0.0 {
+                return (self.missing_at(low) <= 0.0).then_some([low, high]);
+            }
+            last_high = Some(high);
+            None
+        })?;
+        Some(self.bisect(low, high))
+    }
+
+    /// The same between two separations, the nearer of which carries the pressure or more, and the other one does not.
+    fn bisect(&mut self, low: f64, high: f64) -> Found {
+        let u = in_bracket(low, high, |u| self.missing_at(u));
+        Found { cell: Cell::of(u), u }
+    }
+
+    /// How much pressure is missing at a separation, on the quadrature of its cell.
+    fn missing_at(&mut self, u: f64) -> f64 {
+        let sums = self.frames.sums_at(u);
+        self.missing(u, &sums)
     }
 
     fn find(&mut self) -> Option<Found> {
@@ -220,21 +260,39 @@ impl Search<'_, '_> {
         Some(if rises_at_edge { in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1) } else { edge })
     }
 
-    /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach.
+    /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach, or where
+    /// the search ends.
     fn far_edge(&self) -> Option<f64> {
-        Some(-OUT_OF_SIGHT - self.frames.asperities.falls_from_m()? / self.frames.sigma_s_m)
+        let falls_from = self.frames.asperities.falls_from_m()? / self.frames.sigma_s_m;
+        Some((-OUT_OF_SIGHT - falls_from).max(-FAR))
     }
 
-    /// The bracket of the largest solution for a force that steps down at an interference. The steps are those of the
-    /// density, by which the step of the force is smeared out; a maximum between two of them shows in the slopes.
+    /// The bracket of the largest solution for a force that steps down at an interference.
     fn scan_across(&mut self, step_down: f64) -> Bracket {
-        let mut high = (OUT_OF_SIGHT - step_down).min(0.0);
+        let top = (OUT_OF_SIGHT - step_down).min(0.0);
+        match self.crossing_below(top, -OUT_OF_SIGHT - step_down, |_| 0.0) {
+            Ok([low, high]) => Bracket { low, high, ..Bracket::EVERYTHING },
+            Err(high) => Bracket { high, ..Bracket::EVERYTHING },
+        }
+    }
+
+    /// The largest separations from `top` down to `bottom` between which the pressure comes to be carried, without an upper
+    /// end where it is at `top`; where it is not carried, the lowest that was tried. The strides are those of the density, by
+    /// which a step of the force is smeared out, or longer ones; a maximum between two of them shows in the slopes.
+    fn crossing_below(
+        &mut self,
+        top: f64,
+        bottom: f64,
+        longer: impl Fn(f64) -> f64,
+    ) -> Result<[f64; 2], f64> {
+        const STRIDE: f64 = 0.5;
+        let mut high = top;
         let (pressure_pa, mut slope_at_high) = self.pressure_and_slope(high);
         if pressure_pa >= self.pressure_pa {
-            return Bracket { low: high, ..Bracket::EVERYTHING };
+            return Ok([high, f64::INFINITY]);
         }
-        while high > -OUT_OF_SIGHT - step_down {
-            let mut low = high - 0.5;
+        while high > bottom {
+            let mut low = high - longer(high).max(STRIDE);
             let (mut pressure_pa, slope) = self.pressure_and_slope(low);
             if slope > 0.0 && slope_at_high <= 0.0 && pressure_pa < self.pressure_pa {
                 let peak = in_bracket(low, high, |u| self.pressure_and_slope(u).1);
@@ -243,11 +301,11 @@ impl Search<'_, '_> {
                 }
             }
             if pressure_pa >= self.pressure_pa {
-                return Bracket { low, high, ..Bracket::EVERYTHING };
+                return Ok([low, high]);
             }
             (high, slope_at_high) = (low, slope);
         }
-        Bracket { high, ..Bracket::EVERYTHING }
+        Err(high)
     }
 
     /// Pressure \[Pa\] and derivative of ln p by u, each separation on the quadrature of its cell.

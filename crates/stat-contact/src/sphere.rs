@@ -237,4 +237,34 @@ impl Asperities for ElasticPlasticSpheres {
             Course::Rises
         }
     }
+
+    fn dip_m(&self) -> Option<[f64; 2]> {
+        // On the way to a = R the hardness falls, the faster the faster the area grows (the cosine to a third), and the
+        // strength may; from there on the force rises again.
+        const SAMPLES: usize = 48;
+        const SMALLEST_SHARE: f64 = 1e-2;
+        // ln H_G falls by ln(a/R) no faster than 1.21 (cosine) or 0.46 (2005), a^2 grows like w^(1+b) or, with a gradient,
+        // w^(1+2b), and the rest of the force at least like w or w^(1/2): below this Sy/E*, b = 0.56, it never falls.
+        const RISES_BELOW: f64 = 0.06;
+        let is_constant = self.strength.strain_gradient_length_m().is_none();
+        let strongest_pa = self.strength.at_depth_pa(self.onset_m);
+        let rises = (is_constant || self.hardness == Hardness::JacksonGreen2005)
+            && strongest_pa < RISES_BELOW * self.modulus_pa();
+        if rises {
+            return None;
+        }
+        let [low_m, high_m] =
+            [SMALLEST_SHARE, 1.0].map(|share| self.interference_of_area_share_m(share, f64::INFINITY));
+        let low_m = low_m.max(self.onset_m) * (1.0 + 1e-12);
+        if low_m >= high_m || !high_m.is_finite() {
+            return None;
+        }
+        let step = (high_m / low_m).ln() / (SAMPLES - 1) as f64;
+        let at_m = |i: usize| low_m * (step * i as f64).exp();
+        let forces_n: Vec<f64> = (0..SAMPLES).map(at_m).map(|w_m| self.at_depth(w_m).force_n(w_m)).collect();
+        let falls = |pair: &[f64]| pair[1] < pair[0];
+        let first = forces_n.windows(2).position(falls)?;
+        let last = forces_n.windows(2).rposition(falls)?;
+        Some([at_m(first.saturating_sub(1)), at_m(last + 2)])
+    }
 }

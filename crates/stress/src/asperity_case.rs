@@ -120,6 +120,7 @@ fn elastic(case: &AsperityCase, reach: Reach, pair: &MaterialPair, trial: &mut T
         sinusoid(
             ["elastic sinusoid: area in [0, 1]", "elastic sinusoid: gap and deformation make one"],
             state,
+            0.0,
             trial,
         );
         if reach != Reach::Edge {
@@ -150,6 +151,7 @@ fn boundary_elements(
         sinusoid(
             ["bem sinusoid: area in [0, 1]", "bem sinusoid: gap and deformation make one"],
             state,
+            0.0,
             trial,
         );
         if reach != Reach::Edge {
@@ -181,7 +183,19 @@ fn elastic_plastic(
     for p_pa in pressures_pa(case.load * full_pa, breaks) {
         let area = law.area_fraction(p_pa);
         let state = [area, law.mean_gap_over_amplitude(p_pa), law.deformation_over_amplitude(p_pa)];
-        sinusoid(["ep-sinusoid: area in [0, 1]", "ep-sinusoid: gap and deformation make one"], state, trial);
+        // The exponent of the mean gap grows like r^0.44/15: beyond r of some thirty decades, the last place of p decides
+        // between open and closed. The branches on either side of the critical pressure are different laws.
+        let steps = [p_pa.next_down(), p_pa.next_up()]
+            .into_iter()
+            .filter(|beside_pa| law.yields_at(*beside_pa) == law.yields_at(p_pa))
+            .map(|beside_pa| (law.deformation_over_amplitude(beside_pa) - state[2]).abs());
+        let last_place = steps.fold(0.0, f64::max);
+        sinusoid(
+            ["ep-sinusoid: area in [0, 1]", "ep-sinusoid: gap and deformation make one"],
+            state,
+            2.0 * last_place,
+            trial,
+        );
         if reach == Reach::Edge {
             continue;
         }
@@ -214,14 +228,16 @@ fn pressures_pa(pressure_pa: f64, breaks: impl Iterator<Item = Break>) -> Vec<f6
     pressures_pa
 }
 
-/// Area fraction, mean gap and deformation, the latter over the amplitude.
+/// Area fraction, mean gap and deformation, the latter over the amplitude; `last_places` is what those of the pressure are
+/// worth in the deformation.
 fn sinusoid(
     promises: [&'static str; 2],
     [area, gap, deformation]: [f64; 3],
+    last_places: f64,
     trial: &mut Trial<AsperityCase>,
 ) {
     trial.hold(promises[0], (0.0..=1.0).contains(&area));
-    trial.bound(promises[1], (gap + deformation - 1.0).abs(), 4.0 * f64::EPSILON);
+    trial.bound(promises[1], (gap + deformation - 1.0).abs(), 4.0 * f64::EPSILON + last_places);
 }
 
 /// Towards complete contact the gap g goes like (1-x)^(5/2), and a unit in its last place makes the more of x.

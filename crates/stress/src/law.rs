@@ -94,12 +94,15 @@ impl Response {
     }
 
     /// The interferences \[m\] at which the law announces that it bends or jumps; with a strain gradient those that follow
-    /// from the strength alone.
+    /// from the strength alone, and where the area of spheres is complete.
     pub fn breaks_m(&self) -> Vec<f64> {
         let mut breaks_m: Vec<f64> = match self.kind {
             Kind::Hertz => Vec::new(),
             Kind::EpSphere => self.sphere(1.0).breaks().map(|b| b.at).collect(),
-            Kind::GradientSphere => vec![self.gradient_onset_m(), self.radius_m],
+            Kind::GradientSphere => {
+                let onset_m = self.gradient_onset_m();
+                vec![onset_m, self.gradient_cap_m(onset_m)]
+            }
             Kind::ElasticSine => {
                 let sinusoid = ElasticSinusoid::new(&self.pair, self.aspect_ratio);
                 sinusoid
@@ -158,5 +161,25 @@ impl Response {
         let half_m = 0.5 * self.sphere(f64::INFINITY).plastic_onset_m();
         let length_m = self.strength.strain_gradient_length_m().unwrap_or(0.0);
         half_m + (half_m * (half_m + 2.0 * length_m)).sqrt()
+    }
+
+    /// Where the area of a sphere whose strength depends on the depth reaches its cross-section: at w = R while Hertzian,
+    /// else between the onset and there, by bisection.
+    fn gradient_cap_m(&self, onset_m: f64) -> f64 {
+        const HALVINGS: usize = 64;
+        if onset_m >= self.radius_m {
+            return self.radius_m;
+        }
+        let (mut low, mut high) = (onset_m.ln(), self.radius_m.ln());
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let depth_m = middle.exp();
+            if self.sphere(depth_m).log_area_over_cross_section(depth_m) < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high.exp()
     }
 }

@@ -1,6 +1,6 @@
 //! Stacks of scales: the numbers of one, and what every level promises.
 
-use asperity::AsperityError;
+use asperity::{AsperityError, Bound};
 use stacked_contact::{Level, Scale, StackedModel, largest_full_contact_pressure_pa, levels};
 
 use crate::tally::Trial;
@@ -59,13 +59,13 @@ impl StackCase {
 
 /// Puts one stack to the test.
 pub fn try_stack(case: &StackCase, reach: Reach, trial: &mut Trial<StackCase>) {
-    let positive =
-        case.scales.iter().all(|scale| scale.aspect_ratio() > 0.0 && scale.aspect_ratio().is_finite());
+    // Beyond thirty decades the laws are not asked anywhere.
+    let admitted = case.scales.iter().all(|scale| Bound::Magnitude.admits(scale.aspect_ratio()));
     let Ok(model) = case.model() else {
         trial.refused();
         return;
     };
-    if !positive {
+    if !admitted {
         trial.refused();
         return;
     }

@@ -300,6 +300,8 @@ fn error_bar(
 fn other_quadrature(case: &StatisticalCase, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
     /// Below this many standard deviations the spread, and with it the integral, is a matter of the digits of u.
     const DEEPEST: f64 = -1e4;
+    /// Error of the other quadrature up to which a comparison is worth its name.
+    const MEANINGFUL: f64 = 1e-9;
     let u = separation_m / case.sigma_s_m;
     if u < DEEPEST {
         return;
@@ -317,7 +319,10 @@ fn other_quadrature(case: &StatisticalCase, separation_m: f64, trial: &mut Trial
             other.errors[1],
         ),
     ] {
-        trial.bound(promise, (ours - theirs).abs(), state.error_estimate + 2.0 * error + rounding);
+        // Otherwise the comparison says nothing.
+        if error < MEANINGFUL {
+            trial.bound(promise, (ours - theirs).abs(), state.error_estimate + 2.0 * error + rounding);
+        }
     }
 }
 

@@ -9,8 +9,8 @@ fn run(states: u64, seed: u64, threads: usize) -> Tally {
 }
 
 #[test]
-fn twenty_thousand_states_break_nothing() {
-    let tally = run(20_000, 20261121, 0);
+fn seven_thousand_states_break_nothing() {
+    let tally = run(7_000, 20261121, 0);
     let broken: Vec<_> = tally
         .records
         .iter()
@@ -23,13 +23,13 @@ fn twenty_thousand_states_break_nothing() {
     assert_eq!(tally.states.len(), 9);
     for ((family, quantity), spread) in &tally.spreads {
         if *quantity == "error over its estimate" {
-            assert!(spread.len() > 30 && spread.quantile(0.95) < 1.0, "{family}: {spread:?}");
+            assert!(spread.len() > 15 && spread.quantile(0.95) < 1.0, "{family}: {spread:?}");
         }
     }
-    assert!(tally.records.values().map(|record| record.tested).sum::<u64>() > 200_000);
+    assert!(tally.records.values().map(|record| record.tested).sum::<u64>() > 70_000);
 }
 
 #[test]
 fn the_result_does_not_depend_on_the_threads() {
-    assert_eq!(run(5_000, 7, 1), run(5_000, 7, 3));
+    assert_eq!(run(2_500, 7, 1), run(2_500, 7, 3));
 }
