@@ -258,7 +258,8 @@ impl ElasticPlasticSinusoid {
             let (overshoot, slope) = area.overshoot(u);
             (-overshoot, -slope)
         });
-        (1.0 - short_of_one) * complete_pa
+        // Far below complete contact the difference to one has no digits for the share itself.
+        if short_of_one < 0.5 { (1.0 - short_of_one) * complete_pa } else { area.full_from() * complete_pa }
     }
 
     /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, at mean
@@ -469,6 +470,22 @@ impl PlasticArea {
         if fitted < 1.0 { fitted.max(f64::MIN_POSITIVE) } else { 1.0 }
     }
 
+    /// The x in (0, 1/2] from which on the fraction is held at 1, where there is one.
+    fn full_from(self) -> f64 {
+        const LEAST_LOG: f64 = -700.0;
+        let start = (-self.log_factor / self.exponent).clamp(LEAST_LOG, -std::f64::consts::LN_2);
+        newton_in_bracket(LEAST_LOG, -std::f64::consts::LN_2, start, |log_x| {
+            let x = elementary::exp(log_x);
+            let [light, heavy] = joining_powers(x, log_x);
+            let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
+            let value = plastic * (1.0 - light) + heavy_limit(x) * heavy - 1.0;
+            let slope = plastic * (self.exponent * (1.0 - light) - LIGHT_EXPONENT * light)
+                + heavy * (HEAVY_EXPONENT * heavy_limit(x) + FULL_CONTACT_SLOPE * x);
+            (value, slope)
+        })
+        .exp()
+    }
+
     /// The fraction before it is held at 1, minus 1 and over 1 - x, at u = 1 - x in \[0, 1), and the derivative by u. The
     /// fraction minus one has a zero at x = 1; over 1 - x it has none there, and another one, at smaller x, just where it
     /// is positive at x = 1.
@@ -549,6 +566,18 @@ mod tests {
                 assert!(pressure_pa.is_finite(), "{law:?}, w/Delta = {end}: {pressure_pa}");
                 assert!(area_fraction > 0.0 && area_fraction <= 1.0, "{law:?}, w/Delta = {end}");
             }
+        }
+    }
+
+    #[test]
+    fn the_area_is_complete_just_above_the_flattening_pressure_however_low_that_is() {
+        for strength_pa in [1e-20, 1e-12, 1e-3, 1e3, 1e8] {
+            let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.2).unwrap());
+            let law = ElasticPlasticSinusoid::new(&pair, 0.1, strength_pa);
+            let flattening_pa = law.flattening_pressure_pa();
+            assert_eq!(law.area_fraction(flattening_pa * (1.0 + 1e-12)), 1.0, "Sy = {strength_pa}");
+            let below = law.area_fraction(flattening_pa * (1.0 - 1e-6));
+            assert!(below < 1.0 && below > 1.0 - 1e-5, "Sy = {strength_pa}: {below}");
         }
     }
 
