@@ -1,7 +1,8 @@
 //! The elastic-plastic sinusoid: Krithivasan & Jackson (2007), Tribol. Lett. 27:31; Jackson, Krithivasan & Wilson (2008).
 
 use crate::elastic_sinusoid::{
-    FULL_CONTACT_SLOPE, HEAVY_EXPONENT, LIGHT_EXPONENT, heavy_limit, joining_powers, log_of_fraction,
+    FULL_CONTACT_SLOPE, HEAVY_EXPONENT, LIGHT_EXPONENT, heavy_limit, joining_powers, joining_powers_by,
+    log_of_fraction,
 };
 use crate::mean_gap::{GapExponent, power_at};
 use crate::root::newton_in_bracket;
@@ -125,7 +126,7 @@ impl ElasticPlasticSinusoid {
             return self.elastic.deformation_over_amplitude(pressure_pa);
         }
         let x = pressure_pa / self.complete_contact_pressure_pa();
-        if x < 1.0 { self.gap_exponent().deformation_over_amplitude(elementary::ln(x), x) } else { 1.0 }
+        if x < 1.0 { self.gap_exponent().deformation_over_amplitude(x.ln(), x) } else { 1.0 }
     }
 
     /// [`area_fraction`](Self::area_fraction) and [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the
@@ -140,8 +141,8 @@ impl ElasticPlasticSinusoid {
         if x >= 1.0 {
             return (1.0, 1.0);
         }
-        let log_x = elementary::ln(x);
-        let area_fraction = self.plastic_area(log_softening).fraction(x, log_x);
+        let log_x = x.ln();
+        let area_fraction = self.plastic_area(log_softening).fraction_alone(x, log_x);
         (area_fraction, self.gap_exponent().deformation_over_amplitude(log_x, x))
     }
 
@@ -449,7 +450,7 @@ impl YieldingArea {
     /// [`ElasticPlasticSinusoid::area_fraction`] where the sinusoid yields at the mean pressure p \[Pa\].
     pub fn fraction_at(&self, pressure_pa: f64) -> f64 {
         let x = pressure_pa / self.complete_contact_pressure_pa;
-        if x < 1.0 { self.plastic.fraction(x, elementary::ln(x)) } else { 1.0 }
+        if x < 1.0 { self.plastic.fraction_alone(x, x.ln()) } else { 1.0 }
     }
 }
 
@@ -461,11 +462,21 @@ struct PlasticArea {
 }
 
 impl PlasticArea {
-    /// min(1, phi_p (1 - x^1.51) + phi_2 x^1.04).
+    /// min(1, phi_p (1 - x^1.51) + phi_2 x^1.04), for loops over many pressures.
     #[inline(always)]
     fn fraction(self, x: f64, log_x: f64) -> f64 {
-        let [light, heavy] = joining_powers(x, log_x);
-        let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
+        self.fraction_by(elementary::exp, x, log_x)
+    }
+
+    /// The same for one pressure that others wait for, as down a stack: alone, the library's exponential is the faster one.
+    fn fraction_alone(self, x: f64, log_x: f64) -> f64 {
+        self.fraction_by(f64::exp, x, log_x)
+    }
+
+    #[inline(always)]
+    fn fraction_by(self, exp: impl Fn(f64) -> f64, x: f64, log_x: f64) -> f64 {
+        let [light, heavy] = joining_powers_by(&exp, x, log_x);
+        let plastic = exp(self.log_factor + self.exponent * log_x);
         let fitted = plastic * (1.0 - light) + heavy_limit(x) * heavy;
         if fitted < 1.0 { fitted.max(f64::MIN_POSITIVE) } else { 1.0 }
     }

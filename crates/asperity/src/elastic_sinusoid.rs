@@ -144,7 +144,12 @@ fn light_joined(x: f64) -> f64 {
 /// x^1.51 and x^1.04 for 0 < x <= 1, from one exponential: x^1.5 (x^0.01) and x (x^0.01)^4.
 #[inline(always)]
 pub(crate) fn joining_powers(x: f64, log_x: f64) -> [f64; 2] {
-    let hundredth = elementary::exp(0.01 * log_x);
+    joining_powers_by(&elementary::exp, x, log_x)
+}
+
+#[inline(always)]
+pub(crate) fn joining_powers_by(exp: &impl Fn(f64) -> f64, x: f64, log_x: f64) -> [f64; 2] {
+    let hundredth = exp(0.01 * log_x);
     let square = hundredth * hundredth;
     [x * x.sqrt() * hundredth, x * (square * square)]
 }
