@@ -1,7 +1,7 @@
 //! What a scale of the stack costs under a load.
 
 use asperity::{ElasticBody, MaterialPair, NixGao};
-use stacked_contact::{Scale, StackedModel, largest_full_contact_pressure_pa, levels, levels_under_loads};
+use stacked_contact::{Scale, StackedModel, largest_full_contact_pressure_pa, levels};
 
 use crate::clock::seconds_per_call;
 
@@ -59,11 +59,7 @@ pub fn final_pressure_pa(model: &StackedModel, load_pa: f64, scales: &[Scale]) -
 }
 
 fn cost(law: &'static str, model: &StackedModel, scales: &[Scale]) -> StackCost {
-    // As the program goes down a stack: all loads together.
-    let all_loads = || {
-        let levels = levels_under_loads(model, &LOADS_PA, scales.iter().copied());
-        levels.map(|level| level.real_pressure_pa).sum::<f64>()
-    };
+    let all_loads = || LOADS_PA.iter().map(|&load_pa| final_pressure_pa(model, load_pa, scales)).sum::<f64>();
     let limit_pa = largest_full_contact_pressure_pa(model, scales.iter().copied());
     StackCost {
         law,
