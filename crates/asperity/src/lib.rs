@@ -37,6 +37,7 @@ mod material;
 mod mean_gap;
 mod monotone_cubic;
 mod nix_gao;
+mod plastic_area;
 mod root;
 
 pub use bem_sinusoid::BemSinusoid;

@@ -58,6 +58,21 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
+impl Series {
+    /// A solid line that belongs to no curve: its condition, by which its column goes too, is its colour.
+    pub fn under(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        Series {
+            column: condition.to_owned(),
+            curve: String::new(),
+            condition: condition.to_owned(),
+            condition_in_full: condition.to_owned(),
+            colour,
+            dash: 0,
+            points,
+        }
+    }
+}
+
 /// A figure with its data; all axes are logarithmic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FigureData {

@@ -33,7 +33,7 @@ pub fn work_precision(
         series.extend(separations.into_iter().map(|separation| {
             let here = of_engine().filter(|point| point.separation_over_sigma == separation);
             let right = here.filter_map(|point| Some((point.error()?.max(LEAST_ERROR), point.seconds)));
-            line(engine.name(), colour, without_repetitions(right.collect()))
+            Series::under(engine.name(), colour, without_repetitions(right.collect()))
         }));
     }
     let figure = FigureData {
@@ -63,7 +63,11 @@ fn without_repetitions(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 /// The plot of the program's processor time against the size of what it is asked.
 pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
     let series = scaling.growths.iter().enumerate().map(|(colour, growth)| {
-        line(growth.what, colour, growth.runs.iter().map(|run| (run.size, run.processor_s)).collect())
+        Series::under(
+            growth.what,
+            colour,
+            growth.runs.iter().map(|run| (run.size, run.processor_s)).collect(),
+        )
     });
     let x_label = "number of scales, cutoffs, loads or rows";
     let figure = FigureData {
@@ -81,19 +85,6 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
 fn provenance(facts: &[Fact]) -> Vec<String> {
     let measured = "measured by `cargo xtask bench`; do not edit".to_owned();
     std::iter::once(measured).chain(facts.iter().map(|(name, value)| format!("{name}: {value}"))).collect()
-}
-
-/// A line among those of its colour.
-fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
-    Series {
-        column: condition.to_owned(),
-        curve: String::new(),
-        condition: condition.to_owned(),
-        condition_in_full: condition.to_owned(),
-        colour,
-        dash: 0,
-        points,
-    }
 }
 
 #[cfg(test)]

@@ -119,15 +119,7 @@ fn picture(
 
 /// A line under a condition, which its colour stands for.
 fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
-    Series {
-        column: condition.to_owned(),
-        curve: String::new(),
-        condition: condition.to_owned(),
-        condition_in_full: condition.to_owned(),
-        colour,
-        dash: 0,
-        points,
-    }
+    Series::under(condition, colour, points)
 }
 
 /// The same line among others of its colour, told apart by its dash.
