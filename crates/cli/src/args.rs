@@ -13,11 +13,11 @@ use stat_contact::{InterferenceLaw, Model};
 use crate::material::StackedModelName;
 use crate::output::Place;
 use crate::plan::Tolerance;
-use crate::pressure_range::PressureRange;
-use crate::quantity::{Length, Modulus, Pressure, SignedLength};
 use crate::scene::Template;
 use crate::table::Format;
 use crate::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
+use units::PressureRange;
+use units::{Length, Modulus, Pressure, SignedLength};
 
 /// How much of two rough surfaces really touches, and which scales of roughness decide it.
 ///
@@ -493,7 +493,7 @@ fn parse_place(text: &str) -> Result<Place, std::convert::Infallible> {
     Ok(Place::from(text))
 }
 
-fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), crate::quantity::QuantityError> {
+fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), units::QuantityError> {
     Ok((text.parse()?, text.trim().to_owned()))
 }
 

@@ -1,11 +1,11 @@
 //! What a scene needs, what of it is the same, and what is skipped, told before anything is computed.
 
-use crate::display::{length, three_digits};
 use crate::figure::Shows;
 use crate::plan::{Curve, CurveModel, Cutoffs, Needs, scales_per_decade};
 use crate::scene::Scene;
 use crate::sensitivity::wanted_areas;
 use crate::summary::aligned;
+use units::display::{length, three_digits};
 
 type IsFramework = fn(&CurveModel) -> bool;
 

@@ -2,9 +2,9 @@
 
 use stacked_contact::Scale;
 
-use crate::display::{length, load_in_full, pressure, typeset};
 use crate::plan::{Needs, Results};
 use crate::table::Table;
+use units::display::{length, load_in_full, pressure, typeset};
 
 /// What a figure shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]

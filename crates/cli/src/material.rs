@@ -4,9 +4,9 @@ use asperity::{AsperityError, Bound, ElasticBody, Hardness, MaterialPair, NixGao
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw, Model};
 
-use crate::display::{length, pressure};
-use crate::number::number;
-use crate::quantity::Pressure;
+use units::Pressure;
+use units::display::{length, pressure};
+use units::number;
 
 /// H/S0.
 const HARDNESS_OVER_STRENGTH: f64 = 3.0;

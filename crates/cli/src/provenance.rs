@@ -1,8 +1,8 @@
 //! Where a written file comes from: the program, what it was asked, and what the spectrum's own file says.
 
-use crate::number::number;
 use crate::plan::Sampling;
 use crate::surface::Surface;
+use units::number;
 
 /// The line that begins the provenance of any file.
 pub fn program(asked: &str) -> String {

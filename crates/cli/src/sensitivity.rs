@@ -7,10 +7,10 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 
-use crate::display::pressure;
 use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
 use crate::scene::Scene;
 use crate::table::Table;
+use units::display::pressure;
 
 /// Densities of the spectrum that are tried, in scales per decade.
 const SCALES_PER_DECADE: [u32; 3] = [5, 10, 20];

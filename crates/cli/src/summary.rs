@@ -8,9 +8,9 @@ use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pre
 use stat_contact::ContactState;
 
 use crate::answer::{Answer, LoadAnswer};
-use crate::display::{length, pressure, three_digits};
 use crate::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use crate::scene::Scene;
+use units::display::{length, pressure, three_digits};
 
 /// The summary of a scene's results.
 pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {

@@ -4,11 +4,11 @@ use std::path::Path;
 
 use spectrum::{ProfilePsd, PsdFile, ReadOptions, read_psd, superpose};
 
-use crate::display::length;
 use crate::failure::Failure;
 use crate::output::{Place, utf8};
 use crate::table::{Format, InputTable};
 use crate::topography::{CompositeSpectrum, Recipe, ScanFailure, ScanRequest};
+use units::display::length;
 
 /// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
 /// and licence stand in their comments.

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_2_PI;
 use serde::{Deserialize, Serialize};
 
 use crate::approximate::approximate;
-use crate::named::named;
 use crate::profile::ProfilePsd;
+use units::named;
 
 /// Equivalent noise bandwidth of the Hann window, in bins.
 const HANN_NOISE_BANDWIDTH: f64 = 1.5;

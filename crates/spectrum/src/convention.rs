@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::named::named;
+use units::named;
 
 /// What the values of a power spectrum mean, stated through the variance sigma^2 of the heights.
 ///

@@ -37,7 +37,6 @@ mod convention;
 mod interval;
 mod mccool;
 mod moments;
-mod named;
 mod profile;
 mod psd;
 mod read;
@@ -49,7 +48,6 @@ pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
-pub use named::UnknownName;
 pub use profile::ProfilePsd;
 pub use psd::{Psd, PsdError};
 pub use read::{
@@ -71,3 +69,4 @@ pub use transform::{
     nonuniform_line_spectrum, nonuniform_line_spectrum_to, overlaps, real_space_derivatives, superpose,
     tip_cutoff_m, uniform_line_spectrum,
 };
+pub use units::UnknownName;

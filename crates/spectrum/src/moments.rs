@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::approximate::approximate;
 use crate::interval::Interval;
-use crate::named::named;
 use crate::profile::ProfilePsd;
+use units::named;
 
 /// The factor before the integral of a spectral moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

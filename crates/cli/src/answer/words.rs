@@ -1,10 +1,10 @@
 //! The answer in plain words.
 
 use super::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
-use crate::display::{length, pressure, three_digits};
 use crate::plan::Results;
 use crate::scene::Scene;
 use crate::topography::InstrumentsDisagree;
+use units::display::{length, pressure, three_digits};
 
 impl Answer {
     /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.

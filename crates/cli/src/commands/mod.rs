@@ -19,13 +19,10 @@ use spectrum::ReadOptions;
 use crate::args::{Args, Command, MaterialArgs, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::material::{GivenMaterial, Material};
-use crate::number::number;
 use crate::output::{Place, Stopped};
 use crate::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
-use crate::pressure_range::PressureRange;
 use crate::progress::Progress;
 use crate::provenance::provenance;
-use crate::quantity::{Modulus, Pressure};
 use crate::scene::Overrides;
 use crate::stderr::say;
 use crate::summary::CurveCounts;
@@ -33,6 +30,9 @@ use crate::surface::Surface;
 use crate::table::{Table, TableWriter};
 use crate::tables;
 use crate::timings::Timings;
+use units::PressureRange;
+use units::number;
+use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {

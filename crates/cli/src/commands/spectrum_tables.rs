@@ -2,11 +2,11 @@
 
 use super::Context;
 use crate::args::{FitArgs, PsdArgs};
-use crate::display::length;
 use crate::failure::Failure;
-use crate::number::number;
 use crate::plan::{Needs, Results};
 use crate::tables;
+use units::display::length;
+use units::number;
 
 pub(super) fn moments(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Failure> {
     let normalisation = context.shared.normalisation.unwrap_or_default();

@@ -9,12 +9,12 @@ use super::{Context, loads, material, say_notes};
 use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
 use crate::material::strength;
-use crate::number::number;
 use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
 use crate::progress::Progress;
 use crate::summary::StateCounts;
 use crate::table::{Cell, Cells, InputTable, Refusal, Row};
 use crate::tables::STATE_DETAILS;
+use units::number;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, &args.input) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use kuva::TickFormat;
 
-use crate::display::power_of_ten;
+use units::display::power_of_ten;
 
 const MOST_TICKS: f64 = 9.0;
 

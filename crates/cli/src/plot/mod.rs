@@ -13,11 +13,11 @@ use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
-use crate::display::typeset;
 use crate::figure::{FigureData, Series};
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
 use thinned::thinned;
+use units::display::typeset;
 
 /// Size of a picture, without the legend under it.
 const WIDTH_PX: f64 = 480.0;

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use super::SceneReport;
-use crate::display::typeset;
 use crate::summary::sampling;
+use units::display::typeset;
 
 pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {
     html! {

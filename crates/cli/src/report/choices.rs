@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene};
-use crate::display::length;
 use crate::material::Material;
 use crate::plan::Sampling;
+use units::display::length;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;

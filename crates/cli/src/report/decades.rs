@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use crate::display::length;
+use units::display::length;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let strips = per_scene(scenes, of)?;

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
 use crate::answer::DISAGREEMENT;
-use crate::display::{length, typeset_digits};
+use units::display::{length, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;

@@ -4,8 +4,8 @@ use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
 use crate::answer::LoadAnswer;
-use crate::display::{length, typeset_digits};
 use crate::features::Convergence;
+use units::display::{length, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;

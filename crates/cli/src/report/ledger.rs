@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{Section, table};
-use crate::display::typeset;
+use units::display::typeset;
 
 /// Statements and what was found of them.
 #[derive(Debug, Clone, PartialEq)]

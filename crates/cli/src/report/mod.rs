@@ -19,11 +19,11 @@ pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::answer::{Answer, LoadAnswer};
-use crate::display::{load_in_full, pressure, typeset_digits};
 use crate::figure::FigureData;
 use crate::plan::Results;
 use crate::scene::Scene;
 use crate::sensitivity::Sensitivity;
+use units::display::{load_in_full, pressure, typeset_digits};
 
 /// What a report says about one scene.
 pub struct SceneReport<'a> {

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use crate::display::typeset_digits;
 use crate::sensitivity::Sensitivity;
+use units::display::typeset_digits;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let tables = per_scene(scenes, of)?;

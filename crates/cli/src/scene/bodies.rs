@@ -7,7 +7,7 @@ use super::diagnostic::SceneError;
 use super::raw::{RawCounterface, RawMaterial, RawQuantity};
 use super::values::{optional, quantity};
 use crate::material::{GivenMaterial, Material};
-use crate::quantity::{Length, Modulus, Pressure};
+use units::{Length, Modulus, Pressure};
 
 pub(super) fn resolve_material(
     raw: &RawMaterial,

@@ -8,8 +8,8 @@ use super::values::{check_file_name, quantity};
 use crate::figure::{Figure, Shows};
 use crate::material::Material;
 use crate::plan::{Curve, CurveModel, Cutoffs, LoadSweep};
-use crate::pressure_range::log_spaced;
-use crate::quantity::Pressure;
+use units::Pressure;
+use units::log_spaced;
 
 /// The figures, and the sweeps over loads that they draw.
 pub(super) fn resolve_figures(

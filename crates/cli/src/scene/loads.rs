@@ -7,7 +7,7 @@ use super::raw::{RawLoads, RawQuantity};
 use super::values::{label, quantity};
 use crate::material::Material;
 use crate::plan::Load;
-use crate::quantity::{Area, Force, Pressure};
+use units::{Area, Force, Pressure};
 
 pub(super) fn resolve_loads(
     raw: &Spanned<RawLoads>,

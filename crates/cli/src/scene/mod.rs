@@ -21,9 +21,9 @@ use std::path::Path;
 use crate::failure::Failure;
 use crate::figure::Figure;
 use crate::material::Material;
-use crate::number::number;
 use crate::plan::{CurveModel, Needs, Plan, Sampling};
 use crate::surface::Surface;
+use units::number;
 
 /// A checked scene.
 #[derive(Debug, Clone)]

@@ -17,7 +17,7 @@ use super::surfaces::resolve_surface;
 use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
 use crate::plan::{CurveModel, Needs, Sampling};
-use crate::quantity::{Length, Pressure};
+use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.
 #[derive(Debug, Clone, Default)]

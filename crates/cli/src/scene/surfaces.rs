@@ -9,9 +9,9 @@ use super::diagnostic::SceneError;
 use super::raw::{RawScan, RawSurface};
 use super::values::{count, optional, parsed};
 use crate::failure::Failure;
-use crate::quantity::Length;
 use crate::surface::Surface;
 use crate::topography::{DEFAULT_BINS_PER_DECADE, Recipe, ScanFailure, ScanRequest};
+use units::Length;
 
 /// The surface under this key of the scene, files relative to `folder`.
 pub(super) fn resolve_surface(

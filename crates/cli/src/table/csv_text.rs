@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::{Cell, Cells, Table};
 use crate::failure::Failure;
-use crate::number::write_number;
+use units::write_number;
 
 /// Rows as they are read.
 pub(super) struct Rows<'s, R: Read> {

@@ -8,7 +8,7 @@ use serde_json::value::RawValue;
 
 use super::{Cell, Cells, Table};
 use crate::failure::Failure;
-use crate::number::write_number;
+use units::write_number;
 
 pub(super) type Row = IndexMap<String, Box<RawValue>>;
 

@@ -14,7 +14,7 @@ use std::io::{self, Write};
 
 use serde_json::value::RawValue;
 
-use crate::number::number;
+use units::number;
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]

@@ -4,7 +4,7 @@ use spectrum::{
     Boundary, DerivativeOf, LineSpectrum, Preparation, Scan, fundamental_kept, real_space_derivatives,
 };
 
-use crate::display::three_digits;
+use units::display::three_digits;
 
 /// From here on a deviation is worth a sentence of warning.
 const LARGE_PARSEVAL: f64 = 1e-9;

@@ -7,10 +7,10 @@ use spectrum::{BinMean, Composite, CompositeOptions, Convention, Overlap, Psd, c
 
 use super::measure::ScanSpectrum;
 use super::request::{Average, Recipe, ScanRequest};
-use crate::display::{length, three_digits};
 use crate::failure::Failure;
-use crate::number::number;
 use crate::table::Table;
+use units::display::{length, three_digits};
+use units::number;
 
 /// Instruments that differ by more than this factor where they overlap hardly show the same surface in the same units.
 const DISAGREEMENT: f64 = 3.0;

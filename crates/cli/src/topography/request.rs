@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::Deserialize;
 use spectrum::{BandLimits, Detrend, LengthUnit, Preparation, ScanFile, Window};
 
-use crate::quantity::Length;
+use units::Length;
 
 /// A file of scans, and what is known of them besides.
 #[derive(Debug, Clone, PartialEq, Default)]

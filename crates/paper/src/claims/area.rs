@@ -1,11 +1,11 @@
 //! What the paper says of the area against cutoff and load: rows 4, 6, 7, 8, 10, 19 and 20.
 
-use cli::display::{length, three_digits};
 use cli::features::{
     Convergence, Dip, Plateau, Point, between, convergence, dips, log_slope, widest_plateau,
 };
 use stacked_contact::largest_full_contact_pressure_pa;
 use stat_contact::ContactState;
+use units::display::{length, three_digits};
 
 use super::spectrum::PRINTED_WAVELENGTH_M;
 use super::{Check, LEVEL, VISIBLE, final_slopes, furthest_from_one, highest, lengths, lowest, numbers};

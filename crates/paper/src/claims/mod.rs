@@ -5,8 +5,8 @@ mod plasticity;
 mod spectrum;
 mod strength;
 
-use cli::display::{length, three_digits};
 use cli::features::Point;
+use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
 use crate::ledger::{Finding, Row, Statement};

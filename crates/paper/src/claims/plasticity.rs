@@ -1,9 +1,9 @@
 //! What the paper says of yielding and hardness: rows 5, 9 and 15.
 
 use asperity::ElasticPlasticSinusoid;
-use cli::display::{length, three_digits};
 use cli::features::{agrees_from, ratio};
 use stacked_contact::{StackedModel, setting_level};
+use units::display::{length, three_digits};
 
 use super::{Check, lengths, lowest, numbers};
 use crate::evidence::{ALL, Evidence, Name, PLASTIC, PLASTIC_AND_ELASTIC};

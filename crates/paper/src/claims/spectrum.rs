@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use cli::display::{length, three_digits};
 use cli::features::{between, log_slope, log_slopes};
 use spectrum::{Convention, Moments, Normalisation, Psd, cumulative_moments};
+use units::display::{length, three_digits};
 
 use super::{Check, numbers};
 use crate::ledger::{Finding, Statement, Verdict, verdict};

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::sums::{Spread, dot, sum_of, sums_of};
-use crate::named::named;
 use crate::scan::HeightMap;
+use units::named;
 
 /// What is subtracted from the heights before they are transformed, each fitted by least squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -14,7 +14,8 @@ pub struct UnknownName {
     pub accepted: String,
 }
 
-/// Gives a field-less enum its list of values, its names, `Display` and `FromStr`.
+/// Gives a field-less enum its list of values `ALL`, its names, `Display` and `FromStr`.
+#[macro_export]
 macro_rules! named {
     ($type:ident, $what:literal, { $($variant:ident => $name:literal),+ $(,)? }) => {
         impl $type {
@@ -34,7 +35,7 @@ macro_rules! named {
         }
 
         impl std::str::FromStr for $type {
-            type Err = $crate::named::UnknownName;
+            type Err = $crate::UnknownName;
 
             fn from_str(text: &str) -> Result<Self, Self::Err> {
                 Self::ALL.iter().copied().find(|value| value.name() == text).ok_or_else(|| Self::Err {
@@ -46,4 +47,3 @@ macro_rules! named {
         }
     };
 }
-pub(crate) use named;

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use crate::quantity::{Pressure, QuantityError};
+use crate::{Pressure, QuantityError};
 
 /// Pressures from one to another, as typed: `1kPa:1GPa:1000`.
 #[derive(Debug, Clone, Copy, PartialEq)]
