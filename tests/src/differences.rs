@@ -2,10 +2,9 @@
 
 use std::path::PathBuf;
 
-use cli::figure::{FigureData, Series};
-use cli::output::Place;
-use cli::plot;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use report::plot;
+use study::figure::{FigureData, Series};
 
 use crate::committed_file;
 use crate::golden::{GoldenCurve, TOLERANCE, columns, deviations};
@@ -21,9 +20,7 @@ pub fn write_differences(curves: &[GoldenCurve]) -> Option<PathBuf> {
         return None;
     }
     let page = page(&changed).into_string();
-    Place::File(path.clone())
-        .write(|out| out.write_all(page.as_bytes()))
-        .expect("the target folder is writable");
+    staging::write_file(&path, page).expect("the target folder is writable");
     Some(path)
 }
 

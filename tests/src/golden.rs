@@ -3,15 +3,14 @@
 use std::path::PathBuf;
 
 use approx::relative_eq;
-use cli::features::convergence;
-use cli::figure::FigureData;
-use cli::output::StagedFiles;
-use cli::products;
-use cli::scene::{Scene, Template};
-use cli::table::Cells;
 use insta::Snapshot;
 use insta::comparator::Comparator;
 use insta::internals::SnapshotContents;
+use report::products;
+use study::features::convergence;
+use study::figure::FigureData;
+use study::scene::{Scene, Template};
+use tables::Cells;
 
 use crate::committed_file;
 
@@ -60,7 +59,7 @@ fn curves_of(prefix: &str, figure: &FigureData) -> Vec<GoldenCurve> {
     curves
 }
 
-fn computed(template: Template) -> (Scene, cli::plan::Results) {
+fn computed(template: Template) -> (Scene, study::plan::Results) {
     let scene = Scene::builtin(template).expect("a scene of the program's own");
     let results = scene.plan().compute().expect("a scene of the program's own");
     (scene, results)
@@ -199,11 +198,7 @@ pub fn readme_picture_is_current() -> bool {
 
 /// Draws the README's picture anew.
 pub fn rewrite_readme_picture() {
-    let mut files = StagedFiles::default();
-    files
-        .stage(&committed_file(README_PICTURE.0), |out| out.write_all(readme_picture().as_bytes()))
-        .expect("staged");
-    files.publish().expect("written");
+    staging::write_file(&committed_file(README_PICTURE.0), readme_picture()).expect("the docs are writable");
 }
 
 fn readme_picture() -> String {

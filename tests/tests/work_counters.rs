@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use cli::plan::{Plan, Work};
-use cli::products::Findings;
-use cli::scene::{Overrides, Scene, Template};
 use insta::assert_debug_snapshot;
+use report::products::Findings;
 use spectrum::{Convention, ProfilePsd, Psd};
+use study::plan::{Plan, Work};
+use study::scene::{Overrides, Scene, Template};
 
 fn scene(sections: &str) -> Scene {
     let text = format!("[surface]\npsd = \"builtin:uncd-measured\"\n{sections}");

@@ -16,8 +16,9 @@ pub(crate) fn run(check: bool) -> ExitCode {
             return ExitCode::FAILURE;
         }
         (false, false) => {
-            if let Err(failure) = rewrite() {
-                return failure.report();
+            if let Err(error) = rewrite() {
+                eprintln!("error: drawing the pictures: {error}");
+                return ExitCode::FAILURE;
             }
             println!("drawn anew; a file that is no picture of the program is for you to delete");
         }

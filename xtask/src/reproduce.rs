@@ -1,27 +1,33 @@
 //! The paper's figures, for every scene that comes with the program, and what becomes of its statements.
 
+use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use cli::failure::Failure;
-use cli::output::Place;
-use cli::products::{self, Findings};
-use cli::report::{self, Report};
-use cli::scene::Template;
-use cli::table::Format;
 use paper::{Evidence, Verdict};
+use report::page::{self, Report};
+use report::products::{self, Findings};
+use staging::{StagedFiles, write_file};
+use study::scene::Template;
+use tables::Format;
 use tests::committed_file;
 
 /// The spectrum that goes further comes first.
 const SCENES: [Template; 2] = [Template::UncdReconstructed, Template::UncdMeasured];
 
 pub(crate) fn run() -> ExitCode {
-    reproduce(&committed_file("target/reproduce")).map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+    match reproduce(&committed_file("target/reproduce")) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 /// Writes figures, tables and claims, and says where they are.
-fn reproduce(folder: &Path) -> Result<(), Failure> {
+fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
     let findings = evidence.iter().map(found).collect::<Result<Vec<_>, _>>()?;
@@ -30,8 +36,13 @@ fn reproduce(folder: &Path) -> Result<(), Failure> {
     for (evidence, findings) in evidence.iter().zip(&findings) {
         let folder = folder.join(evidence.template.name());
         let (scene, results) = (&evidence.scene, &evidence.results);
-        let files = products::write(scene, results, Some(findings), Format::Csv, &folder)?;
-        println!("{}: {} files in {}", scene.title, files.len(), folder.display());
+        std::fs::create_dir_all(&folder)?;
+        let mut files = StagedFiles::default();
+        let names = products::each_file(scene, results, Some(findings), Format::Csv, |name, content| {
+            files.stage(&folder.join(name), |out| content(out))
+        })?;
+        files.publish()?;
+        println!("{}: {} files in {}", scene.title, names.len(), folder.display());
     }
     let checked = checked(&ledger);
     let scenes = evidence.iter().zip(&findings);
@@ -46,10 +57,11 @@ fn reproduce(folder: &Path) -> Result<(), Failure> {
         repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
     };
     let page = folder.join("report.html");
-    let html = report.html();
-    Place::File(page.clone()).write(|out| out.write_all(html.as_bytes()))?;
+    write_file(&page, report.html())?;
     let claims = folder.join("claims.csv");
-    Place::File(claims.clone()).write(|out| paper::table(&ledger).write(Format::Csv, &[], out))?;
+    let mut table = Vec::new();
+    paper::table(&ledger).write(Format::Csv, &[], &mut table)?;
+    write_file(&claims, table)?;
     println!("{}: {}", claims.display(), verdicts(&ledger));
     println!("the report: {}", page.display());
     say_time("computed in", computing);
@@ -67,24 +79,24 @@ fn label(spectrum: &str) -> &str {
 }
 
 /// The ledger as the report shows it.
-fn checked(ledger: &[paper::Row]) -> report::Ledger {
-    let finding = |(spectrum, finding): &(&'static str, paper::Finding)| report::Finding {
+fn checked(ledger: &[paper::Row]) -> page::Ledger {
+    let finding = |(spectrum, finding): &(&'static str, paper::Finding)| page::Finding {
         label: label(spectrum).to_owned(),
         found: finding.found.clone(),
         verdict: finding.verdict,
         remark: finding.remark.clone(),
     };
-    let row = |row: &paper::Row| report::LedgerRow {
+    let row = |row: &paper::Row| page::LedgerRow {
         number: row.statement.number,
         statement: row.statement.statement.to_owned(),
         how: row.statement.how.to_owned(),
         findings: row.findings.iter().map(finding).collect(),
     };
-    report::Ledger { rows: ledger.iter().map(row).collect() }
+    page::Ledger { rows: ledger.iter().map(row).collect() }
 }
 
-fn found(evidence: &Evidence) -> Result<Findings, Failure> {
-    Findings::of(&evidence.scene, &evidence.results).map_err(Failure::input)
+fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {
+    Findings::of(&evidence.scene, &evidence.results).map_err(Into::into)
 }
 
 /// How many statements each spectrum reproduces.

@@ -30,7 +30,6 @@ mod breaks;
 mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
 pub mod elementary;
-mod error;
 mod hertz;
 mod jackson_green;
 mod material;
@@ -46,7 +45,6 @@ pub use elastic_plastic_sinusoid::{
     ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, FlowPoint, PlasticFlow, YieldingArea,
 };
 pub use elastic_sinusoid::ElasticSinusoid;
-pub use error::{AsperityError, Bound};
 pub use hertz::Hertz;
 pub use jackson_green::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, JacksonGreen,
@@ -54,3 +52,4 @@ pub use jackson_green::{
 };
 pub use material::{ElasticBody, MaterialPair};
 pub use nix_gao::NixGao;
+pub use units::{Bound, OutOfBounds as AsperityError};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::error::{AsperityError, Bound};
+use crate::{AsperityError, Bound};
 
 /// An isotropic elastic body; its values were checked when it was made.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]

@@ -1,6 +1,6 @@
 //! Strength that grows as the deformation gets shallower: Nix & Gao (1998); Jackson & Jacobs, Eq. (8).
 
-use crate::error::{AsperityError, Bound};
+use crate::{AsperityError, Bound};
 
 /// Yield strength Sy = S0 sqrt(1 + h*/h_p) \[Pa\], constant where no strain-gradient length is given: Nix & Gao (1998);
 /// Jackson & Jacobs, Eq. (8); `docs/models.md`, section 2.7. A continuum law: depths of a few atoms are outside its

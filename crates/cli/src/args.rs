@@ -10,12 +10,12 @@ use clap_complete::Shell;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Detrend, LengthUnit, Normalisation, Window};
 use stat_contact::{InterferenceLaw, Model};
 
-use crate::material::StackedModelName;
 use crate::output::Place;
-use crate::plan::Tolerance;
-use crate::scene::Template;
-use crate::table::Format;
-use crate::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
+use study::material::StackedModelName;
+use study::plan::Tolerance;
+use study::scene::Template;
+use study::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
+use tables::Format;
 use units::PressureRange;
 use units::{Length, Modulus, Pressure, SignedLength};
 
@@ -149,6 +149,7 @@ Example:
   truearea scene new > my-scene.toml")]
     Scene {
         /// Which one: an empty one to fill in, or UNCD
+        #[arg(value_parser = one_of::<Template, _>(Template::ALL))]
         template: Template,
     },
     /// Print what a shell needs to complete commands and options
@@ -181,7 +182,7 @@ pub(crate) struct ManArgs {
 #[command(next_help_heading = "Options for every command")]
 pub(crate) struct SharedArgs {
     /// Format of tables written
-    #[arg(long, value_enum, default_value_t, global = true)]
+    #[arg(long, value_parser = one_of::<Format, _>(Format::ALL), default_value_t, global = true)]
     pub format: Format,
     /// Where the table goes, or the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
@@ -276,7 +277,7 @@ pub(crate) struct ScansArgs {
     #[arg(long, value_parser = one_of::<Window, _>(Window::ALL))]
     pub window: Option<Window>,
     /// How scans are averaged where they share a bin
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = one_of::<Average, _>(Average::ALL), default_value_t)]
     pub average: Average,
     /// Logarithmic bins per decade of wavevectors
     #[arg(long, value_name = "N", value_parser = parse_count, default_value_t = DEFAULT_BINS_PER_DECADE)]
@@ -391,7 +392,7 @@ pub(crate) struct StackedArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
     /// How scales deform
-    #[arg(long)]
+    #[arg(long, value_parser = one_of::<StackedModelName, _>(StackedModelName::ALL))]
     pub model: StackedModelName,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]

@@ -2,6 +2,9 @@
 
 use std::process::ExitCode;
 
+use staging::PublishError;
+use tables::{Refusal, TableError};
+
 use crate::stderr::say;
 
 /// Why a command ends without its result.
@@ -13,6 +16,24 @@ pub enum Failure {
     System(String),
     /// The reader of stdout is gone, which ends a pipeline quietly. Exit status 0.
     ClosedPipe,
+}
+
+impl From<TableError> for Failure {
+    fn from(error: TableError) -> Self {
+        Failure::input(error)
+    }
+}
+
+impl From<PublishError> for Failure {
+    fn from(error: PublishError) -> Self {
+        Failure::writing(&error.path.display().to_string(), &error.error)
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        Failure::input(refusal)
+    }
 }
 
 impl Failure {

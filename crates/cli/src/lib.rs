@@ -1,45 +1,19 @@
-//! The `truearea` command line as a library: scenes, plans, tables and figures.
+//! The `truearea` command line as a library: what may be typed, which files are read and written, and what is said.
 //!
-//! ```
-//! use cli::scene::{Scene, Template};
-//!
-//! let scene = Scene::builtin(Template::UncdReconstructed).expect("a scene that comes with the program");
-//! let results = scene.plan().compute().expect("nothing in it is out of bounds");
-//! let (first_curve, first_load) = (&results.curves[0], 0);
-//! let (shortest_m, area_fraction) = *first_curve.area_fractions(first_load).last().unwrap();
-//! assert!(shortest_m < 1e-9 && area_fraction < 1.0);
-//! ```
-//!
-//! How a question becomes an answer: [`args`] is what may be typed, a [`scene`] what it means in SI units, a [`plan`]
-//! what has to be computed for it and no more, its [`plan::Results`] what every table ([`tables`]) and figure
-//! ([`figure`], [`plot`]) is made from.
-#![deny(missing_docs)]
+//! It computes nothing itself: [`args`] is what may be typed, `commands` ask [`study`] for it and [`report`] for its words,
+//! and [`output`] has what is written appear whole or not at all.
 
-pub mod answer;
 pub mod args;
-pub mod asperity_table;
 mod commands;
-mod explain;
 pub mod failure;
-pub mod features;
-pub mod figure;
-pub mod material;
+mod files;
 pub mod output;
-pub mod plan;
-pub mod plot;
-pub mod products;
 mod progress;
-mod provenance;
-pub mod report;
-pub mod scene;
-pub mod sensitivity;
+mod scene_errors;
 mod stderr;
-mod summary;
-pub mod surface;
-pub mod table;
-pub mod tables;
 mod timings;
-pub mod topography;
+
+pub use files::Folder;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -3,10 +3,13 @@
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use staging::StagedFiles;
 
 use crate::failure::Failure;
-use crate::plan::PlanError;
+use report::products::{self, Findings};
+use study::plan::{PlanError, Results};
+use study::scene::Scene;
+use tables::{Format, TableError};
 
 /// A path, or `-` for stdin or stdout.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,8 +71,8 @@ impl Place {
             }
             Place::File(path) => {
                 let mut files = StagedFiles::default();
-                files.stage(path, write)?;
-                files.publish()
+                stage(&mut files, path, write)?;
+                Ok(files.publish()?)
             }
         }
     }
@@ -96,6 +99,12 @@ impl From<Failure> for Stopped {
     }
 }
 
+impl From<TableError> for Stopped {
+    fn from(error: TableError) -> Self {
+        Stopped::Failed(Failure::input(error))
+    }
+}
+
 impl From<PlanError> for Stopped {
     fn from(error: PlanError) -> Self {
         Stopped::Failed(Failure::input(error))
@@ -109,6 +118,17 @@ impl Stopped {
             Stopped::Failed(failure) => failure,
         }
     }
+}
+
+/// Writes one file aside; a failure names it.
+pub(crate) fn stage<E: Into<Stopped>>(
+    files: &mut StagedFiles,
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<(), Failure> {
+    files
+        .stage(path, |out| write(out).map_err(Into::<Stopped>::into))
+        .map_err(|stopped| stopped.writing(&path.display().to_string()))
 }
 
 fn written<E: Into<Stopped>>(
@@ -131,62 +151,25 @@ pub fn utf8<'b>(bytes: &'b [u8], source: &str, what: &str) -> Result<&'b str, Fa
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
-/// Files written aside, to be renamed into place together.
-#[derive(Default)]
-pub struct StagedFiles(Vec<(NamedTempFile, PathBuf)>);
-
-impl StagedFiles {
-    /// Writes one file aside, in the folder it is meant for.
-    ///
-    /// # Errors
-    /// [`Failure::System`] that names the path, or what else stopped `write`. Nothing is left behind.
-    pub fn stage<E: Into<Stopped>>(
-        &mut self,
-        path: &Path,
-        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
-    ) -> Result<(), Failure> {
-        let failed = |error: io::Error| Failure::writing(&path.display().to_string(), &error);
-        let stopped = |stopped: Stopped| stopped.writing(&path.display().to_string());
-        // A device or a pipe cannot be replaced, and a link is to be followed.
-        if path.metadata().is_ok_and(|existing| !existing.is_file()) {
-            let mut file = BufWriter::new(std::fs::File::options().write(true).open(path).map_err(failed)?);
-            return written(write, &mut file).map_err(stopped);
-        }
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        let folder =
-            target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut aside = builder().tempfile_in(folder).map_err(failed)?;
-        let mut buffered = BufWriter::new(&mut aside);
-        written(write, &mut buffered).map_err(stopped)?;
-        drop(buffered);
-        self.0.push((aside, target));
-        Ok(())
-    }
-
-    /// Renames every staged file into its place.
-    ///
-    /// # Errors
-    /// [`Failure::System`] that names the first path that could not be replaced.
-    pub fn publish(self) -> Result<(), Failure> {
-        for (aside, target) in self.0 {
-            // Replacing a file does not make it readable to others.
-            if let Ok(existing) = target.metadata() {
-                let _ = aside.as_file().set_permissions(existing.permissions());
-            }
-            aside
-                .persist(&target)
-                .map_err(|error| Failure::writing(&target.display().to_string(), &error.error))?;
-        }
-        Ok(())
-    }
-}
-
-/// Temporary files are private by default; results get the permissions any new file gets.
-fn builder() -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder
+/// Writes every file of a scene into a folder, all of them or none; yields their names.
+///
+/// # Errors
+/// [`Failure::System`] that names the path.
+pub fn write_products(
+    scene: &Scene,
+    results: &Results,
+    findings: Option<&Findings>,
+    format: Format,
+    folder: &Path,
+) -> Result<Vec<String>, Failure> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
+    let mut files = StagedFiles::default();
+    let names = products::each_file(scene, results, findings, format, |name, content| {
+        stage(&mut files, &folder.join(name), |out| content(out))
+    })?;
+    files.publish()?;
+    Ok(names)
 }
 
 #[cfg(test)]

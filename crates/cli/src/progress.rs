@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Counts what is done, from any thread.
+/// Shows what is done, from any thread.
 pub struct Progress {
     bar: ProgressBar,
     begun: Instant,
@@ -34,10 +34,11 @@ impl Progress {
     pub fn aside(&self, say: impl FnOnce()) {
         self.bar.suspend(say);
     }
+}
 
-    /// One more step is done.
-    pub fn step(&self) {
-        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+impl study::Progress for Progress {
+    fn advance(&self, steps: usize) {
+        let done = self.done.fetch_add(steps as u64, Ordering::Relaxed) + steps as u64;
         if self.begun.elapsed() > PATIENCE {
             self.bar.set_position(done);
         }

@@ -2,11 +2,9 @@
 
 mod support;
 
-use std::path::Path;
-
-use cli::answer::Answer;
-use cli::scene::{Overrides, Scene};
-use cli::sensitivity::{Sensitivity, sensitivities};
+use study::answer::Answer;
+use study::scene::{Overrides, Scene};
+use study::sensitivity::{Sensitivity, sensitivities};
 use support::Bench;
 
 const BODY: &str = r#"
@@ -33,12 +31,12 @@ strain_gradient = true
 
 fn scene(options: &str) -> Scene {
     let text = format!("[surface]\npsd = \"builtin:uncd-measured\"\n{BODY}{options}");
-    Scene::parse(&text, "test", Path::new("."), &Overrides::default()).unwrap()
+    Scene::parse(&text, &study::NoFiles, &Overrides::default()).unwrap()
 }
 
 fn final_areas(scene: &Scene) -> Vec<Vec<f64>> {
     let results = scene.plan().compute().unwrap();
-    let last = |result: &cli::plan::CurveResult, load| result.area_fractions(load).last().unwrap().1;
+    let last = |result: &study::plan::CurveResult, load| result.area_fractions(load).last().unwrap().1;
     results.curves.iter().map(|result| (0..2).map(|load| last(result, load)).collect()).collect()
 }
 

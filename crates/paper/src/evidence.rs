@@ -1,11 +1,12 @@
 //! What a claim is held against: the computed curves of one of the paper's scenes.
 
-use cli::failure::Failure;
-use cli::features::Point;
-use cli::plan::{CurveModel, CurveResult, Results};
-use cli::scene::{Scene, Template};
+use std::error::Error;
+
 use stacked_contact::{Level, StackedModel};
 use stat_contact::ContactState;
+use study::features::Point;
+use study::plan::{CurveModel, CurveResult, Results};
+use study::scene::{Scene, Template};
 
 /// A curve of the paper, under the name it has in the scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,10 +48,10 @@ impl Evidence {
     /// Computes a scene that comes with the program.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the scene is broken.
-    pub fn compute(template: Template) -> Result<Self, Failure> {
+    /// What is wrong with the scene or its plan.
+    pub fn compute(template: Template) -> Result<Self, Box<dyn Error>> {
         let scene = Scene::builtin(template)?;
-        let results = scene.plan().compute().map_err(Failure::input)?;
+        let results = scene.plan().compute()?;
         Ok(Evidence { template, scene, results })
     }
 

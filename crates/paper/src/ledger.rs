@@ -1,8 +1,8 @@
 //! The ledger: statement by statement, what was found of it.
 
-use cli::table::Table;
+use tables::Table;
 
-pub use cli::report::Verdict;
+pub use report::page::Verdict;
 
 /// Reproduced if `holds`.
 pub(crate) fn verdict(holds: bool) -> Verdict {

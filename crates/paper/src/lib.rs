@@ -2,7 +2,7 @@
 //! against the curves that this program computes.
 //!
 //! ```
-//! use cli::scene::Template;
+//! use study::scene::Template;
 //! use paper::{Evidence, Verdict, ledger};
 //!
 //! let evidence = [Evidence::compute(Template::UncdReconstructed)?];

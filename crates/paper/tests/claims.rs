@@ -1,7 +1,7 @@
 //! The ledger as a whole: complete, computed, and not tuned.
 
-use cli::scene::Template;
 use paper::{Evidence, Row, Verdict, ledger, table};
+use study::scene::Template;
 
 fn rows() -> Vec<Row> {
     let evidence = [Template::UncdReconstructed, Template::UncdMeasured]

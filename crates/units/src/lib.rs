@@ -12,12 +12,14 @@
 //! # Ok::<(), units::QuantityError>(())
 //! ```
 
+mod bound;
 pub mod display;
 mod named;
 mod number;
 mod pressure_range;
 mod quantity;
 
+pub use bound::{Bound, OutOfBounds};
 pub use named::UnknownName;
 pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};

@@ -1,7 +1,7 @@
 //! Work-precision plots: the error of a state against the time it took.
 
-use cli::figure::{Axis, FigureData, Series, Shows};
-use cli::plot;
+use report::plot;
+use study::figure::{Axis, FigureData, Series, Shows};
 
 use crate::files::stem;
 use crate::machine::Fact;

@@ -10,13 +10,13 @@ use std::process::ExitCode;
 use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
-use cli::scene::{Scene, Template};
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, HeightMap, Normalisation, Preparation, amplitudes,
     areal_spectrum, cumulative_moments, fit_self_affine, map_line_spectrum,
 };
 use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
+use study::scene::{Scene, Template};
 
 /// What is counted.
 type Work = Box<dyn Fn()>;
@@ -212,6 +212,6 @@ fn map(transform: fn(&HeightMap)) -> Work {
 /// Everything that the figures of the reconstructed spectrum show, at the tolerance of ten digits.
 fn paper() -> Work {
     let mut scene = diamond();
-    scene.needs.tolerance = cli::plan::Tolerance::new(1e-10).expect("a tolerance");
+    scene.needs.tolerance = study::plan::Tolerance::new(1e-10).expect("a tolerance");
     Box::new(move || drop(black_box(scene.plan().compute().expect("a sound scene"))))
 }

@@ -15,9 +15,9 @@ mod strength;
 use std::path::PathBuf;
 
 use asperity::{Break, ElasticBody, MaterialPair};
-use cli::figure::{Axis, FigureData, Series, Shows};
-use cli::output::StagedFiles;
-use cli::plot;
+use report::plot;
+use staging::StagedFiles;
+use study::figure::{Axis, FigureData, Series, Shows};
 
 use crate::committed_file;
 
@@ -74,16 +74,14 @@ pub fn stale() -> Vec<String> {
 /// Draws every picture anew; none is touched where one cannot be written.
 ///
 /// # Errors
-/// A message that names the file.
-pub fn rewrite() -> Result<(), cli::failure::Failure> {
-    let folder = committed_file("docs/pictures");
-    std::fs::create_dir_all(&folder)
-        .map_err(|error| cli::failure::Failure::writing(&folder.display().to_string(), &error))?;
+/// What could not be written.
+pub fn rewrite() -> Result<(), Box<dyn std::error::Error>> {
+    std::fs::create_dir_all(committed_file("docs/pictures"))?;
     let mut files = StagedFiles::default();
     for picture in pictures() {
         files.stage(&path(picture.name), |out| out.write_all(picture.svg.as_bytes()))?;
     }
-    files.publish()
+    Ok(files.publish()?)
 }
 
 /// A body to look at laws with: steel, E* = 231 GPa against a rigid flat.

@@ -1,15 +1,15 @@
 //! What a spectrum becomes: moments and asperities for every cutoff, and the stack of its scales.
 
 use std::num::NonZeroU32;
-use std::path::Path;
 
 use asperity::{MaterialPair, NixGao};
-use cli::surface::Surface;
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Convention, Moments, Normalisation, ProfilePsd, Psd,
     ReadOptions, amplitudes, cumulative_moments,
 };
 use stacked_contact::{Level, Scale, StackedModel, levels};
+use study::NoFiles;
+use study::surface::Surface;
 
 use super::{Picture, body, dashed, geometric, line, picture};
 
@@ -63,7 +63,7 @@ pub(super) fn moments() -> Picture {
 
 /// The reconstructed spectrum of UNCD, and its material.
 fn uncd() -> (ProfilePsd, MaterialPair, NixGao) {
-    let surface = Surface::load("builtin:uncd-reconstructed", Path::new(""), &ReadOptions::default());
+    let surface = Surface::load("builtin:uncd-reconstructed", &NoFiles, &ReadOptions::default());
     let strength = NixGao::constant(1.8e9).expect("a strength within its bounds");
     (surface.expect("a spectrum of the program's own").psd, body(463e9, 0.2), strength)
 }

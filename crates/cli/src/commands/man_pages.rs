@@ -9,7 +9,8 @@ use clap_mangen::roff::{Roff, roman};
 use super::Context;
 use crate::args::{Args, ManArgs};
 use crate::failure::Failure;
-use crate::output::StagedFiles;
+use crate::output::stage;
+use staging::StagedFiles;
 
 pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> {
     std::fs::create_dir_all(&args.out)
@@ -20,7 +21,7 @@ pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut names = Vec::new();
     for command in with_subcommands(&program) {
         let page = Page::of(command);
-        files.stage(&args.out.join(page.man.get_filename()), |out| page.write(out))?;
+        stage(&mut files, &args.out.join(page.man.get_filename()), |out| page.write(out))?;
         names.push(page.man.get_filename());
     }
     files.publish()?;

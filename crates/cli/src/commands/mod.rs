@@ -10,7 +10,6 @@ mod spectrum_tables;
 mod stacked;
 mod statistical;
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use asperity::ElasticBody;
@@ -18,18 +17,19 @@ use spectrum::ReadOptions;
 
 use crate::args::{Args, Command, MaterialArgs, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
-use crate::material::{GivenMaterial, Material};
+use crate::files::Folder;
 use crate::output::{Place, Stopped};
-use crate::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
 use crate::progress::Progress;
-use crate::provenance::provenance;
-use crate::scene::Overrides;
 use crate::stderr::say;
-use crate::summary::CurveCounts;
-use crate::surface::Surface;
-use crate::table::{Table, TableWriter};
-use crate::tables;
 use crate::timings::Timings;
+use report::summary::CurveCounts;
+use study::material::{GivenMaterial, Material};
+use study::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
+use study::provenance::provenance;
+use study::result_tables;
+use study::scene::Overrides;
+use study::surface::Surface;
+use tables::{Table, TableWriter};
 use units::PressureRange;
 use units::number;
 use units::{Modulus, Pressure};
@@ -134,11 +134,11 @@ impl Context<'_> {
         self.write_blocks(&self.shared.output, &comments, |out| {
             for curve in &plan.needs.curves {
                 let progress = Progress::towards(stream.rows(curve));
-                stream.parts(curve, &|| progress.step(), |part| {
+                stream.parts(curve, &progress, |part| {
                     counts.add(&part.rows);
                     let of_part = &loads[part.first_block.min(loads.len())..];
                     let begun = Instant::now();
-                    out.block(&tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
+                    out.block(&result_tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
                     writing += begun.elapsed();
                     Ok::<(), Stopped>(())
                 })?;
@@ -187,7 +187,7 @@ impl Context<'_> {
 /// Carries a plan out, with a progress bar where it takes long.
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
     let progress = Progress::towards(plan.statistical_states());
-    plan.compute_observed(&|| progress.step())
+    plan.compute_observed(&progress)
 }
 
 fn load(psd: &str, reading: &ReadingArgs) -> Result<Surface, Failure> {
@@ -200,7 +200,7 @@ fn load(psd: &str, reading: &ReadingArgs) -> Result<Surface, Failure> {
         x_unit: reading.x_unit.clone(),
         psd_unit: reading.psd_unit.clone(),
     };
-    Surface::load(psd, Path::new(""), &options)
+    Surface::load(psd, &Folder::current(), &options).map_err(Failure::input)
 }
 
 /// The rough body and its counterface, as given on the command line.

@@ -5,10 +5,10 @@ use asperity::ElasticBody;
 use super::Context;
 use super::row_by_row::{self, RowByRow};
 use crate::args::AsperityLaw;
-use crate::asperity_table::AsperityTable;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::table::{InputTable, Refusal};
+use study::asperity_table::AsperityTable;
+use tables::{InputTable, Refusal};
 
 pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failure> {
     let (law, args) = match law {

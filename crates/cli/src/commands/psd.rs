@@ -1,15 +1,14 @@
 //! `psd`: from scans to their composite spectrum.
 
-use std::path::Path;
-
 use super::{Context, say_notes};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
+use crate::files::Folder;
 use crate::output::Place;
-use crate::plot;
-use crate::provenance::program;
 use crate::timings::Timings;
-use crate::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
+use report::plot;
+use study::provenance::program;
+use study::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
     refuse_idle_options(args, context)?;
@@ -29,12 +28,13 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
                 requests.len()
             )));
         };
-        let found = areal_spectrum(request, Path::new(""), &recipe)?;
+        let found = areal_spectrum(request, &Folder::current(), &recipe).map_err(Failure::input)?;
         say_notes(found.notes);
         return context.write_to(output, &found.table, &[program(context.typed), found.provenance]);
     }
     let mut timings = Timings::start();
-    let found = CompositeSpectrum::of_files(&requests, Path::new(""), &recipe)?;
+    let found =
+        CompositeSpectrum::of_files(&requests, &Folder::current(), &recipe).map_err(Failure::input)?;
     timings.lap("reading and transforming");
     say_notes(found.notes());
     let mut comments = vec![program(context.typed)];

@@ -2,10 +2,11 @@
 
 use super::{Context, say_notes};
 use crate::failure::Failure;
+use crate::files::open_table;
 use crate::output::{Place, Stopped};
 use crate::progress::Progress;
-use crate::provenance::program;
-use crate::table::{InputTable, Refusal, TableSource};
+use study::provenance::program;
+use tables::{InputTable, Refusal, TableError};
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
@@ -25,13 +26,13 @@ pub(super) trait RowByRow {
 
 /// Reads the table at a place twice, to check all of it before anything is computed, and writes it as it is filled in.
 pub(super) fn run(input: &Place, command: &mut dyn RowByRow, context: &Context<'_>) -> Result<(), Failure> {
-    let mut source = TableSource::open(input)?;
+    let mut source = open_table(input)?;
     let mut rows = 0;
     let mut refusal = Refusal::default();
     source.blocks(BLOCK, |block| {
         rows += block.table.rows();
         refusal.extend(command.check(&block).err().unwrap_or_default());
-        Ok::<(), Failure>(())
+        Ok::<(), TableError>(())
     })?;
     refusal.into_result()?;
     let progress = Progress::towards(rows);

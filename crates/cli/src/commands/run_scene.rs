@@ -1,18 +1,20 @@
 //! `run`: everything a scene asks for.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::{Context, compute, say_notes};
-use crate::answer::Answer;
 use crate::args::RunArgs;
-use crate::explain::explain;
 use crate::failure::Failure;
+use crate::files::Folder;
 use crate::output::{Place, utf8};
-use crate::plan::PlanError;
-use crate::products::{self, Findings};
-use crate::scene::Scene;
-use crate::summary::summary;
 use crate::timings::Timings;
+use crate::{output, scene_errors};
+use report::explain::explain;
+use report::products::Findings;
+use report::summary::summary;
+use study::answer::Answer;
+use study::plan::PlanError;
+use study::scene::Scene;
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
@@ -31,7 +33,8 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     };
     timings.lap("judging");
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
-    let written = products::write(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
+    let written =
+        output::write_products(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
     timings.lap("writing");
     let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
@@ -41,12 +44,14 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
 }
 
 fn read(place: &Place, context: &Context<'_>) -> Result<Scene, Failure> {
-    let (name, folder) = match place {
-        Place::Standard => ("standard input".to_owned(), Path::new("")),
-        Place::File(path) => (path.display().to_string(), path.parent().unwrap_or(Path::new(""))),
+    let (name, files) = match place {
+        Place::Standard => ("standard input".to_owned(), Folder::current()),
+        Place::File(path) => (path.display().to_string(), Folder::of(path)),
     };
     let bytes = place.read()?;
-    Scene::parse(utf8(&bytes, &name, "scene")?, &name, folder, &context.overrides()?)
+    let text = utf8(&bytes, &name, "scene")?;
+    Scene::parse(text, &files, &context.overrides()?)
+        .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))
 }
 
 fn default_folder(scene: &Place) -> PathBuf {

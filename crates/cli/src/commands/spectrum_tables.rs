@@ -3,8 +3,8 @@
 use super::Context;
 use crate::args::{FitArgs, PsdArgs};
 use crate::failure::Failure;
-use crate::plan::{Needs, Results};
-use crate::tables;
+use study::plan::{Needs, Results};
+use study::result_tables;
 use units::display::length;
 use units::number;
 
@@ -15,7 +15,7 @@ pub(super) fn moments(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Failur
         &psd.psd,
         &psd.reading,
         needs,
-        |results, _| tables::moments(results),
+        |results, _| result_tables::moments(results),
         not_gaussian,
     )
 }
@@ -49,7 +49,7 @@ pub(super) fn amplitude(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Fail
         &psd.psd,
         &psd.reading,
         needs,
-        |results, _| tables::amplitude(results),
+        |results, _| result_tables::amplitude(results),
         |_| Vec::new(),
     )
 }
@@ -68,7 +68,7 @@ pub(super) fn fit(args: &FitArgs, context: &Context<'_>) -> Result<(), Failure> 
         &args.psd.psd,
         &args.psd.reading,
         needs,
-        |results, _| tables::fit(results),
+        |results, _| result_tables::fit(results),
         fit_notes,
     )
 }

@@ -3,8 +3,8 @@
 use super::{Context, loads, material};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
-use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
-use crate::summary::sampling_of;
+use report::summary::sampling_of;
+use study::plan::{Curve, CurveModel, Cutoffs, Needs};
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
     let material = material(&args.material, context)?;

@@ -1,19 +1,19 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
 use asperity::{Bound, ElasticBody, MaterialPair, NixGao};
-use rayon::prelude::*;
 use stat_contact::{AsperityLaw, ContactState, Model, Population, StatisticalContact};
 
 use super::row_by_row::{self, RowByRow};
 use super::{Context, loads, material, say_notes};
 use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
-use crate::material::strength;
-use crate::plan::{Curve, CurveModel, Cutoffs, Needs};
 use crate::progress::Progress;
-use crate::summary::StateCounts;
-use crate::table::{Cell, Cells, InputTable, Refusal, Row};
-use crate::tables::STATE_DETAILS;
+use report::summary::StateCounts;
+use study::Progress as _;
+use study::material::strength;
+use study::plan::{Curve, CurveModel, Cutoffs, Needs};
+use study::result_tables::STATE_DETAILS;
+use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::number;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -88,11 +88,10 @@ impl RowByRow for Populations<'_> {
                 At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
                 At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
             };
-            progress.step();
+            progress.advance(1);
             state
         };
-        let states: Vec<ContactState> =
-            asked.par_iter().map(state).collect::<Result<_, _>>().map_err(Failure::input)?;
+        let states = parallel::try_map(&asked, state).map_err(Failure::input)?;
         progress.aside(|| say_notes(beyond_complete_contact(block, &asked, &states)));
         self.counts.add(&states);
         fill_in(block, &asked, &states, self.args.details);

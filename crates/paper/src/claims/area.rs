@@ -1,10 +1,10 @@
 //! What the paper says of the area against cutoff and load: rows 4, 6, 7, 8, 10, 19 and 20.
 
-use cli::features::{
-    Convergence, Dip, Plateau, Point, between, convergence, dips, log_slope, widest_plateau,
-};
 use stacked_contact::largest_full_contact_pressure_pa;
 use stat_contact::ContactState;
+use study::features::{
+    Convergence, Dip, Plateau, Point, between, convergence, dips, log_slope, widest_plateau,
+};
 use units::display::{length, three_digits};
 
 use super::spectrum::PRINTED_WAVELENGTH_M;

@@ -5,7 +5,7 @@ mod plasticity;
 mod spectrum;
 mod strength;
 
-use cli::features::Point;
+use study::features::Point;
 use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
@@ -93,7 +93,7 @@ fn furthest_from_one(values: &[f64]) -> f64 {
 fn final_slopes(curves: &[Vec<Point>]) -> Vec<f64> {
     let slope = |curve: &Vec<Point>| {
         let (shortest_m, _) = *curve.last()?;
-        cli::features::log_slope(cli::features::between(curve, 10.0 * shortest_m, shortest_m))
+        study::features::log_slope(study::features::between(curve, 10.0 * shortest_m, shortest_m))
     };
     curves.iter().filter_map(slope).collect()
 }

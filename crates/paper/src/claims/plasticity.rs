@@ -1,8 +1,8 @@
 //! What the paper says of yielding and hardness: rows 5, 9 and 15.
 
 use asperity::ElasticPlasticSinusoid;
-use cli::features::{agrees_from, ratio};
 use stacked_contact::{StackedModel, setting_level};
+use study::features::{agrees_from, ratio};
 use units::display::{length, three_digits};
 
 use super::{Check, lengths, lowest, numbers};

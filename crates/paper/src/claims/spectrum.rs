@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use cli::features::{between, log_slope, log_slopes};
 use spectrum::{Convention, Moments, Normalisation, Psd, cumulative_moments};
+use study::features::{between, log_slope, log_slopes};
 use units::display::{length, three_digits};
 
 use super::{Check, numbers};

@@ -1,7 +1,7 @@
 //! What the paper says of a strength that grows at small scales: rows 11, 12, 13, 16, 17 and 18.
 
-use cli::features::{Plateau, ratio};
 use stacked_contact::{Level, Regime, StackedModel};
+use study::features::{Plateau, ratio};
 use units::display::{length, pressure};
 
 use super::area::{converged, level_part, slope_below, which_parts};

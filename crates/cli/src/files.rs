@@ -1,0 +1,70 @@
+//! The files that scenes and commands name, and tables that come in from them.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use study::Files;
+use tables::{TableError, TableSource};
+use tempfile::SpooledTempFile;
+
+use crate::output::Place;
+
+/// What comes from a stream and is read more than once is held up to this many bytes, and beyond in a temporary file.
+const MOST_BYTES_HELD: usize = 1 << 24;
+
+/// Files by their paths relative to a folder; `-` is standard input.
+pub struct Folder(pub PathBuf);
+
+impl Folder {
+    /// The folder that the program was called in.
+    pub fn current() -> Self {
+        Folder(PathBuf::new())
+    }
+
+    /// The folder of a file.
+    pub fn of(file: &Path) -> Self {
+        Folder(file.parent().unwrap_or(Path::new("")).to_owned())
+    }
+}
+
+impl Files for Folder {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        if Place::from(name) == Place::Standard {
+            let mut bytes = Vec::new();
+            io::stdin().lock().read_to_end(&mut bytes)?;
+            return Ok(bytes);
+        }
+        std::fs::read(self.0.join(name))
+    }
+
+    fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
+        let beside = self.0.join(name).with_file_name(sibling);
+        if beside.is_file() { std::fs::read(beside).map(Some) } else { Ok(None) }
+    }
+}
+
+/// The table at a place. A stream is copied aside, since a table is read twice: to check all of it, and to compute.
+///
+/// # Errors
+/// [`TableError`] that names the place, and the line where it has one.
+pub fn open_table(place: &Place) -> Result<TableSource, TableError> {
+    let name = match place {
+        Place::Standard => "standard input".to_owned(),
+        Place::File(path) => path.display().to_string(),
+    };
+    let reading = |error| TableError::Reading { table: name.clone(), error };
+    let stream: &mut dyn Read = match place {
+        Place::Standard => &mut io::stdin().lock(),
+        Place::File(path) => {
+            let file = File::open(path).map_err(reading)?;
+            if file.metadata().map_err(reading)?.is_file() {
+                return TableSource::new(&name, file);
+            }
+            &mut { file }
+        }
+    };
+    let mut copy = SpooledTempFile::new(MOST_BYTES_HELD);
+    io::copy(stream, &mut copy).map_err(reading)?;
+    TableSource::new(&name, copy)
+}

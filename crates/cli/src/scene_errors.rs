@@ -1,0 +1,18 @@
+//! What is wrong in a scene, drawn like a compiler's message.
+
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
+use study::scene::SceneError;
+
+/// The message with file, line, and the line itself; that it is an error is said where it is reported.
+pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
+    let message = error.to_string();
+    let title = Level::ERROR.primary_title(&message);
+    let group = match &error.span {
+        Some(span) => title.element(
+            Snippet::source(scene).path(name).annotation(AnnotationKind::Primary.span(span.clone())),
+        ),
+        None => title.element(Origin::path(name)),
+    };
+    let drawn = Renderer::plain().render(&[group]);
+    drawn.strip_prefix("error: ").unwrap_or(&drawn).to_owned()
+}

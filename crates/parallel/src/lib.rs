@@ -1,0 +1,43 @@
+//! Maps over independent items, on one thread or, with the feature `threads`, on all of them: the one place that knows
+//! of a pool of threads; and how long work is watched and ended.
+//!
+//! Results come in the order of the items, and nothing is added up here, so that no digit depends on the number of threads.
+//!
+//! ```
+//! assert_eq!(parallel::map(&[1, 2, 3], |n| n * n), [1, 4, 9]);
+//! assert_eq!(parallel::try_map(&["1", "two"], |text| text.parse::<u8>()).map_err(|_| "no number"), Err("no number"));
+//! ```
+
+mod progress;
+
+pub use progress::{Progress, Unobserved};
+
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
+
+/// What `of` makes of every item, in their order.
+pub fn map<T: Sync, U: Send>(items: &[T], of: impl Fn(&T) -> U + Sync) -> Vec<U> {
+    #[cfg(feature = "threads")]
+    return items.par_iter().map(&of).collect();
+    #[cfg(not(feature = "threads"))]
+    return items.iter().map(of).collect();
+}
+
+/// What `of` makes of every number below `count`, in their order.
+pub fn map_indices<U: Send>(count: usize, of: impl Fn(usize) -> U + Sync) -> Vec<U> {
+    #[cfg(feature = "threads")]
+    return (0..count).into_par_iter().map(&of).collect();
+    #[cfg(not(feature = "threads"))]
+    return (0..count).map(of).collect();
+}
+
+/// What `of` makes of every item, in their order.
+///
+/// # Errors
+/// The first error in the order of the items, however many threads there are.
+pub fn try_map<T: Sync, U: Send, E: Send>(
+    items: &[T],
+    of: impl Fn(&T) -> Result<U, E> + Sync,
+) -> Result<Vec<U>, E> {
+    map(items, of).into_iter().collect()
+}

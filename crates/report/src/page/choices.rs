@@ -1,0 +1,33 @@
+//! The material, and the choices that the models leave open.
+
+use maud::{Markup, html};
+
+use super::{SceneReport, Section, per_scene};
+use study::material::Material;
+use study::plan::Sampling;
+use units::display::length;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let body = per_scene(scenes, of)?;
+    Some(Section { id: "choices", title: "Material and choices", body })
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    let scene = report.scene;
+    let properties = scene.material.as_ref().map(Material::properties).unwrap_or_default();
+    let choices = scene.model_choices();
+    let sampling = scene.sampling;
+    if properties.is_empty() && choices.is_empty() && sampling == Sampling::default() {
+        return None;
+    }
+    Some(html! {
+        @if !properties.is_empty() {
+            dl.pairs { @for (name, value) in &properties { div { dt { (name) } dd { (value) } } } }
+        }
+        @if !choices.is_empty() { ul { @for choice in &choices { li { (choice) } } } }
+        @if let Some(density) = sampling.scales_per_decade {
+            p { "The spectrum is resampled to " (density) " scales per decade." }
+        }
+        @if let Some(cutoff_m) = sampling.cutoff_m { p { "Scales below " (length(cutoff_m)) " are left out." } }
+    })
+}

@@ -1,0 +1,107 @@
+//! Which decades of wavelengths decide the area: a strip of shares per curve and load.
+
+use maud::{Markup, html};
+
+use super::{SceneReport, Section, per_scene, table};
+use units::display::length;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let strips = per_scene(scenes, of)?;
+    let body = html! {
+        p {
+            "How much of the way from the nominal area to the real one each decade of wavelengths accounts for, in percent \
+             of log(A" sub { "n" } "/A). Darker is more; a negative share means that finer roughness made the area larger."
+        }
+        (strips)
+    };
+    Some(Section { id: "decades", title: "Which decades decide", body })
+}
+
+/// A strip: the loads that share it, and for each decade its share in percent.
+struct Strip {
+    loads: Vec<usize>,
+    percents: Vec<Option<i32>>,
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    let answers = || report.answers().flat_map(|(_, loads)| loads);
+    let mut decades: Vec<(f64, f64)> = answers()
+        .flat_map(|(_, answer)| answer.decades.iter().map(|decade| (decade.longest_m, decade.shortest_m)))
+        .collect();
+    decades.sort_by(|a, b| b.0.total_cmp(&a.0));
+    decades.dedup_by(|a, b| a.0 == b.0);
+    if decades.is_empty() {
+        return None;
+    }
+    // A decade that the spectrum covers in part is told as far as it goes.
+    let psd = &report.results.psd;
+    let (begins_m, ends_m) = (psd.longest_wavelength_m(), psd.shortest_wavelength_m());
+    let head = html! {
+        tr {
+            th scope="col" { "curve" } th scope="col" { "nominal pressure" }
+            @for (longest_m, shortest_m) in &decades {
+                th scope="col" { (unbroken(longest_m.min(begins_m))) " to " (unbroken(shortest_m.max(ends_m))) }
+            }
+        }
+    };
+    let body = html! {
+        @for (curve, strips) in strips(report, &decades) {
+            tbody {
+                @for (place, strip) in strips.iter().enumerate() {
+                    tr {
+                        @if place == 0 { th scope="rowgroup" rowspan=(strips.len()) { (report.curve(curve)) } }
+                        td { (loads(report, &strip.loads)) }
+                        @for percent in &strip.percents { (cell(*percent)) }
+                    }
+                }
+            }
+        }
+    };
+    Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
+}
+
+/// A length that stays on its line.
+fn unbroken(length_m: f64) -> String {
+    length(length_m).replace(' ', "\u{a0}")
+}
+
+/// The strips of each curve; neighbouring loads whose strips read the same share one.
+fn strips(report: &SceneReport<'_>, decades: &[(f64, f64)]) -> Vec<(usize, Vec<Strip>)> {
+    let of_curve = |(curve, answers): (usize, Vec<(usize, &study::answer::LoadAnswer)>)| {
+        let mut strips: Vec<Strip> = Vec::new();
+        for (load, answer) in answers.into_iter().filter(|(_, answer)| !answer.decades.is_empty()) {
+            let share = |&(longest_m, _): &(f64, f64)| {
+                let decade = answer.decades.iter().find(|decade| decade.longest_m == longest_m)?;
+                Some((100.0 * decade.share).round() as i32)
+            };
+            let percents: Vec<Option<i32>> = decades.iter().map(share).collect();
+            match strips.last_mut().filter(|strip| strip.percents == percents) {
+                Some(strip) => strip.loads.push(load),
+                None => strips.push(Strip { loads: vec![load], percents }),
+            }
+        }
+        (curve, strips)
+    };
+    report.answers().map(of_curve).filter(|(_, strips)| !strips.is_empty()).collect()
+}
+
+fn loads(report: &SceneReport<'_>, loads: &[usize]) -> String {
+    match loads {
+        [one] => report.load(*one),
+        _ if loads.len() == report.scene.needs.loads.len() => "every load".to_owned(),
+        [first, .., last] => format!("{} to {}", report.load(*first), report.load(*last)),
+        [] => String::new(),
+    }
+}
+
+/// As dark as its share is large; a negative one is outlined instead.
+fn cell(percent: Option<i32>) -> Markup {
+    match percent {
+        None => html! { td.share {} },
+        Some(percent) if percent < 0 => html! { td.share.against { "−" (-percent) } },
+        Some(percent) => {
+            let depth = f64::from(percent.min(100)) / 100.0;
+            html! { td.share style={ "--share:" (format!("{depth:.2}")) } { (percent) } }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The figures, those of several scenes side by side.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::answer::sentence;
+use super::{SceneReport, Section};
+use crate::plot;
+use study::figure::{FigureData, Shows};
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let mut names: Vec<&str> = Vec::new();
+    for figure in scenes.iter().flat_map(|scene| &scene.figures) {
+        if !names.contains(&figure.name.as_str()) {
+            names.push(&figure.name);
+        }
+    }
+    let several = scenes.len() > 1;
+    let body = html! {
+        div.figures.side-by-side[several] { @for name in &names { (figure(scenes, name)) } }
+    };
+    (!names.is_empty()).then_some(Section { id: "figures", title: "Figures", body })
+}
+
+/// The figure of this name, a panel for each scene that has it.
+fn figure(scenes: &[SceneReport<'_>], name: &str) -> Markup {
+    let panels: Vec<(usize, &SceneReport<'_>, &FigureData)> = scenes
+        .iter()
+        .enumerate()
+        .filter_map(|(at, scene)| {
+            scene.figures.iter().find(|figure| figure.name == name).map(|figure| (at, scene, figure))
+        })
+        .collect();
+    let beside: Vec<&FigureData> = panels.iter().map(|(_, _, figure)| *figure).collect();
+    let Some((_, _, first)) = panels.first() else { return html! {} };
+    html! {
+        figure {
+            div.panels {
+                @for (at, scene, figure) in &panels {
+                    div {
+                        @if scenes.len() > 1 { p.panel { (scene.label) } }
+                        (panel(scene, figure, &beside, &format!("scene-{at}-{name}")))
+                    }
+                }
+            }
+            figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (caption(first.shows)) }
+        }
+    }
+}
+
+fn panel(scene: &SceneReport<'_>, figure: &FigureData, beside: &[&FigureData], id: &str) -> Markup {
+    PreEscaped(plot::element(figure, beside, id, &words(scene, figure)))
+}
+
+/// What is read out in place of a panel.
+fn words(scene: &SceneReport<'_>, figure: &FigureData) -> String {
+    format!("{} ({}): {} against {}", figure.title, scene.label, figure.y_label, figure.x_label)
+}
+
+/// `Figure 3a. ` of `figure-3a`; other names say nothing that the title does not.
+fn numbered(name: &str) -> String {
+    name.strip_prefix("figure-").map_or_else(String::new, |number| format!("Figure {number}. "))
+}
+
+/// What is seen, in a line.
+fn caption(shows: Shows) -> &'static str {
+    match shows {
+        Shows::Psd => "The spectrum that everything else is computed from.",
+        Shows::Moments => {
+            "Variance of height (m0), slope (m2) and curvature (m4) of the wavelengths down to the abscissa, each over \
+             its value for the whole spectrum."
+        }
+        Shows::Amplitude => "The height of the sinusoid that stands for each wavelength.",
+        Shows::AspectRatio => {
+            "Height over wavelength of each scale: the steepest scale takes the largest pressure to flatten."
+        }
+        Shows::Area => {
+            "The contact area when only the wavelengths down to the abscissa take part: finer roughness comes in \
+             towards the left, and a line that levels off is settled."
+        }
+        Shows::AreaAgainstLoad => {
+            "The contact area under growing load, the spectrum cut off at some wavelengths."
+        }
+    }
+}

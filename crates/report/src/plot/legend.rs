@@ -1,0 +1,87 @@
+//! The legend under a plot: a colour for each condition and a dash pattern for each curve, rather than an entry for each
+//! pair of them.
+
+use kuva::render::color::Color;
+use kuva::render::render::{Primitive, Scene, TextAnchor};
+
+use super::{COLOURS, colours, dash, text_width_px};
+use study::figure::FigureData;
+
+const SIZE_PX: f64 = 12.0;
+const ROW_PX: f64 = 18.0;
+/// Long enough to tell dash patterns apart.
+const SAMPLE_PX: f64 = 34.0;
+const GAP_PX: f64 = 6.0;
+
+struct Entry<'a> {
+    label: &'a str,
+    colour: &'static str,
+    dash: usize,
+    width_px: f64,
+}
+
+/// Draws the legend below what is there, between two abscissas, and lengthens the picture by what it takes.
+pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f64) {
+    let mut baseline = scene.height;
+    for group in [conditions(figure), curves(figure)] {
+        let mut x = left;
+        for (i, entry) in group.iter().enumerate() {
+            let width = SAMPLE_PX + GAP_PX + text_width_px(entry.label, SIZE_PX) + 2.0 * GAP_PX;
+            if i == 0 || x + width > right {
+                x = left;
+                baseline += ROW_PX;
+            }
+            draw(scene, entry, x, baseline - GAP_PX);
+            x += width;
+        }
+    }
+    scene.height = baseline + if baseline > scene.height { GAP_PX } else { 0.0 };
+}
+
+fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
+    let y = baseline - 0.35 * SIZE_PX;
+    scene.add(Primitive::Line {
+        x1: x,
+        y1: y,
+        x2: x + SAMPLE_PX,
+        y2: y,
+        stroke: Color::from(entry.colour),
+        stroke_width: entry.width_px,
+        stroke_dasharray: dash(entry.dash).dasharray(),
+    });
+    scene.add(Primitive::Text {
+        x: x + SAMPLE_PX + GAP_PX,
+        y: baseline,
+        content: entry.label.to_owned(),
+        size: SIZE_PX as u32,
+        anchor: TextAnchor::Start,
+        rotate: None,
+        bold: false,
+        color: None,
+    });
+}
+
+fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
+    let mut entries: Vec<Entry<'_>> = Vec::new();
+    for series in figure.series.iter().filter(|series| !series.condition_in_full.is_empty()) {
+        let label = series.condition_in_full.as_str();
+        if !entries.iter().any(|entry| entry.label == label) {
+            entries.push(Entry { label, colour: colours(series.colour).0, dash: 0, width_px: 2.0 });
+        }
+    }
+    entries
+}
+
+/// Curves are told apart only where several share a figure; each is drawn in grey as its lines are in colour.
+fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
+    let compared = figure.compares_curves();
+    let mut entries: Vec<Entry<'_>> = Vec::new();
+    for series in figure.series.iter().filter(|series| compared && !series.curve.is_empty()) {
+        if !entries.iter().any(|entry| entry.label == series.curve) {
+            let (dark, pale) = COLOURS[COLOURS.len() - 1];
+            let (colour, width_px) = if series.dash == 0 { (pale, 3.5) } else { (dark, 1.6) };
+            entries.push(Entry { label: &series.curve, colour, dash: series.dash, width_px });
+        }
+    }
+    entries
+}

@@ -1,0 +1,262 @@
+//! Figures as SVG, with logarithmic axes, fit to print: the one module that knows the plotting library.
+
+mod decades;
+mod labels;
+mod legend;
+mod thinned;
+
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::line::LineStyle;
+use kuva::plot::{LinePlot, ScatterPlot};
+use kuva::render::color::Color;
+use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+
+use decades::{Decades, powers_of_ten};
+use labels::{Box, Track};
+use study::figure::{FigureData, Series};
+use thinned::thinned;
+use units::display::typeset;
+
+/// Size of a picture, without the legend under it.
+const WIDTH_PX: f64 = 480.0;
+const HEIGHT_PX: f64 = 380.0;
+/// Without a title, a picture is lower by what that took.
+const TITLE_PX: f64 = 36.0;
+const MOST_TITLE_LETTERS: usize = 54;
+const MINOR_TICK_PX: f64 = 3.0;
+
+/// Colours that people with any colour vision tell apart, dark enough for thin lines (Okabe & Ito), and a tint of each.
+const COLOURS: [(&str, &str); 6] = [
+    ("#0072b2", "#99c7e0"),
+    ("#d55e00", "#eebf99"),
+    ("#009e73", "#99d8c7"),
+    ("#b0568a", "#e4c3d6"),
+    ("#c28400", "#f2d599"),
+    ("#000000", "#b3b3b3"),
+];
+
+/// The figure as an SVG document. `subject` stands under its title; `provenance` is kept in it as a comment.
+pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String {
+    let layout = Layout::new((0.0, 1.0), (0.0, 1.0))
+        .with_height(HEIGHT_PX)
+        .with_title(figure.title.clone())
+        .with_title_size(14)
+        .with_title_wrap(MOST_TITLE_LETTERS)
+        .with_subtitle(subject.to_owned())
+        .with_subtitle_wrap(MOST_TITLE_LETTERS);
+    let scene = drawn(figure, layout, &[figure]);
+    let (opening, inside) = split(&scene, &figure.name);
+    format!("{opening}>\n<!--\n{}\n-->\n{inside}", comment(provenance))
+}
+
+/// The figure as an element of a page, which says in words what is seen and scales with its surroundings. `id` is unique
+/// in the page; `words` is what is read out instead. Figures to be held against each other, itself one of them, get the
+/// same axes.
+pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
+    let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX);
+    let scene = drawn(figure, layout, beside);
+    let (opening, inside) = split(&scene, id);
+    let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
+    format!("{opening} role=\"img\" aria-label=\"{}\">{inside}", escaped(words))
+}
+
+fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
+    // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
+    let points = || beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter());
+    let x = Decades::around(points().map(|(x, _)| *x));
+    let y = Decades::around(points().map(|(_, y)| *y));
+    let compared = figure.compares_curves();
+    let traces: Vec<(&Series, Vec<(f64, f64)>)> =
+        figure.series.iter().map(|series| (series, thinned(logarithms(&series.points)))).collect();
+    // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
+    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|(series, _)| series.dash == 0);
+    let traces: Vec<&(&Series, Vec<(f64, f64)>)> = solid.into_iter().chain(dashed).collect();
+    let lines: Vec<Plot> = traces.iter().map(|(series, points)| line(series, points, compared)).collect();
+    let layout = layout
+        .with_x_axis_min(x.first)
+        .with_x_axis_max(x.last)
+        .with_x_tick_step(x.step)
+        .with_x_tick_format(powers_of_ten())
+        .with_y_axis_min(y.first)
+        .with_y_axis_max(y.last)
+        .with_y_tick_step(y.step)
+        .with_y_tick_format(powers_of_ten())
+        .with_width(WIDTH_PX)
+        .with_box_axes()
+        .with_label_size(13)
+        .with_x_label(figure.x_label.clone())
+        .with_y_label(figure.y_label);
+    let computed = ComputedLayout::from_layout(&layout);
+    let mut scene = render_multiple(lines, layout);
+    let frame = frame(&computed);
+    add_minor_ticks(&mut scene, &computed, frame, x, y);
+    let in_pixels = |points: &[(f64, f64)]| {
+        points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
+    };
+    let tracks: Vec<Track> = traces
+        .iter()
+        .map(|(series, points)| Track {
+            label: typeset(&series.condition),
+            colour: series.colour,
+            points: in_pixels(points),
+        })
+        .collect();
+    for label in labels::place(&tracks, frame) {
+        scene.add(Primitive::Text {
+            x: label.place.left,
+            y: label.place.bottom - 0.15 * labels::SIZE_PX,
+            content: label.text,
+            size: labels::SIZE_PX as u32,
+            anchor: TextAnchor::Start,
+            rotate: None,
+            bold: false,
+            color: Some(Color::from(colours(label.colour).0)),
+        });
+    }
+    legend::append(&mut scene, figure, frame.left, WIDTH_PX);
+    scene
+}
+
+fn frame(computed: &ComputedLayout) -> Box {
+    Box {
+        left: computed.margin_left,
+        top: computed.margin_top,
+        right: computed.width - computed.margin_right,
+        bottom: computed.height - computed.margin_bottom,
+    }
+}
+
+/// The library's minor ticks are evenly spaced; those of a logarithmic axis are not.
+fn add_minor_ticks(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades, y: Decades) {
+    let mut tick = |x1: f64, y1: f64, x2: f64, y2: f64| {
+        let stroke = Color::from("black");
+        scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: 0.7, stroke_dasharray: None });
+    };
+    for power in x.minor_ticks() {
+        let at = computed.map_x(power);
+        tick(at, frame.bottom, at, frame.bottom + MINOR_TICK_PX);
+    }
+    for power in y.minor_ticks() {
+        let at = computed.map_y(power);
+        tick(frame.left - MINOR_TICK_PX, at, frame.left, at);
+    }
+}
+
+fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.log10(), y.log10())).collect()
+}
+
+fn line(series: &Series, points: &[(f64, f64)], compared: bool) -> Plot {
+    let points = points.to_vec();
+    let (dark, pale) = colours(series.colour);
+    if points.len() == 1 {
+        return Plot::Scatter(ScatterPlot::new().with_data(points).with_color(dark).with_size(3.0));
+    }
+    let (colour, width_px) = if compared && series.dash == 0 { (pale, 3.5) } else { (dark, 1.6) };
+    let line = LinePlot::new().with_data(points).with_color(colour).with_stroke_width(width_px);
+    Plot::Line(line.with_line_style(dash(series.dash)))
+}
+
+/// A colour and its tint.
+fn colours(index: usize) -> (&'static str, &'static str) {
+    COLOURS[index % COLOURS.len()]
+}
+
+/// Dash patterns that stay apart in print.
+fn dash(index: usize) -> LineStyle {
+    [LineStyle::Solid, LineStyle::Custom("4 3".to_owned()), LineStyle::DashDot, LineStyle::Dotted][index % 4]
+        .clone()
+}
+
+/// A little more than letters take, whichever of the usual fonts a reader has.
+fn text_width_px(text: &str, size_px: f64) -> f64 {
+    let width = |c: char| match c {
+        'm' | 'M' | 'W' => 0.98,
+        ' ' => 0.35,
+        c if c.is_ascii() || c == '×' => 0.62,
+        _ => 0.48,
+    };
+    size_px * text.chars().map(width).sum::<f64>()
+}
+
+/// The opening tag without its end, and everything after it. The library numbers its clip regions through the whole
+/// program; here they are named after the figure, so that it is the same document whatever was drawn before, and pages
+/// can hold many.
+fn split(scene: &Scene, id: &str) -> (String, String) {
+    let svg = SvgBackend::default().render_scene(scene);
+    let numbered = svg.split('"').find(|text| text.starts_with("kuva-clip-")).map(str::to_owned);
+    let svg = numbered.map_or_else(|| svg.clone(), |numbered| svg.replace(&numbered, &format!("{id}-area")));
+    // A picture without a view box is cut off where it should shrink.
+    match svg.split_once('>') {
+        Some((opening, inside)) => {
+            (format!("{opening} viewBox=\"0 0 {} {}\"", scene.width, scene.height), inside.to_owned())
+        }
+        None => (svg, String::new()),
+    }
+}
+
+/// Lines as the text of a comment, which two hyphens would end.
+fn comment(lines: &[String]) -> String {
+    let mut comment = lines.join("\n");
+    while comment.contains("--") {
+        comment = comment.replace("--", "- -");
+    }
+    comment
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use study::figure::Shows;
+
+    fn figure(name: &str) -> FigureData {
+        let series = Series {
+            column: String::new(),
+            curve: String::new(),
+            condition: "1e-3 H".to_owned(),
+            condition_in_full: "10 MPa = 10⁻³ H".to_owned(),
+            colour: 0,
+            dash: 0,
+            points: vec![(1.0, 1e-30), (10.0, 1e-20)],
+        };
+        FigureData {
+            name: name.to_owned(),
+            shows: Shows::Psd,
+            title: String::new(),
+            x: study::figure::Axis { column: "x", label: "x" },
+            x_label: "x".to_owned(),
+            y_label: "y",
+            series: vec![series],
+        }
+    }
+
+    #[test]
+    fn the_same_figure_is_the_same_document_however_many_were_drawn_before() {
+        assert_eq!(svg(&figure("a"), "", &[]), svg(&figure("a"), "", &[]));
+    }
+
+    #[test]
+    fn figures_of_a_page_share_no_identifier() {
+        let (a, b) = (figure("a"), figure("b"));
+        let (first, second) = (element(&a, &[&a], "a", ""), element(&b, &[&b], "b", ""));
+        assert!(first.contains("url(#a-area)") && second.contains("url(#b-area)"), "{first}");
+    }
+
+    #[test]
+    fn a_load_is_labelled_at_its_line_and_spelt_out_in_the_legend() {
+        let svg = svg(&figure("a"), "", &[]);
+        assert!(svg.contains(">10⁻³ H</text>") && svg.contains(">10 MPa = 10⁻³ H</text>"), "{svg}");
+    }
+
+    #[test]
+    fn a_comment_never_ends_early() {
+        let comment = comment(&["# -----".to_owned(), "--model".to_owned()]);
+        assert!(!comment.contains("--") && comment.contains("model"), "{comment}");
+    }
+}

@@ -1,0 +1,248 @@
+//! What a scene found, for people: the answer in plain words, then area, real pressure and convergence per load.
+
+use std::fmt::Write;
+
+use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
+use spectrum::ProfilePsd;
+use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
+use stat_contact::ContactState;
+
+use crate::answer_words;
+use study::answer::{Answer, LoadAnswer};
+use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
+use study::scene::Scene;
+use units::display::{length, pressure, three_digits};
+
+/// The summary of a scene's results.
+pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
+    let mut text = format!("{}\n{}\n\n", scene.title, sampling(results));
+    // Names of curves are hyphenated and stay whole.
+    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
+    let mut paragraphs = answer_words::sentences(answer, scene);
+    paragraphs.extend(answer_words::shortcomings(answer, scene, results));
+    paragraphs.extend(answer_words::disagreements(answer, scene));
+    for paragraph in paragraphs {
+        let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
+    }
+    for choice in scene.choices() {
+        let _ = writeln!(text, "{choice}");
+    }
+    for ((curve, result), loads) in scene.needs.curves.iter().zip(&results.curves).zip(&answer.curves) {
+        text.push('\n');
+        text.push_str(&curve_summary(scene, results, curve, result, loads));
+    }
+    text
+}
+
+/// How the spectrum is sampled, which the stacked area depends on.
+pub fn sampling(results: &Results) -> String {
+    sampling_of(&results.psd)
+}
+
+/// How a spectrum is sampled.
+pub fn sampling_of(psd: &ProfilePsd) -> String {
+    let density =
+        scales_per_decade(psd).map_or(String::new(), |n| format!(", {} per decade", three_digits(n)));
+    format!(
+        "{} scales from {} to {}{density}",
+        psd.len(),
+        length(psd.longest_wavelength_m()),
+        length(psd.shortest_wavelength_m())
+    )
+}
+
+fn curve_summary(
+    scene: &Scene,
+    results: &Results,
+    curve: &Curve,
+    result: &CurveResult,
+    loads: &[Option<LoadAnswer>],
+) -> String {
+    let hardness_pa = scene.hardness_pa();
+    let mut rows = vec![
+        [
+            "nominal pressure",
+            "area fraction",
+            "real pressure",
+            "converged within 1 % at",
+            "converged within 0.1 % at",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+    ];
+    for (load, answer) in scene.needs.loads.iter().zip(loads) {
+        let Some(answer) = answer else { continue };
+        let real_pressure = match hardness_pa {
+            Some(hardness_pa) => format!("{} H", three_digits(answer.real_pressure_pa / hardness_pa)),
+            None => pressure(answer.real_pressure_pa),
+        };
+        rows.push(vec![
+            load.label.clone(),
+            three_digits(answer.area_fraction),
+            real_pressure,
+            converged(answer, answer.within_1_percent),
+            converged(answer, answer.within_01_percent),
+        ]);
+    }
+    let mut text = format!("{}\n{}", curve.name, aligned(&rows));
+    match (&curve.model, result) {
+        (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
+            text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
+        }
+        (_, result) => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
+    }
+    text
+}
+
+fn stacked_remarks(
+    model: &StackedModel,
+    results: &Results,
+    levels: &[Vec<Level>],
+    hardness_pa: Option<f64>,
+) -> String {
+    let mut text = beyond_fitted_range(levels).map_or(String::new(), |beyond| format!("  {beyond}\n"));
+    if let Some(limit_pa) = largest_full_contact_pressure_pa(model, results.scales.iter().copied()) {
+        let in_hardnesses = hardness_pa
+            .map_or(String::new(), |hardness_pa| format!(" = {} H", three_digits(limit_pa / hardness_pa)));
+        let _ = writeln!(
+            text,
+            "  limit of dense sampling: area = load / {}{in_hardnesses}, at most the nominal area",
+            pressure(limit_pa)
+        );
+    }
+    text
+}
+
+/// What the states of a statistical curve leave open or go beyond.
+pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
+    let mut counts = CurveCounts::default();
+    counts.add(result);
+    counts.states.notes_of_curve()
+}
+
+/// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
+pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
+    let mut counts = LevelCounts::default();
+    counts.add(curve);
+    counts.note()
+}
+
+/// What there is to count of a curve, whose parts may come one by one.
+#[derive(Debug, Default)]
+pub struct CurveCounts {
+    states: StateCounts,
+    levels: LevelCounts,
+}
+
+impl CurveCounts {
+    /// Counts the rows of a curve, or of a part of one.
+    pub fn add(&mut self, part: &CurveResult) {
+        match part {
+            CurveResult::Stacked(blocks) => self.levels.add(blocks),
+            CurveResult::Statistical(blocks) => {
+                let contacts = blocks.iter().flatten().filter_map(|row| row.contact.as_ref());
+                self.states.add(contacts.map(|(_, state)| state));
+            }
+        }
+    }
+
+    /// What there is to say of them.
+    pub fn notes(&self) -> Vec<String> {
+        self.states.notes_of_curve().into_iter().chain(self.levels.note()).collect()
+    }
+}
+
+/// How many states are held at a bound, or rest on asperities that their law was not fitted for.
+#[derive(Debug, Default)]
+pub struct StateCounts {
+    all: usize,
+    incomplete: usize,
+    clamped: usize,
+    out_of_range: usize,
+}
+
+impl StateCounts {
+    /// Counts states.
+    pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
+        for state in states {
+            self.all += 1;
+            self.incomplete += usize::from(state.separation_m.is_none());
+            self.clamped += usize::from(state.clamped);
+            self.out_of_range += usize::from(state.out_of_range_load_share > 0.5);
+        }
+    }
+
+    fn notes_of_curve(&self) -> Vec<String> {
+        let what = "are beyond complete contact of every asperity: area fraction 1, no separation";
+        self.note(self.incomplete, what).into_iter().chain(self.notes()).collect()
+    }
+
+    /// What there is to say where each state beyond complete contact is told by itself.
+    pub fn notes(&self) -> Vec<String> {
+        let clamped = self.note(
+            self.clamped,
+            "have more contact area than there is nominal area, held at an area fraction of 1",
+        );
+        let out_of_range = self.note(
+            self.out_of_range,
+            "carry most of their load on asperities outside the range their law was fitted in",
+        );
+        clamped.into_iter().chain(out_of_range).collect()
+    }
+
+    fn note(&self, found: usize, what: &str) -> Option<String> {
+        (found > 0).then(|| format!("{found} of {} states {what}", self.all))
+    }
+}
+
+/// How many levels lie beyond what their law is trusted for.
+#[derive(Debug, Default)]
+struct LevelCounts {
+    all: usize,
+    beyond: usize,
+}
+
+impl LevelCounts {
+    fn add(&mut self, curve: &[Vec<Level>]) {
+        let flagged =
+            |level: &&Level| level.aspect_ratio_over_critical > Some(FLAGGED_ASPECT_RATIO_OVER_CRITICAL);
+        self.all += curve.iter().map(Vec::len).sum::<usize>();
+        self.beyond += curve.iter().flatten().filter(flagged).count();
+    }
+
+    fn note(&self) -> Option<String> {
+        let LevelCounts { all, beyond } = self;
+        (*beyond > 0).then(|| {
+            format!(
+                "{beyond} of {all} levels have B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the \
+                 elastic-plastic sinusoid is trusted for"
+            )
+        })
+    }
+}
+
+fn converged(answer: &LoadAnswer, found: Convergence) -> String {
+    match (answer.followed, found.if_converged_m()) {
+        (false, _) => "not asked for".to_owned(),
+        (true, Some(wavelength_m)) => length(wavelength_m),
+        (true, None) => "not converged".to_owned(),
+    }
+}
+
+/// Rows as indented columns of equal width.
+pub fn aligned(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns)
+        .map(|at| rows.iter().filter_map(|row| row.get(at)).map(|c| c.chars().count()).max().unwrap_or(0))
+        .collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::from(" ");
+        for (cell, width) in row.iter().zip(&widths) {
+            let _ = write!(line, " {cell:<width$} ");
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,207 @@
+//! `asperity`: the contact laws of one asperity as columns of a table.
+
+use asperity::{Bound, ElasticBody, ElasticPlasticSinusoid, Hardness, Hertz, JacksonGreen, MaterialPair};
+
+use tables::{Cells, InputTable, Refusal, TableError};
+
+const MATERIAL_COLUMNS: [(&str, Bound); 3] = [
+    ("youngs_modulus_pa", Bound::Positive),
+    ("poisson_ratio", ElasticBody::POISSON_RATIO),
+    ("yield_strength_pa", Bound::Positive),
+];
+
+/// Modulus \[Pa\], Poisson's ratio and yield strength \[Pa\] of a row, and the inputs of its law.
+type Inputs<const IN: usize> = ([f64; 3], [f64; IN]);
+
+/// A law of a material pair, a yield strength \[Pa\] and its inputs.
+type Law<const IN: usize, const OUT: usize> = fn(&MaterialPair, f64, [f64; IN]) -> ([f64; OUT], bool);
+
+/// A law as a table sees it: input columns after the material's, result columns, and what lies between; the law also
+/// tells whether its results lie in the range it was fitted in.
+struct Columns<const IN: usize, const OUT: usize> {
+    inputs: [(&'static str, Bound); IN],
+    results: [&'static str; OUT],
+    law: Law<IN, OUT>,
+    range: &'static str,
+}
+
+const SPHERE: Columns<2, 5> = Columns {
+    inputs: [("radius_m", Bound::Positive), ("interference_m", Bound::AtLeast(0.0))],
+    results: [
+        "hertz_force_n",
+        "hertz_area_m2",
+        "jackson_green_force_n",
+        "jackson_green_area_m2",
+        "jackson_green_force_cosine_hardness_n",
+    ],
+    law: |pair, strength_pa, [radius_m, w_m]| {
+        let hertz = Hertz::new(pair, radius_m);
+        let [published, cosine] = [Hardness::JacksonGreen2005, Hardness::Cosine]
+            .map(|hardness| JacksonGreen::new(pair, radius_m, strength_pa, hardness));
+        let results = [
+            hertz.force_n(w_m),
+            hertz.area_m2(w_m),
+            published.force_n(w_m),
+            published.area_m2(w_m),
+            cosine.force_n(w_m),
+        ];
+        (results, published.in_fitted_range(w_m))
+    },
+    range: "the range that Jackson & Green's sphere was fitted in, a/R <= 0.41 and Sy/E* <= 0.01",
+};
+
+const SINUSOID: Columns<2, 6> = Columns {
+    inputs: [("aspect_ratio", Bound::Positive), ("pressure_pa", Bound::Positive)],
+    results: [
+        "complete_contact_pressure_elastic_pa",
+        "area_fraction_elastic",
+        "critical_aspect_ratio",
+        "complete_contact_pressure_ep_pa",
+        "area_fraction_ep",
+        "mean_gap_over_amplitude",
+    ],
+    law: |pair, strength_pa, [aspect_ratio, pressure_pa]| {
+        let sinusoid = ElasticPlasticSinusoid::new(pair, aspect_ratio, strength_pa);
+        let results = [
+            sinusoid.elastic().complete_contact_pressure_pa(),
+            sinusoid.elastic().area_fraction(pressure_pa),
+            sinusoid.critical_aspect_ratio(),
+            sinusoid.complete_contact_pressure_pa(),
+            sinusoid.area_fraction(pressure_pa),
+            sinusoid.mean_gap_over_amplitude(pressure_pa),
+        ];
+        (results, sinusoid.in_fitted_range())
+    },
+    range: SINUSOID_RANGE,
+};
+
+const SINUSOID_INTERFERENCE: Columns<3, 4> = Columns {
+    inputs: [
+        ("wavelength_m", Bound::Positive),
+        ("aspect_ratio", Bound::Positive),
+        ("interference_m", Bound::Positive),
+    ],
+    results: ["pressure_elastic_pa", "area_fraction_elastic", "pressure_ep_pa", "area_fraction_ep"],
+    law: |pair, strength_pa, [wavelength_m, aspect_ratio, interference_m]| {
+        let sinusoid = ElasticPlasticSinusoid::new(pair, aspect_ratio, strength_pa);
+        let over_amplitude = interference_m / (aspect_ratio * wavelength_m);
+        let elastic_pa = sinusoid.elastic().pressure_at_interference_pa(over_amplitude);
+        let plastic_pa = sinusoid.pressure_at_interference_pa(over_amplitude);
+        let results = [
+            elastic_pa,
+            sinusoid.elastic().area_fraction(elastic_pa),
+            plastic_pa,
+            sinusoid.area_fraction(plastic_pa),
+        ];
+        (results, sinusoid.in_fitted_range())
+    },
+    range: SINUSOID_RANGE,
+};
+
+const SINUSOID_RANGE: &str = "B/B_c <= 100, up to which the elastic-plastic sinusoid is trusted";
+
+/// The laws by the names of their tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AsperityTable {
+    /// A sphere at an interference (`docs/models.md`, sections 2.1 and 2.2).
+    Sphere,
+    /// A sinusoid at a mean pressure (sections 2.3 to 2.5).
+    Sinusoid,
+    /// A sinusoid pressed to an interference (section 2.6).
+    SinusoidInterference,
+}
+
+impl AsperityTable {
+    /// The names of its result columns.
+    pub fn results(self) -> &'static [&'static str] {
+        match self {
+            AsperityTable::Sphere => &SPHERE.results,
+            AsperityTable::Sinusoid => &SINUSOID.results,
+            AsperityTable::SinusoidInterference => &SINUSOID_INTERFERENCE.results,
+        }
+    }
+
+    /// Sets the result columns of a table from its input columns, against a counterface or a rigid one where absent;
+    /// yields a note where rows lie beyond the law's range.
+    ///
+    /// # Errors
+    /// [`TableError`] for a missing column, or listing the first bad cells with line, column, value and bound.
+    pub fn extend(
+        self,
+        input: &mut InputTable,
+        counterface: Option<ElasticBody>,
+    ) -> Result<Option<String>, TableError> {
+        let beyond = self.set_results(input, counterface)?;
+        Ok(self.note(beyond, input.table.rows()))
+    }
+
+    /// The same, yielding how many rows lie beyond the law's range.
+    ///
+    /// # Errors
+    /// Those of [`extend`](Self::extend).
+    pub fn set_results(
+        self,
+        input: &mut InputTable,
+        counterface: Option<ElasticBody>,
+    ) -> Result<usize, TableError> {
+        match self {
+            AsperityTable::Sphere => SPHERE.set_results(input, counterface),
+            AsperityTable::Sinusoid => SINUSOID.set_results(input, counterface),
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.set_results(input, counterface),
+        }
+    }
+
+    /// Finds what is wrong with the input columns.
+    ///
+    /// # Errors
+    /// [`Refusal`] for a missing column, or of the bad cells.
+    pub fn check(self, input: &InputTable) -> Result<(), Refusal> {
+        match self {
+            AsperityTable::Sphere => SPHERE.read(input).map(|_| ()),
+            AsperityTable::Sinusoid => SINUSOID.read(input).map(|_| ()),
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.read(input).map(|_| ()),
+        }
+    }
+
+    /// What there is to say where so many of all rows lie beyond the law's range.
+    pub fn note(self, beyond: usize, rows: usize) -> Option<String> {
+        let range = match self {
+            AsperityTable::Sphere => SPHERE.range,
+            AsperityTable::Sinusoid => SINUSOID.range,
+            AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.range,
+        };
+        (beyond > 0).then(|| format!("{beyond} of {rows} rows lie beyond {range}"))
+    }
+}
+
+impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
+    /// The material and the arguments of every row.
+    fn read(&self, input: &InputTable) -> Result<Vec<Inputs<IN>>, Refusal> {
+        let materials = input.numbers(MATERIAL_COLUMNS)?;
+        Ok(materials.into_iter().zip(input.numbers(self.inputs)?).collect())
+    }
+
+    fn set_results(
+        &self,
+        input: &mut InputTable,
+        counterface: Option<ElasticBody>,
+    ) -> Result<usize, TableError> {
+        let rows = self.read(input)?;
+        let mut results: [Vec<Option<f64>>; OUT] = std::array::from_fn(|_| Vec::with_capacity(rows.len()));
+        let mut beyond = 0;
+        for ([modulus_pa, poisson_ratio, strength_pa], arguments) in rows {
+            let body = ElasticBody::new(modulus_pa, poisson_ratio)?;
+            let pair = counterface
+                .map_or(MaterialPair::against_rigid(body), |other| MaterialPair::against(body, other));
+            let (values, in_range) = (self.law)(&pair, strength_pa, arguments);
+            beyond += usize::from(!in_range);
+            for (column, value) in results.iter_mut().zip(values) {
+                column.push(Some(value));
+            }
+        }
+        for (name, values) in self.results.into_iter().zip(results) {
+            input.table.set(name, Cells::Numbers(values));
+        }
+        Ok(beyond)
+    }
+}

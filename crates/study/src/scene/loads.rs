@@ -1,0 +1,50 @@
+//! The loads of a scene.
+
+use serde_spanned::Spanned;
+
+use super::error::SceneError;
+use super::raw::{RawLoads, RawQuantity};
+use super::values::{label, quantity};
+use crate::material::Material;
+use crate::plan::Load;
+use units::{Area, Force, Pressure};
+
+pub(super) fn resolve_loads(
+    raw: &Spanned<RawLoads>,
+    material: Option<&Material>,
+) -> Result<Vec<Load>, SceneError> {
+    let loads = raw.get_ref();
+    let resolved = match (&loads.pressures, &loads.force, &loads.nominal_area) {
+        (Some(pressures), None, None) => {
+            pressures.iter().map(|raw| pressure_load(raw, material)).collect::<Result<_, _>>()?
+        }
+        (None, Some(force), Some(area)) => vec![force_load(force, area)?],
+        _ => {
+            let message = "[loads] takes either pressures = [...], or force and nominal_area together";
+            return Err(SceneError::at(raw.span(), message));
+        }
+    };
+    if let Some(twice) = resolved.iter().enumerate().find(|(i, load)| resolved[..*i].contains(load)) {
+        let message = format!("key loads.pressures: {} stands twice; keep one", twice.1.label);
+        return Err(SceneError::at(raw.span(), message));
+    }
+    if resolved.is_empty() {
+        return Err(SceneError::at(raw.span(), "[loads] is empty; give at least one pressure"));
+    }
+    Ok(resolved)
+}
+
+fn pressure_load(raw: &RawQuantity, material: Option<&Material>) -> Result<Load, SceneError> {
+    let pressure: Pressure = quantity("loads.pressures", raw)?;
+    let nominal_pressure_pa = pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
+        let message = "key loads.pressures: a pressure in H, three times the yield strength, needs material.yield_strength";
+        SceneError::at(raw.span(), message)
+    })?;
+    Ok(Load { nominal_pressure_pa, label: label(raw) })
+}
+
+fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneError> {
+    let Force { n } = quantity("loads.force", force)?;
+    let Area { m2 } = quantity("loads.nominal_area", area)?;
+    Ok(Load { nominal_pressure_pa: n / m2, label: format!("{} on {}", label(force), label(area)) })
+}

@@ -1,0 +1,91 @@
+//! Scenes: a surface, a material, loads, and what to compute and draw of them.
+//!
+//! A scene file is read in two stages: `raw` is what may be typed, [`Scene`] what it means, in SI units and checked.
+
+mod bodies;
+mod curves;
+mod error;
+mod figures;
+mod loads;
+mod raw;
+mod resolve;
+mod surfaces;
+mod template;
+mod values;
+
+pub use error::{SceneError, SceneProblem};
+pub use resolve::Overrides;
+pub use template::Template;
+
+use crate::figure::Figure;
+use crate::files::{Files, NoFiles};
+use crate::material::Material;
+use crate::plan::{CurveModel, Needs, Plan, Sampling};
+use crate::surface::Surface;
+use units::number;
+
+/// A checked scene.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// What it is about.
+    pub title: String,
+    /// The surface and its spectrum.
+    pub surface: Surface,
+    /// The material; absent where no curve needs one.
+    pub material: Option<Material>,
+    /// Which scales take part.
+    pub sampling: Sampling,
+    /// What has to be computed for its curves and figures.
+    pub needs: Needs,
+    /// The figures to draw.
+    pub figures: Vec<Figure>,
+}
+
+impl Scene {
+    /// Reads a scene, and the files that it names.
+    ///
+    /// # Errors
+    /// [`SceneError`] with place, key, value and bound.
+    pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
+        resolve::resolve(raw::RawScene::parse(text)?, files, overrides)
+    }
+
+    /// A scene that comes with the program.
+    ///
+    /// # Errors
+    /// None, unless the program was built with a broken scene.
+    pub fn builtin(template: Template) -> Result<Self, SceneError> {
+        Self::parse(template.text(), &NoFiles, &Overrides::default())
+    }
+
+    /// The choices that its numbers depend on, besides the spectrum.
+    pub fn choices(&self) -> Vec<String> {
+        let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
+        choices.extend(self.model_choices());
+        choices
+    }
+
+    /// Those of them that the models leave open.
+    pub fn model_choices(&self) -> Vec<String> {
+        let mut choices = Vec::new();
+        choices.extend(self.needs.amplitudes.map(|definition| format!("amplitude: {definition}")));
+        choices.extend(
+            self.needs.moments.map(|normalisation| format!("normalisation of moments: {normalisation}")),
+        );
+        if self.needs.curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. })) {
+            choices
+                .push(format!("tolerance of statistical states: {}", number(self.needs.tolerance.value())));
+        }
+        choices
+    }
+
+    /// The hardness H = 3 S0 \[Pa\] of its material, where there is a strength.
+    pub fn hardness_pa(&self) -> Option<f64> {
+        self.material?.hardness_pa()
+    }
+
+    /// What carries the scene out.
+    pub fn plan(&self) -> Plan<'_> {
+        Plan { psd: &self.surface.psd, sampling: self.sampling, needs: self.needs.clone() }
+    }
+}

@@ -1,0 +1,143 @@
+//! A scene as it may be typed: every key there is.
+
+use serde::Deserialize;
+use serde_spanned::Spanned;
+use spectrum::{AmplitudeDefinition, Detrend, Normalisation, Window};
+use stat_contact::InterferenceLaw;
+
+use super::error::SceneError;
+use crate::figure::Shows;
+use crate::material::ModelName;
+use crate::plan::Cutoffs;
+use crate::topography::Average;
+
+/// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
+pub(super) type RawQuantity = Spanned<toml::Value>;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawScene {
+    pub title: Option<String>,
+    pub surface: Spanned<RawSurface>,
+    pub material: Option<RawMaterial>,
+    pub counterface: Option<Spanned<RawCounterface>>,
+    pub loads: Option<Spanned<RawLoads>>,
+    #[serde(default)]
+    pub curve: Vec<Spanned<RawCurve>>,
+    #[serde(default)]
+    pub figure: Vec<Spanned<RawFigure>>,
+    #[serde(default)]
+    pub cutoffs: RawCutoffs,
+    #[serde(default)]
+    pub options: RawOptions,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawSurface {
+    pub psd: Option<Spanned<String>>,
+    pub column: Option<String>,
+    pub x: Option<Spanned<String>>,
+    pub convention: Option<Spanned<String>>,
+    pub series: Option<String>,
+    pub subject: Option<String>,
+    pub x_unit: Option<String>,
+    pub psd_unit: Option<String>,
+    #[serde(default)]
+    pub scans: Vec<Spanned<RawScan>>,
+    pub detrend: Option<Detrend>,
+    pub window: Option<Window>,
+    pub average: Option<Average>,
+    pub bins_per_decade: Option<Spanned<i64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawScan {
+    pub file: String,
+    pub unit: Option<Spanned<String>>,
+    pub channel: Option<String>,
+    pub size: Option<RawQuantity>,
+    pub tip_radius: Option<RawQuantity>,
+    pub shortest_wavelength: Option<RawQuantity>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawMaterial {
+    pub youngs_modulus: RawQuantity,
+    pub poisson_ratio: Spanned<f64>,
+    pub yield_strength: Option<RawQuantity>,
+    pub strain_gradient_length: Option<RawQuantity>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCounterface {
+    pub youngs_modulus: Option<RawQuantity>,
+    pub poisson_ratio: Option<Spanned<f64>>,
+    pub surface: Option<Spanned<RawSurface>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawLoads {
+    pub pressures: Option<Vec<RawQuantity>>,
+    pub force: Option<RawQuantity>,
+    pub nominal_area: Option<RawQuantity>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCurve {
+    pub model: ModelName,
+    #[serde(default)]
+    pub strain_gradient: bool,
+    pub interference_law: Option<InterferenceLaw>,
+    pub cutoffs: Option<Cutoffs>,
+    pub name: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawFigure {
+    pub name: Spanned<String>,
+    pub shows: Shows,
+    pub title: Option<String>,
+    pub curves: Option<Vec<Spanned<String>>>,
+    pub loads: Option<Spanned<RawLoadRange>>,
+    pub cutoff_multiples: Option<Vec<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawLoadRange {
+    pub from: RawQuantity,
+    pub to: RawQuantity,
+    pub points: Spanned<u32>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawCutoffs {
+    pub shortest_wavelength: Option<RawQuantity>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawOptions {
+    pub normalisation: Option<Normalisation>,
+    pub amplitude: Option<AmplitudeDefinition>,
+    pub scales_per_decade: Option<Spanned<i64>>,
+    pub hardness: Option<asperity::Hardness>,
+    pub strength_cap: Option<RawQuantity>,
+    pub interference_law: Option<InterferenceLaw>,
+    pub tolerance: Option<Spanned<f64>>,
+}
+
+impl RawScene {
+    pub fn parse(text: &str) -> Result<Self, SceneError> {
+        toml::from_str(text)
+            .map_err(|error| SceneError { problem: error.message().into(), span: error.span() })
+    }
+}

@@ -1,0 +1,106 @@
+//! From what was typed in a scene to what it means.
+
+use std::num::NonZeroU32;
+
+use asperity::{ElasticBody, Hardness};
+use spectrum::{AmplitudeDefinition, Normalisation};
+
+use super::Scene;
+use super::bodies::{resolve_counterface, resolve_material};
+use super::curves::{LawOptions, resolve_curves};
+use super::error::SceneError;
+use super::figures::resolve_figures;
+use super::loads::resolve_loads;
+use super::raw::RawScene;
+use super::surfaces::resolve_surface;
+use super::values::{count, optional, tolerance};
+use crate::figure::Shows;
+use crate::files::Files;
+use crate::plan::{CurveModel, Needs, Sampling};
+use units::{Length, Pressure};
+
+/// Options given outside the scene, which count more than the scene's own.
+#[derive(Debug, Clone, Default)]
+pub struct Overrides {
+    /// Normalisation of the moments.
+    pub normalisation: Option<Normalisation>,
+    /// Definition of the amplitude.
+    pub amplitude: Option<AmplitudeDefinition>,
+    /// Scales per decade to resample to.
+    pub scales_per_decade: Option<NonZeroU32>,
+    /// Form of the hardness of spheres.
+    pub hardness: Option<Hardness>,
+    /// Cap of a growing strength.
+    pub strength_cap: Option<Pressure>,
+    /// Shortest wavelength kept.
+    pub cutoff: Option<Length>,
+    /// Counterface.
+    pub counterface: Option<ElasticBody>,
+}
+
+pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -> Result<Scene, SceneError> {
+    let options = raw.options;
+    let strength_cap = match overrides.strength_cap {
+        Some(cap) => Some(cap),
+        None => optional("options.strength_cap", options.strength_cap.as_ref())?,
+    };
+    let counterface = match (overrides.counterface, &raw.counterface) {
+        (Some(body), _) => Some(body),
+        (None, Some(raw)) => resolve_counterface(raw)?,
+        (None, None) => None,
+    };
+    let material = raw
+        .material
+        .as_ref()
+        .map(|material| resolve_material(material, counterface, strength_cap))
+        .transpose()?;
+    let cutoff: Option<Length> =
+        optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
+    let per_decade =
+        options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
+    let hardness = overrides.hardness.or(options.hardness).unwrap_or_default();
+    let law_options = LawOptions { hardness, interference: options.interference_law.unwrap_or_default() };
+    let curves = resolve_curves(&raw.curve, material.as_ref(), law_options)?;
+    let loads = match &raw.loads {
+        Some(loads) => resolve_loads(loads, material.as_ref())?,
+        None if curves.is_empty() => Vec::new(),
+        None => {
+            return Err(SceneError::anywhere(
+                "the scene has curves but no section [loads]; add pressures = [...]",
+            ));
+        }
+    };
+    let (figures, sweeps) = resolve_figures(&raw.figure, &curves, material.as_ref())?;
+    if curves.is_empty() && figures.is_empty() {
+        return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
+    }
+    let any_statistical = curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. }));
+    let any_stacked = curves.iter().any(|curve| matches!(curve.model, CurveModel::Stacked(_)));
+    let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
+    let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
+    let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
+    let own = resolve_surface("surface", &raw.surface, files)?;
+    let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
+        Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
+        None => own,
+    };
+    Ok(Scene {
+        title: raw.title.unwrap_or_else(|| surface.name.clone()),
+        surface,
+        material,
+        sampling: Sampling {
+            scales_per_decade: overrides.scales_per_decade.or(per_decade),
+            cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),
+        },
+        needs: Needs {
+            moments: (any_statistical || shows(&[Shows::Moments])).then_some(normalisation),
+            amplitudes: (any_stacked || shows(&[Shows::Amplitude, Shows::AspectRatio])).then_some(amplitude),
+            curves,
+            loads,
+            sweeps,
+            tolerance: options.tolerance.as_ref().map(tolerance).transpose()?.unwrap_or_default(),
+            ..Needs::default()
+        },
+        figures,
+    })
+}

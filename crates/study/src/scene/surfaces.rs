@@ -1,0 +1,130 @@
+//! The surfaces of a scene: a spectrum, or scans to make one of; the counterface's added where it has one.
+
+use serde_spanned::Spanned;
+use spectrum::ReadOptions;
+
+use super::error::SceneError;
+use super::raw::{RawScan, RawSurface};
+use super::values::{count, optional, parsed};
+use crate::files::Files;
+use crate::surface::{Surface, SurfaceError};
+use crate::topography::{DEFAULT_BINS_PER_DECADE, Recipe, ScanRequest};
+use units::Length;
+
+/// The surface under this key of the scene, its files from `files`.
+pub(super) fn resolve_surface(
+    key: &str,
+    raw: &Spanned<RawSurface>,
+    files: &dyn Files,
+) -> Result<Surface, SceneError> {
+    let surface = raw.get_ref();
+    match (&surface.psd, &surface.scans[..]) {
+        (Some(psd), []) => {
+            refuse_idle_keys(key, raw)?;
+            spectrum(key, surface, psd, files)
+        }
+        (None, [_, ..]) => {
+            refuse_idle_keys(key, raw)?;
+            composite(key, surface, files)
+        }
+        (Some(_), _) => {
+            Err(SceneError::at(raw.span(), format!("[{key}] has both psd and scans; keep one of them")))
+        }
+        (None, []) => {
+            let message = format!("[{key}] needs psd = \"...\", or scans = [{{ file = \"...\" }}]");
+            Err(SceneError::at(raw.span(), message))
+        }
+    }
+}
+
+/// Refuses keys that say nothing about what is given: a scene that is not carried out as it reads is worse than none.
+fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneError> {
+    let surface = raw.get_ref();
+    let of_spectra = [
+        ("column", surface.column.is_some()),
+        ("x", surface.x.is_some()),
+        ("convention", surface.convention.is_some()),
+        ("series", surface.series.is_some()),
+        ("subject", surface.subject.is_some()),
+        ("x_unit", surface.x_unit.is_some()),
+        ("psd_unit", surface.psd_unit.is_some()),
+    ];
+    let of_scans = [
+        ("detrend", surface.detrend.is_some()),
+        ("window", surface.window.is_some()),
+        ("average", surface.average.is_some()),
+        ("bins_per_decade", surface.bins_per_decade.is_some()),
+    ];
+    let (idle, without, what): (&[(&str, bool)], _, _) = match surface.psd {
+        Some(_) => (&of_scans, "psd", "scans"),
+        None => (&of_spectra, "scans", "a psd"),
+    };
+    match idle.iter().find(|(_, given)| *given) {
+        Some((name, _)) => {
+            let message = format!("key {key}.{name} is for {what}, and {without} is given; leave it out");
+            Err(SceneError::at(raw.span(), message))
+        }
+        None => Ok(()),
+    }
+}
+
+fn spectrum(
+    key: &str,
+    surface: &RawSurface,
+    psd: &Spanned<String>,
+    files: &dyn Files,
+) -> Result<Surface, SceneError> {
+    let options = ReadOptions {
+        column: surface.column.clone(),
+        x: surface.x.as_ref().map(|text| parsed(&format!("{key}.x"), text)).transpose()?,
+        convention: surface
+            .convention
+            .as_ref()
+            .map(|text| parsed(&format!("{key}.convention"), text))
+            .transpose()?,
+        series: surface.series.clone(),
+        subject: surface.subject.clone(),
+        x_unit: surface.x_unit.clone(),
+        psd_unit: surface.psd_unit.clone(),
+    };
+    Surface::load(psd.get_ref(), files, &options).map_err(|error| SceneError::at(psd.span(), error))
+}
+
+fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surface, SceneError> {
+    let bins_per_decade = surface.bins_per_decade.as_ref();
+    let recipe = Recipe {
+        detrend: surface.detrend,
+        window: surface.window,
+        average: surface.average.unwrap_or_default(),
+        bins_per_decade: bins_per_decade
+            .map(|raw| count(&format!("{key}.bins_per_decade"), raw))
+            .transpose()?
+            .unwrap_or(DEFAULT_BINS_PER_DECADE),
+        tip_radius_m: None,
+    };
+    let requests =
+        surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;
+    Surface::from_scans(&requests, files, &recipe).map_err(|error| {
+        let all = surface.scans[0].span().start..surface.scans[surface.scans.len() - 1].span().end;
+        let request = match &error {
+            SurfaceError::Scans(error) => error.request,
+            _ => None,
+        };
+        SceneError::at(request.map_or(all, |request| surface.scans[request].span()), error)
+    })
+}
+
+fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
+    let length = |name: &str, raw| -> Result<Option<f64>, SceneError> {
+        let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
+        Ok(length.map(|length| length.m))
+    };
+    Ok(ScanRequest {
+        path: raw.file.clone(),
+        unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
+        channel: raw.channel.clone(),
+        size_m: length("size", raw.size.as_ref())?,
+        tip_radius_m: length("tip_radius", raw.tip_radius.as_ref())?,
+        shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
+    })
+}

@@ -1,0 +1,32 @@
+//! Scenes that come with the program, to run or to start one's own from.
+
+/// A scene of the program's own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Template {
+    /// A commented scene to fill in, about one's own spectrum.
+    New,
+    /// UNCD, the measured composite spectrum: every figure of the paper.
+    UncdMeasured,
+    /// UNCD, the reconstructed spectrum from centimetres to Angstroms: every figure of the paper.
+    UncdReconstructed,
+}
+
+units::named!(Template, "scene", {
+    New => "new",
+    UncdMeasured => "uncd-measured",
+    UncdReconstructed => "uncd-reconstructed",
+});
+
+impl Template {
+    /// The scenes that can be run as they are.
+    pub const RUNNABLE: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
+
+    /// The scene file.
+    pub fn text(self) -> &'static str {
+        match self {
+            Template::New => include_str!("../../../../data/scenes/new.toml"),
+            Template::UncdMeasured => include_str!("../../../../data/scenes/uncd-measured.toml"),
+            Template::UncdReconstructed => include_str!("../../../../data/scenes/uncd-reconstructed.toml"),
+        }
+    }
+}

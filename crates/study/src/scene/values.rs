@@ -1,0 +1,64 @@
+//! Single values of a scene: quantities with their units, names, counts.
+
+use std::num::NonZeroU32;
+use std::str::FromStr;
+
+use serde_spanned::Spanned;
+
+use super::error::SceneError;
+use super::raw::RawQuantity;
+use crate::plan::Tolerance;
+
+pub(super) fn optional<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    raw: Option<&RawQuantity>,
+) -> Result<Option<T>, SceneError> {
+    raw.map(|raw| quantity(key, raw)).transpose()
+}
+
+/// A quantity with its unit; a bare number is read as text without one, so that the message tells the units.
+pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    raw: &RawQuantity,
+) -> Result<T, SceneError> {
+    let text = match raw.get_ref() {
+        toml::Value::String(text) => text.clone(),
+        other => other.to_string(),
+    };
+    text.parse().map_err(|error| SceneError::at(raw.span(), format!("key {key}: {error}")))
+}
+
+pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    text: &Spanned<String>,
+) -> Result<T, SceneError> {
+    text.get_ref().parse().map_err(|error| SceneError::at(text.span(), format!("key {key}: {error}")))
+}
+
+/// A whole number from 1 on.
+pub(super) fn count(key: &str, raw: &Spanned<i64>) -> Result<NonZeroU32, SceneError> {
+    u32::try_from(*raw.get_ref()).ok().and_then(NonZeroU32::new).ok_or_else(|| {
+        let message = format!("key {key}: {} must be a whole number from 1 on", raw.get_ref());
+        SceneError::at(raw.span(), message)
+    })
+}
+
+/// A quantity as typed.
+pub(super) fn label(raw: &RawQuantity) -> String {
+    raw.get_ref().as_str().unwrap_or_default().trim().to_owned()
+}
+
+/// The names of curves and figures become those of files.
+pub(super) fn check_file_name(name: &str, span: std::ops::Range<usize>) -> Result<(), SceneError> {
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+    if name.chars().all(plain) && name.starts_with(char::is_alphanumeric) {
+        return Ok(());
+    }
+    let message = format!("{name:?} becomes the name of a file; use letters, digits, '-', '_' and '.' only");
+    Err(SceneError::at(span, message))
+}
+
+pub(super) fn tolerance(raw: &Spanned<f64>) -> Result<Tolerance, SceneError> {
+    Tolerance::new(*raw.get_ref())
+        .map_err(|error| SceneError::at(raw.span(), format!("key options.tolerance: {error}")))
+}

@@ -1,0 +1,86 @@
+//! What can be wrong on the way from the files of scans to a spectrum.
+
+use std::{fmt, io};
+
+use spectrum::{PsdError, ScanReadError, TransformError};
+
+/// Why the scans of a file, or all of them together, yield no spectrum.
+#[derive(Debug)]
+pub struct TopographyError {
+    /// The file to blame, as asked for; absent where it is all of them together.
+    pub file: Option<String>,
+    /// Which of the scans asked for is to blame, by index.
+    pub request: Option<usize>,
+    /// What is wrong.
+    pub problem: ScanProblem,
+}
+
+/// What is wrong with scans.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ScanProblem {
+    /// The file cannot be had.
+    #[error("{0}")]
+    Reading(io::Error),
+    /// A text that describes the scans beside it is none.
+    #[error("line {line}: not UTF-8 text; save the metadata as UTF-8")]
+    NotText {
+        /// The first line that is none.
+        line: usize,
+    },
+    /// The file holds a spectrum, which needs no transform.
+    #[error("this file holds a power spectrum, not heights; give it as a PSD")]
+    HoldsASpectrum,
+    /// The file cannot be read as heights.
+    #[error(transparent)]
+    Format(ScanReadError),
+    /// The heights cannot be transformed.
+    #[error("{}{error}", scan.as_ref().map_or(String::new(), |scan| format!("{scan}: ")))]
+    Transform {
+        /// The scan, where it has another name than its file.
+        scan: Option<String>,
+        /// Why.
+        error: TransformError,
+    },
+    /// Heights in a unit that cannot be meant.
+    #[error("the variance of the heights is beyond the range of numbers; check their unit")]
+    VarianceBeyondNumbers,
+    /// An areal spectrum of none or several scans.
+    #[error("{0} scans; an areal spectrum is that of one map")]
+    NotOneMap(usize),
+    /// An areal spectrum of a line.
+    #[error("a line scan has no areal spectrum")]
+    LineHasNoArea,
+    /// Too few bins to be a spectrum.
+    #[error("{error}: the scans fill {bins} bins; give more of them, or more bins per decade")]
+    TooFewBins {
+        /// What a spectrum needs.
+        error: PsdError,
+        /// The bins.
+        bins: usize,
+    },
+}
+
+impl fmt::Display for TopographyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.file, &self.problem) {
+            (Some(file), ScanProblem::Reading(error)) => write!(f, "reading {file}: {error}"),
+            (Some(file), problem) => write!(f, "{file}: {problem}"),
+            (None, problem) => problem.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for TopographyError {}
+
+impl TopographyError {
+    /// The scans of one file are to blame.
+    pub(super) fn of_file(file: &str, problem: ScanProblem) -> Self {
+        TopographyError { file: Some(file.to_owned()), request: None, problem }
+    }
+
+    /// All of the scans together are to blame.
+    pub(super) fn of_all(problem: ScanProblem) -> Self {
+        TopographyError { file: None, request: None, problem }
+    }
+}

@@ -1,0 +1,65 @@
+//! A file becomes heights, with what lies beside it.
+
+use sha2::{Digest, Sha256};
+use spectrum::{
+    MeasurementMetadata, ReadOptions, ScanFile, ScanOptions, ScanSize, read_metadata, read_psd, read_scans,
+};
+
+use super::error::{ScanProblem, TopographyError};
+use super::request::ScanRequest;
+use crate::files::{Files, file_name};
+
+/// Files that describe the scans beside them.
+const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
+
+/// The scans of one file.
+pub(super) struct Loaded {
+    pub scans: Vec<ScanFile>,
+    /// SHA-256 of the file, in hexadecimal digits.
+    pub sha256: String,
+}
+
+/// Reads the scans in a file.
+pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
+    let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
+    let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
+    if read_psd(&bytes[..], &ReadOptions::default()).is_ok() {
+        return Err(blame(ScanProblem::HoldsASpectrum));
+    }
+    // What the file and its metadata say counts; what was given stands in where they say nothing.
+    let options = ScanOptions {
+        channel: request.channel.clone(),
+        metadata: metadata_beside(&request.path, files)?,
+        fallback_unit: request.unit,
+        fallback_size: request.size_m.map(|x_m| ScanSize { x_m, y_m: None }),
+        ..ScanOptions::default()
+    };
+    let scans = read_scans(&bytes, file_name(&request.path), &options)
+        .map_err(|error| blame(ScanProblem::Format(error)))?;
+    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
+}
+
+/// What a `meta.yml` or `index.json` in the same folder says of a file, where there is one that names it.
+fn metadata_beside(path: &str, files: &dyn Files) -> Result<Option<MeasurementMetadata>, TopographyError> {
+    let name = file_name(path);
+    for beside in METADATA_FILES.into_iter().filter(|beside| *beside != name) {
+        let folder = &path[..path.len() - name.len()];
+        let blame = |problem: ScanProblem| TopographyError::of_file(&format!("{folder}{beside}"), problem);
+        let bytes = files.read_beside(path, beside).map_err(|error| blame(ScanProblem::Reading(error)))?;
+        let Some(bytes) = bytes else { continue };
+        let text = std::str::from_utf8(&bytes).map_err(|error| {
+            let before = &bytes[..error.valid_up_to()];
+            blame(ScanProblem::NotText { line: 1 + before.iter().filter(|&&byte| byte == b'\n').count() })
+        })?;
+        // Other programs have files of these names, too.
+        if !text.contains(name) {
+            continue;
+        }
+        let entries = read_metadata(text.trim_start_matches('\u{feff}'), beside)
+            .map_err(|error| blame(ScanProblem::Format(error)))?;
+        if let Some(entry) = entries.into_iter().find(|entry| entry.names_file(name)) {
+            return Ok(Some(entry));
+        }
+    }
+    Ok(None)
+}

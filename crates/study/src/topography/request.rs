@@ -1,0 +1,208 @@
+//! Which scans, each with what its file does not say, and how their spectra are made.
+
+use std::num::NonZeroU32;
+use std::str::FromStr;
+
+use serde::Deserialize;
+use spectrum::{BandLimits, Detrend, LengthUnit, Preparation, ScanFile, Window};
+
+use units::Length;
+
+/// A file of scans, and what is known of them besides.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ScanRequest {
+    /// The file, as typed.
+    pub path: String,
+    /// Unit of lengths and heights where neither the file nor metadata beside it tell.
+    pub unit: Option<LengthUnit>,
+    /// The channel, where the file has several; its first one of heights where absent.
+    pub channel: Option<String>,
+    /// Size along the scan lines \[m\], where the file gives none.
+    pub size_m: Option<f64>,
+    /// Radius of the tip \[m\], which limits the wavelengths that are trusted.
+    pub tip_radius_m: Option<f64>,
+    /// The shortest wavelength \[m\] that is trusted.
+    pub shortest_m: Option<f64>,
+}
+
+/// How spectra are made from scans.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Recipe {
+    /// What is subtracted; for periodic data the mean, else a line or plane, where absent.
+    pub detrend: Option<Detrend>,
+    /// The window; none for periodic data, else Hann, where absent.
+    pub window: Option<Window>,
+    /// How measurements are averaged bin by bin.
+    pub average: Average,
+    /// Logarithmic bins per decade of wavevectors.
+    pub bins_per_decade: NonZeroU32,
+    /// Radius of the tip \[m\] of scans that have no other.
+    pub tip_radius_m: Option<f64>,
+}
+
+impl ScanRequest {
+    /// What limits the wavelengths that a scan of this file shows: the tip, and the shortest one that user and instrument
+    /// both vouch for.
+    pub(super) fn limits(&self, file: &ScanFile, recipe: &Recipe) -> BandLimits {
+        BandLimits {
+            tip_radius_m: self.tip_radius_m.or(file.tip_radius_m).or(recipe.tip_radius_m),
+            shortest_m: [self.shortest_m, file.resolution_m].into_iter().flatten().reduce(f64::max),
+        }
+    }
+}
+
+/// How the spectra of several measurements are averaged in a bin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Average {
+    /// The mean of their logarithms, which Jackson & Jacobs call the log-space average.
+    #[default]
+    Log,
+    /// Their mean, as contact.engineering takes it.
+    Arithmetic,
+}
+
+units::named!(Average, "average across scans", { Log => "log", Arithmetic => "arithmetic" });
+
+impl Default for Recipe {
+    fn default() -> Self {
+        Recipe {
+            detrend: None,
+            window: None,
+            average: Average::Log,
+            bins_per_decade: DEFAULT_BINS_PER_DECADE,
+            tip_radius_m: None,
+        }
+    }
+}
+
+/// The density of a composite where none is asked for.
+pub const DEFAULT_BINS_PER_DECADE: NonZeroU32 = NonZeroU32::new(10).expect("ten is not zero");
+
+impl Recipe {
+    /// What is done to the heights of a scan, periodic or not.
+    pub(super) fn preparation(&self, is_periodic: bool) -> Preparation {
+        let fitting = if is_periodic { Preparation::PERIODIC } else { Preparation::default() };
+        Preparation {
+            detrend: self.detrend.unwrap_or(fitting.detrend),
+            window: self.window.unwrap_or(fitting.window),
+        }
+    }
+
+    /// The recipe in a line, for the record.
+    pub fn describe(&self) -> String {
+        format!(
+            "detrend: {}, window: {}, average: {}, {} bins per decade",
+            self.detrend.map_or("as fits the scan".to_owned(), |detrend| detrend.to_string()),
+            self.window.map_or("as fits the scan".to_owned(), |window| window.to_string()),
+            self.average.name(),
+            self.bins_per_decade
+        )
+    }
+}
+
+/// Options of a single file that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RequestError {
+    /// No such option.
+    #[error(
+        "{file}: there is no option '{key}' of a scan; there are unit, channel, size, tip-radius and shortest"
+    )]
+    UnknownKey {
+        /// The file.
+        file: String,
+        /// What was typed.
+        key: String,
+    },
+    /// A value that does not do.
+    #[error("{file}: option {key}: {problem}")]
+    BadValue {
+        /// The file.
+        file: String,
+        /// The option.
+        key: String,
+        /// What is wrong.
+        problem: String,
+    },
+}
+
+impl FromStr for ScanRequest {
+    type Err = RequestError;
+
+    /// Reads `scan.asc`, or `scan.asc:unit=nm,channel=Height,tip-radius=20nm,shortest=46nm`.
+    fn from_str(text: &str) -> Result<Self, RequestError> {
+        // A colon may belong to the path: options are what follows the last one and looks like them.
+        let (path, options) = match text.rsplit_once(':') {
+            Some((path, options))
+                if !path.is_empty() && options.split(',').all(|part| part.contains('=')) =>
+            {
+                (path, options)
+            }
+            _ => (text, ""),
+        };
+        let mut request = ScanRequest { path: path.to_owned(), ..ScanRequest::default() };
+        for (key, value) in options.split(',').filter_map(|part| part.split_once('=')) {
+            request.set(key.trim(), value.trim())?;
+        }
+        Ok(request)
+    }
+}
+
+impl ScanRequest {
+    fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
+        let bad = |problem: String| RequestError::BadValue {
+            file: self.path.clone(),
+            key: key.to_owned(),
+            problem,
+        };
+        let length_m =
+            || value.parse::<Length>().map(|length| length.m).map_err(|error| bad(error.to_string()));
+        match key {
+            "unit" => self.unit = Some(value.parse::<LengthUnit>().map_err(|error| bad(error.to_string()))?),
+            "channel" => self.channel = Some(value.to_owned()),
+            "size" => self.size_m = Some(length_m()?),
+            "tip-radius" => self.tip_radius_m = Some(length_m()?),
+            "shortest" => self.shortest_m = Some(length_m()?),
+            _ => {
+                return Err(RequestError::UnknownKey { file: self.path.clone(), key: key.to_owned() });
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_carries_its_own_options() {
+        let request: ScanRequest =
+            "a/scan.asc:unit=nm,channel=Height Sensor,tip-radius=20nm,shortest=46 nm".parse().unwrap();
+        assert_eq!(request.path, "a/scan.asc");
+        assert_eq!(request.unit, Some(LengthUnit::NANOMETRE));
+        assert_eq!(request.channel.as_deref(), Some("Height Sensor"));
+        assert_eq!((request.tip_radius_m, request.shortest_m), (Some(20e-9), Some(46e-9)));
+    }
+
+    #[test]
+    fn colons_of_a_path_stay_in_it() {
+        for path in ["C:\\scans\\a.txt", "a:b", "scan", "12:30.txt"] {
+            assert_eq!(path.parse::<ScanRequest>().unwrap().path, path);
+        }
+        assert_eq!("a:b:unit=um".parse::<ScanRequest>().unwrap().path, "a:b");
+    }
+
+    #[test]
+    fn wrong_options_are_named_with_the_right_ones() {
+        let error = |text: &str| text.parse::<ScanRequest>().unwrap_err().to_string();
+        assert_eq!(
+            error("s.txt:units=nm"),
+            "s.txt: there is no option 'units' of a scan; there are unit, channel, size, tip-radius and shortest"
+        );
+        assert!(
+            error("s.txt:unit=furlong").starts_with("s.txt: option unit: 'furlong' is no unit of length")
+        );
+        assert!(error("s.txt:shortest=46").starts_with("s.txt: option shortest: '46' has no unit"));
+    }
+}

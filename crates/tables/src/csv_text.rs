@@ -1,0 +1,132 @@
+//! Tables as comma-separated values.
+
+use std::io::{self, Read, Write};
+
+use units::write_number;
+
+use crate::error::TableError;
+use crate::table::{Cells, Table};
+
+/// Rows as they are read.
+pub(super) struct Rows<'s, R: Read> {
+    /// The column names.
+    pub names: Vec<String>,
+    reader: csv::Reader<Window<R>>,
+    source: &'s str,
+}
+
+impl<'s, R: Read> Rows<'s, R> {
+    /// Reads the header.
+    pub fn begin(text: R, source: &'s str) -> Result<Self, TableError> {
+        let window = Window { inner: text, bytes: Vec::new(), before: None, delivered: 0 };
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(window);
+        let names: Vec<String> = match reader.headers() {
+            Ok(names) => names.iter().map(str::to_owned).collect(),
+            Err(error) => return Err(refusal(source, 1, error)),
+        };
+        if names.iter().all(String::is_empty) {
+            return Err(TableError::NoHeader { table: source.to_owned() });
+        }
+        if let Some(twice) = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name)) {
+            return Err(TableError::NamedTwice { table: source.to_owned(), column: twice.1.clone() });
+        }
+        Ok(Rows { names, reader, source })
+    }
+
+    /// The next row, and the line that it ends on.
+    pub fn next(&mut self) -> Result<Option<(u64, csv::StringRecord)>, TableError> {
+        let mut record = csv::StringRecord::new();
+        let more = self.reader.read_record(&mut record);
+        // A record's own position is that of the comments before it: the line it ends on is counted from behind.
+        let behind = self.reader.position();
+        let ended = self.reader.get_ref().byte_before(behind.byte());
+        let line = behind.line() - u64::from(ended == Some(b'\n'));
+        match more {
+            Ok(true) => Ok(Some((line, record))),
+            Ok(false) => Ok(None),
+            Err(error) => Err(refusal(self.source, line, error)),
+        }
+    }
+}
+
+/// What has been read last of a text, to look back by one byte from any place in it.
+struct Window<R> {
+    inner: R,
+    bytes: Vec<u8>,
+    before: Option<u8>,
+    delivered: u64,
+}
+
+impl<R: Read> Read for Window<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.inner.read(buffer)?;
+        self.before = self.bytes.last().copied().or(self.before);
+        self.bytes.clear();
+        self.bytes.extend_from_slice(&buffer[..read]);
+        self.delivered += read as u64;
+        Ok(read)
+    }
+}
+
+impl<R> Window<R> {
+    /// The byte before a position that is not before the window.
+    fn byte_before(&self, position: u64) -> Option<u8> {
+        let begin = self.delivered - self.bytes.len() as u64;
+        match position.checked_sub(begin)? {
+            0 => self.before,
+            within => self.bytes.get(usize::try_from(within - 1).ok()?).copied(),
+        }
+    }
+}
+
+fn refusal(source: &str, line: u64, error: csv::Error) -> TableError {
+    let table = source.to_owned();
+    match *error.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            TableError::UnequalRow { table, line, fields: len, columns: expected_len }
+        }
+        _ => TableError::Csv { table, line, error },
+    }
+}
+
+pub(super) fn write_comments(comments: &[String], out: &mut dyn Write) -> io::Result<()> {
+    for line in comments.iter().flat_map(|comment| comment.lines()) {
+        writeln!(out, "# {line}")?;
+    }
+    Ok(())
+}
+
+/// Writes rows, under the column names where these are wanted.
+pub(super) fn write(table: &Table, names: bool, out: &mut dyn Write) -> io::Result<()> {
+    // A first cell that begins like a comment is quoted, or the next reader would take its row for one.
+    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
+    write_rows(table, names, &mut writer).map_err(|error| match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    })?;
+    writer.flush()
+}
+
+fn write_rows(table: &Table, names: bool, writer: &mut csv::Writer<&mut dyn Write>) -> csv::Result<()> {
+    if names {
+        writer.write_record(table.columns().map(|(name, _)| name))?;
+    }
+    let mut number = String::new();
+    for row in 0..table.rows() {
+        for (_, cells) in table.columns() {
+            number.clear();
+            match cells {
+                Cells::Typed(cells) => writer.write_field(cells[row].text().as_ref())?,
+                Cells::Words(words) => writer.write_field(words[row])?,
+                Cells::Numbers(numbers) => {
+                    if let Some(value) = numbers[row].filter(|value| value.is_finite()) {
+                        write_number(&mut number, value);
+                    }
+                    writer.write_field(&number)?;
+                }
+            }
+        }
+        writer.write_record(None::<&[u8]>)?;
+    }
+    Ok(())
+}

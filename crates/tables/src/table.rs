@@ -1,0 +1,139 @@
+//! A table as columns of one length.
+
+use std::io::{self, Write};
+
+use serde_json::value::RawValue;
+use units::number;
+
+use crate::writer::{Format, TableWriter};
+
+/// Columns of one length.
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    columns: Vec<(String, Cells)>,
+}
+
+/// The cells of one column.
+#[derive(Debug, Clone)]
+pub enum Cells {
+    /// Echoed as they came in.
+    Typed(Vec<Cell>),
+    /// Computed numbers; absent ones are empty cells.
+    Numbers(Vec<Option<f64>>),
+    /// Computed words.
+    Words(Vec<&'static str>),
+}
+
+/// One cell as typed.
+#[derive(Debug, Clone)]
+pub enum Cell {
+    /// A CSV field.
+    Field(String),
+    /// A JSON value, `null` where a row lacks the key.
+    Json(Box<RawValue>),
+    /// A number filled in beside what was typed.
+    Computed(f64),
+}
+
+impl From<&str> for Cell {
+    fn from(field: &str) -> Self {
+        Cell::Field(field.to_owned())
+    }
+}
+
+impl Cell {
+    /// What a person would read in the cell; nothing in an empty one.
+    pub fn text(&self) -> std::borrow::Cow<'_, str> {
+        match self {
+            Cell::Field(text) => text.as_str().into(),
+            Cell::Computed(value) if !value.is_finite() => "".into(),
+            Cell::Computed(value) => number(*value).into(),
+            Cell::Json(raw) if raw.get() == "null" => "".into(),
+            Cell::Json(raw) => serde_json::from_str::<String>(raw.get()).map_or(raw.get().into(), Into::into),
+        }
+    }
+}
+
+impl Cells {
+    fn len(&self) -> usize {
+        match self {
+            Cells::Typed(cells) => cells.len(),
+            Cells::Numbers(cells) => cells.len(),
+            Cells::Words(cells) => cells.len(),
+        }
+    }
+}
+
+impl Table {
+    /// The column of this name is set, in its place where it exists and else as the last one.
+    pub fn set(&mut self, name: &str, cells: Cells) {
+        debug_assert!(self.columns.is_empty() || cells.len() == self.rows());
+        match self.columns.iter_mut().find(|(existing, _)| existing == name) {
+            Some((_, existing)) => *existing = cells,
+            None => self.columns.push((name.to_owned(), cells)),
+        }
+    }
+
+    /// The table with a column of numbers appended.
+    pub fn with_numbers(
+        mut self,
+        name: &str,
+        values: impl IntoIterator<Item = impl Into<Option<f64>>>,
+    ) -> Self {
+        self.set(name, Cells::Numbers(values.into_iter().map(Into::into).collect()));
+        self
+    }
+
+    /// The table with a column of words appended.
+    pub fn with_words(mut self, name: &str, words: impl IntoIterator<Item = &'static str>) -> Self {
+        self.set(name, Cells::Words(words.into_iter().collect()));
+        self
+    }
+
+    /// The table with a column of text appended.
+    pub fn with_text(mut self, name: &str, texts: impl IntoIterator<Item = String>) -> Self {
+        self.set(name, Cells::Typed(texts.into_iter().map(Cell::Field).collect()));
+        self
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |(_, cells)| cells.len())
+    }
+
+    /// The columns in order.
+    pub fn columns(&self) -> impl Iterator<Item = (&str, &Cells)> {
+        self.columns.iter().map(|(name, cells)| (name.as_str(), cells))
+    }
+
+    /// The cells of a column.
+    pub fn column(&self, name: &str) -> Option<&Cells> {
+        self.columns().find(|(existing, _)| *existing == name).map(|(_, cells)| cells)
+    }
+
+    /// How many computed numbers lie beyond the range of doubles; their cells are written empty.
+    pub fn unrepresentable(&self) -> usize {
+        let unrepresentable = |value: &f64| !value.is_finite();
+        let count = |cells: &Cells| match cells {
+            Cells::Numbers(numbers) => {
+                numbers.iter().flatten().filter(|value| unrepresentable(value)).count()
+            }
+            Cells::Typed(cells) => cells
+                .iter()
+                .filter(|cell| matches!(cell, Cell::Computed(value) if unrepresentable(value)))
+                .count(),
+            Cells::Words(_) => 0,
+        };
+        self.columns().map(|(_, cells)| count(cells)).sum()
+    }
+
+    /// Writes the table; `comments` stand before it as `#` lines where the format has comments.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, format: Format, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
+        let mut writer = TableWriter::begin(format, comments, out)?;
+        writer.block(self)?;
+        writer.end().map(|_| ())
+    }
+}

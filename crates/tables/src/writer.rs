@@ -1,0 +1,75 @@
+//! A table written block by block, so that it need not be held.
+
+use std::io::{self, Write};
+
+use crate::table::Table;
+use crate::{csv_text, json_text};
+
+/// How a table is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Format {
+    /// Comma-separated values with a header row.
+    #[default]
+    Csv,
+    /// An array of row objects; empty cells are null.
+    Json,
+}
+
+units::named!(Format, "format of a table", { Csv => "csv", Json => "json" });
+
+impl Format {
+    /// The ending of a file in this format.
+    pub fn extension(self) -> &'static str {
+        self.name()
+    }
+}
+
+/// Writes blocks of rows with the same columns, one under the other.
+pub struct TableWriter<'o> {
+    out: &'o mut dyn Write,
+    format: Format,
+    begun: bool,
+    rows: usize,
+    unrepresentable: usize,
+}
+
+impl<'o> TableWriter<'o> {
+    /// Begins a table; `comments` stand before it as `#` lines where the format has comments.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn begin(format: Format, comments: &[String], out: &'o mut dyn Write) -> io::Result<Self> {
+        match format {
+            Format::Csv => csv_text::write_comments(comments, out)?,
+            Format::Json => out.write_all(b"[")?,
+        }
+        Ok(TableWriter { out, format, begun: false, rows: 0, unrepresentable: 0 })
+    }
+
+    /// Writes more rows. The first block names the columns, even if it has no rows.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn block(&mut self, block: &Table) -> io::Result<()> {
+        match self.format {
+            Format::Csv => csv_text::write(block, !self.begun, self.out)?,
+            Format::Json => json_text::write(block, self.rows == 0, self.out)?,
+        }
+        self.begun = true;
+        self.rows += block.rows();
+        self.unrepresentable += block.unrepresentable();
+        Ok(())
+    }
+
+    /// Ends the table, and tells how many computed numbers lay beyond the range of doubles; their cells are empty.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn end(self) -> io::Result<usize> {
+        match self.format {
+            Format::Csv => {}
+            Format::Json => self.out.write_all(b"\n]\n")?,
+        }
+        Ok(self.unrepresentable)
+    }
+}

@@ -1,0 +1,111 @@
+//! The bounds that numbers are held against, and what is said where they are broken.
+
+/// The interval a value must lie in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// Finite and greater than zero.
+    Positive,
+    /// Greater than `above`, at most `at_most`.
+    LeftOpen {
+        /// The excluded lower end.
+        above: f64,
+        /// The included upper end.
+        at_most: f64,
+    },
+    /// Finite.
+    Finite,
+    /// Finite and at least this value.
+    AtLeast(f64),
+    /// Greater than zero and within thirty decades of one: no product or power of such numbers in any law leaves the range
+    /// of doubles.
+    Magnitude,
+    /// Of either sign, and at most as large as [`Magnitude`](Self::Magnitude) admits.
+    Signed,
+}
+
+/// The ends of [`Bound::Magnitude`].
+const SMALLEST: f64 = 1e-30;
+const LARGEST: f64 = 1e30;
+
+impl Bound {
+    /// Whether `value` satisfies the bound. NaN and infinities never do.
+    pub fn admits(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Bound::Positive => value > 0.0,
+                Bound::Finite => true,
+                Bound::LeftOpen { above, at_most } => above < value && value <= at_most,
+                Bound::AtLeast(least) => value >= least,
+                Bound::Magnitude => (SMALLEST..=LARGEST).contains(&value),
+                Bound::Signed => value.abs() <= LARGEST,
+            }
+    }
+
+    /// `value`, or the error that names the quantity, the value and this bound.
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] where the bound does not admit `value`.
+    pub fn check(self, quantity: &'static str, value: f64) -> Result<f64, OutOfBounds> {
+        if self.admits(value) {
+            return Ok(value);
+        }
+        // Of what is wrong the plainest is named.
+        let plainest = match self {
+            Bound::Magnitude => Bound::Positive,
+            Bound::Signed => Bound::Finite,
+            other => other,
+        };
+        Err(OutOfBounds { quantity, value, bound: if plainest.admits(value) { self } else { plainest } })
+    }
+}
+
+impl std::fmt::Display for Bound {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Bound::Positive => write!(f, "finite and greater than 0"),
+            Bound::Finite => write!(f, "finite"),
+            Bound::LeftOpen { above, at_most } => {
+                write!(f, "greater than {above} and at most {}", short(*at_most))
+            }
+            Bound::AtLeast(least) => write!(f, "finite and at least {}", short(*least)),
+            Bound::Magnitude => write!(f, "from {SMALLEST:e} to {LARGEST:e}"),
+            Bound::Signed => write!(f, "from -{LARGEST:e} to {LARGEST:e}"),
+        }
+    }
+}
+
+/// A number as people write it, with an exponent only where it is far from 1.
+fn short(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
+}
+
+/// A quantity outside the range in which it makes sense; its message names quantity, value and bound.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("{quantity} is {}; it must be {bound}", short(*.value))]
+pub struct OutOfBounds {
+    /// What was being given, with its unit.
+    pub quantity: &'static str,
+    /// The value given, in that unit.
+    pub value: f64,
+    /// What it must satisfy.
+    pub bound: Bound,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Bound;
+
+    #[test]
+    fn what_is_no_magnitude_is_told_by_the_plainest_bound_that_it_breaks() {
+        let told = |bound: Bound, value| bound.check("it", value).map_err(|error| error.to_string());
+        assert_eq!(told(Bound::Magnitude, 1e-30), Ok(1e-30));
+        assert_eq!(told(Bound::Magnitude, 1e-31).unwrap_err(), "it is 1e-31; it must be from 1e-30 to 1e30");
+        assert_eq!(
+            told(Bound::Magnitude, -1.0).unwrap_err(),
+            "it is -1; it must be finite and greater than 0"
+        );
+        assert_eq!(told(Bound::Signed, -1e30), Ok(-1e30));
+        assert_eq!(told(Bound::Signed, -1e31).unwrap_err(), "it is -1e31; it must be from -1e30 to 1e30");
+        assert_eq!(told(Bound::Signed, f64::NAN).unwrap_err(), "it is NaN; it must be finite");
+    }
+}
