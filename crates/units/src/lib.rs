@@ -13,11 +13,13 @@
 //! ```
 
 pub mod display;
+mod length_unit;
 mod named;
 mod number;
 mod pressure_range;
 mod quantity;
 
+pub use length_unit::{LengthUnit, UnknownLengthUnit};
 pub use named::UnknownName;
 pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};

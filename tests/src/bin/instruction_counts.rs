@@ -11,12 +11,13 @@ use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
 use cli::scene::{Scene, Template};
+use scans::HeightMap;
 use spectrum::{
-    AmplitudeDefinition, AsperityParameters, HeightMap, Normalisation, Preparation, amplitudes,
-    areal_spectrum, cumulative_moments, fit_self_affine, map_line_spectrum,
+    AmplitudeDefinition, AsperityParameters, Normalisation, amplitudes, cumulative_moments, fit_self_affine,
 };
 use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
+use topography::{Preparation, areal_spectrum, map_line_spectrum};
 
 /// What is counted.
 type Work = Box<dyn Fn()>;

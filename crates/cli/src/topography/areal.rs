@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use rayon::prelude::*;
-use spectrum::{
-    ArealRows, ArealSpectrum, ArealSums, ArealTransform, HeightMap, Preparation, ReliableBand, Scan,
-};
+use scans::{HeightMap, Scan};
+use topography::{ArealRows, ArealSpectrum, ArealSums, ArealTransform, Preparation, ReliableBand};
 
 use super::load::{Loaded, load};
 use super::request::{Recipe, ScanRequest};
@@ -46,7 +45,7 @@ pub fn areal_spectrum(
     let shown = spectrum.ciso(&band).map_err(|error| refused(error.to_string()))?;
     let modes = |wavelength_m: &f64| {
         let q = std::f64::consts::TAU / wavelength_m;
-        let near = |bin: &&spectrum::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
+        let near = |bin: &&topography::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
         spectrum.bins().iter().find(near).map(|bin| bin.modes as f64)
     };
     let wavelengths_m = shown.wavelengths_m();

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use rayon::prelude::*;
-use spectrum::{BinMean, Composite, CompositeOptions, Convention, Overlap, Psd, composite, overlaps};
+use spectrum::{Convention, Psd};
+use topography::{BinMean, Composite, CompositeOptions, Overlap, composite, overlaps};
 
 use super::measure::ScanSpectrum;
 use super::request::{Average, Recipe, ScanRequest};

@@ -2,10 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_metadata, read_scans};
 use sha2::{Digest, Sha256};
-use spectrum::{
-    MeasurementMetadata, ReadOptions, ScanFile, ScanOptions, ScanSize, read_metadata, read_psd, read_scans,
-};
+use spectrum::{ReadOptions, read_psd};
 
 use super::request::ScanRequest;
 use crate::failure::Failure;

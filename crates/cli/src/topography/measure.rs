@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use rayon::prelude::*;
-use spectrum::{
-    HeightMap, LineSpectrum, LineSums, MapLines, Preparation, ProfilePsd, ReliableBand, Scan, ScanFile,
-    ScanFormat, nonuniform_line_spectrum, uniform_line_spectrum,
+use scans::{HeightMap, Scan, ScanFile, ScanFormat};
+use spectrum::ProfilePsd;
+use topography::{
+    LineSpectrum, LineSums, MapLines, Preparation, ReliableBand, nonuniform_line_spectrum,
+    uniform_line_spectrum,
 };
 
 use super::checks::Checks;
@@ -49,7 +51,7 @@ impl ScanSpectrum {
         let loaded = load(request, folder)?;
         let scan = |scan: ScanFile| {
             let name = scan.name.clone();
-            let blame = |error: spectrum::TransformError| {
+            let blame = |error: topography::TransformError| {
                 Failure::Input(match name == request.path {
                     true => format!("{name}: {error}"),
                     false => format!("{}, {name}: {error}", request.path),
@@ -70,7 +72,7 @@ impl ScanSpectrum {
         request: &ScanRequest,
         sha256: &str,
         recipe: &Recipe,
-    ) -> Result<Self, spectrum::TransformError> {
+    ) -> Result<Self, topography::TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
         let band = ReliableBand::of(&file.scan, request.limits(&file, recipe))?;
         let spectrum = line_spectrum(&file.scan, preparation);
