@@ -97,7 +97,7 @@ pub enum ScanReadError {
     /// Lengths or heights without a unit.
     #[error(
         "reading {format}: the file does not say the unit of {what}; say it with --unit ({})",
-        LengthUnit::ACCEPTED
+        LengthUnit::accepted()
     )]
     NoUnit {
         /// Format of the file.

@@ -65,7 +65,7 @@ impl Reading {
 /// multiple of the file, or of what a ZIP file unpacks to.
 ///
 /// ```
-/// use spectrum::{Scan, ScanOptions, read_scans};
+/// use scans::{Scan, ScanOptions, read_scans};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let options = ScanOptions { unit: Some("µm".parse()?), ..ScanOptions::default() };

@@ -54,7 +54,7 @@ pub(crate) fn file_name(path: &str) -> &str {
 /// it is not given or no length above 0.
 pub(crate) fn instrument_length_m(entry: &serde_json::Value, name: &str) -> Option<f64> {
     let length = entry.get("instrument")?.get("parameters")?.get(name)?;
-    let unit = LengthUnit::parse(length.get("unit")?.as_str()?)?;
+    let unit = LengthUnit::parse_instrument(length.get("unit")?.as_str()?)?;
     let length_m = unit.to_m(length.get("value")?.as_f64()?);
     (length_m.is_finite() && length_m > 0.0).then_some(length_m)
 }

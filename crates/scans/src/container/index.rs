@@ -13,9 +13,9 @@ use units::LengthUnit;
 /// [`ScanOptions::metadata`](crate::ScanOptions::metadata) where both lie side by side.
 ///
 /// ```
-/// # fn main() -> Result<(), spectrum::ScanReadError> {
+/// # fn main() -> Result<(), scans::ScanReadError> {
 /// let text = "surfaces:\n- topographies:\n  - name: line\n    datafile: {original: line.txt}\n    size: [2.5]\n    unit: mm\n";
-/// let measurements = spectrum::read_metadata(text, "meta.yml")?;
+/// let measurements = scans::read_metadata(text, "meta.yml")?;
 /// let entry = measurements.iter().find(|entry| entry.names_file("scans/line.txt")).expect("it is there");
 /// assert_eq!((entry.name.as_str(), entry.sizes[0]), ("line", 2.5));
 /// # Ok(())
@@ -72,8 +72,8 @@ impl Entry<'_> {
         let name = name
             .or_else(|| original.as_deref().or(squeezed.as_deref()).map(|path| file_name(path).to_owned()));
         let unit = self.get("unit").map(|unit| {
-            let parsed = unit.as_str().and_then(LengthUnit::parse);
-            parsed.ok_or_else(|| self.bad("unit", unit, &format!("one of {}", LengthUnit::ACCEPTED)))
+            let parsed = unit.as_str().and_then(LengthUnit::parse_instrument);
+            parsed.ok_or_else(|| self.bad("unit", unit, &format!("one of {}", LengthUnit::accepted())))
         });
         let height_scale = self.get("height_scale").map(|scale| {
             let number = scale.as_f64().filter(|scale| scale.is_finite() && *scale != 0.0);

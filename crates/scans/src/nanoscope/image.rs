@@ -76,7 +76,7 @@ impl<'h> Image<'h> {
         let (sensitivity, ratio) =
             Scaled::parse(&soft.text).and_then(|scaled| scaled.number()).ok_or_else(bad)?;
         let (length, per) = ratio.split_once('/').ok_or_else(bad)?;
-        let length = LengthUnit::parse(length).ok_or_else(bad)?;
+        let length = LengthUnit::parse_instrument(length).ok_or_else(bad)?;
         let volts = volts * volt(&unit).zip(volt(per)).map(|(unit, per)| unit / per).ok_or_else(bad)?;
         let scale = length.to_m(volts / counts * sensitivity);
         if scale.is_finite() && scale != 0.0 { Ok(scale) } else { Err(bad()) }
@@ -231,7 +231,7 @@ fn volt(unit: &str) -> Option<f64> {
 fn lengths(value: &Value) -> Result<[f64; 2], ScanReadError> {
     let bad = || value.bad("one or two lengths above 0 with their unit, such as '500 500 nm'");
     let mut words: Vec<&str> = value.text.split_whitespace().collect();
-    let unit = words.pop().and_then(LengthUnit::parse).ok_or_else(bad)?;
+    let unit = words.pop().and_then(LengthUnit::parse_instrument).ok_or_else(bad)?;
     let sizes: Option<Vec<f64>> =
         words.iter().map(|word| word.parse().ok().map(|size| unit.to_m(size))).collect();
     match sizes.as_deref() {

@@ -106,9 +106,9 @@ fn units(
 ) -> Result<Units, ScanReadError> {
     let of = |variable: Option<&Variable>| match variable.and_then(|variable| variable.attribute("unit")) {
         None => Ok(None),
-        Some(attribute) => match attribute.text().as_deref().and_then(LengthUnit::parse) {
+        Some(attribute) => match attribute.text().as_deref().and_then(LengthUnit::parse_instrument) {
             Some(unit) => Ok(Some(unit)),
-            None => Err(attribute.bad("unit", &format!("one of {}", LengthUnit::ACCEPTED))),
+            None => Err(attribute.bad("unit", &format!("one of {}", LengthUnit::accepted()))),
         },
     };
     let (x, y, height) = (of(file.variable("x"))?, of(file.variable("y"))?, of(Some(heights))?);

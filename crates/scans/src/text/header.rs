@@ -150,7 +150,7 @@ impl Header {
     fn set_column_units(&mut self, line: &str, columns: &Columns) {
         let groups: Vec<&str> =
             line.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next()).collect();
-        let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse(group)).collect();
+        let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse_instrument(group)).collect();
         let fields: Vec<_> = columns.separator.split(line).map(trailing_unit).collect();
         for units in [in_brackets, fields] {
             if units.len() == columns.count && units.iter().any(Option::is_some) {
@@ -242,8 +242,8 @@ fn length(text: &str, line: usize) -> Result<Option<Length>, ScanReadError> {
 
 fn unit(text: &str, line: usize) -> Result<LengthUnit, ScanReadError> {
     let text = text.trim_matches(|c: char| c.is_whitespace() || "()[]".contains(c));
-    LengthUnit::parse(text)
-        .ok_or_else(|| bad_field(line, "the unit", text, format!("one of {}", LengthUnit::ACCEPTED)))
+    LengthUnit::parse_instrument(text)
+        .ok_or_else(|| bad_field(line, "the unit", text, format!("one of {}", LengthUnit::accepted())))
 }
 
 fn bad_field(line: usize, field: &str, value: &str, bound: String) -> ScanReadError {
@@ -270,7 +270,7 @@ fn second_channel(line: usize) -> ScanReadError {
 fn trailing_unit(name: &str) -> Option<LengthUnit> {
     let name = name.trim();
     let (_, word) = name.rsplit_once([' ', '/', '_'])?;
-    LengthUnit::parse(word).filter(|_| word != "A")
+    LengthUnit::parse_instrument(word).filter(|_| word != "A")
 }
 
 #[cfg(test)]
@@ -297,7 +297,7 @@ mod tests {
         let message = |text: &str| header(text).err().map(|error| error.to_string()).unwrap_or_default();
         assert_eq!(
             message("# Channel: Phase\n# Value units: deg\n1 2"),
-            "reading text, line 2: the unit is 'deg', it must be one of m, cm, mm, µm, nm, Å, pm; export a channel of \
+            "reading text, line 2: the unit is 'deg', it must be one of m, cm, mm, µm, nm, Å, pm, km, inch, uin; export a channel of \
              heights, or correct the header"
         );
         assert_eq!(
