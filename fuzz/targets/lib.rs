@@ -2,7 +2,7 @@
 
 use std::io::{Cursor, Write};
 
-use spectrum::{Scan, ScanOptions, ScanSize, read_scans};
+use scans::{Scan, ScanOptions, ScanSize, read_scans};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 

@@ -2,16 +2,16 @@
 
 use std::path::PathBuf;
 
-use cli::output::Place;
 use study::asperity_table::AsperityTable;
-use tables::{Cells, InputTable};
+use tables::{Cells, TableSource};
 use tests::{Deviations, ReferenceTable, committed_file, shared_file};
 
 /// Recomputes the result columns of a table of references and compares each. Where the table tells how much a result
 /// magnifies the rounding of its inputs, the deviation counts beyond that.
 fn compare(law: AsperityTable, path: PathBuf, max: f64) {
     let references = ReferenceTable::read(&path);
-    let mut computed = InputTable::read(&Place::File(path)).unwrap();
+    let file = std::fs::File::open(&path).unwrap();
+    let mut computed = TableSource::new("references", file).and_then(TableSource::whole).unwrap();
     law.extend(&mut computed, None).unwrap();
     let conditions = references.has("condition").then(|| references.numbers("condition"));
     for column in law.results() {

@@ -7,8 +7,10 @@ use asperity::Hardness;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
-use spectrum::{Abscissa, AmplitudeDefinition, Convention, Detrend, LengthUnit, Normalisation, Window};
+use scans::LengthUnit;
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use stat_contact::{InterferenceLaw, Model};
+use topography::{Detrend, Window};
 
 use crate::output::Place;
 use study::material::StackedModelName;

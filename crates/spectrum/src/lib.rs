@@ -20,14 +20,11 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
-//! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a [`Scan`], on the bins of its own length, with the
-//!   [`ReliableBand`] it holds in;
-//! * [`Composite`]: one spectrum from many measurements;
-//! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made;
-//! * [`ScanFile`]: measured heights, a [`Scan`], as read from the files of instruments and containers.
+//! * [`Superposition`]: the spectrum of the gap between two rough surfaces;
+//! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, and runs on one thread; maps come in blocks of rows for callers
-//! that have more. Between one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows
+//! What it does not do: it opens no paths, prints nothing, and runs on one thread. It knows no heights: the crate `scans`
+//! reads them, and `topography` makes spectra of them. Between one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows
 //! nothing of the surface beyond them.
 
 mod abel;
@@ -40,33 +37,21 @@ mod moments;
 mod profile;
 mod psd;
 mod read;
-mod scan;
+mod samples;
 mod self_affine_fit;
-mod transform;
+mod superpose;
 
 pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
 pub use profile::ProfilePsd;
-pub use psd::{Psd, PsdError};
+pub use psd::Psd;
 pub use read::{
     Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
     WorkbookError, read_psd, series_names,
 };
-#[cfg(feature = "container")]
-pub use scan::read_metadata;
-pub use scan::{
-    HeightMap, LengthUnit, MeasurementMetadata, NonuniformLineScan, Place, Scan, ScanError, ScanFile,
-    ScanFormat, ScanOptions, ScanReadError, ScanSize, UniformLineScan, UnknownLengthUnit, read_scans,
-};
+pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
-pub use transform::{
-    ArealRows, ArealSpectrum, ArealSums, ArealTransform, BandLimits, BinMean, Boundary, Composite,
-    CompositeBin, CompositeOptions, DerivativeOf, Detrend, LineSpectrum, LineSums, MapLines, Overlap,
-    Preparation, RadialBin, ReliableBand, RmsDerivatives, Superposition, TransformError, Window,
-    areal_spectrum, composite, fundamental_kept, line_spectrum, log_binned, map_line_spectrum,
-    nonuniform_line_spectrum, nonuniform_line_spectrum_to, overlaps, real_space_derivatives, superpose,
-    tip_cutoff_m, uniform_line_spectrum,
-};
+pub use superpose::{Superposition, superpose};
 pub use units::UnknownName;

@@ -5,6 +5,7 @@ use std::num::NonZeroU32;
 use serde::Serialize;
 
 use crate::interval::{Interval, Sample, ln_ratio};
+use crate::samples::{PsdError, check_samples};
 
 /// A sampled one-dimensional power spectrum C1D in m^3, sigma^2 = (1/pi) Int_0^inf C1D dq, which is a power
 /// law of the wavevector between neighbouring samples (a straight line in log-log axes).
@@ -20,6 +21,19 @@ pub struct ProfilePsd {
 }
 
 impl ProfilePsd {
+    /// A spectrum from its samples: wavelengths in m, strictly from long to short, and C1D in m^3.
+    ///
+    /// # Errors
+    /// [`PsdError`] for columns of different lengths or without a row, a wavelength or value that is not finite and
+    /// above 0, or wavelengths out of order.
+    pub fn new(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Result<Self, PsdError> {
+        check_samples(&wavelengths_m, &c1d_m3, 1)?;
+        match wavelengths_m.windows(2).position(|pair| pair[0] <= pair[1]) {
+            Some(row) => Err(PsdError::OutOfOrder { row: row + 2, wavelength_m: wavelengths_m[row + 1] }),
+            None => Ok(Self::from_samples(wavelengths_m, c1d_m3)),
+        }
+    }
+
     /// Samples that already are what the type promises.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Self {
         Self { wavelengths_m, c1d_m3, standard_errors_m3: None }
@@ -154,6 +168,19 @@ mod tests {
         assert_eq!(psd.value_at(1.0001e-3), None);
         assert_eq!(psd.value_at(0.9999e-6), None);
         assert_eq!(psd.value_at(f64::NAN), None);
+    }
+
+    #[test]
+    fn samples_that_make_no_profile_are_refused() {
+        let message = |wavelengths_m: &[f64], c1d_m3: &[f64]| {
+            ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3.to_vec()).unwrap_err().to_string()
+        };
+        assert!(message(&[], &[]).contains("the number of rows is 0, it must be at least 1"));
+        assert!(message(&[2.0], &[1.0, 1.0]).contains("the number of wavelengths is 1"));
+        assert!(message(&[2.0, 1.0], &[1.0, f64::INFINITY]).contains("the density in row 2 is inf"));
+        let order = "the wavelength in row 2 is 2 m; they must fall from row to row";
+        assert!(message(&[2.0, 2.0], &[1.0, 1.0]).contains(order));
+        assert_eq!(ProfilePsd::new(vec![2.0], vec![1.0]).unwrap().len(), 1);
     }
 
     #[test]

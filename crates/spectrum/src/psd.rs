@@ -1,11 +1,11 @@
 //! A sampled power spectrum in any convention.
 
 use serde::Serialize;
-use thiserror::Error;
 
 use crate::abel::{area_of_profile, profile_of_area};
 use crate::convention::{Convention, ConversionError};
 use crate::profile::ProfilePsd;
+use crate::samples::{PsdError, check_samples, is_positive};
 
 /// A sampled power spectrum: at least two wavelengths, finite and above 0, from long to short without
 /// repeats, and as many finite values above 0 in the stated convention; perhaps the standard errors of the
@@ -20,72 +20,6 @@ pub struct Psd {
     standard_errors: Option<Vec<Option<f64>>>,
 }
 
-/// Samples that make no power spectrum. Rows are counted from 1 in the order given.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PsdError {
-    /// The two columns differ in length.
-    #[error(
-        "building a spectrum: the number of wavelengths is {wavelengths}, that of values {values}; give one value for each wavelength"
-    )]
-    LengthMismatch {
-        /// Number of wavelengths.
-        wavelengths: usize,
-        /// Number of values.
-        values: usize,
-    },
-    /// Fewer than two rows.
-    #[error("building a spectrum: the number of rows is {rows}, it must be at least 2")]
-    TooFewRows {
-        /// Number of rows.
-        rows: usize,
-    },
-    /// A wavelength that is no finite number above 0.
-    #[error("building a spectrum: the wavelength in row {row} is {value} m, it must be finite and above 0")]
-    BadWavelength {
-        /// Row.
-        row: usize,
-        /// Wavelength in m.
-        value: f64,
-    },
-    /// A value that is no finite number above 0.
-    #[error("building a spectrum: the density in row {row} is {value}, it must be finite and above 0")]
-    BadDensity {
-        /// Row.
-        row: usize,
-        /// Value in the unit of the convention.
-        value: f64,
-    },
-    /// The same wavelength twice.
-    #[error(
-        "building a spectrum: the wavelength {wavelength_m} m stands in it twice; keep one value for each"
-    )]
-    RepeatedWavelength {
-        /// The wavelength in m.
-        wavelength_m: f64,
-    },
-    /// Not one standard error for each value.
-    #[error(
-        "building a spectrum: the number of standard errors is {errors}, that of values {values}; give one, or none, \
-         for each value"
-    )]
-    StandardErrorCount {
-        /// Number of standard errors.
-        errors: usize,
-        /// Number of values.
-        values: usize,
-    },
-    /// A standard error that is no finite number from 0 up.
-    #[error(
-        "building a spectrum: the standard error in row {row} is {value}, it must be finite and at least 0"
-    )]
-    BadStandardError {
-        /// Row.
-        row: usize,
-        /// Standard error in the unit of the convention.
-        value: f64,
-    },
-}
-
 impl Psd {
     /// A spectrum from its samples, in any order.
     ///
@@ -95,18 +29,7 @@ impl Psd {
     /// [`PsdError`] for columns of different lengths, fewer than two rows, a wavelength or value that is not
     /// finite and above 0, or a repeated wavelength.
     pub fn new(wavelengths_m: Vec<f64>, values: Vec<f64>, convention: Convention) -> Result<Self, PsdError> {
-        if wavelengths_m.len() != values.len() {
-            return Err(PsdError::LengthMismatch { wavelengths: wavelengths_m.len(), values: values.len() });
-        }
-        if values.len() < 2 {
-            return Err(PsdError::TooFewRows { rows: values.len() });
-        }
-        if let Some(row) = wavelengths_m.iter().position(|&wavelength| !is_positive(wavelength)) {
-            return Err(PsdError::BadWavelength { row: row + 1, value: wavelengths_m[row] });
-        }
-        if let Some(row) = values.iter().position(|&value| !is_positive(value)) {
-            return Err(PsdError::BadDensity { row: row + 1, value: values[row] });
-        }
+        check_samples(&wavelengths_m, &values, 2)?;
         let mut rows: Vec<(f64, f64)> = wavelengths_m.into_iter().zip(values).collect();
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
         if let Some(pair) = rows.windows(2).find(|pair| pair[0].0 == pair[1].0) {
@@ -228,10 +151,6 @@ impl TryFrom<&Psd> for ProfilePsd {
     fn try_from(psd: &Psd) -> Result<Self, ConversionError> {
         psd.profile()
     }
-}
-
-fn is_positive(value: f64) -> bool {
-    value.is_finite() && value > 0.0
 }
 
 #[cfg(test)]

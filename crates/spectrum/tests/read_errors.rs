@@ -139,26 +139,36 @@ fn units_that_are_unknown_or_of_another_dimension_are_refused() {
     assert_refused(
         "wavelength_furlong,C1D_m3\n1,2\n2,3\n",
         1,
-        "line 1: column 'wavelength_furlong' is in 'furlong', but the wavelength is read in m, cm, mm, um, nm, pm, \
-         angstrom; rename the column",
+        "line 1: column 'wavelength_furlong' is in 'furlong', but the wavelength is read in m, cm, mm, um, nm, angstrom, \
+         pm, km, inch, uin; rename the column",
     );
     assert_refused(
         "wavelength_m3,C1D_m3\n1,2\n2,3\n",
         1,
-        "line 1: column 'wavelength_m3' is in 'm3', but the wavelength is read in m, cm, mm, um, nm, pm, angstrom; \
+        "line 1: column 'wavelength_m3' is in 'm3', but the wavelength is read in m, cm, mm, um, nm, angstrom, pm, km, inch, uin; \
          rename the column",
     );
     assert_refused(
         "q_m,C1D_m3\n1,2\n2,3\n",
         1,
         "line 1: column 'q_m' is in 'm', but the wavevector is read in rad/m or 1/m, and the same with cm, mm, um, nm, \
-         pm, angstrom; rename the column",
+         angstrom, pm, km, inch, uin; rename the column",
     );
+    assert_refused(
+        "lambda_nm^2147483647,C1D_m3\n1,2\n2,3\n",
+        1,
+        "line 1: column 'lambda_nm^2147483647' is in 'nm^2147483647', but the wavelength is read in m, cm, mm, um, nm, \
+         angstrom, pm, km, inch, uin; rename the column",
+    );
+    for power in ["2147483648", "-2147483648", "-99999999999"] {
+        let text = format!("lambda_m,C1D_1/nm^{power}\n1,2\n2,3\n");
+        assert!(error_of(text, &ReadOptions::default()).to_string().contains("column"), "{power}");
+    }
     assert_refused(
         "Frequency (rad/m),C1D_m3\n1,2\n2,3\n",
         1,
         "line 1: column 'Frequency (rad/m)' is in 'rad/m', but the frequency is read in 1/m, 1/cm, 1/mm, 1/um, 1/nm, \
-         1/pm, 1/angstrom; rename the column",
+         1/angstrom, 1/pm, 1/km, 1/inch, 1/uin; rename the column",
     );
     assert_refused(
         "lambda_m,C1D_m4\n1,2\n2,3\n",

@@ -100,7 +100,7 @@ fn headers_without_units_take_those_given() {
         &units("nm", ""),
         Some(1),
         "line 1: column 'q' is in 'nm', but the wavevector is read in rad/m or 1/m, and the same with cm, mm, um, nm, \
-         pm, angstrom; rename the column",
+         angstrom, pm, km, inch, uin; rename the column",
     );
 }
 

@@ -14,13 +14,17 @@
 
 mod bound;
 pub mod display;
+mod length_unit;
 mod named;
 mod number;
 mod pressure_range;
 mod quantity;
+mod scale;
 
 pub use bound::{Bound, OutOfBounds};
+pub use length_unit::{LengthUnit, UnknownLengthUnit};
 pub use named::UnknownName;
 pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{Area, Force, Length, Modulus, Pressure, QuantityError, SignedLength};
+pub use scale::Scale;

@@ -1,10 +1,13 @@
 //! Quantities as people type them: a number and its unit, `463 GPa`, `5um`, `1e-3 H`.
 //!
 //! No unit crate serves here: uom's parser wants a blank before the unit, knows no `um`, and turns 5 µm into
-//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten that moves the decimal point of the
-//! text before the one rounding to a double.
+//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number, by which the
+//! decimal text is multiplied before the one rounding to a double.
 
 use std::str::FromStr;
+
+use crate::length_unit::LengthUnit;
+use crate::scale::Scale;
 
 /// What is wrong with a typed quantity.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -113,39 +116,43 @@ impl Pressure {
     }
 }
 
-/// A kind of quantity: its name, its units as (spellings, power of ten), and an example.
+/// A kind of quantity: its name, its units, and an example.
 struct Kind {
     what: &'static str,
-    units: &'static [(&'static [&'static str], i32)],
+    units: Units,
     example: &'static str,
 }
 
-const LENGTH: Kind = Kind {
-    what: "length",
-    units: &[
-        (&["m"], 0),
-        (&["cm"], -2),
-        (&["mm"], -3),
-        (&["um", "µm", "μm"], -6),
-        (&["nm"], -9),
-        (&["Å", "Å", "angstrom", "Angstrom"], -10),
-        (&["pm"], -12),
-        (&["km"], 3),
-    ],
-    example: "5 um",
-};
+/// Units with their spellings.
+enum Units {
+    /// Those of [`LengthUnit`].
+    Lengths,
+    /// Spellings, the first of which is the name, and sizes.
+    Listed(&'static [(&'static [&'static str], Scale)]),
+}
+
+const LENGTH: Kind = Kind { what: "length", units: Units::Lengths, example: "5 um" };
+
+/// 0.45359237 kg x 9.80665 m/s^2 / (25.4 mm)^2, to sixteen digits.
+const PSI: (u64, i32) = (6_894_757_293_168_361, -12);
+
+const fn ten(decimal_exponent: i32) -> Scale {
+    Scale::power_of_ten(decimal_exponent)
+}
 
 const PRESSURE: Kind = Kind {
     what: "pressure",
-    units: &[
-        (&["Pa", "N/m^2", "N/m2", "N/m²"], 0),
-        (&["hPa"], 2),
-        (&["kPa"], 3),
-        (&["bar"], 5),
-        (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], 6),
-        (&["GPa"], 9),
-        (&["TPa"], 12),
-    ],
+    units: Units::Listed(&[
+        (&["Pa", "N/m^2", "N/m2", "N/m²"], ten(0)),
+        (&["hPa"], ten(2)),
+        (&["kPa"], ten(3)),
+        (&["bar"], ten(5)),
+        (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], ten(6)),
+        (&["GPa"], ten(9)),
+        (&["TPa"], ten(12)),
+        (&["psi"], Scale::decimal(PSI.0, PSI.1)),
+        (&["ksi"], Scale::decimal(PSI.0, PSI.1 + 3)),
+    ]),
     example: "5.4 MPa",
 };
 
@@ -156,32 +163,35 @@ const HARDNESS_UNIT: &str = "H";
 
 const FORCE: Kind = Kind {
     what: "force",
-    units: &[
-        (&["N"], 0),
-        (&["mN"], -3),
-        (&["uN", "µN", "μN"], -6),
-        (&["nN"], -9),
-        (&["kN"], 3),
-        (&["MN"], 6),
-    ],
+    units: Units::Listed(&[
+        (&["N"], ten(0)),
+        (&["mN"], ten(-3)),
+        (&["uN", "µN", "μN"], ten(-6)),
+        (&["nN"], ten(-9)),
+        (&["kN"], ten(3)),
+        (&["MN"], ten(6)),
+    ]),
     example: "10 N",
 };
 
 const AREA: Kind = Kind {
     what: "area",
-    units: &[
-        (&["m^2", "m2", "m²"], 0),
-        (&["cm^2", "cm2", "cm²"], -4),
-        (&["mm^2", "mm2", "mm²"], -6),
-        (&["um^2", "um2", "um²", "µm^2", "µm2", "µm²", "μm^2", "μm2", "μm²"], -12),
-    ],
+    units: Units::Listed(&[
+        (&["m^2", "m2", "m²"], ten(0)),
+        (&["cm^2", "cm2", "cm²"], ten(-4)),
+        (&["mm^2", "mm2", "mm²"], ten(-6)),
+        (&["um^2", "um2", "um²", "µm^2", "µm2", "µm²", "μm^2", "μm2", "μm²"], ten(-12)),
+    ]),
     example: "1 cm^2",
 };
 
 impl Kind {
     /// Every unit under its first spelling.
     fn unit_list(&self) -> String {
-        let mut names: Vec<&str> = self.units.iter().map(|(spellings, _)| spellings[0]).collect();
+        let mut names: Vec<&str> = match self.units {
+            Units::Lengths => LengthUnit::ALL.map(LengthUnit::ascii).to_vec(),
+            Units::Listed(units) => units.iter().map(|(spellings, _)| spellings[0]).collect(),
+        };
         if self.what == PRESSURE.what {
             names.push(HARDNESS_UNIT);
         }
@@ -196,9 +206,13 @@ impl Kind {
     /// The value in SI units, whatever its sign.
     fn parse_signed(&self, text: &str) -> Result<f64, QuantityError> {
         let (number, unit) = self.split(text)?;
-        let power =
-            self.units.iter().find(|(spellings, _)| spellings.contains(&unit)).map(|(_, power)| *power);
-        Ok(shifted(number, power.ok_or_else(|| self.wrong_unit(text, unit))?))
+        let scale = match self.units {
+            Units::Lengths => LengthUnit::parse(unit).map(LengthUnit::scale),
+            Units::Listed(units) => {
+                units.iter().find(|(spellings, _)| spellings.contains(&unit)).map(|(_, scale)| *scale)
+            }
+        };
+        Ok(scaled(number, scale.ok_or_else(|| self.wrong_unit(text, unit))?))
     }
 
     /// The number's text and the unit's, both there.
@@ -247,13 +261,9 @@ fn split_number(text: &str) -> Option<(&str, &str)> {
         .map(|end| (&text[..end], text[end..].trim_start()))
 }
 
-/// The double nearest to `number` times a power of ten.
-fn shifted(number: &str, power: i32) -> f64 {
-    let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
-    // An exponent too long for an integer is infinite or zero for any unit.
-    let exponent =
-        exponent.parse::<i64>().map_or_else(|_| exponent.to_owned(), |e| (e + i64::from(power)).to_string());
-    format!("{digits}e{exponent}").parse().expect("digits and an exponent read as a number")
+/// The value in SI units of what [`split_number`] found.
+fn scaled(number: &str, scale: Scale) -> f64 {
+    scale.read(number).expect("it reads as a number")
 }
 
 impl FromStr for Length {
@@ -307,7 +317,7 @@ impl FromStr for Pressure {
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let (number, unit) = PRESSURE.split(text)?;
         if unit == HARDNESS_UNIT {
-            return Ok(Pressure::Hardnesses(PRESSURE.positive(text, shifted(number, 0))?));
+            return Ok(Pressure::Hardnesses(PRESSURE.positive(text, scaled(number, Scale::ONE))?));
         }
         Ok(Pressure::Pascals(PRESSURE.parse(text)?))
     }
@@ -330,6 +340,11 @@ mod tests {
             ("5.65e0nm", 5.65e-9),
             ("3 Å", 3e-10),
             ("2e-3 mm", 2e-6),
+            ("5 microns", 5e-6),
+            ("1 inch", 0.0254),
+            ("0.1 in", 2.54e-3),
+            ("32 uin", 8.128e-7),
+            ("3 Angstrom", 3e-10),
         ] {
             assert_eq!(metres(text), expected, "{text}");
         }
@@ -338,6 +353,8 @@ mod tests {
         assert_eq!("1e-3 H".parse::<Pressure>(), Ok(Pressure::Hardnesses(1e-3)));
         assert_eq!("1e-3H".parse::<Pressure>().unwrap().pascals(Some(5.4e9)), Some(1e-3 * 5.4e9));
         assert_eq!("1e-3H".parse::<Pressure>().unwrap().pascals(None), None);
+        assert_eq!("1 psi".parse(), Ok(Pressure::Pascals(6_894.757293168361)));
+        assert_eq!("50 ksi".parse::<Modulus>().unwrap().pa, 344_737_864.65841805);
         assert_eq!("2.5 cm^2".parse::<Area>().unwrap().m2, 2.5e-4);
         assert_eq!("10 mN".parse::<Force>().unwrap().n, 10e-3);
     }
@@ -347,11 +364,11 @@ mod tests {
         let message = |text: &str| text.parse::<Pressure>().unwrap_err().to_string();
         assert_eq!(
             message("463e9"),
-            "'463e9' has no unit; a pressure needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, H, as in '5.4 MPa'"
+            "'463e9' has no unit; a pressure needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, H, as in '5.4 MPa'"
         );
         assert_eq!(
             message("463 um"),
-            "'463 um' has the unit 'um'; a pressure needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, H"
+            "'463 um' has the unit 'um'; a pressure needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, H"
         );
         assert_eq!(
             message("-5 MPa"),
@@ -364,6 +381,10 @@ mod tests {
         assert_eq!(message("GPa"), "'GPa' does not start with a number; a pressure reads like '5.4 MPa'");
         assert!(message("inf Pa").starts_with("'inf Pa' does not start with a number"));
         assert!(message("1e99999999999999999999 Pa").contains("out of range"));
+        assert_eq!(
+            "5 A".parse::<Length>().unwrap_err().to_string(),
+            "'5 A' has the unit 'A'; a length needs one of m, cm, mm, um, nm, angstrom, pm, km, inch, uin"
+        );
         assert!("5".parse::<Length>().is_err());
         assert!("0 m".parse::<Length>().is_err());
     }

@@ -10,13 +10,14 @@ use std::process::ExitCode;
 use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
+use scans::HeightMap;
 use spectrum::{
-    AmplitudeDefinition, AsperityParameters, HeightMap, Normalisation, Preparation, amplitudes,
-    areal_spectrum, cumulative_moments, fit_self_affine, map_line_spectrum,
+    AmplitudeDefinition, AsperityParameters, Normalisation, amplitudes, cumulative_moments, fit_self_affine,
 };
 use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
 use study::scene::{Scene, Template};
+use topography::{Preparation, areal_spectrum, map_line_spectrum};
 
 /// What is counted.
 type Work = Box<dyn Fn()>;

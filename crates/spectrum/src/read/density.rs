@@ -104,8 +104,8 @@ impl Header<'_> {
                 .filter(|unit| unit.metre_power == si.metre_power)
                 .ok_or_else(|| ReadError::bad_density_unit(line, column, text, convention))?,
         };
-        let decimal_exponent = unit.decimal_exponent;
-        Ok(Candidate { name: Some(name), column: DensityColumn { index, decimal_exponent, convention } })
+        let scale = unit.scale();
+        Ok(Candidate { name: Some(name), column: DensityColumn { index, scale, convention } })
     }
 
     fn unrecognised_density(&self, index: usize) -> Result<Candidate, ReadError> {
@@ -119,8 +119,8 @@ impl Header<'_> {
             let unit = format!("m^{}", unit.metre_power);
             return Err(ReadError::bad_density_unit(line, column, &unit, convention));
         }
-        let decimal_exponent = unit.decimal_exponent;
-        Ok(Candidate { name: None, column: DensityColumn { index, decimal_exponent, convention } })
+        let scale = unit.scale();
+        Ok(Candidate { name: None, column: DensityColumn { index, scale, convention } })
     }
 
     /// The standard errors of the spectrum of this name: in a unit of its dimension, or without one in its own.
@@ -134,7 +134,7 @@ impl Header<'_> {
             |(_, heading): &(usize, Heading<'_>)| heading.quantity == Quantity::StandardError(name);
         let (index, heading) = self.headings().find(is_meant)?;
         let Some(text) = heading.unit else {
-            return Some(ErrorColumn { index, decimal_exponent: density.decimal_exponent });
+            return Some(ErrorColumn { index, scale: density.scale });
         };
         let fitting = Unit::parse(text).filter(|unit| unit.metre_power == density.convention.metre_power());
         if fitting.is_none() {
@@ -143,7 +143,7 @@ impl Header<'_> {
                 self.names[index]
             ));
         }
-        Some(ErrorColumn { index, decimal_exponent: fitting?.decimal_exponent })
+        Some(ErrorColumn { index, scale: fitting?.scale() })
     }
 
     /// What a name does not say by itself.

@@ -8,6 +8,7 @@ use crate::read::nameless::nameless;
 use crate::read::options::{GivenUnits, ReadOptions};
 use crate::read::series::{ColumnKind, Columns};
 use crate::read::unit::Unit;
+use units::{LengthUnit, Scale};
 
 /// How the rows of a series are to be read.
 #[derive(Debug)]
@@ -24,13 +25,13 @@ pub(crate) struct Layout {
 pub(crate) struct AbscissaColumn {
     pub(crate) index: usize,
     pub(crate) quantity: Abscissa,
-    pub(crate) decimal_exponent: i32,
+    pub(crate) scale: Scale,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DensityColumn {
     pub(crate) index: usize,
-    pub(crate) decimal_exponent: i32,
+    pub(crate) scale: Scale,
     pub(crate) convention: Convention,
 }
 
@@ -38,7 +39,7 @@ pub(crate) struct DensityColumn {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ErrorColumn {
     pub(crate) index: usize,
-    pub(crate) decimal_exponent: i32,
+    pub(crate) scale: Scale,
 }
 
 impl Layout {
@@ -101,8 +102,8 @@ impl Header<'_> {
                 Ok(unit) => match columns.iter().find(|column| column.quantity == quantity) {
                     Some(first) => return Err(self.duplicate(quantity.name(), first.index, index)),
                     None => {
-                        let decimal_exponent = unit.decimal_exponent;
-                        columns.push(AbscissaColumn { index, quantity, decimal_exponent });
+                        let scale = unit.scale();
+                        columns.push(AbscissaColumn { index, quantity, scale });
                     }
                 },
             }
@@ -128,12 +129,7 @@ impl Header<'_> {
             column: self.names[index].clone(),
             unit: text.to_owned(),
             quantity: quantity.name().to_owned(),
-            accepted: match quantity {
-                Abscissa::Wavelength => "m, cm, mm, um, nm, pm, angstrom",
-                Abscissa::Wavevector => "rad/m or 1/m, and the same with cm, mm, um, nm, pm, angstrom",
-                Abscissa::Frequency => "1/m, 1/cm, 1/mm, 1/um, 1/nm, 1/pm, 1/angstrom",
-            }
-            .to_owned(),
+            accepted: accepted_units(quantity),
         })
     }
 
@@ -193,5 +189,14 @@ impl Header<'_> {
     pub(crate) fn duplicate(&self, quantity: &'static str, first: usize, second: usize) -> ReadError {
         let (first, second) = (self.names[first].clone(), self.names[second].clone());
         ReadError::DuplicateColumn { line: self.line, quantity, first, second }
+    }
+}
+
+fn accepted_units(quantity: Abscissa) -> String {
+    let lengths = LengthUnit::ALL.map(LengthUnit::ascii);
+    match quantity {
+        Abscissa::Wavelength => lengths.join(", "),
+        Abscissa::Wavevector => format!("rad/m or 1/m, and the same with {}", lengths[1..].join(", ")),
+        Abscissa::Frequency => format!("1/{}", lengths.join(", 1/")),
     }
 }

@@ -4,8 +4,9 @@ use crate::convention::Convention;
 use crate::read::error::ReadError;
 use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, DensityColumn, ErrorColumn, Layout};
-use crate::read::options::{GivenUnits, ReadOptions, UnitError};
+use crate::read::options::{GivenUnit, GivenUnits, ReadOptions, UnitError};
 use crate::read::series::{ColumnKind, Columns};
+use units::Scale;
 
 /// The layout of an abscissa, a spectrum and, in JSON, its standard errors.
 ///
@@ -47,17 +48,13 @@ pub(crate) fn nameless(
             notes.push("the file states no unit of the spectrum, which is read in SI units".to_owned())
         }
     }
-    let exponent = |given: Option<i32>| given.unwrap_or(0);
-    let density_exponent = exponent(units.psd.map(|given| given.unit.decimal_exponent));
+    let scale = |given: Option<GivenUnit>| given.map_or(Scale::ONE, |given| given.unit.scale());
+    let density_scale = scale(units.psd);
     Ok(Layout {
-        abscissa: AbscissaColumn {
-            index: 0,
-            quantity,
-            decimal_exponent: exponent(units.x.map(|given| given.unit.decimal_exponent)),
-        },
+        abscissa: AbscissaColumn { index: 0, quantity, scale: scale(units.x) },
         checks: Vec::new(),
-        density: DensityColumn { index: 1, decimal_exponent: density_exponent, convention },
-        standard_error: (count > 2).then_some(ErrorColumn { index: 2, decimal_exponent: density_exponent }),
+        density: DensityColumn { index: 1, scale: density_scale, convention },
+        standard_error: (count > 2).then_some(ErrorColumn { index: 2, scale: density_scale }),
     })
 }
 

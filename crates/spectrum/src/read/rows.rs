@@ -6,7 +6,7 @@ use crate::read::error::{Field, ReadError};
 use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, Layout};
 use crate::read::series::{ColumnKind, Row, Series};
-use crate::read::unit::parse_scaled;
+use units::Scale;
 
 /// How far the wavelengths of two columns may differ.
 const AGREEMENT: f64 = 1e-3;
@@ -90,7 +90,7 @@ impl Fields<'_> {
             }
         }
         let density = &self.layout.density;
-        let value = self.positive(density.index, density.decimal_exponent)?;
+        let value = self.positive(density.index, density.scale)?;
         let standard_error = self.standard_error()?;
         Ok(Sample { line: self.row.line, wavelength_m, value, standard_error })
     }
@@ -100,7 +100,7 @@ impl Fields<'_> {
         let Some(column) = self.layout.standard_error.filter(|column| !self.is_missing(column.index)) else {
             return Ok(None);
         };
-        let error = self.number(column.index, column.decimal_exponent)?;
+        let error = self.number(column.index, column.scale)?;
         if error.is_finite() && error >= 0.0 {
             return Ok(Some(error));
         }
@@ -112,18 +112,18 @@ impl Fields<'_> {
     }
 
     fn wavelength_m(&self, column: &AbscissaColumn) -> Result<f64, ReadError> {
-        let value = self.positive(column.index, column.decimal_exponent)?;
+        let value = self.positive(column.index, column.scale)?;
         self.in_range(column.index, column.quantity.wavelength_m(value))
     }
 
-    fn positive(&self, index: usize, decimal_exponent: i32) -> Result<f64, ReadError> {
-        self.in_range(index, self.number(index, decimal_exponent)?)
+    fn positive(&self, index: usize, scale: Scale) -> Result<f64, ReadError> {
+        self.in_range(index, self.number(index, scale)?)
     }
 
     /// The number in a column, in SI units.
-    fn number(&self, index: usize, decimal_exponent: i32) -> Result<f64, ReadError> {
+    fn number(&self, index: usize, scale: Scale) -> Result<f64, ReadError> {
         let text = self.text(index);
-        match parse_scaled(text, decimal_exponent) {
+        match scale.read(text) {
             Some(value) => Ok(value),
             None if text.is_empty() => {
                 Err(ReadError::EmptyField { line: self.row.line, column: self.name(index) })

@@ -1,12 +1,15 @@
-//! Units in column headers and the exact scaling of decimal text to SI.
+//! Units in column headers.
 
-/// A unit that is a power of metres with a decimal prefix.
+use std::num::IntErrorKind;
+
+use units::{LengthUnit, Scale};
+
+/// A unit that is a power of a unit of length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unit {
     /// Power of metres, such as 1, -1, 3 or 4.
     pub(crate) metre_power: i32,
-    /// The unit is 10^`decimal_exponent` of the SI unit.
-    pub(crate) decimal_exponent: i32,
+    length: LengthUnit,
     /// Whether radians are stated, as in rad/m.
     pub(crate) angular: bool,
 }
@@ -14,12 +17,17 @@ pub(crate) struct Unit {
 impl Unit {
     /// The unit of SI with this power of metres.
     pub(crate) const fn si(metre_power: i32) -> Self {
-        Self { metre_power, decimal_exponent: 0, angular: false }
+        Self { metre_power, length: LengthUnit::METRE, angular: false }
+    }
+
+    /// How much of the SI unit it is.
+    pub(crate) const fn scale(self) -> Scale {
+        self.length.scale().to_the(self.metre_power)
     }
 
     /// Whether one of it is as much as one of the other; radians do not count.
     pub(crate) fn is_same_size(self, other: Self) -> bool {
-        (self.metre_power, self.decimal_exponent) == (other.metre_power, other.decimal_exponent)
+        (self.metre_power, self.length) == (other.metre_power, other.length)
     }
 
     /// Reads a unit as headers write it: `nm`, `1/µm`, `µm⁻¹`, `um^-1`, `rad/m`, `rad_per_m`, `m3`, `nm^3`,
@@ -42,27 +50,19 @@ impl Unit {
         let (metre, power) = text.split_at(power_at);
         let power: i32 = match power.strip_prefix('^').unwrap_or(power) {
             "" if power.is_empty() => 1,
-            digits => digits.parse().ok()?,
+            digits => whole(digits)?,
         };
-        let metre_power = sign * power;
+        let metre_power = power.saturating_mul(sign);
         if angular && metre_power != -1 {
             return None;
         }
-        Some(Self { metre_power, decimal_exponent: metre_power * decimal_prefix(metre)?, angular })
+        Some(Self { metre_power, length: LengthUnit::parse_any_case(metre)?, angular })
     }
 }
 
 impl std::fmt::Display for Unit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let metre = match self.decimal_exponent.checked_div(self.metre_power).unwrap_or(0) {
-            0 => "m",
-            -2 => "cm",
-            -3 => "mm",
-            -6 => "um",
-            -9 => "nm",
-            -10 => "angstrom",
-            _ => "pm",
-        };
+        let metre = self.length.ascii();
         match self.metre_power {
             1 => f.write_str(metre),
             -1 if self.angular => write!(f, "rad/{metre}"),
@@ -89,36 +89,16 @@ fn plain(text: &str) -> String {
     plain
 }
 
-fn decimal_prefix(metre: &str) -> Option<i32> {
-    Some(match metre {
-        "m" => 0,
-        "cm" => -2,
-        "mm" => -3,
-        "um" => -6,
-        "nm" => -9,
-        "å" | "angstrom" | "ångström" => -10,
-        "pm" => -12,
-        _ => return None,
-    })
-}
-
-/// The number `text` x 10^`decimal_exponent`, correctly rounded: the exponent is shifted in the text itself.
-///
-/// `None` where the text is no number. NaN, infinities and overflow come back as such.
-pub(crate) fn parse_scaled(text: &str, decimal_exponent: i32) -> Option<f64> {
-    if decimal_exponent == 0 {
-        return text.parse().ok();
-    }
-    shifted(text, decimal_exponent).or_else(|| text.parse().ok().filter(|value: &f64| !value.is_finite()))
-}
-
-/// The scaled number; none for what has no digits, NaN and infinity included.
-fn shifted(text: &str, decimal_exponent: i32) -> Option<f64> {
-    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, exponent.parse().ok()?),
-        None => (text, 0i32),
-    };
-    format!("{mantissa}e{}", exponent.saturating_add(decimal_exponent)).parse().ok()
+/// A whole number; one that no integer holds is as large as they get, which is no power of any quantity.
+fn whole(digits: &str) -> Option<i32> {
+    digits.parse().map_or_else(
+        |error: std::num::ParseIntError| match error.kind() {
+            IntErrorKind::PosOverflow => Some(i32::MAX),
+            IntErrorKind::NegOverflow => Some(i32::MIN),
+            _ => None,
+        },
+        Some,
+    )
 }
 
 #[cfg(test)]
@@ -127,8 +107,7 @@ mod tests {
 
     #[test]
     fn units_are_read_in_every_spelling() {
-        let unit =
-            |metre_power, decimal_exponent| Some(Unit { metre_power, decimal_exponent, angular: false });
+        let unit = |metre_power, decimal_exponent| Some((metre_power, Scale::power_of_ten(decimal_exponent)));
         for (text, expected) in [
             ("m", unit(1, 0)),
             ("cm", unit(1, -2)),
@@ -157,8 +136,12 @@ mod tests {
             ("Å^3", unit(3, -30)),
             ("m⁴", unit(4, 0)),
             ("um^4", unit(4, -24)),
+            ("microns", unit(1, -6)),
+            ("uin", Some((1, Scale::decimal(254, -10)))),
+            ("inch^3", Some((3, Scale::decimal(16_387_064, -12)))),
         ] {
-            assert_eq!(Unit::parse(text), expected, "{text}");
+            let unit = Unit::parse(text).filter(|unit| !unit.angular);
+            assert_eq!(unit.map(|unit| (unit.metre_power, unit.scale())), expected, "{text}");
         }
         for text in ["rad/m", "rad_per_m", "rad m^-1", "rad·m⁻¹", "rad per m"] {
             assert_eq!(Unit::parse(text), Some(Unit { angular: true, ..Unit::si(-1) }), "{text}");
@@ -170,19 +153,5 @@ mod tests {
         for text in ["", "furlong", "Hz", "rad", "rad_m", "m^", "m^x", "3", "1/", "nmm", "m3m", "kg"] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }
-    }
-
-    #[test]
-    fn scaling_by_a_unit_is_correctly_rounded() {
-        assert_eq!(parse_scaled("5.65", -9), Some(5.65e-9));
-        assert_ne!(5.65 * 1e-9, 5.65e-9);
-        assert_eq!(parse_scaled("+5.65E+3", -9), Some(5.65e-6));
-        assert_eq!(parse_scaled("-.5e-3", 6), Some(-500.0));
-        assert_eq!(parse_scaled("1e400", -200), Some(1e200));
-        assert_eq!(parse_scaled("1e-9", 0), Some(1e-9));
-        assert_eq!(parse_scaled("-inf", -9), Some(f64::NEG_INFINITY));
-        assert!(parse_scaled("NaN", -9).unwrap().is_nan());
-        assert_eq!(parse_scaled("1,5", -9), None);
-        assert_eq!(parse_scaled("", -9), None);
     }
 }

@@ -2,8 +2,9 @@
 
 use serde::Deserialize;
 use serde_spanned::Spanned;
-use spectrum::{AmplitudeDefinition, Detrend, Normalisation, Window};
+use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
+use topography::{Detrend, Window};
 
 use super::error::SceneError;
 use crate::figure::Shows;

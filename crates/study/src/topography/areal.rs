@@ -1,8 +1,7 @@
 //! The two-dimensional spectrum of a map.
 
-use spectrum::{
-    ArealRows, ArealSpectrum, ArealSums, ArealTransform, HeightMap, Preparation, ReliableBand, Scan,
-};
+use scans::{HeightMap, Scan};
+use topography::{ArealRows, ArealSpectrum, ArealSums, ArealTransform, Preparation, ReliableBand};
 
 use super::error::{ScanProblem, TopographyError};
 use super::load::{Loaded, load};
@@ -44,7 +43,7 @@ pub fn areal_spectrum(
     let shown = spectrum.ciso(&band).map_err(transform)?;
     let modes = |wavelength_m: &f64| {
         let q = std::f64::consts::TAU / wavelength_m;
-        let near = |bin: &&spectrum::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
+        let near = |bin: &&topography::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
         spectrum.bins().iter().find(near).map(|bin| bin.modes as f64)
     };
     let wavelengths_m = shown.wavelengths_m();

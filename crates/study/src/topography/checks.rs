@@ -1,7 +1,8 @@
 //! How far a spectrum can be believed: checks that run by themselves.
 
-use spectrum::{
-    Boundary, DerivativeOf, LineSpectrum, Preparation, Scan, fundamental_kept, real_space_derivatives,
+use scans::Scan;
+use topography::{
+    Boundary, DerivativeOf, LineSpectrum, Preparation, fundamental_kept, real_space_derivatives,
 };
 
 use units::display::three_digits;

@@ -1,6 +1,7 @@
 //! Several spectra become one.
 
-use spectrum::{BinMean, Composite, CompositeOptions, Convention, Overlap, Psd, composite, overlaps};
+use spectrum::{Convention, Psd};
+use topography::{BinMean, Composite, CompositeOptions, Overlap, composite, overlaps};
 
 use super::error::{ScanProblem, TopographyError};
 use super::measure::ScanSpectrum;

@@ -2,7 +2,9 @@
 
 use std::{fmt, io};
 
-use spectrum::{PsdError, ScanReadError, TransformError};
+use scans::ScanReadError;
+use spectrum::PsdError;
+use topography::TransformError;
 
 /// Why the scans of a file, or all of them together, yield no spectrum.
 #[derive(Debug)]

@@ -1,6 +1,7 @@
 //! The composite drawn over the spectra it is made of.
 
-use spectrum::{BinMean, ProfilePsd, log_binned};
+use spectrum::ProfilePsd;
+use topography::{BinMean, log_binned};
 
 use super::composite::CompositeSpectrum;
 use crate::figure::{FigureData, Series, psd_figure};

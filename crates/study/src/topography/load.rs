@@ -1,9 +1,8 @@
 //! A file becomes heights, with what lies beside it.
 
+use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_metadata, read_scans};
 use sha2::{Digest, Sha256};
-use spectrum::{
-    MeasurementMetadata, ReadOptions, ScanFile, ScanOptions, ScanSize, read_metadata, read_psd, read_scans,
-};
+use spectrum::{ReadOptions, read_psd};
 
 use super::error::{ScanProblem, TopographyError};
 use super::request::ScanRequest;

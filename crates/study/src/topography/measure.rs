@@ -1,8 +1,10 @@
 //! Heights become a spectrum, limited to the band that shows the surface.
 
-use spectrum::{
-    HeightMap, LineSpectrum, LineSums, MapLines, Preparation, ProfilePsd, ReliableBand, Scan, ScanFile,
-    ScanFormat, nonuniform_line_spectrum, uniform_line_spectrum,
+use scans::{HeightMap, Scan, ScanFile, ScanFormat};
+use spectrum::ProfilePsd;
+use topography::{
+    LineSpectrum, LineSums, MapLines, Preparation, ReliableBand, nonuniform_line_spectrum,
+    uniform_line_spectrum,
 };
 
 use super::checks::Checks;
@@ -51,7 +53,7 @@ impl ScanSpectrum {
         let loaded = load(request, files)?;
         let scan = |scan: ScanFile| {
             let name = scan.name.clone();
-            let blame = |error: spectrum::TransformError| {
+            let blame = |error: topography::TransformError| {
                 let scan = (name != request.path).then_some(name);
                 TopographyError::of_file(&request.path, ScanProblem::Transform { scan, error })
             };
@@ -69,7 +71,7 @@ impl ScanSpectrum {
         request: &ScanRequest,
         sha256: &str,
         recipe: &Recipe,
-    ) -> Result<Self, spectrum::TransformError> {
+    ) -> Result<Self, topography::TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
         let band = ReliableBand::of(&file.scan, request.limits(&file, recipe))?;
         let spectrum = line_spectrum(&file.scan, preparation);

@@ -3,8 +3,9 @@
 use std::num::NonZeroU32;
 use std::str::FromStr;
 
+use scans::{LengthUnit, ScanFile};
 use serde::Deserialize;
-use spectrum::{BandLimits, Detrend, LengthUnit, Preparation, ScanFile, Window};
+use topography::{BandLimits, Detrend, Preparation, Window};
 
 use units::Length;
 

@@ -1,0 +1,80 @@
+//! ZIP files within bounds.
+
+use std::io::{Cursor, Read};
+
+use zip::ZipArchive;
+
+use crate::error::ScanReadError;
+
+/// Most files in an archive; containers hold some hundreds.
+const MOST_ENTRIES: usize = 10_000;
+
+/// A ZIP file whose entries all lie inside it, and which unpacks to no more than it may.
+pub(crate) struct Archive<'b> {
+    zip: ZipArchive<Cursor<&'b [u8]>>,
+    paths: Vec<String>,
+    bound: u64,
+    /// What is left of the bound.
+    left: u64,
+}
+
+impl<'b> Archive<'b> {
+    /// Looks at the directory of an archive; nothing is unpacked yet.
+    pub(crate) fn open(bytes: &'b [u8], bound: u64) -> Result<Self, ScanReadError> {
+        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|error| failure("the archive", &error))?;
+        if zip.len() > MOST_ENTRIES {
+            let what = "the archive".to_owned();
+            return Err(ScanReadError::ArchiveTooLarge { what, bound: MOST_ENTRIES as u64, unit: "files" });
+        }
+        let paths: Result<Vec<_>, _> = zip.file_names().map(|path| path.map(String::from)).collect();
+        let paths = paths.map_err(|error| failure("the archive", &error))?;
+        if let Some(path) = paths.iter().find(|path| leads_outside(path)) {
+            return Err(ScanReadError::PathOutside { path: path.clone() });
+        }
+        Ok(Self { zip, paths, bound, left: bound })
+    }
+
+    pub(crate) fn paths(&self) -> impl Iterator<Item = &str> {
+        self.paths.iter().map(String::as_str)
+    }
+
+    /// Unpacks an entry. The sizes in the directory are not trusted: unpacking stops at the bound.
+    pub(crate) fn read(&mut self, path: &str) -> Result<Vec<u8>, ScanReadError> {
+        let bound = self.left;
+        self.read_at_most(path, bound)
+    }
+
+    /// Unpacks an entry that may not be larger than the bound.
+    pub(crate) fn read_at_most(&mut self, path: &str, bound: u64) -> Result<Vec<u8>, ScanReadError> {
+        let what = format!("'{path}'");
+        let bound = bound.min(self.left);
+        let shown = if bound == self.left { self.bound } else { bound };
+        let too_large = |what| ScanReadError::ArchiveTooLarge { what, bound: shown, unit: "bytes" };
+        let entry = self.zip.by_name(path).map_err(|error| failure(&what, &error))?;
+        if entry.size() > bound {
+            return Err(too_large(what));
+        }
+        let mut bytes = Vec::new();
+        let unpacked = entry.take(bound.saturating_add(1)).read_to_end(&mut bytes);
+        unpacked.map_err(|error| ScanReadError::Zip { what: what.clone(), problem: error.to_string() })?;
+        let length = bytes.len() as u64;
+        if length > bound {
+            return Err(too_large(what));
+        }
+        self.left -= length;
+        Ok(bytes)
+    }
+}
+
+fn failure(what: &str, error: &zip::result::ZipError) -> ScanReadError {
+    ScanReadError::Zip { what: what.to_owned(), problem: error.to_string() }
+}
+
+/// Whether a path is absolute, names a drive, or climbs.
+pub(crate) fn leads_outside(path: &str) -> bool {
+    let mut parts = path.split(['/', '\\']);
+    path.starts_with(['/', '\\'])
+        || path.contains('\0')
+        || path.get(1..2) == Some(":")
+        || parts.any(|part| part == "..")
+}

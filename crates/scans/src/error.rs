@@ -1,0 +1,349 @@
+//! What can be wrong with the file of a scan.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::format::ScanFormat;
+use crate::heights::ScanError;
+use units::LengthUnit;
+
+/// A file that holds no scan, or does not say how large it is.
+///
+/// Lines, rows, columns and points are counted from 1, bytes from 0.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ScanReadError {
+    /// Content that no reader knows.
+    #[error(
+        "recognising the format of '{name}': no reader knows a file that begins with {start}{hint}; formats read are \
+         text (profiles, points, matrices), Nanoscope, NetCDF-3, X3P, and the containers of contact.engineering"
+    )]
+    UnknownFormat {
+        /// Name of the file.
+        name: String,
+        /// Its first bytes, escaped.
+        start: String,
+        /// What is known about it.
+        hint: &'static str,
+    },
+    /// A field that is missing.
+    #[error("reading {format}, {place}: there is no {field}; {mend}")]
+    MissingField {
+        /// Format of the file.
+        format: ScanFormat,
+        /// Where it should be.
+        place: Place,
+        /// Its name.
+        field: String,
+        /// What can be done.
+        mend: &'static str,
+    },
+    /// A field with a value that cannot be.
+    #[error("reading {format}, {place}: {field} is {value}, it must be {bound}; {mend}")]
+    BadField {
+        /// Format of the file.
+        format: ScanFormat,
+        /// Where it is.
+        place: Place,
+        /// Its name.
+        field: String,
+        /// What it holds.
+        value: String,
+        /// What it should hold.
+        bound: String,
+        /// What can be done.
+        mend: &'static str,
+    },
+    /// Bytes beyond the end of the file.
+    #[error(
+        "reading {format}, byte {offset}: {what} takes {needed} bytes, but the file ends {available} bytes on; the file \
+         is cut off or its header damaged: export it again"
+    )]
+    Truncated {
+        /// Format of the file.
+        format: ScanFormat,
+        /// Where the bytes begin.
+        offset: u64,
+        /// What they hold.
+        what: String,
+        /// How many there should be.
+        needed: u64,
+        /// How many there are.
+        available: u64,
+    },
+    /// A variant of the format that is not read.
+    #[error("reading {format}, {place}: {found} cannot be read; {mend}")]
+    Unsupported {
+        /// Format of the file.
+        format: ScanFormat,
+        /// Where it says so.
+        place: Place,
+        /// What is found.
+        found: String,
+        /// What can be done.
+        mend: &'static str,
+    },
+    /// No channel or measurement of the name asked for, or none that holds heights.
+    #[error("reading {format}: there is no {wanted}; there {}", list(.channels))]
+    NoChannel {
+        /// Format of the file.
+        format: ScanFormat,
+        /// What was asked for.
+        wanted: String,
+        /// Those that there are.
+        channels: Vec<String>,
+    },
+    /// Lengths or heights without a unit.
+    #[error(
+        "reading {format}: the file does not say the unit of {what}; say it with --unit ({})",
+        LengthUnit::accepted()
+    )]
+    NoUnit {
+        /// Format of the file.
+        format: ScanFormat,
+        /// What is measured.
+        what: &'static str,
+    },
+    /// A unit given by option to a format that fixes its own.
+    #[error("reading {format}: the format fixes the unit of lengths and heights; leave out --unit '{unit}'")]
+    UnitIsFixed {
+        /// Format of the file.
+        format: ScanFormat,
+        /// The unit asked for.
+        unit: LengthUnit,
+    },
+    /// Heights without a lateral size.
+    #[error("reading {format}: the file does not say {what}; say it with --size")]
+    NoSize {
+        /// Format of the file.
+        format: ScanFormat,
+        /// What is unknown.
+        what: &'static str,
+    },
+    /// Bytes that are no text.
+    #[error(
+        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is no text; save the scan as text in UTF-8"
+    )]
+    NotText {
+        /// Line.
+        line: usize,
+        /// Position of the byte.
+        offset: usize,
+        /// The byte.
+        byte: u8,
+    },
+    /// No line of numbers.
+    #[error("reading text: the file holds no line of numbers, it must hold at least 2")]
+    NoRows,
+    /// A field that is no number.
+    #[error("line {line}: column {column} is '{text}', which is no number; correct it or remove the line")]
+    NotANumber {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: usize,
+        /// The field.
+        text: String,
+    },
+    /// A field that marks a point without a height.
+    #[error(
+        "line {line}: column {column} is '{text}', a gap in the scan; fill the gaps in the software of the instrument, \
+         or cut them out"
+    )]
+    Gap {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: usize,
+        /// The field.
+        text: String,
+    },
+    /// A row of another length than the first.
+    #[error(
+        "line {line}: the number of columns is {found}, in line {first_line} it is {expected}; the file is cut off or \
+         holds more than one scan: give every line the same columns"
+    )]
+    Ragged {
+        /// Line.
+        line: usize,
+        /// Number of columns.
+        found: usize,
+        /// The first line of numbers.
+        first_line: usize,
+        /// Number of columns there.
+        expected: usize,
+    },
+    /// Commas that may separate columns or mark decimals.
+    #[error(
+        "line {line}: in '{text}' the comma may separate two columns or mark the decimals of one number, and no other \
+         line tells; separate columns with semicolons or tabs, or write decimals with points"
+    )]
+    AmbiguousComma {
+        /// Line.
+        line: usize,
+        /// The line's text.
+        text: String,
+    },
+    /// Decimal commas and decimal points in one file.
+    #[error(
+        "line {line}: '{text}' has a decimal {}, line {first_line} a decimal {}; write all decimals with points",
+        mark(*.is_comma), mark(!*.is_comma)
+    )]
+    MixedDecimals {
+        /// Line.
+        line: usize,
+        /// The field.
+        text: String,
+        /// Whether the field has a comma.
+        is_comma: bool,
+        /// Line of the first decimal mark.
+        first_line: usize,
+    },
+    /// Positions of a profile that neither rise nor fall throughout.
+    #[error(
+        "line {line}: the position is {position}, that of the point before {before}; positions must rise: cut out \
+         points where the profile turns back (re-entrant points of a traced contour), or sort the lines"
+    )]
+    PositionsDoNotRise {
+        /// Line.
+        line: usize,
+        /// The offending position, in the file's unit.
+        position: f64,
+        /// The position before, in the file's unit.
+        before: f64,
+    },
+    /// Points that lie on no regular grid.
+    #[error(
+        "line {line}: {axis} = {position} lies on no grid of {count} evenly spaced values from {first} to {last}; \
+         points of a map must form a regular grid: interpolate them onto one"
+    )]
+    NotAGrid {
+        /// Line.
+        line: usize,
+        /// Which coordinate.
+        axis: char,
+        /// Its value, in the file's unit.
+        position: f64,
+        /// Number of distinct values.
+        count: usize,
+        /// Smallest value, in the file's unit.
+        first: f64,
+        /// Largest value, in the file's unit.
+        last: f64,
+    },
+    /// Grid points without a height.
+    #[error(
+        "reading text: {missing} of {columns} x {rows} grid points have no height, the first at x = {x}, y = {y}; fill \
+         the gaps in the software of the instrument, or cut them out"
+    )]
+    MissingPoints {
+        /// How many are missing.
+        missing: usize,
+        /// Points along x.
+        columns: usize,
+        /// Points along y.
+        rows: usize,
+        /// Position of the first, in the file's unit.
+        x: f64,
+        /// Position of the first, in the file's unit.
+        y: f64,
+    },
+    /// A grid point with two heights.
+    #[error("line {line}: the point x = {x}, y = {y} stands in line {first_line} already; keep one")]
+    RepeatedPoint {
+        /// Line of the repetition.
+        line: usize,
+        /// Line of the first occurrence.
+        first_line: usize,
+        /// Position, in the file's unit.
+        x: f64,
+        /// Position, in the file's unit.
+        y: f64,
+    },
+    /// A ZIP file that cannot be unpacked.
+    #[error("unpacking {what}: {problem}; pack the archive again")]
+    Zip {
+        /// The archive or the entry.
+        what: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A ZIP file that unpacks to more than it may.
+    #[error(
+        "unpacking {what}: it takes more than {bound} {unit}, the most that is accepted; pack fewer or smaller files"
+    )]
+    ArchiveTooLarge {
+        /// The archive or the entry.
+        what: String,
+        /// Most that is accepted.
+        bound: u64,
+        /// What is counted.
+        unit: &'static str,
+    },
+    /// An entry of a ZIP file that points out of it.
+    #[error(
+        "unpacking the archive: the path '{path}' leads out of it; pack the archive again with relative paths"
+    )]
+    PathOutside {
+        /// The path.
+        path: String,
+    },
+    /// Metadata in XML, YAML or JSON that cannot be parsed.
+    #[error("reading '{file}': {problem}; correct it or export it again")]
+    Syntax {
+        /// Name of the file.
+        file: String,
+        /// What is wrong, with the line.
+        problem: String,
+    },
+    /// A measurement of a container that cannot be read.
+    #[error("measurement '{measurement}' in '{file}': {source}")]
+    Measurement {
+        /// Name of the measurement.
+        measurement: String,
+        /// Its data file.
+        file: String,
+        /// What is wrong with it.
+        source: Box<ScanReadError>,
+    },
+    /// Heights and spacings that make no scan.
+    #[error(transparent)]
+    Scan(#[from] ScanError),
+}
+
+/// A place in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The whole file.
+    File,
+    /// Line, from 1.
+    Line(usize),
+    /// Offset in bytes, from 0.
+    Byte(u64),
+    /// Path of an element.
+    Element(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => f.write_str("the file"),
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Byte(offset) => write!(f, "byte {offset}"),
+            Self::Element(path) => f.write_str(path),
+        }
+    }
+}
+
+fn list(names: &[String]) -> String {
+    match names {
+        [] => "are none".to_owned(),
+        [name] => format!("is '{name}'"),
+        _ => format!("are {}", names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+fn mark(is_comma: bool) -> &'static str {
+    if is_comma { "comma" } else { "point" }
+}

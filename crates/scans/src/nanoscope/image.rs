@@ -1,0 +1,243 @@
+//! One image of a Nanoscope file: what it measures, its grid, its counts.
+
+use crate::error::ScanReadError;
+use crate::nanoscope::FORMAT;
+use crate::nanoscope::header::{Header, Section, Value};
+use units::LengthUnit;
+
+/// From this version on counts take four bytes, whatever `Bytes/pixel` says; that still sets their scale.
+const FOUR_BYTE_VERSION: u32 = 0x0920_0000;
+
+/// An image section with the header it belongs to.
+pub(crate) struct Image<'h> {
+    header: &'h Header<'h>,
+    section: &'h Section<'h>,
+}
+
+/// Where the counts of an image stand and what they cover.
+pub(crate) struct Grid {
+    pub(crate) columns: usize,
+    rows: usize,
+    /// Along x and y, above 0.
+    pub(crate) size_m: [f64; 2],
+    offset: Value,
+    bytes_per_count: usize,
+    header_end: usize,
+    pub(crate) note: Option<String>,
+}
+
+impl<'h> Image<'h> {
+    pub(crate) fn of(header: &'h Header<'h>, section: &'h Section<'h>) -> Self {
+        Self { header, section }
+    }
+
+    /// What is measured: `Height` in `S [Height] "Height"`.
+    pub(crate) fn name(&self) -> String {
+        let keys = ["@2:Image Data", "@3:Image Data", "@4:Image Data", "Image Data"];
+        let Some(value) = keys.iter().find_map(|key| self.section.get(key)) else {
+            return "unnamed".to_owned();
+        };
+        let bracketed = Scaled::parse(&value.text).and_then(|scaled| scaled.soft_scale);
+        bracketed.unwrap_or_else(|| value.text.trim_start_matches("S ").trim().trim_matches('"').to_owned())
+    }
+
+    /// The name with the direction of the scan, which tells trace from retrace.
+    pub(crate) fn label(&self) -> String {
+        match self.section.get("Line direction") {
+            Some(direction) => format!("{} ({})", self.name(), direction.text),
+            None => self.name(),
+        }
+    }
+
+    /// Deflections and errors may be in nm as well, but are no heights.
+    pub(crate) fn is_named_after_height(&self) -> bool {
+        let name = self.name().to_lowercase().replace(' ', "");
+        name.contains("height") || name.contains("zsens") || name.contains("topography")
+    }
+
+    /// Whether the counts stand for lengths.
+    pub(crate) fn is_length(&self) -> bool {
+        self.scale_m_per_count().is_ok()
+    }
+
+    /// Height of one count in m: full scale in V over the number of counts, times the sensitivity in nm/V.
+    pub(crate) fn scale_m_per_count(&self) -> Result<f64, ScanReadError> {
+        let value = match self.section.get("@4:Z scale") {
+            Some(value) => value,
+            None => self.section.require("@2:Z scale")?,
+        };
+        let bad = || value.bad("a full scale such as 'V [Sens. Zsens] (0.0067 V/LSB) 2.125 V'");
+        let full_scale = Scaled::parse(&value.text).ok_or_else(bad)?;
+        let (volts, unit) = full_scale.number().ok_or_else(bad)?;
+        let counts = 256f64.powi(self.bytes_per_pixel()? as i32);
+        let soft = full_scale.soft_scale.as_ref().and_then(|name| self.header.sensitivity(name));
+        let soft = soft.ok_or_else(|| value.bad("scaled by a sensitivity of the scanner in the header"))?;
+        let bad = || soft.bad("a sensitivity in a unit of length per V, such as 'V 22.5 nm/V'");
+        let (sensitivity, ratio) =
+            Scaled::parse(&soft.text).and_then(|scaled| scaled.number()).ok_or_else(bad)?;
+        let (length, per) = ratio.split_once('/').ok_or_else(bad)?;
+        let length = LengthUnit::parse_instrument(length).ok_or_else(bad)?;
+        let volts = volts * volt(&unit).zip(volt(per)).map(|(unit, per)| unit / per).ok_or_else(bad)?;
+        let scale = length.to_m(volts / counts * sensitivity);
+        if scale.is_finite() && scale != 0.0 { Ok(scale) } else { Err(bad()) }
+    }
+
+    fn bytes_per_pixel(&self) -> Result<usize, ScanReadError> {
+        let Some(value) = self.section.get("Bytes/pixel") else { return Ok(2) };
+        value.count().ok().filter(|count| [2, 4].contains(count)).ok_or_else(|| value.bad("2 or 4"))
+    }
+
+    pub(crate) fn grid(&self) -> Result<Grid, ScanReadError> {
+        let columns = self.section.require("Samps/line")?.count()?;
+        let rows = self.section.require("Number of lines")?.count()?;
+        let length = self.section.require("Data length")?;
+        let bytes = length.count()?;
+        let offset = self.section.require("Data offset")?;
+        let size_m = self.size_m()?;
+        let points = |columns: usize, rows: usize| columns.checked_mul(rows);
+        let takes = |columns, rows, each| points(columns, rows).and_then(|count| count.checked_mul(each));
+        let mut bytes_per_count = self.bytes_per_pixel()?;
+        if self.version() >= FOUR_BYTE_VERSION
+            && takes(columns, rows, 4).is_some_and(|needed| bytes >= needed)
+        {
+            bytes_per_count = 4;
+        }
+        let needed = takes(columns, rows, bytes_per_count);
+        let header_end = self.header.end;
+        let mut grid = Grid { columns, rows, size_m, offset, bytes_per_count, header_end, note: None };
+        if needed == Some(bytes) {
+            return Ok(grid);
+        }
+        // Some versions leave the resolution planned for the image in its section; that of the scan then fills the data.
+        let of_scan = |key| self.header.scan_list(key).and_then(|value| value.count().ok());
+        if let Some((scan_columns, scan_rows)) = of_scan("Samps/line").zip(of_scan("Lines"))
+            && takes(scan_columns, scan_rows, bytes_per_count) == Some(bytes)
+        {
+            grid.size_m[0] *= scan_columns as f64 / columns as f64;
+            grid.size_m[1] *= scan_rows as f64 / rows as f64;
+            (grid.columns, grid.rows) = (scan_columns, scan_rows);
+            grid.note = Some(format!(
+                "the image is said to have {columns} x {rows} points, but its data have the {scan_columns} x {scan_rows} \
+                 of the scan, which count"
+            ));
+            return Ok(grid);
+        }
+        match needed {
+            Some(needed) if needed < bytes => {
+                grid.note = Some(format!(
+                    "the data of the image take {needed} of the {bytes} bytes set aside for them"
+                ));
+                Ok(grid)
+            }
+            _ => Err(length.bad(&format!(
+                "at least the {} bytes of {columns} x {rows} points of {bytes_per_count} bytes",
+                needed.map_or("too many".to_owned(), |needed| needed.to_string())
+            ))),
+        }
+    }
+
+    fn version(&self) -> u32 {
+        let version = self.header.file_list("Version").map(|value| value.text).unwrap_or_default();
+        u32::from_str_radix(version.trim_start_matches("0x"), 16).unwrap_or(0)
+    }
+
+    /// `500 500 nm`, or `500 nm` for a square; newer versions give the slow axis apart, and rightly only there.
+    fn size_m(&self) -> Result<[f64; 2], ScanReadError> {
+        let value = self.section.require("Scan size")?;
+        let mut size_m = lengths(&value)?;
+        let of_scan = self.header.scan_list("Scan size").zip(self.header.scan_list("Slow axis size"));
+        if let Some((fast, slow)) = of_scan {
+            size_m = [lengths(&fast)?[0], lengths(&slow)?[0]];
+        }
+        Ok(size_m)
+    }
+}
+
+impl Grid {
+    /// Heights row after row from the top of the image, which is stored from the bottom.
+    pub(crate) fn heights(&self, bytes: &[u8], m_per_count: f64) -> Result<Vec<f64>, ScanReadError> {
+        let Self { columns, rows, bytes_per_count, header_end, .. } = *self;
+        let offset = self.offset.text.parse().ok().filter(|&offset: &usize| offset >= header_end);
+        let offset = offset.ok_or_else(|| {
+            self.offset.bad(&format!("a whole number from {header_end} on, where the header ends"))
+        })?;
+        let needed = columns * rows * bytes_per_count;
+        let data = bytes.get(offset..).and_then(|rest| rest.get(..needed)).ok_or_else(|| {
+            ScanReadError::Truncated {
+                format: FORMAT,
+                offset: offset as u64,
+                what: format!("the image of {columns} x {rows} points"),
+                needed: needed as u64,
+                available: bytes.len().saturating_sub(offset) as u64,
+            }
+        })?;
+        let rows_from_top = data.chunks_exact(columns * bytes_per_count).rev();
+        let count = |count: &[u8]| match *count {
+            [a, b] => f64::from(i16::from_le_bytes([a, b])),
+            [a, b, c, d] => f64::from(i32::from_le_bytes([a, b, c, d])),
+            _ => f64::NAN,
+        };
+        Ok(rows_from_top
+            .flat_map(|row| row.chunks_exact(bytes_per_count))
+            .map(|raw| count(raw) * m_per_count)
+            .collect())
+    }
+}
+
+/// A value such as `V [Sens. Zsens] (0.0067 V/LSB) 2.125 V`.
+struct Scaled {
+    soft_scale: Option<String>,
+    rest: String,
+}
+
+impl Scaled {
+    fn parse(text: &str) -> Option<Self> {
+        let mut rest = text.strip_prefix(['V', 'C', 'S'])?.trim_start();
+        let mut soft_scale = None;
+        if let Some(inner) = rest.strip_prefix('[') {
+            let (name, after) = inner.split_once(']')?;
+            (soft_scale, rest) =
+                (Some(name.trim().to_owned()).filter(|name| !name.is_empty()), after.trim_start());
+        }
+        if rest.starts_with('(') {
+            // Units hold brackets of their own: log(Arb).
+            let mut depth = 0;
+            let end = rest.find(|character| {
+                depth += i32::from(character == '(') - i32::from(character == ')');
+                depth == 0
+            })?;
+            rest = rest[end + 1..].trim_start();
+        }
+        Some(Self { soft_scale, rest: rest.to_owned() })
+    }
+
+    /// The number and its unit.
+    fn number(&self) -> Option<(f64, String)> {
+        let (number, unit) = self.rest.split_once(char::is_whitespace).unwrap_or((&self.rest, ""));
+        Some((number.parse().ok().filter(|value: &f64| value.is_finite())?, unit.trim().to_owned()))
+    }
+}
+
+fn volt(unit: &str) -> Option<f64> {
+    Some(match unit.trim() {
+        "V" => 1.0,
+        "mV" => 1e-3,
+        "µV" | "uV" | "~V" => 1e-6,
+        _ => return None,
+    })
+}
+
+/// One or two lengths with a unit; one stands for both.
+fn lengths(value: &Value) -> Result<[f64; 2], ScanReadError> {
+    let bad = || value.bad("one or two lengths above 0 with their unit, such as '500 500 nm'");
+    let mut words: Vec<&str> = value.text.split_whitespace().collect();
+    let unit = words.pop().and_then(LengthUnit::parse_instrument).ok_or_else(bad)?;
+    let sizes: Option<Vec<f64>> =
+        words.iter().map(|word| word.parse().ok().map(|size| unit.to_m(size))).collect();
+    match sizes.as_deref() {
+        Some(&[x] | &[x, _]) if !(x.is_finite() && x > 0.0) => Err(bad()),
+        Some(&[x]) => Ok([x, x]),
+        Some(&[x, y]) if y.is_finite() && y > 0.0 => Ok([x, y]),
+        _ => Err(bad()),
+    }
+}

@@ -1,0 +1,102 @@
+//! Reading of big-endian fields, with their place for messages.
+
+use std::borrow::Cow;
+
+use crate::error::{Place, ScanReadError};
+use crate::netcdf::FORMAT;
+
+/// A position in a file. Counts are four bytes long, in CDF-5 eight.
+pub(crate) struct Cursor<'b> {
+    bytes: &'b [u8],
+    at: usize,
+    is_cdf5: bool,
+}
+
+impl<'b> Cursor<'b> {
+    pub(crate) fn new(bytes: &'b [u8], at: usize, is_cdf5: bool) -> Self {
+        Self { bytes, at, is_cdf5 }
+    }
+
+    pub(crate) fn offset(&self) -> u64 {
+        self.at as u64
+    }
+
+    pub(crate) fn take(&mut self, count: usize, what: &str) -> Result<&'b [u8], ScanReadError> {
+        let rest = &self.bytes[self.at..];
+        let Some(taken) = rest.get(..count) else {
+            return Err(ScanReadError::Truncated {
+                format: FORMAT,
+                offset: self.offset(),
+                what: what.to_owned(),
+                needed: count as u64,
+                available: rest.len() as u64,
+            });
+        };
+        self.at += count;
+        Ok(taken)
+    }
+
+    pub(crate) fn u32(&mut self, what: &str) -> Result<u32, ScanReadError> {
+        let bytes = self.take(4, what)?;
+        Ok(bytes.iter().fold(0, |value, &byte| value << 8 | u32::from(byte)))
+    }
+
+    pub(crate) fn u64(&mut self, what: &str) -> Result<u64, ScanReadError> {
+        let bytes = self.take(8, what)?;
+        Ok(bytes.iter().fold(0, |value, &byte| value << 8 | u64::from(byte)))
+    }
+
+    /// A count, which cannot exceed the size of memory.
+    pub(crate) fn count(&mut self, what: &str) -> Result<usize, ScanReadError> {
+        let offset = self.offset();
+        let count = if self.is_cdf5 { self.u64(what)? } else { u64::from(self.u32(what)?) };
+        usize::try_from(count)
+            .map_err(|_| bad(offset, what, &count.to_string(), &format!("at most {}", usize::MAX)))
+    }
+
+    /// The number of entries of a list that begins with `tag`. Each takes four bytes or more, so that no list is longer
+    /// than the file.
+    pub(crate) fn list(&mut self, tag: u32, what: &str) -> Result<usize, ScanReadError> {
+        let offset = self.offset();
+        let found = self.u32(what)?;
+        let count = self.count(what)?;
+        if found != tag && (found, count) != (0, 0) {
+            return Err(bad(
+                offset,
+                &format!("the tag of {what}"),
+                &found.to_string(),
+                &format!("{tag}, or 0 twice"),
+            ));
+        }
+        let most = (self.bytes.len() - self.at) / 4;
+        if count > most {
+            let bound = format!("at most {most}, as many as the rest of the file can hold");
+            return Err(bad(offset + 4, &format!("the number of {what}"), &count.to_string(), &bound));
+        }
+        Ok(count)
+    }
+
+    /// A name or other text, padded to four bytes.
+    pub(crate) fn name(&mut self, what: &str) -> Result<Cow<'b, str>, ScanReadError> {
+        let length = self.count(what)?;
+        Ok(String::from_utf8_lossy(self.padded(length, what)?))
+    }
+
+    /// Bytes with the padding after them taken off.
+    pub(crate) fn padded(&mut self, count: usize, what: &str) -> Result<&'b [u8], ScanReadError> {
+        let taken = self.take(count, what)?;
+        self.take(count.wrapping_neg() % 4, what)?;
+        Ok(taken)
+    }
+}
+
+pub(crate) fn bad(offset: u64, field: &str, value: &str, bound: &str) -> ScanReadError {
+    ScanReadError::BadField {
+        format: FORMAT,
+        place: Place::Byte(offset),
+        field: field.to_owned(),
+        value: value.to_owned(),
+        bound: bound.to_owned(),
+        mend: "the file is damaged: write it again",
+    }
+}

@@ -1,0 +1,61 @@
+//! What a caller may say about a scan.
+
+use crate::metadata::MeasurementMetadata;
+use units::LengthUnit;
+
+/// What the caller knows about a scan.
+///
+/// An option counts before the file, with a note where it contradicts it; the file counts before the metadata, and these
+/// before what is given to fall back on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ScanOptions {
+    /// The channel to read, by one of the names in [`ScanFile::channels`](crate::ScanFile::channels), or such a name
+    /// without the bracket at its end. Without it the first height channel is read.
+    pub channel: Option<String>,
+    /// The measurement to read from a container, by its name or that of its data file. Without it all are read.
+    pub measurement: Option<String>,
+    /// Unit of lengths, and of heights unless `height_unit` is given. Refused for formats that fix their units.
+    pub unit: Option<LengthUnit>,
+    /// Unit of heights.
+    pub height_unit: Option<LengthUnit>,
+    /// Size of the scan.
+    pub size: Option<ScanSize>,
+    /// Unit of lengths and heights where neither the options above, nor the file, nor the metadata tell one.
+    pub fallback_unit: Option<LengthUnit>,
+    /// Size of the scan where neither of them gives one.
+    pub fallback_size: Option<ScanSize>,
+    /// What a container says about the scan; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies
+    /// beside a file.
+    pub metadata: Option<MeasurementMetadata>,
+    /// Most bytes that a ZIP file may unpack to; 1 GiB if none is given.
+    pub max_unpacked_bytes: Option<u64>,
+}
+
+/// Size of a scan: that of its period, so many spacings as there are points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScanSize {
+    /// Along a line or the rows of a map, in m, above 0.
+    pub x_m: f64,
+    /// Across the rows of a map, in m, above 0; without it points are as far apart as along x.
+    pub y_m: Option<f64>,
+}
+
+impl ScanOptions {
+    /// Most bytes that a ZIP file may unpack to by default.
+    pub const MAX_UNPACKED_BYTES: u64 = 1 << 30;
+
+    /// The unit of heights asked for.
+    pub(crate) fn height_unit(&self) -> Option<LengthUnit> {
+        self.height_unit.or(self.unit)
+    }
+
+    /// The size that the metadata gives to a scan whose file gives none.
+    pub(crate) fn metadata_size(&self) -> Option<ScanSize> {
+        self.metadata.as_ref()?.size()
+    }
+
+    #[cfg(any(feature = "x3p", feature = "container"))]
+    pub(crate) fn unpacked_bound(&self) -> u64 {
+        self.max_unpacked_bytes.unwrap_or(Self::MAX_UNPACKED_BYTES)
+    }
+}

@@ -1,0 +1,310 @@
+//! What the header of a text file says: sizes, spacings, units, the channel.
+
+use crate::choice_of_units::Units;
+use crate::error::{Place, ScanReadError};
+use crate::options::{ScanOptions, ScanSize};
+use crate::text::FORMAT;
+use crate::text::columns::Columns;
+use crate::text::style::{is_comment, shortened};
+use units::LengthUnit;
+
+/// What the lines before the first numbers say.
+#[derive(Default)]
+pub(crate) struct Header {
+    channel: Option<String>,
+    /// Along x and y.
+    sizes: [Option<Length>; 2],
+    spacings: [Option<Length>; 2],
+    lateral_unit: Option<LengthUnit>,
+    value_unit: Option<LengthUnit>,
+    /// Units in the names of the columns; empty where no line names them.
+    column_units: Vec<Option<LengthUnit>>,
+}
+
+/// A length as written; without a unit it is in that of the lateral positions.
+#[derive(Clone, Copy)]
+struct Length {
+    value: f64,
+    unit: Option<LengthUnit>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Key {
+    Channel,
+    Size(usize),
+    Spacing(usize),
+    LateralUnit,
+    ValueUnit,
+    Unit,
+}
+
+/// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
+const KEYS: [(Key, &[&str]); 8] = [
+    (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
+    (
+        Key::Size(0),
+        &[
+            "width",
+            "x length",
+            "x size",
+            "size x",
+            "x range",
+            "length",
+            "šířka",
+            "breite",
+            "anchura",
+            "largeur",
+            "larghezza",
+            "幅",
+            "폭",
+            "largura",
+            "ширина",
+        ],
+    ),
+    (
+        Key::Size(1),
+        &[
+            "height",
+            "y length",
+            "y size",
+            "size y",
+            "y range",
+            "výška",
+            "höhe",
+            "altura",
+            "hauteur",
+            "altezza",
+            "高さ",
+            "높이",
+            "высота",
+        ],
+    ),
+    (
+        Key::Spacing(0),
+        &["spacing", "x spacing", "pixel size", "x step", "step", "dx", "scale x", "point spacing"],
+    ),
+    (Key::Spacing(1), &["y spacing", "y step", "dy", "scale y", "line spacing"]),
+    (
+        Key::LateralUnit,
+        &["lateral units", "lateral unit", "x unit", "xy unit", "xy units", "unit x", "length unit"],
+    ),
+    (
+        Key::ValueUnit,
+        &[
+            "value units",
+            "value unit",
+            "z unit",
+            "z units",
+            "height unit",
+            "height units",
+            "unit data",
+            "jednotky hodnot",
+            "einheiten",
+            "unités",
+            "unità valore",
+            "値の単位",
+            "값 단위",
+            "unidades de valor",
+            "единицы измерения",
+        ],
+    ),
+    (Key::Unit, &["unit", "units"]),
+];
+
+impl Header {
+    pub(crate) fn read(text: &str, columns: &Columns) -> Result<Self, ScanReadError> {
+        let mut header = Self::default();
+        for (index, line) in text.lines().enumerate() {
+            let (number, is_below) = (index + 1, index + 1 >= columns.first_line);
+            if is_below && !is_comment(line.trim_start()) {
+                continue;
+            }
+            let line = line.trim_matches(|c: char| c.is_whitespace() || "#%\u{feff}".contains(c));
+            match key_and_value(line) {
+                Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
+                Some((key, value)) if !is_below => header.set(key, value, number)?,
+                None if !is_below => header.set_column_units(line, columns),
+                _ => {}
+            }
+        }
+        Ok(header)
+    }
+
+    fn set(&mut self, key: Key, value: &str, line: usize) -> Result<(), ScanReadError> {
+        match key {
+            Key::Channel => self.channel = Some(value.to_owned()),
+            Key::Size(axis) => self.sizes[axis] = length(value, line)?.or(self.sizes[axis]),
+            Key::Spacing(axis) => self.spacings[axis] = length(value, line)?.or(self.spacings[axis]),
+            Key::LateralUnit => self.lateral_unit = Some(unit(value, line)?),
+            Key::ValueUnit => self.value_unit = Some(unit(value, line)?),
+            Key::Unit => {
+                let unit = unit(value, line)?;
+                self.lateral_unit.get_or_insert(unit);
+                self.value_unit.get_or_insert(unit);
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes a line for the names of the columns, or the units below them, where it holds as many units as columns.
+    fn set_column_units(&mut self, line: &str, columns: &Columns) {
+        let groups: Vec<&str> =
+            line.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next()).collect();
+        let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse_instrument(group)).collect();
+        let fields: Vec<_> = columns.separator.split(line).map(trailing_unit).collect();
+        for units in [in_brackets, fields] {
+            if units.len() == columns.count && units.iter().any(Option::is_some) {
+                self.column_units = units;
+                return;
+            }
+        }
+    }
+
+    /// The channel of the file, if it is the one asked for or none is.
+    pub(crate) fn channel(&self, options: &ScanOptions) -> Result<Option<String>, ScanReadError> {
+        match &options.channel {
+            Some(wanted) if self.channel.as_ref() != Some(wanted) => Err(ScanReadError::NoChannel {
+                format: FORMAT,
+                wanted: format!("channel '{wanted}'"),
+                channels: self.channel.iter().cloned().collect(),
+            }),
+            _ => Ok(self.channel.clone()),
+        }
+    }
+
+    /// Whether the header gives both sizes of a map.
+    pub(crate) fn is_matrix(&self) -> bool {
+        self.sizes.iter().all(Option::is_some)
+    }
+
+    pub(crate) fn lateral_unit(&self) -> Option<LengthUnit> {
+        self.lateral_unit
+    }
+
+    pub(crate) fn map_height_unit(&self) -> Option<LengthUnit> {
+        self.value_unit
+    }
+
+    /// Unit of a column of positions, from 0.
+    pub(crate) fn column_unit(&self, column: usize) -> Option<LengthUnit> {
+        self.column_units.get(column).copied().flatten().or(self.lateral_unit)
+    }
+
+    /// Unit of the column of heights, from 0.
+    pub(crate) fn height_unit(&self, column: usize) -> Option<LengthUnit> {
+        self.column_units.get(column).copied().flatten().or(self.value_unit)
+    }
+
+    /// The size of so many columns and rows, or of a line of so many columns.
+    pub(crate) fn size(
+        &self,
+        columns: usize,
+        rows: usize,
+        units: &Units,
+    ) -> Result<Option<ScanSize>, ScanReadError> {
+        let axis = |axis: usize, points: usize| {
+            let of_spacing = |length: Length| Length { value: length.value * points as f64, ..length };
+            self.sizes[axis].or(self.spacings[axis].map(of_spacing))
+        };
+        // A bare number may be in pixels unless the header gives the lateral unit.
+        let is_sure = |length: &Length| length.unit.is_some() || self.lateral_unit.is_some();
+        let to_m = |length: Length| -> Result<f64, ScanReadError> {
+            match length.unit {
+                Some(unit) => Ok(unit.to_m(length.value)),
+                None => Ok(units.length_to_m(FORMAT)?(length.value)),
+            }
+        };
+        let Some(x) = axis(0, columns).filter(is_sure) else { return Ok(None) };
+        let y = if rows == 0 { None } else { axis(1, rows).filter(is_sure) };
+        Ok(Some(ScanSize { x_m: to_m(x)?, y_m: y.map(to_m).transpose()? }))
+    }
+}
+
+/// A recognised key with what follows it.
+fn key_and_value(line: &str) -> Option<(Key, &str)> {
+    let (name, value) = line.split_once([':', '=', '：'])?;
+    let name = name.trim().to_lowercase().replace(['-', '_'], " ");
+    let (key, _) = KEYS.iter().find(|(_, names)| names.contains(&name.as_str()))?;
+    Some((*key, value.trim()))
+}
+
+/// A number with or without a unit; none for what is no number, the key of something else.
+fn length(text: &str, line: usize) -> Result<Option<Length>, ScanReadError> {
+    let unit_at = text.find(|c: char| !c.is_ascii_digit() && !"+-.,eE".contains(c)).unwrap_or(text.len());
+    let (number, name) = text.split_at(unit_at);
+    let Ok(value) = number.replace(',', ".").parse::<f64>() else { return Ok(None) };
+    if !(value.is_finite() && value > 0.0) {
+        return Err(bad_field(line, "the length", text, "finite and above 0".to_owned()));
+    }
+    let name = name.trim();
+    Ok(Some(Length { value, unit: if name.is_empty() { None } else { Some(unit(name, line)?) } }))
+}
+
+fn unit(text: &str, line: usize) -> Result<LengthUnit, ScanReadError> {
+    let text = text.trim_matches(|c: char| c.is_whitespace() || "()[]".contains(c));
+    LengthUnit::parse_instrument(text)
+        .ok_or_else(|| bad_field(line, "the unit", text, format!("one of {}", LengthUnit::accepted())))
+}
+
+fn bad_field(line: usize, field: &str, value: &str, bound: String) -> ScanReadError {
+    ScanReadError::BadField {
+        format: FORMAT,
+        place: Place::Line(line),
+        field: field.to_owned(),
+        value: format!("'{}'", shortened(value)),
+        bound,
+        mend: "export a channel of heights, or correct the header",
+    }
+}
+
+fn second_channel(line: usize) -> ScanReadError {
+    ScanReadError::Unsupported {
+        format: FORMAT,
+        place: Place::Line(line),
+        found: "a second channel in one file".to_owned(),
+        mend: "export each channel to a file of its own",
+    }
+}
+
+/// The unit at the end of a column's name: `Lateral um`, `h/nm`, `x_mm`. A bare A is a name more often than a unit.
+fn trailing_unit(name: &str) -> Option<LengthUnit> {
+    let name = name.trim();
+    let (_, word) = name.rsplit_once([' ', '/', '_'])?;
+    LengthUnit::parse_instrument(word).filter(|_| word != "A")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn header(text: &str) -> Result<Header, ScanReadError> {
+        Header::read(text, &Columns::read(text)?)
+    }
+
+    #[test]
+    fn units_of_columns_stand_in_their_names() {
+        let units = |text: &str| header(text).unwrap().column_units;
+        let (um, nm, mm) = (LengthUnit::MICROMETRE, LengthUnit::NANOMETRE, LengthUnit::MILLIMETRE);
+        assert_eq!(units("# x (um)  h [nm]\n1 2"), [Some(um), Some(nm)]);
+        assert_eq!(units("X;Y;valid\n[mm];[mm];[1/0]\n1;2;1"), [Some(mm), Some(mm), None]);
+        assert_eq!(units("Lateral um,Raw Micrometer,\n1.0,2.0,"), [Some(um), Some(um)]);
+        assert_eq!(units("x_mm\th/nm\n1\t2"), [Some(mm), Some(nm)]);
+        assert_eq!(units("Scan of sample A\n1 2"), []);
+    }
+
+    #[test]
+    fn what_is_no_length_is_refused_with_its_line() {
+        let message = |text: &str| header(text).err().map(|error| error.to_string()).unwrap_or_default();
+        assert_eq!(
+            message("# Channel: Phase\n# Value units: deg\n1 2"),
+            "reading text, line 2: the unit is 'deg', it must be one of m, cm, mm, µm, nm, Å, pm, km, inch, uin; export a channel of \
+             heights, or correct the header"
+        );
+        assert_eq!(
+            message("# Width: 0 nm\n1 2"),
+            "reading text, line 1: the length is '0 nm', it must be finite and above 0; export a channel of heights, \
+             or correct the header"
+        );
+        assert!(message("1 2\n# Channel: B\n1 2").starts_with("reading text, line 2: a second channel"));
+    }
+}

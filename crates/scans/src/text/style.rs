@@ -1,0 +1,169 @@
+//! Text, its lines of numbers, their separators and decimal marks.
+
+use std::borrow::Cow;
+
+use crate::error::ScanReadError;
+
+/// What separates the columns of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Separator {
+    Semicolon,
+    Tab,
+    Comma,
+    Blanks,
+}
+
+/// Words that stand for a point without a height.
+const GAPS: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
+
+/// UTF-8 with or without a byte order mark, else Latin-1, in which older instruments write `µ`.
+pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
+    let is_text = |byte: u8| byte >= b' ' || b"\t\n\r\x0c\x1a".contains(&byte);
+    if let Some(offset) = bytes.iter().position(|&byte| !is_text(byte)) {
+        let line = 1 + bytes[..offset].iter().filter(|&&byte| byte == b'\n').count();
+        return Err(ScanReadError::NotText { line, offset, byte: bytes[offset] });
+    }
+    Ok(match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        Err(_) => Cow::Owned(bytes.iter().map(|&byte| char::from(byte)).collect()),
+    })
+}
+
+/// The lines that are neither blank nor comments, from 1, trimmed of blanks.
+///
+/// A tab at the ends is kept off too: an empty first or last column holds no number.
+pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim_matches(is_blank)));
+    lines.filter(|(_, line)| !line.is_empty() && !is_comment(line))
+}
+
+/// The lines of numbers, from the first one on, with all that follows.
+pub(crate) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    content(text).skip_while(|(_, line)| !holds_numbers(line))
+}
+
+pub(crate) fn is_comment(line: &str) -> bool {
+    line.starts_with(['#', '%'])
+}
+
+fn is_blank(character: char) -> bool {
+    character.is_whitespace() || character == '\u{1a}' || character == '\u{feff}'
+}
+
+/// Whether a field marks a point without a height.
+pub(crate) fn is_gap(field: &str) -> bool {
+    let word = field.trim_start_matches(['+', '-']);
+    GAPS.iter().any(|gap| gap.eq_ignore_ascii_case(field) || gap.eq_ignore_ascii_case(word))
+}
+
+/// Whether a line consists of numbers, whatever separates them.
+fn holds_numbers(line: &str) -> bool {
+    let mut has_number = false;
+    let is_separator = |character: char| character.is_whitespace() || ";,".contains(character);
+    line.split(is_separator).filter(|word| !word.is_empty()).all(|word| {
+        let is_number = word.parse::<f64>().is_ok_and(f64::is_finite);
+        has_number |= is_number;
+        is_number || is_gap(word)
+    }) && has_number
+}
+
+impl Separator {
+    /// The separator of a file, by its lines of numbers.
+    pub(crate) fn of(text: &str) -> Result<Self, ScanReadError> {
+        let mut rows = rows(text);
+        let (first, line) = rows.next().ok_or(ScanReadError::NoRows)?;
+        if line.contains(';') {
+            return Ok(Self::Semicolon);
+        }
+        if line.contains('\t') {
+            return Ok(Self::Tab);
+        }
+        if !line.contains(',') {
+            return Ok(Self::Blanks);
+        }
+        let mut lines = std::iter::once(line).chain(rows.map(|(_, line)| line));
+        lines.find_map(comma_separates).map_or_else(
+            || Err(ScanReadError::AmbiguousComma { line: first, text: shortened(line) }),
+            |separates| Ok(if separates { Self::Comma } else { Self::Blanks }),
+        )
+    }
+
+    /// The fields of a line; an empty one after a last separator is none.
+    pub(crate) fn split(self, line: &str) -> impl Iterator<Item = &str> {
+        let (character, line) = match self {
+            Self::Semicolon => (Some(';'), line),
+            Self::Tab => (Some('\t'), line),
+            Self::Comma => (Some(','), line),
+            Self::Blanks => (None, line),
+        };
+        let line = character.and_then(|character| line.strip_suffix(character)).unwrap_or(line);
+        let delimited = character.map(|character| line.split(character).map(str::trim));
+        let blanks = character.is_none().then(|| line.split_whitespace());
+        delimited.into_iter().flatten().chain(blanks.into_iter().flatten())
+    }
+}
+
+/// Whether the commas of a line separate columns; none where it does not tell.
+fn comma_separates(line: &str) -> Option<bool> {
+    if !line.contains(',') {
+        return None;
+    }
+    if line.contains('.') {
+        return Some(true);
+    }
+    let mut words = line.split_whitespace();
+    let is_decimal = |word: &str| match word.split_once(',') {
+        None => true,
+        Some((whole, decimals)) => {
+            whole.ends_with(|last: char| last.is_ascii_digit())
+                && decimals.starts_with(|first: char| first.is_ascii_digit())
+                && !whole.contains(['e', 'E'])
+                && !decimals.contains(',')
+        }
+    };
+    let may_be_decimal = words.clone().all(is_decimal);
+    // A lone number with a decimal comma looks like two whole numbers.
+    if may_be_decimal && words.nth(1).is_none() { None } else { Some(!may_be_decimal) }
+}
+
+pub(crate) fn shortened(text: &str) -> String {
+    const MOST: usize = 60;
+    match text.char_indices().nth(MOST) {
+        None => text.to_owned(),
+        Some((end, _)) => format!("{}...", &text[..end]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commas_are_separators_or_decimals_by_what_surrounds_them() {
+        for (line, separates) in [
+            ("0.5,1.5", Some(true)),
+            ("0, 1", Some(true)),
+            ("0,1,2", Some(true)),
+            ("0,-1", Some(true)),
+            ("1e3,4", Some(true)),
+            ("0,nan", Some(true)),
+            ("0,5 1,25", Some(false)),
+            ("0 1,25", Some(false)),
+            ("0,5", None),
+            ("0,5e-3", None),
+            ("0 5", None),
+        ] {
+            assert_eq!(comma_separates(line), separates, "{line}");
+        }
+        assert_eq!(Separator::of("0,0\n0,5\n1,-2").unwrap(), Separator::Comma);
+        assert!(matches!(Separator::of("0,0\n0,5"), Err(ScanReadError::AmbiguousComma { line: 1, .. })));
+    }
+
+    #[test]
+    fn fields_are_split_without_an_empty_last_one() {
+        let split = |separator: Separator, line| separator.split(line).map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(split(Separator::Comma, "1, 2,"), ["1", "2"]);
+        assert_eq!(split(Separator::Blanks, "1  2\t3"), ["1", "2", "3"]);
+        assert_eq!(split(Separator::Semicolon, "1;;3"), ["1", "", "3"]);
+    }
+}

@@ -1,0 +1,236 @@
+//! Binary files that lie about themselves: refused with the place, the value and the bound.
+
+mod support;
+
+use scans::ScanOptions;
+use support::nanoscope::{Image, NanoscopeFile};
+use support::netcdf::{Attribute, Kind, NetCdf, Variable};
+use support::x3p::X3p;
+use support::zip_file::zipped;
+use support::{heights_m, in_unit, read_one, refusal, self_affine_map, spacings_m};
+
+fn none() -> ScanOptions {
+    ScanOptions::default()
+}
+
+/// A file with one text in its header replaced by another of the same length.
+fn replaced(bytes: &[u8], from: &str, to: &str) -> Vec<u8> {
+    assert_eq!(from.len(), to.len());
+    let at = bytes.windows(from.len()).position(|window| window == from.as_bytes()).expect(from);
+    let mut bytes = bytes.to_vec();
+    bytes[at..at + to.len()].copy_from_slice(to.as_bytes());
+    bytes
+}
+
+#[test]
+fn unknown_formats_are_named_by_their_first_bytes() {
+    assert_eq!(
+        refusal(b"\x89PNG\r\n\x1a\n", &none()),
+        "recognising the format of 'scan': no reader knows a file that begins with '\\x89PNG\\r\\n\\x1a\\n'; formats \
+         read are text (profiles, points, matrices), Nanoscope, NetCDF-3, X3P, and the containers of contact.engineering"
+    );
+    assert!(refusal(b"", &none()).contains("reading text: the file holds no line of numbers"));
+    assert!(refusal(b"\x89HDF\r\n\x1a\n....", &none()).contains("save it as NetCDF-3"));
+    assert!(refusal(b"GWYP....", &none()).contains("Gwyddion"));
+    assert!(refusal(&zipped(&[("a.txt", b"1")]), &none()).contains("holds neither an X3P"));
+}
+
+#[test]
+fn nanoscope_headers_that_lie() {
+    let map = self_affine_map(6, 4);
+    let bytes = NanoscopeFile::new(6, 4, &map).to_bytes();
+    let refused = |from: &str, to: &str| refusal(&replaced(&bytes, from, to), &none());
+    assert_eq!(
+        refused("Data length: 48", "Data length: 47"),
+        "reading Nanoscope, byte 192: 'Data length' is '47', it must be at least the 48 bytes of 6 x 4 points of 2 \
+         bytes; the header is damaged: export the file again"
+    );
+    assert_eq!(
+        refused("Data offset: 2048", "Data offset: 2049"),
+        "reading Nanoscope, byte 2049: the image of 6 x 4 points takes 48 bytes, but the file ends 47 bytes on; the \
+         file is cut off or its header damaged: export it again"
+    );
+    assert!(refused("Data offset: 2048", "Data offset: 0000").contains("it must be a whole number from 4"));
+    assert!(
+        refused("Samps/line: 6", "Samps/line: 0")
+            .contains("'Samps/line' is '0', it must be a whole number above 0")
+    );
+    let three = refused("Bytes/pixel: 2", "Bytes/pixel: 3");
+    assert!(three.contains("'Bytes/pixel' is '3', it must be 2 or 4"), "{three}");
+    assert!(refused("500 250 nm", "500 -50 nm").contains("one or two lengths above 0 with their unit"));
+    assert!(refused("500 250 nm", "500 250 mV").contains("one or two lengths above 0 with their unit"));
+    assert!(
+        refusal(&bytes[..400], &none()).contains("byte 400: there is no line '\\*File list end' before it")
+    );
+    assert!(
+        refused("\\*File list end", "?*File list end")
+            .contains("a line of the header, which begins with a backslash")
+    );
+    assert!(
+        refused("\\@Sens. Zsens", "\\@Sens. Ysens")
+            .contains("it must be scaled by a sensitivity of the scanner in the header")
+    );
+    assert!(refused("OL2BIG", "FOL   ").contains("a force curve cannot be read"));
+    let unit = refusal(&bytes, &in_unit("nm"));
+    assert_eq!(
+        unit,
+        "reading Nanoscope: the format fixes the unit of lengths and heights; leave out --unit 'nm'"
+    );
+    let lies = replaced(&bytes, "lines: 4\r\n\\Scan", "lines: 9\r\n\\Scan");
+    assert!(refusal(&lies, &none()).contains("at least the 108 bytes of 6 x 9 points of 2 bytes"));
+}
+
+#[test]
+fn nanoscope_channels_go_by_name() {
+    let map = self_affine_map(6, 4);
+    let mut file = NanoscopeFile::new(6, 4, &map);
+    file.images = vec![
+        Image { name: "Phase", direction: "Trace", heights_m: &map },
+        Image { name: "Height Sensor", direction: "Retrace", heights_m: &map },
+    ];
+    let scan = read_one(&file.to_bytes(), &none()).unwrap();
+    assert_eq!(scan.channel.as_deref(), Some("Height Sensor (Retrace)"));
+    let wanted = |name: &str| ScanOptions { channel: Some(name.to_owned()), ..none() };
+    assert!(read_one(&file.to_bytes(), &wanted("Height Sensor")).is_ok());
+    assert_eq!(
+        refusal(&file.to_bytes(), &wanted("Amplitude")),
+        "reading Nanoscope: there is no channel 'Amplitude'; there are 'Phase (Trace)', 'Height Sensor (Retrace)'"
+    );
+    assert!(
+        refusal(&file.to_bytes(), &wanted("Phase"))
+            .contains("it must be a sensitivity in a unit of length per V")
+    );
+}
+
+#[test]
+fn nanoscope_scans_of_other_size_than_their_images() {
+    let map = self_affine_map(6, 4);
+    let slow = NanoscopeFile {
+        extra: "\\Scan Size: 500 nm\r\n\\Slow Axis Size: 0.3 ~m\r\n",
+        ..NanoscopeFile::new(6, 4, &map)
+    };
+    assert_eq!(spacings_m(&read_one(&slow.to_bytes(), &none()).unwrap().scan).1 * 4.0, 300e-9);
+    // The image's section says 6 x 2, its data and the scan have 6 x 4.
+    let scan = NanoscopeFile { extra: "\\Samps/line: 6\r\n\\Lines: 4\r\n", ..NanoscopeFile::new(6, 4, &map) };
+    let halved = replaced(&scan.to_bytes(), "of lines: 4", "of lines: 2");
+    let read = read_one(&halved, &none()).unwrap();
+    assert_eq!((heights_m(&read.scan).len(), read.notes.len()), (24, 1));
+}
+
+#[test]
+fn netcdf_headers_that_lie() {
+    let map = self_affine_map(6, 4);
+    let file = || NetCdf::map(2, Kind::F64, 6, &map);
+    let with = |change: &dyn Fn(&mut NetCdf)| {
+        let mut file = file();
+        change(&mut file);
+        refusal(&file.to_bytes(), &none())
+    };
+    assert_eq!(
+        with(&|file| file.dimensions[0].1 = 0xffff_fff0),
+        format!(
+            "reading NetCDF, byte {}: variable 'heights' takes {} bytes, but the file ends {} bytes on; the file is cut \
+             off or its header damaged: export it again",
+            file().to_bytes().len() - 24 * 8 - 10 * 8,
+            0xffff_fff0u64 * 4 * 8,
+            24 * 8 + 10 * 8
+        )
+    );
+    assert!(
+        with(&|file| file.dimensions[1].1 = 0)
+            .contains("x: 6, y: 0, it must be x and y (both above 0), x, or n")
+    );
+    assert!(with(&|file| file.variables[0].dimensions = vec![0, 9]).contains("is 9, it must be below 2"));
+    assert!(
+        with(&|file| file.variables[0].name = "z")
+            .contains("no variable 'heights', the only one read as such")
+    );
+    assert!(with(&|file| file.version = 3).contains("byte 3: the version is 3, it must be 1, 2 or 5"));
+    let unit = |file: &mut NetCdf| file.variables[0].attributes[0].1 = Attribute::Text("V");
+    assert!(with(&unit).contains("attribute 'unit' is 'V', it must be one of m, cm"));
+    let length = |file: &mut NetCdf| file.variables[1].attributes[0].1 = Attribute::Number(-1.0);
+    assert!(with(&length).contains("attribute 'length' is -1, it must be a finite number above 0"));
+    let mixed = |file: &mut NetCdf| file.variables[2].attributes[2].1 = Attribute::Text("nm");
+    assert!(with(&mixed).contains("the unit of 'y' is nm, it must be that of 'x', µm"));
+    // A list that claims more entries than the file has bytes.
+    let mut bytes = file().to_bytes();
+    bytes[12..16].copy_from_slice(&[0xff; 4]);
+    assert!(
+        refusal(&bytes, &none())
+            .contains("byte 12: the number of dimensions is 4294967295, it must be at most")
+    );
+}
+
+#[test]
+fn netcdf_gaps_scales_and_records() {
+    let map = self_affine_map(6, 4);
+    let mut masked = NetCdf::map(2, Kind::F64, 6, &map);
+    let mut mask = vec![0.0; 24];
+    mask[5] = 1.0;
+    let dimensions = vec![0, 1];
+    masked.variables.push(Variable {
+        name: "mask",
+        dimensions,
+        attributes: Vec::new(),
+        kind: Kind::I8,
+        values: mask,
+    });
+    // Values run along y first: the sixth is the second point of the second column.
+    assert!(refusal(&masked.to_bytes(), &none()).contains("the height of row 2, column 2 is undefined"));
+
+    let mut filled = NetCdf::map(2, Kind::I16, 6, &map);
+    filled.variables[0].values = (0..24).map(f64::from).collect();
+    filled.variables[0].attributes.push(("scale_factor", Attribute::Number(0.5)));
+    filled.variables[0].attributes.push(("add_offset", Attribute::Number(-1.0)));
+    assert_eq!(heights_m(&read_one(&filled.to_bytes(), &none()).unwrap().scan)[1], 1e-6);
+    filled.variables[0].attributes.push(("_FillValue", Attribute::Number(23.0)));
+    assert!(refusal(&filled.to_bytes(), &none()).contains("the height of row 4, column 6 is undefined"));
+
+    // Records of x and heights take turns.
+    let values = [[0.0, 1.0], [1.0, 2.0], [2.5, 4.0]];
+    let mut records = NetCdf::line("n", vec![0.0; 1], &[0.0; 1]);
+    (records.records, records.dimensions) = (3, vec![("n", 0)]);
+    let mut bytes = records.to_bytes();
+    bytes.truncate(bytes.len() - 16);
+    bytes.extend(values.iter().flatten().flat_map(|value: &f64| value.to_be_bytes()));
+    assert_eq!(heights_m(&read_one(&bytes, &none()).unwrap().scan), [1e-6, 2e-6, 4e-6]);
+}
+
+#[test]
+#[cfg(feature = "x3p")]
+fn x3p_descriptions_that_lie() {
+    let map = self_affine_map(6, 4);
+    let file = X3p::surface('D', 6, &map);
+    let with = |from: &str, to: &str| {
+        let index = file.main_xml();
+        assert!(index.contains(from), "{from}");
+        let index = index.replacen(from, to, 1);
+        refusal(&zipped(&[("main.xml", index.as_bytes()), ("bindata/data.bin", &file.data())]), &none())
+    };
+    assert_eq!(
+        with("<SizeX>6<", "<SizeX>7<"),
+        "reading X3P, byte 0: 7 x 4 points in 'bindata/data.bin' takes 224 bytes, but the file ends 192 bytes on; the \
+         file is cut off or its header damaged: export it again"
+    );
+    assert!(with("<SizeX>6<", "<SizeX>18446744073709551615<").contains("takes 18446744073709551615 bytes"));
+    assert!(
+        with("<SizeX>6<", "<SizeX>0<")
+            .contains("MatrixDimension/SizeX: the text is '0', it must be a whole number")
+    );
+    assert!(with("<SizeZ>1<", "<SizeZ>2<").contains("it must be 1; export one layer"));
+    assert!(with("SUR", "PCL").contains("Record1/FeatureType: the feature type 'PCL' cannot be read"));
+    assert!(
+        with("<Increment>0.00000025<", "<Increment>0<")
+            .contains("Axes/CX/Increment: the text is '0', it must be")
+    );
+    assert!(with("<DataType>D<", "<DataType>X<").contains("it must be I, L, F or D"));
+    assert!(with("bindata/data.bin", "../data.bin").contains("the path '../data.bin' leads out of it"));
+    assert!(with("</Record3>", "").starts_with("reading 'main.xml': "));
+    assert!(with("<DataLink>", "<DataList>").starts_with("reading 'main.xml': "));
+    let invalid = X3p { valid: Some(&[0xff, 0xbf, 0xff]), ..X3p::surface('I', 6, &map) };
+    assert!(refusal(&invalid.to_bytes(), &none()).contains("the height of row 3, column 3 is undefined"));
+    let mut gaps = map.clone();
+    gaps[7] = f64::NAN;
+    let gap = X3p::surface('F', 6, &gaps).to_bytes();
+    assert!(refusal(&gap, &none()).contains("the height of row 2, column 2 is undefined"));
+}

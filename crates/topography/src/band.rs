@@ -1,0 +1,62 @@
+//! The band of wavelengths in which a scan shows the surface.
+
+use serde::Serialize;
+
+use crate::error::TransformError;
+use crate::tip::tip_cutoff_m;
+use scans::Scan;
+
+/// What is known of the instrument besides the scan.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BandLimits {
+    /// Radius of the tip in m, if one touched the surface.
+    pub tip_radius_m: Option<f64>,
+    /// Shortest wavelength in m the user trusts.
+    pub shortest_m: Option<f64>,
+}
+
+/// The wavelengths that a scan resolves, with what limits them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ReliableBand {
+    /// Twice the distance of neighbouring points along the scan lines in m, of uneven ones twice the mean.
+    pub sampling_m: f64,
+    /// Where the tip radius was given and the scan curves too sharply for it: the shortest wavelength in m it allows, see
+    /// [`tip_cutoff_m`].
+    pub tip_m: Option<f64>,
+    /// The shortest wavelength the user asked for in m.
+    pub user_m: Option<f64>,
+    /// The largest of these in m.
+    pub shortest_m: f64,
+}
+
+impl ReliableBand {
+    /// The band of a scan.
+    ///
+    /// # Errors
+    /// [`TransformError::BadLimit`] for a radius or wavelength that is no finite length above 0.
+    pub fn of(scan: &Scan, limits: BandLimits) -> Result<Self, TransformError> {
+        refuse_bad("tip radius", limits.tip_radius_m)?;
+        refuse_bad("shortest wavelength", limits.shortest_m)?;
+        let sampling_m = 2.0
+            * match scan {
+                Scan::UniformLine(line) => line.spacing_m(),
+                Scan::NonuniformLine(line) => line.mean_spacing_m(),
+                Scan::Map(map) => map.spacing_x_m(),
+            };
+        let tip_m = limits.tip_radius_m.and_then(|radius_m| tip_cutoff_m(scan, radius_m));
+        let shortest_m = [tip_m, limits.shortest_m].into_iter().flatten().fold(sampling_m, f64::max);
+        Ok(Self { sampling_m, tip_m, user_m: limits.shortest_m, shortest_m })
+    }
+
+    /// Whether the band holds a wavelength in m. A part in 10^12 is granted to the rounding of L/n against 2 dx.
+    pub fn contains(&self, wavelength_m: f64) -> bool {
+        wavelength_m * (1.0 + 1e-12) >= self.shortest_m
+    }
+}
+
+fn refuse_bad(what: &'static str, value_m: Option<f64>) -> Result<(), TransformError> {
+    match value_m {
+        Some(value) if !(value.is_finite() && value > 0.0) => Err(TransformError::BadLimit { what, value }),
+        _ => Ok(()),
+    }
+}

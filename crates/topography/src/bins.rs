@@ -1,0 +1,102 @@
+//! Logarithmic bins of wavevectors, the same for every measurement.
+
+use std::f64::consts::TAU;
+use std::num::NonZeroU32;
+
+use serde::{Deserialize, Serialize};
+
+use spectrum::ProfilePsd;
+use units::named;
+
+/// How several values of a spectrum become one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum BinMean {
+    /// The mean of the logarithms.
+    Geometric,
+    /// The mean of the values.
+    Arithmetic,
+}
+
+named!(BinMean, "mean of spectra", { Geometric => "geometric", Arithmetic => "arithmetic" });
+
+/// The samples of a spectrum in one bin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bin {
+    /// j of the lower edge 10^(j/N) rad/m.
+    pub(crate) index: i64,
+    /// Geometric mean of the wavelengths in m of the samples.
+    pub(crate) wavelength_m: f64,
+    /// Mean of the samples in m^3.
+    pub(crate) c1d_m3: f64,
+}
+
+/// The spectrum averaged in bins: the bin j of N per decade covers 10^(j/N) <= q < 10^((j + 1)/N), q in rad/m.
+///
+/// One sample for each bin that holds any, at the geometric mean of their wavelengths: bins of a single sample, the rule at
+/// the long end of a scan, keep it as it is, and a power law stays one. With [`BinMean::Arithmetic`] the noise of a
+/// periodogram averages out; the geometric mean of that of a single line is e^-0.577 = 0.56 of its expectation.
+pub fn log_binned(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinMean) -> ProfilePsd {
+    let bins = log_bins(psd, bins_per_decade, mean);
+    profile(bins.iter().map(|bin| (bin.wavelength_m, bin.c1d_m3)))
+}
+
+/// The spectrum of bins, each with its wavelength in m and its mean in m^3, from long to short wavelengths.
+pub(crate) fn profile(bins: impl Iterator<Item = (f64, f64)>) -> ProfilePsd {
+    let (wavelengths_m, values_m3) = bins.unzip();
+    ProfilePsd::new(wavelengths_m, values_m3).expect("means over the samples of spectra are samples of one")
+}
+
+pub(crate) fn log_bins(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinMean) -> Vec<Bin> {
+    let index = |&wavelength_m: &f64| bin_index(TAU / wavelength_m, bins_per_decade);
+    let mut from = 0;
+    let groups = psd.wavelengths_m().chunk_by(|a, b| index(a) == index(b));
+    groups
+        .map(|wavelengths_m| {
+            let values_m3 = &psd.c1d_m3()[from..from + wavelengths_m.len()];
+            from += wavelengths_m.len();
+            Bin {
+                index: index(&wavelengths_m[0]),
+                wavelength_m: BinMean::Geometric.of(wavelengths_m),
+                c1d_m3: mean.of(values_m3),
+            }
+        })
+        .collect()
+}
+
+/// The bin of a wavevector.
+pub(crate) fn bin_index(q_rad_per_m: f64, bins_per_decade: NonZeroU32) -> i64 {
+    (q_rad_per_m.log10() * f64::from(bins_per_decade.get())).floor() as i64
+}
+
+/// The wavelength in m of the centre of a bin, in the logarithm.
+pub(crate) fn centre_m(index: i64, bins_per_decade: NonZeroU32) -> f64 {
+    TAU / 10f64.powf((index as f64 + 0.5) / f64::from(bins_per_decade.get()))
+}
+
+impl BinMean {
+    /// The mean of values above 0, of which there is at least one.
+    pub(crate) fn of(self, values: &[f64]) -> f64 {
+        // Relative to the first: a single value stays what it is, and no sum or product overflows.
+        let ratios = values.iter().map(|value| value / values[0]);
+        let count = values.len() as f64;
+        values[0]
+            * match self {
+                Self::Geometric => (ratios.map(f64::ln).sum::<f64>() / count).exp(),
+                Self::Arithmetic => ratios.sum::<f64>() / count,
+            }
+    }
+
+    /// The standard error of the mean of two values or more; of the geometric one to first order, the mean times that of
+    /// the logarithms.
+    pub(crate) fn standard_error(self, values: &[f64]) -> Option<f64> {
+        let mean = self.of(values);
+        let deviation = |value: &f64| match self {
+            Self::Geometric => (value / mean).ln(),
+            Self::Arithmetic => value / mean - 1.0,
+        };
+        let count = values.len() as f64;
+        let squares: f64 = values.iter().map(|value| deviation(value).powi(2)).sum();
+        (values.len() >= 2).then(|| mean * (squares / (count * (count - 1.0))).sqrt())
+    }
+}

@@ -1,0 +1,98 @@
+//! Slopes and curvatures from the heights themselves, to hold against those from the spectrum.
+
+use serde::Serialize;
+
+use crate::detrend::{Detrend, Trend};
+use crate::piecewise::fitted_slope;
+use crate::sums::{dot, sum_of};
+use scans::{NonuniformLineScan, Scan};
+
+/// Root mean square slope and curvature along scan lines.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RmsDerivatives {
+    /// Root mean square slope.
+    pub slope: f64,
+    /// Root mean square second derivative in 1/m; `None` for a line of two points.
+    pub curvature_per_m: Option<f64>,
+}
+
+/// Whether the heights continue at the other end of the scan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Boundary {
+    /// They do: the last point of a line is a neighbour of the first.
+    Periodic,
+    /// They do not.
+    Open,
+}
+
+/// Slope and curvature from differences of neighbouring heights, after detrending: of a map along its rows.
+///
+/// Evenly spaced points a apart: (h_(i+1) - h_i)/a and (h_(i+1) - 2 h_i + h_(i-1))/a^2. Unevenly spaced ones: the slopes of
+/// the straight lines between them weighted with their lengths, and the change of slope at each inner point over half the
+/// length of its two neighbours, weighted with that; `boundary` is then taken as open.
+///
+/// To rounding this is, on periodic data and without a window, what
+/// [`LineSpectrum::rms_derivatives`](crate::LineSpectrum::rms_derivatives) gives for differences. With the Hann window the
+/// two agree as closely as the roughness is alike everywhere, since the window favours the middle of the scan, and its own
+/// slope adds (2 pi/L)^2/3 times the variance to the mean square slope. Without one, the step between the two ends of a
+/// scan that is not periodic swamps the spectral values.
+pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
+    match scan {
+        Scan::UniformLine(line) => {
+            let trend = Trend::of_line(line.heights_m(), detrend);
+            let points = line.heights_m().len();
+            of_rows(&trend, line.heights_m(), points, line.spacing_m(), boundary)
+        }
+        Scan::Map(map) => {
+            let trend = Trend::of_map(map, detrend);
+            of_rows(&trend, map.heights_m(), map.columns(), map.spacing_x_m(), boundary)
+        }
+        Scan::NonuniformLine(line) => of_uneven(line, detrend),
+    }
+}
+
+fn of_rows(
+    trend: &Trend,
+    heights_m: &[f64],
+    points: usize,
+    spacing_m: f64,
+    boundary: Boundary,
+) -> RmsDerivatives {
+    let closing = usize::from(boundary == Boundary::Periodic);
+    let (ones, mut rest_m, mut slopes) = (vec![1.0; points], vec![0.0; points], Vec::new());
+    let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
+    for (row, heights_m) in heights_m.chunks_exact(points).enumerate() {
+        trend.subtract(row, heights_m, &ones, &mut rest_m);
+        slopes.clear();
+        slopes.extend(rest_m.windows(2).map(|pair| (pair[1] - pair[0]) / spacing_m));
+        slopes.extend((closing == 1).then(|| (rest_m[0] - rest_m[points - 1]) / spacing_m));
+        slope_squares += sum_of(&slopes, |slope| slope * slope);
+        let last = slopes[slopes.len() - 1];
+        let bends = slopes.windows(2).map(|pair| pair[1] - pair[0]);
+        let bends: Vec<f64> = bends.chain((closing == 1).then(|| slopes[0] - last)).collect();
+        curvature_squares += sum_of(&bends, |bend| (bend / spacing_m).powi(2));
+    }
+    let rows = heights_m.len() / points;
+    let (slopes, bends) = (rows * (points - 1 + closing), rows * (points - 2 + 2 * closing));
+    RmsDerivatives {
+        slope: (slope_squares / slopes as f64).sqrt(),
+        curvature_per_m: (bends > 0).then(|| (curvature_squares / bends as f64).sqrt()),
+    }
+}
+
+fn of_uneven(line: &NonuniformLineScan, detrend: Detrend) -> RmsDerivatives {
+    let lengths_m: Vec<f64> = line.positions_m().windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let rises_m = line.heights_m().windows(2).map(|pair| pair[1] - pair[0]);
+    let slopes: Vec<f64> = rises_m.zip(&lengths_m).map(|(rise_m, length_m)| rise_m / length_m).collect();
+    let trend = if detrend == Detrend::Mean { 0.0 } else { fitted_slope(line) };
+    let weighted =
+        |squares: &[f64], weights_m: &[f64]| dot(squares, weights_m) / sum_of(weights_m, |weight_m| weight_m);
+    let slope_squares: Vec<f64> = slopes.iter().map(|slope| (slope - trend).powi(2)).collect();
+    let spans_m: Vec<f64> = lengths_m.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+    let bends = slopes.windows(2).map(|pair| pair[1] - pair[0]);
+    let bend_squares: Vec<f64> = bends.zip(&spans_m).map(|(bend, span_m)| (bend / span_m).powi(2)).collect();
+    RmsDerivatives {
+        slope: weighted(&slope_squares, &lengths_m).sqrt(),
+        curvature_per_m: (!spans_m.is_empty()).then(|| weighted(&bend_squares, &spans_m).sqrt()),
+    }
+}

@@ -1,0 +1,196 @@
+//! The trend that is subtracted from evenly spaced heights.
+
+use serde::{Deserialize, Serialize};
+
+use crate::sums::{Spread, dot, sum_of, sums_of};
+use scans::HeightMap;
+use units::named;
+
+/// What is subtracted from the heights before they are transformed, each fitted by least squares.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Detrend {
+    /// The mean: of a line, or of the whole map.
+    Mean,
+    /// A straight line: of a map, one for each of its rows, which also takes the drift between rows away and with it
+    /// wavelengths across the rows.
+    Line,
+    /// A plane through the whole map; of a line, a straight line.
+    #[default]
+    Plane,
+}
+
+named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane" });
+
+/// The trend of the rows of a map, or of a line.
+pub(crate) struct Trend {
+    /// 0, 1, 2, ... along a row: a table, because conversions for each height would cost more than the arithmetic.
+    index: Vec<f64>,
+    /// The plane of all rows; where there is none, each row has its own straight line, fitted when it is read.
+    common: Option<Plane>,
+}
+
+/// A plane in two parts, so that an offset or slope a million times the roughness costs no digits.
+///
+/// The coarse part has slopes of so few bits that their products with an index are exact; what is left after subtracting
+/// it has the size of the roughness, and the fine part is the least-squares plane through that, about its centre.
+#[derive(Clone, Copy)]
+struct Plane {
+    pivot_m: f64,
+    coarse: [f64; 2],
+    level_m: f64,
+    fine: [f64; 2],
+    centre: [f64; 2],
+}
+
+impl Trend {
+    pub(crate) fn of_map(map: &HeightMap, detrend: Detrend) -> Self {
+        let sloped = match detrend {
+            Detrend::Mean => Some([false, false]),
+            Detrend::Line => None,
+            Detrend::Plane => Some([true, true]),
+        };
+        Self::new(map.heights_m(), map.columns(), sloped)
+    }
+
+    pub(crate) fn of_line(heights_m: &[f64], detrend: Detrend) -> Self {
+        Self::new(heights_m, heights_m.len(), Some([detrend != Detrend::Mean, false]))
+    }
+
+    fn new(heights_m: &[f64], columns: usize, sloped: Option<[bool; 2]>) -> Self {
+        let index: Vec<f64> = (0..columns).map(|column| column as f64).collect();
+        let common = sloped.map(|sloped| Plane::fit(heights_m, &index, sloped));
+        Self { index, common }
+    }
+
+    /// What is left of a row, each height times its factor, written into `rest_m`; all three of the length of a row.
+    pub(crate) fn subtract(
+        &self,
+        row: usize,
+        heights_m: &[f64],
+        factors: &[f64],
+        rest_m: &mut [f64],
+    ) -> Spread {
+        let (plane, row) = match self.common {
+            Some(plane) => (plane, row),
+            None => (Plane::fit(heights_m, &self.index, [true, false]), 0),
+        };
+        let row_m = row as f64 * plane.coarse[1];
+        let level_m = plane.level_m + plane.fine[1] * (row as f64 - plane.centre[1]);
+        Spread::of_mapped([heights_m, &self.index, factors], rest_m, |[height_m, column, factor]| {
+            let coarse_m = ((height_m - plane.pivot_m) - row_m) - column * plane.coarse[0];
+            (coarse_m - (level_m + plane.fine[0] * (column - plane.centre[0]))) * factor
+        })
+    }
+}
+
+impl Plane {
+    /// The least-squares plane through rows as long as `index`, sloped along x and along y where asked for.
+    fn fit(heights_m: &[f64], index: &[f64], sloped: [bool; 2]) -> Self {
+        let columns = index.len();
+        let rows = heights_m.len() / columns;
+        let pivot_m = heights_m[0];
+        let corner_slope = |sloped: bool, corner: usize, steps: usize| {
+            if sloped && steps > 0 { (heights_m[corner] - pivot_m) / steps as f64 } else { 0.0 }
+        };
+        let slopes = [
+            corner_slope(sloped[0], columns - 1, columns - 1),
+            corner_slope(sloped[1], (rows - 1) * columns, rows - 1),
+        ];
+        let coarse = Self {
+            pivot_m,
+            coarse: with_exact_products(slopes, [columns, rows]),
+            level_m: 0.0,
+            fine: [0.0; 2],
+            centre: [columns, rows].map(|points| (points - 1) as f64 / 2.0),
+        };
+        coarse.refined(heights_m, index, sloped)
+    }
+
+    fn refined(mut self, heights_m: &[f64], index: &[f64], sloped: [bool; 2]) -> Self {
+        let (columns, rows) = (index.len(), heights_m.len() / index.len());
+        let x: Vec<f64> = index.iter().map(|column| column - self.centre[0]).collect();
+        let (mut row_sums_m, mut row_tilts_m) = (vec![0.0; rows], vec![0.0; rows]);
+        for (row, heights_m) in heights_m.chunks_exact(columns).enumerate() {
+            let row_m = row as f64 * self.coarse[1];
+            let rest_m = |height_m, column| ((height_m - self.pivot_m) - row_m) - column * self.coarse[0];
+            [row_sums_m[row], row_tilts_m[row]] = sums_of(heights_m, index, |height_m, column| {
+                let rest_m = rest_m(height_m, column);
+                [rest_m, rest_m * (column - self.centre[0])]
+            });
+        }
+        let same = |value: f64| value;
+        self.level_m = sum_of(&row_sums_m, same) / heights_m.len() as f64;
+        if sloped[0] {
+            self.fine[0] = sum_of(&row_tilts_m, same) / (rows as f64 * sum_of(&x, |x| x * x));
+        }
+        if sloped[1] {
+            let y: Vec<f64> = (0..rows).map(|row| row as f64 - self.centre[1]).collect();
+            self.fine[1] = dot(&y, &row_sums_m) / (columns as f64 * sum_of(&y, |y| y * y));
+        }
+        self
+    }
+}
+
+/// The slopes rounded so that products with indices below `points`, and sums of both, are exact.
+fn with_exact_products(slopes: [f64; 2], points: [usize; 2]) -> [f64; 2] {
+    let largest = slopes[0].abs() * points[0] as f64 + slopes[1].abs() * points[1] as f64;
+    let unit = 2f64.powi(largest.log2().ceil().max(-900.0) as i32 - 52);
+    slopes.map(|slope| (slope / unit).round() * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Heights on a coarse binary grid, so that adding a large plane to them is exact.
+    fn dyadic(points: usize) -> Vec<f64> {
+        (0..points).map(|i| ((i * i * 37 + i * 11) % 1009) as f64 / 1024.0 - 0.5).collect()
+    }
+
+    fn rest(heights: &[f64], columns: usize, detrend: Detrend) -> Vec<f64> {
+        let map = HeightMap::new(columns, 1.0, 1.0, heights.to_vec()).unwrap();
+        let trend = Trend::of_map(&map, detrend);
+        let mut rest = vec![0.0; heights.len()];
+        let rows = heights.chunks(columns).zip(rest.chunks_mut(columns));
+        rows.enumerate().for_each(|(row, (heights, rest))| {
+            trend.subtract(row, heights, &vec![1.0; columns], rest);
+        });
+        rest
+    }
+
+    #[test]
+    fn an_offset_and_slopes_a_million_times_the_roughness_cost_no_digits() {
+        let (columns, rows) = (64, 48);
+        let rough = dyadic(columns * rows);
+        for (detrend, slope) in [(Detrend::Mean, 0.0), (Detrend::Line, 12345.0), (Detrend::Plane, 12345.0)] {
+            let plane = |i: usize| 1e6 + slope * (i % columns) as f64 - slope * 0.75 * (i / columns) as f64;
+            let tilted: Vec<f64> = rough.iter().enumerate().map(|(i, h)| h + plane(i)).collect();
+            let expected = rest(&rough, columns, detrend);
+            for (expected, found) in expected.iter().zip(rest(&tilted, columns, detrend)) {
+                assert!((expected - found).abs() < 1e-14, "{detrend}: {expected} against {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_left_has_neither_mean_nor_slope() {
+        let (columns, rows) = (31, 20);
+        let rest = rest(&dyadic(columns * rows), columns, Detrend::Plane);
+        let moment = |weight: &dyn Fn(usize) -> f64| -> f64 {
+            rest.iter().enumerate().map(|(i, h)| weight(i) * h).sum::<f64>() / rest.len() as f64
+        };
+        assert!(moment(&|_| 1.0).abs() < 1e-15);
+        assert!(moment(&|i| (i % columns) as f64 - 15.0).abs() < 1e-14);
+        assert!(moment(&|i| (i / columns) as f64 - 9.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_flat_line_leaves_zeros() {
+        for heights in [[3.0; 5], [0.0; 5]] {
+            let mut rest = [1.0; 5];
+            Trend::of_line(&heights, Detrend::Line).subtract(0, &heights, &[1.0; 5], &mut rest);
+            assert_eq!(rest, [0.0; 5]);
+        }
+    }
+}

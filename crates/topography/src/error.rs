@@ -1,0 +1,36 @@
+//! What can be asked of a spectrum that it does not hold.
+
+use spectrum::PsdError;
+use thiserror::Error;
+
+/// A request no spectrum can be made from.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum TransformError {
+    /// A limit of the reliable band that is no finite length above 0.
+    #[error("limiting the band of a scan: the {what} is {value} m, it must be finite and above 0")]
+    BadLimit {
+        /// Which limit.
+        what: &'static str,
+        /// Its value in m.
+        value: f64,
+    },
+    /// No bin between the flagged ones and the shortest reliable wavelength.
+    #[error(
+        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {shortest_m} m, the \
+         shortest reliable wavelength, and {longest_m} m, the longest; take a longer scan, or a smaller tip radius or \
+         limit"
+    )]
+    NothingReliable {
+        /// Shortest reliable wavelength in m.
+        shortest_m: f64,
+        /// Wavelength in m of the first bin not flagged.
+        longest_m: f64,
+    },
+    /// Heights so large that their squares overflow.
+    #[error("taking the reliable part of a spectrum: {0}")]
+    Overflow(#[from] PsdError),
+    /// A composite of nothing.
+    #[error("averaging spectra: the number of measurements is 0, it must be at least 1")]
+    NoMeasurements,
+}

@@ -1,0 +1,164 @@
+//! The spectrum of lines on the bins of their own length.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use crate::band::ReliableBand;
+use crate::derivatives::RmsDerivatives;
+use crate::error::TransformError;
+use crate::sums::dot;
+use spectrum::ProfilePsd;
+
+/// The spectrum C1D in m^3 at q = 2 pi n/L, n = 1, 2, ..., of one line or averaged over the lines of a map:
+/// C1D = |h~|^2/L, h~(q) = Int h e^(-iqx) dx.
+///
+/// q = 0 is left out, so (1/pi) Sum C1D dq is the variance of the prepared heights about their mean; of evenly spaced
+/// points of an even number the last bin, at their Nyquist wavevector, counts half.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LineSpectrum {
+    pub(crate) length_m: f64,
+    pub(crate) spacing_m: Option<f64>,
+    pub(crate) c1d_m3: Vec<f64>,
+    pub(crate) ends_at_nyquist: bool,
+    pub(crate) variance_m2: f64,
+    pub(crate) lines: usize,
+    pub(crate) flagged_bins: usize,
+}
+
+/// Which derivative the spectrum stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DerivativeOf {
+    /// That of the continuous surface: the factors q^2 and q^4.
+    Continuum,
+    /// Differences of neighbouring points a apart: (2 sin(qa/2)/a)^2 and its square.
+    Differences,
+}
+
+impl LineSpectrum {
+    /// Length L of the period in m; the first bin is at q = 2 pi/L.
+    pub fn length_m(&self) -> f64 {
+        self.length_m
+    }
+
+    /// Distance in m of neighbouring points; `None` where it is uneven.
+    pub fn spacing_m(&self) -> Option<f64> {
+        self.spacing_m
+    }
+
+    /// The values in m^3, from the bin n = 1 on; 0 where the lines do not contain a wavelength at all.
+    pub fn c1d_m3(&self) -> &[f64] {
+        &self.c1d_m3
+    }
+
+    /// The wavevector in rad/m of each value.
+    pub fn wavevectors_rad_per_m(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
+        (0..self.c1d_m3.len()).map(|bin| TAU * (bin + 1) as f64 / self.length_m)
+    }
+
+    /// The wavelength in m of each value, from long to short.
+    pub fn wavelengths_m(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
+        (0..self.c1d_m3.len()).map(|bin| self.length_m / (bin + 1) as f64)
+    }
+
+    /// How many lines were averaged: one, or the rows of the map.
+    pub fn lines(&self) -> usize {
+        self.lines
+    }
+
+    /// How many of the first bins do not show the spectrum of the surface, see
+    /// [`Preparation::flagged_bins`](crate::Preparation::flagged_bins).
+    pub fn flagged_bins(&self) -> usize {
+        self.flagged_bins
+    }
+
+    /// Variance in m^2 of the prepared heights in real space: detrended, windowed, each line about its own mean.
+    pub fn variance_m2(&self) -> f64 {
+        self.variance_m2
+    }
+
+    /// The same from the spectrum, (1/pi) Sum C1D dq in m^2.
+    pub fn spectral_variance_m2(&self) -> f64 {
+        self.moment(|_| 1.0)
+    }
+
+    /// Spectral over real variance; 1 for a surface without heights.
+    ///
+    /// Evenly spaced points: 1 to rounding, by Parseval's theorem. Unevenly spaced ones: the share of the variance at the
+    /// wavelengths of the spectrum, the rest lies below its shortest one.
+    pub fn parseval_share(&self) -> f64 {
+        let spectral_m2 = self.spectral_variance_m2();
+        if spectral_m2 == self.variance_m2 { 1.0 } else { spectral_m2 / self.variance_m2 }
+    }
+
+    /// Whether the bin at q = 2 pi/L holds more than the rounding of the whole variance.
+    pub fn holds_fundamental(&self) -> bool {
+        let variance_m2 = 2.0 / self.length_m * self.c1d_m3[0];
+        variance_m2 > self.variance_m2 * (64.0 * f64::EPSILON).powi(2)
+    }
+
+    /// Root mean square slope and curvature along the lines, of all bins; `None` for differences where the spacing is
+    /// uneven.
+    pub fn rms_derivatives(&self, of: DerivativeOf) -> Option<RmsDerivatives> {
+        let squared_factor = |q_rad_per_m: f64| match of {
+            DerivativeOf::Continuum => Some(q_rad_per_m * q_rad_per_m),
+            DerivativeOf::Differences => {
+                let spacing_m = self.spacing_m?;
+                Some((2.0 * (0.5 * q_rad_per_m * spacing_m).sin() / spacing_m).powi(2))
+            }
+        };
+        squared_factor(1.0)?;
+        let factor = |q_rad_per_m| squared_factor(q_rad_per_m).unwrap_or(0.0);
+        Some(RmsDerivatives {
+            slope: self.moment(factor).sqrt(),
+            curvature_per_m: Some(self.moment(|q_rad_per_m| factor(q_rad_per_m).powi(2)).sqrt()),
+        })
+    }
+
+    /// (1/pi) Sum factor(q) C1D dq.
+    fn moment(&self, factor: impl Fn(f64) -> f64) -> f64 {
+        let mut factors: Vec<f64> = self.wavevectors_rad_per_m().map(factor).collect();
+        if let (true, Some(last)) = (self.ends_at_nyquist, factors.last_mut()) {
+            *last *= 0.5;
+        }
+        2.0 / self.length_m * dot(&factors, &self.c1d_m3)
+    }
+
+    /// The bins that show the surface: inside the band, not flagged, and above 0.
+    ///
+    /// # Errors
+    /// [`TransformError::NothingReliable`] where there are none, [`TransformError::Overflow`] for heights beyond all measure.
+    pub fn profile(&self, band: &ReliableBand) -> Result<ProfilePsd, TransformError> {
+        let samples = self.wavelengths_m().zip(self.c1d_m3.iter().copied()).skip(self.flagged_bins);
+        let (wavelengths_m, c1d_m3): (Vec<_>, Vec<_>) =
+            samples.filter(|&(wavelength_m, c1d_m3)| band.contains(wavelength_m) && c1d_m3 > 0.0).unzip();
+        if wavelengths_m.is_empty() {
+            let longest_m = self.length_m / (self.flagged_bins + 1) as f64;
+            return Err(TransformError::NothingReliable { shortest_m: band.shortest_m, longest_m });
+        }
+        Ok(ProfilePsd::new(wavelengths_m, c1d_m3)?)
+    }
+
+    /// The spectrum from Sum |F|^2 over `lines` lines of unnormalised transforms from n = 1 on, and the sum over them of
+    /// the mean squared deviations.
+    pub(crate) fn of_even_spacing(
+        spacing_m: f64,
+        points: usize,
+        lines: usize,
+        power_m2: Vec<f64>,
+        variances_m2: f64,
+        flagged_bins: usize,
+    ) -> Self {
+        // (L/N)^2 |F|^2/L, averaged over the lines.
+        let unit_m = spacing_m / (points as f64 * lines as f64);
+        Self {
+            length_m: spacing_m * points as f64,
+            spacing_m: Some(spacing_m),
+            c1d_m3: power_m2.into_iter().map(|power_m2| unit_m * power_m2).collect(),
+            ends_at_nyquist: points.is_multiple_of(2),
+            variance_m2: variances_m2 / lines as f64,
+            lines,
+            flagged_bins,
+        }
+    }
+}

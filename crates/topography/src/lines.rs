@@ -1,0 +1,128 @@
+//! The transform of evenly spaced lines, and of maps line by line.
+
+use std::sync::Arc;
+
+use realfft::num_complex::Complex;
+use realfft::{RealFftPlanner, RealToComplex};
+
+use crate::Preparation;
+use crate::detrend::Trend;
+use crate::line::LineSpectrum;
+use crate::sums::Spread;
+use scans::{HeightMap, UniformLineScan};
+
+/// Rows of a block: small enough to spread over threads, large enough that a block outweighs handing it over.
+pub(crate) const BLOCK_ROWS: usize = 64;
+
+/// The spectrum C1D of evenly spaced heights.
+pub fn uniform_line_spectrum(scan: &UniformLineScan, preparation: Preparation) -> LineSpectrum {
+    let heights_m = scan.heights_m();
+    let trend = Trend::of_line(heights_m, preparation.detrend);
+    let mut transform = RowTransform::new(heights_m.len(), preparation);
+    let variance_m2 = transform.run(&trend, 0, heights_m).variance();
+    let power_m2 = transform.output.iter().skip(1).map(|value| value.norm_sqr()).collect();
+    let flagged_bins = preparation.flagged_bins();
+    LineSpectrum::of_even_spacing(scan.spacing_m(), heights_m.len(), 1, power_m2, variance_m2, flagged_bins)
+}
+
+/// The mean of the spectra C1D of the rows of a map, one row after the other.
+pub fn map_line_spectrum(map: &HeightMap, preparation: Preparation) -> LineSpectrum {
+    let lines = MapLines::new(map, preparation);
+    let sums: Vec<LineSums> = (0..lines.blocks()).map(|block| lines.block(block)).collect();
+    lines.spectrum(&sums)
+}
+
+/// The rows of a map in blocks, which may be transformed in any order and on any number of threads: their sums are added in
+/// the order of the map, so every digit of the spectrum is the same.
+pub struct MapLines<'a> {
+    map: &'a HeightMap,
+    preparation: Preparation,
+    trend: Trend,
+    transform: RowTransform,
+}
+
+/// What a block of rows adds to the spectrum of a map.
+#[derive(Clone, Debug)]
+pub struct LineSums {
+    power_m2: Vec<f64>,
+    variances_m2: f64,
+}
+
+impl<'a> MapLines<'a> {
+    /// Fits the trend and plans the transform.
+    pub fn new(map: &'a HeightMap, preparation: Preparation) -> Self {
+        let trend = Trend::of_map(map, preparation.detrend);
+        Self { map, preparation, trend, transform: RowTransform::new(map.columns(), preparation) }
+    }
+
+    /// How many blocks there are.
+    pub fn blocks(&self) -> usize {
+        self.map.rows().div_ceil(BLOCK_ROWS)
+    }
+
+    /// The sums of a block, counted from 0; nothing for blocks beyond the last.
+    pub fn block(&self, block: usize) -> LineSums {
+        let columns = self.map.columns();
+        let mut transform = self.transform.clone();
+        let mut sums = LineSums { power_m2: vec![0.0; columns / 2], variances_m2: 0.0 };
+        for (row, heights_m) in rows_of_block(self.map, block) {
+            sums.variances_m2 += transform.run(&self.trend, row, heights_m).variance();
+            for (power_m2, value) in sums.power_m2.iter_mut().zip(&transform.output[1..]) {
+                *power_m2 += value.norm_sqr();
+            }
+        }
+        sums
+    }
+
+    /// The spectrum from the sums of all blocks, in their order.
+    pub fn spectrum(&self, sums: &[LineSums]) -> LineSpectrum {
+        let columns = self.map.columns();
+        let mut power_m2 = vec![0.0; columns / 2];
+        for sums in sums {
+            power_m2.iter_mut().zip(&sums.power_m2).for_each(|(total, part)| *total += part);
+        }
+        let variances_m2 = sums.iter().map(|sums| sums.variances_m2).sum();
+        let (spacing_m, rows) = (self.map.spacing_x_m(), self.map.rows());
+        let flagged_bins = self.preparation.flagged_bins();
+        LineSpectrum::of_even_spacing(spacing_m, columns, rows, power_m2, variances_m2, flagged_bins)
+    }
+}
+
+/// The rows of a block with their numbers.
+pub(crate) fn rows_of_block(map: &HeightMap, block: usize) -> impl Iterator<Item = (usize, &[f64])> {
+    let rows = map.heights_m().chunks_exact(map.columns()).enumerate();
+    rows.skip(block * BLOCK_ROWS).take(BLOCK_ROWS)
+}
+
+/// Detrends, windows and transforms one row after the other.
+#[derive(Clone)]
+pub(crate) struct RowTransform {
+    factors: Vec<f64>,
+    plan: Arc<dyn RealToComplex<f64>>,
+    input: Vec<f64>,
+    scratch: Vec<Complex<f64>>,
+    /// The transform of the last row, n = 0, 1, ..., columns/2, not normalised.
+    pub(crate) output: Vec<Complex<f64>>,
+}
+
+impl RowTransform {
+    pub(crate) fn new(columns: usize, preparation: Preparation) -> Self {
+        let plan = RealFftPlanner::new().plan_fft_forward(columns);
+        Self {
+            factors: preparation.window.factors(columns),
+            input: plan.make_input_vec(),
+            scratch: plan.make_scratch_vec(),
+            output: plan.make_output_vec(),
+            plan,
+        }
+    }
+
+    /// Transforms a row and returns the spread in m of what was transformed.
+    pub(crate) fn run(&mut self, trend: &Trend, row: usize, heights_m: &[f64]) -> Spread {
+        let spread = trend.subtract(row, heights_m, &self.factors, &mut self.input);
+        self.plan
+            .process_with_scratch(&mut self.input, &mut self.output, &mut self.scratch)
+            .expect("the buffers come from the plan");
+        spread
+    }
+}

@@ -1,0 +1,194 @@
+//! The transform of unevenly spaced heights joined by straight lines, without resampling.
+
+use std::f64::consts::{PI, TAU};
+
+use rustfft::num_complex::Complex;
+
+use crate::Preparation;
+use crate::detrend::Detrend;
+use crate::line::LineSpectrum;
+use crate::segment::{mean_over_unit, sinc_and_derivative};
+use crate::sums::sum_of;
+use crate::window::Window;
+use scans::NonuniformLineScan;
+
+/// Wavevectors for which a phase is carried on by multiplication before it is computed anew: its error stays below
+/// 2e-15.
+const PHASE_STEPS: usize = 16;
+
+/// The spectrum C1D of heights at uneven positions, at q = 2 pi n/L up to pi over the mean spacing.
+///
+/// The profile is the heights joined by straight lines; the transform of it, and of its product with the Hann window, is
+/// exact: the window is three harmonics, so the product's transform at n is a combination of the profile's at n - 1, n and
+/// n + 1. L is the distance from the first to the last point. On evenly spaced data C1D is sinc^4(q dx/2) times that of
+/// [`uniform_line_spectrum`](crate::uniform_line_spectrum), the effect of the straight lines, plus a small difference in
+/// the window.
+///
+/// Detrending minimises the integral of the square along the profile, not the sum over its points. The work is that of
+/// points x wavevectors.
+pub fn nonuniform_line_spectrum(scan: &NonuniformLineScan, preparation: Preparation) -> LineSpectrum {
+    nonuniform_line_spectrum_to(scan, preparation, (scan.heights_m().len() - 1) / 2)
+}
+
+/// The same with another number of bins, at least 1.
+///
+/// Bins beyond pi over the mean spacing show the corners of the straight lines, q^-4, rather than the surface; with more
+/// and more of them [`LineSpectrum::parseval_share`] tends to 1.
+pub fn nonuniform_line_spectrum_to(
+    scan: &NonuniformLineScan,
+    preparation: Preparation,
+    bins: usize,
+) -> LineSpectrum {
+    let bins = bins.max(1);
+    let profile = Profile::of(scan, preparation.detrend);
+    let plain = profile.transforms(bins + 2);
+    let transform = |n: usize| match preparation.window {
+        Window::None => plain[n],
+        Window::Hann => hann_amplitude() * (plain[n] - 0.5 * (plain[n + 1] + before(&plain, n))),
+    };
+    LineSpectrum {
+        length_m: profile.length_m,
+        spacing_m: None,
+        c1d_m3: (1..=bins).map(|n| transform(n).norm_sqr() / profile.length_m).collect(),
+        ends_at_nyquist: false,
+        variance_m2: profile.variance_m2(preparation.window, transform(0).re / profile.length_m),
+        lines: 1,
+        flagged_bins: preparation.flagged_bins(),
+    }
+}
+
+/// The slope of the trend of a scan.
+pub(crate) fn fitted_slope(scan: &NonuniformLineScan) -> f64 {
+    Profile::of(scan, Detrend::Mean).slope()
+}
+
+/// The transform at n - 1; at -1 it is the conjugate of that at 1.
+fn before(transforms: &[Complex<f64>], n: usize) -> Complex<f64> {
+    if n == 0 { transforms[1].conj() } else { transforms[n - 1] }
+}
+
+/// The factor of 1 - cos(2 pi x/L) that makes the mean square of the window 1.
+fn hann_amplitude() -> f64 {
+    (2.0 / 3.0f64).sqrt()
+}
+
+/// A detrended profile, its positions counted from its first point.
+struct Profile {
+    positions_m: Vec<f64>,
+    heights_m: Vec<f64>,
+    length_m: f64,
+}
+
+/// A straight piece of a profile.
+struct Segment {
+    start_m: f64,
+    length_m: f64,
+    heights_m: [f64; 2],
+}
+
+impl Profile {
+    fn of(scan: &NonuniformLineScan, detrend: Detrend) -> Self {
+        let (origin_m, pivot_m) = (scan.positions_m()[0], scan.heights_m()[0]);
+        let mut profile = Self {
+            positions_m: scan.positions_m().iter().map(|position_m| position_m - origin_m).collect(),
+            heights_m: scan.heights_m().iter().map(|height_m| height_m - pivot_m).collect(),
+            length_m: scan.length_m(),
+        };
+        // The second time the trend is as small as the roughness, and its rounding with it.
+        profile.subtract_trend(detrend);
+        profile.subtract_trend(detrend);
+        profile
+    }
+
+    fn subtract_trend(&mut self, detrend: Detrend) {
+        let level_m = self.integral(|segment| segment.length_m * segment.mean_m()) / self.length_m;
+        let middle_m = 0.5 * self.length_m;
+        let slope = if detrend == Detrend::Mean { 0.0 } else { self.slope() };
+        for (height_m, position_m) in self.heights_m.iter_mut().zip(&self.positions_m) {
+            *height_m = (-slope).mul_add(position_m - middle_m, *height_m - level_m);
+        }
+    }
+
+    /// The slope of the straight line nearest the profile.
+    fn slope(&self) -> f64 {
+        let first_moment_m3 = self.integral(|segment| {
+            let lever_m = segment.start_m + 0.5 * (segment.length_m - self.length_m);
+            segment.length_m * (lever_m * segment.mean_m() + segment.length_m * segment.rise_m() / 12.0)
+        });
+        12.0 * first_moment_m3 / self.length_m.powi(3)
+    }
+
+    fn segments(&self) -> impl Iterator<Item = Segment> {
+        self.positions_m.windows(2).zip(self.heights_m.windows(2)).map(|(positions_m, heights_m)| Segment {
+            start_m: positions_m[0],
+            length_m: positions_m[1] - positions_m[0],
+            heights_m: [heights_m[0], heights_m[1]],
+        })
+    }
+
+    fn integral(&self, of_segment: impl Fn(&Segment) -> f64) -> f64 {
+        let parts: Vec<f64> = self.segments().map(|segment| of_segment(&segment)).collect();
+        sum_of(&parts, |part| part)
+    }
+
+    /// Int h e^(-iqx) dx at q = 2 pi n/L for the first `count` n from 0 on.
+    fn transforms(&self, count: usize) -> Vec<Complex<f64>> {
+        let mut sums = vec![Complex::default(); count];
+        for segment in self.segments() {
+            let turns = (segment.start_m + 0.5 * segment.length_m) / self.length_m;
+            let step = phase(1.0, turns);
+            let half_angle = PI * (segment.length_m / self.length_m);
+            let (mean, half_rise) =
+                (segment.length_m * segment.mean_m(), 0.5 * segment.length_m * segment.rise_m());
+            for (chunk, sums) in sums.chunks_mut(PHASE_STEPS).enumerate() {
+                let first = chunk * PHASE_STEPS;
+                let mut carried = phase(first as f64, turns);
+                for (n, sum) in (first..).zip(sums) {
+                    let (sinc, derivative) = sinc_and_derivative(n as f64 * half_angle);
+                    *sum += carried * Complex::new(mean * sinc, half_rise * derivative);
+                    carried *= step;
+                }
+            }
+        }
+        sums
+    }
+
+    /// The variance of the windowed profile about its mean, its integral taken exactly.
+    fn variance_m2(&self, window: Window, mean_m: f64) -> f64 {
+        let squares = self.integral(|segment| {
+            let height_m = |fraction: f64| segment.heights_m[0] + fraction * segment.rise_m();
+            let mean_square_m2 = match window {
+                Window::None => mean_over_unit(1, |fraction| (height_m(fraction) - mean_m).powi(2)),
+                Window::Hann => {
+                    let angle = TAU * (segment.length_m / self.length_m);
+                    mean_over_unit((2.0 * angle).ceil().max(1.0) as usize, |fraction| {
+                        let x_m = segment.start_m + fraction * segment.length_m;
+                        // 1 - cos(2 pi x/L) without cancellation at the ends
+                        let factor = hann_amplitude() * 2.0 * (PI * (x_m / self.length_m)).sin().powi(2);
+                        (factor * height_m(fraction) - mean_m).powi(2)
+                    })
+                }
+            };
+            segment.length_m * mean_square_m2
+        });
+        squares / self.length_m
+    }
+}
+
+impl Segment {
+    fn mean_m(&self) -> f64 {
+        0.5 * (self.heights_m[0] + self.heights_m[1])
+    }
+
+    fn rise_m(&self) -> f64 {
+        self.heights_m[1] - self.heights_m[0]
+    }
+}
+
+/// e^(-2 pi i n t): whole turns are removed from the exact product, so that a large n costs no digits.
+fn phase(n: f64, turns: f64) -> Complex<f64> {
+    let product = n * turns;
+    let part = (product - product.round()) + n.mul_add(turns, -product);
+    let (sin, cos) = (TAU * part).sin_cos();
+    Complex::new(cos, -sin)
+}

@@ -1,0 +1,101 @@
+//! The two-dimensional spectrum of a map, averaged over directions.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use crate::band::ReliableBand;
+use crate::error::TransformError;
+use crate::sums::sum_of;
+use spectrum::{Convention, Psd};
+
+/// The two-dimensional spectrum C2D = |h~|^2/(Lx Ly) in m^4 of a map in rings of width dq = 2 pi/max(Lx, Ly).
+///
+/// The ring k = 1, 2, ... gathers the modes with k - 1/2 <= q/dq < k + 1/2; every mode but q = 0 is in one, so that
+/// Sum C2D/(Lx Ly) over all of them is the variance of the prepared heights. Rings beyond the smaller Nyquist wavevector
+/// of the two directions are cut by the edge of the sampled rectangle: they belong to the variance, not to the spectrum.
+/// Where sides or pixels differ so much that this made more than a million rings, they are as much wider.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ArealSpectrum {
+    pub(crate) sizes_m: [f64; 2],
+    pub(crate) nyquist_rad_per_m: f64,
+    pub(crate) bins: Vec<RadialBin>,
+    pub(crate) variance_m2: f64,
+    pub(crate) flagged_bins: usize,
+}
+
+/// The modes of a ring, those at q and at -q both counted.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RadialBin {
+    /// Mean magnitude in rad/m of the wavevectors of the modes.
+    pub wavevector_rad_per_m: f64,
+    /// How many modes there are, at least 1.
+    pub modes: u64,
+    /// Sum of C2D over the modes in m^4.
+    pub sum_m4: f64,
+}
+
+impl RadialBin {
+    /// The radial mean Ciso in m^4.
+    pub fn ciso_m4(&self) -> f64 {
+        self.sum_m4 / self.modes as f64
+    }
+}
+
+impl ArealSpectrum {
+    /// The rings that hold a mode, from long to short wavelengths.
+    pub fn bins(&self) -> &[RadialBin] {
+        &self.bins
+    }
+
+    /// Sizes Lx and Ly of the period in m.
+    pub fn sizes_m(&self) -> [f64; 2] {
+        self.sizes_m
+    }
+
+    /// The smaller of the Nyquist wavevectors of the two directions in rad/m: rings beyond it are incomplete.
+    pub fn nyquist_rad_per_m(&self) -> f64 {
+        self.nyquist_rad_per_m
+    }
+
+    /// How many of the first rings do not show the spectrum of the surface.
+    pub fn flagged_bins(&self) -> usize {
+        self.flagged_bins
+    }
+
+    /// Variance in m^2 of the prepared heights about their mean, in real space.
+    pub fn variance_m2(&self) -> f64 {
+        self.variance_m2
+    }
+
+    /// The same from the spectrum, Sum C2D/(Lx Ly) over all modes but q = 0, in m^2.
+    pub fn spectral_variance_m2(&self) -> f64 {
+        let sums_m4: Vec<f64> = self.bins.iter().map(|bin| bin.sum_m4).collect();
+        sum_of(&sums_m4, |sum_m4| sum_m4) / self.sizes_m[0] / self.sizes_m[1]
+    }
+
+    /// Spectral over real variance, 1 to rounding; 1 for a surface without heights.
+    pub fn parseval_share(&self) -> f64 {
+        let spectral_m2 = self.spectral_variance_m2();
+        if spectral_m2 == self.variance_m2 { 1.0 } else { spectral_m2 / self.variance_m2 }
+    }
+
+    /// Ciso over the rings that show the surface: complete, inside the band, not flagged, and above 0.
+    ///
+    /// # Errors
+    /// [`TransformError::NothingReliable`] where there are fewer than two, [`TransformError::Overflow`] for heights beyond
+    /// all measure.
+    pub fn ciso(&self, band: &ReliableBand) -> Result<Psd, TransformError> {
+        let complete = self.bins.iter().skip(self.flagged_bins).filter(|bin| {
+            bin.wavevector_rad_per_m <= self.nyquist_rad_per_m * (1.0 + 1e-12) && bin.sum_m4 > 0.0
+        });
+        let samples = complete.map(|bin| (TAU / bin.wavevector_rad_per_m, bin.ciso_m4()));
+        let (wavelengths_m, values): (Vec<_>, Vec<_>) =
+            samples.filter(|&(wavelength_m, _)| band.contains(wavelength_m)).unzip();
+        if values.len() < 2 {
+            let longest_m = self.sizes_m[0].max(self.sizes_m[1]) / (self.flagged_bins + 1) as f64;
+            return Err(TransformError::NothingReliable { shortest_m: band.shortest_m, longest_m });
+        }
+        Ok(Psd::new(wavelengths_m, values, Convention::Ciso)?)
+    }
+}

@@ -1,0 +1,145 @@
+//! The wavelength below which the finite radius of a tip shows in a scan.
+
+use scans::{NonuniformLineScan, Scan};
+
+/// The sharpest peak a tip of radius R can trace has the curvature 1/R; artefacts set in at this fraction of it, found on
+/// simulated scans by Sanner et al. (2022).
+const CURVATURE_FRACTION: f64 = 0.5;
+/// Trial steps for each factor of two in the search from long steps to short ones.
+const STEPS_PER_OCTAVE: f64 = 4.0;
+/// Relative width at which the search ends.
+const TOLERANCE: f64 = 1e-9;
+
+/// The wavelength in m below which a tip of radius `tip_radius_m` > 0 has left its mark on a scan; `None` where it has not.
+///
+/// After Sanner, Noehring, Thimons, Jacobs & Pastewka (2022), Appl. Surf. Sci. Adv. 7:100190: the second difference
+/// (h(x+s) - 2 h(x) + h(x-s))/s^2 at the step s, the heights interpolated linearly, must not fall below -1/(2R) anywhere
+/// on the scan lines; the cutoff is the length 2s of the longest stencil that does. Where even s = L/4 does, nothing can be
+/// trusted and the cutoff is the length of the scan. The shortest step is the (mean) distance of neighbouring points.
+///
+/// The search tries four steps in every octave from L/4 down and bisects below the first one that fails; two crossings
+/// closer than that may hide from it.
+pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
+    let lines = Lines::of(scan);
+    let (spacing_m, length_m) = lines.spacing_and_length_m();
+    let fails = |step_m: f64| lines.sharpest_peak_per_m(step_m) < -CURVATURE_FRACTION / tip_radius_m;
+    let mut passing_m = length_m / 4.0;
+    if passing_m <= spacing_m {
+        return None; // four points or fewer: no step to try
+    }
+    if fails(passing_m) {
+        return Some(length_m);
+    }
+    while passing_m > spacing_m {
+        let next_m = (passing_m * 2f64.powf(-1.0 / STEPS_PER_OCTAVE)).max(spacing_m);
+        if fails(next_m) {
+            return Some(2.0 * bisect(next_m, passing_m, fails));
+        }
+        passing_m = next_m;
+    }
+    None
+}
+
+fn bisect(mut failing_m: f64, mut passing_m: f64, fails: impl Fn(f64) -> bool) -> f64 {
+    while passing_m - failing_m > TOLERANCE * passing_m {
+        let middle_m = 0.5 * (failing_m + passing_m);
+        if fails(middle_m) { failing_m = middle_m } else { passing_m = middle_m }
+    }
+    passing_m
+}
+
+enum Lines<'a> {
+    Even { spacing_m: f64, points: usize, heights_m: &'a [f64] },
+    Uneven(&'a NonuniformLineScan),
+}
+
+impl<'a> Lines<'a> {
+    fn of(scan: &'a Scan) -> Self {
+        match scan {
+            Scan::UniformLine(line) => Self::Even {
+                spacing_m: line.spacing_m(),
+                points: line.heights_m().len(),
+                heights_m: line.heights_m(),
+            },
+            Scan::Map(map) => {
+                Self::Even { spacing_m: map.spacing_x_m(), points: map.columns(), heights_m: map.heights_m() }
+            }
+            Scan::NonuniformLine(line) => Self::Uneven(line),
+        }
+    }
+
+    fn spacing_and_length_m(&self) -> (f64, f64) {
+        match self {
+            Self::Even { spacing_m, points, .. } => (*spacing_m, spacing_m * *points as f64),
+            Self::Uneven(line) => (line.mean_spacing_m(), line.length_m()),
+        }
+    }
+
+    /// The smallest second difference at a step in m, in 1/m; infinite where the step fits nowhere.
+    fn sharpest_peak_per_m(&self, step_m: f64) -> f64 {
+        let sharpest_m = match self {
+            Self::Even { spacing_m, points, heights_m } => {
+                let rows = heights_m.chunks_exact(*points);
+                rows.map(|row_m| sharpest_even_m(row_m, step_m / spacing_m)).fold(f64::INFINITY, f64::min)
+            }
+            Self::Uneven(line) => sharpest_uneven_m(line, step_m),
+        };
+        sharpest_m / (step_m * step_m)
+    }
+}
+
+/// The smallest h(i+s) - 2 h(i) + h(i-s) of a row, s >= 1 in points.
+fn sharpest_even_m(heights_m: &[f64], step: f64) -> f64 {
+    let (whole, fraction) = (step.floor() as usize, step.fract());
+    let reach = whole + usize::from(fraction > 0.0);
+    let Some(centres) = heights_m.len().checked_sub(2 * reach).filter(|&centres| centres > 0) else {
+        return f64::INFINITY;
+    };
+    let from = |offset: usize| &heights_m[offset..offset + centres];
+    let (far_left, left) = (from(0), from(reach - whole));
+    let (centre, right, far_right) = (from(reach), from(reach + whole), from(2 * reach));
+    let difference_m = |[far_left, left, centre, right, far_right]: [f64; 5]| {
+        let near_m = (right - centre) + (left - centre);
+        let far_m = (far_right - centre) + (far_left - centre);
+        near_m + fraction * (far_m - near_m)
+    };
+    smallest([far_left, left, centre, right, far_right], difference_m)
+}
+
+/// The smallest value of a function of the values of slices of one length, in lanes that the processor compares together.
+fn smallest<const K: usize>(inputs: [&[f64]; K], value: impl Fn([f64; K]) -> f64) -> f64 {
+    const LANES: usize = 8;
+    let inputs = inputs.map(|input| input.as_chunks::<LANES>());
+    let mut lanes = [f64::INFINITY; LANES];
+    let mut keep = |lane: usize, value: f64| {
+        lanes[lane] = if value < lanes[lane] { value } else { lanes[lane] };
+    };
+    for group in 0..inputs[0].0.len() {
+        let inputs = inputs.map(|(groups, _)| &groups[group]);
+        for lane in 0..LANES {
+            keep(lane, value(inputs.map(|input| input[lane])));
+        }
+    }
+    for lane in 0..inputs[0].1.len() {
+        keep(lane, value(inputs.map(|(_, rest)| rest[lane])));
+    }
+    lanes.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// The smallest h(x+s) - 2 h(x) + h(x-s) over the points x of a scan of uneven spacing, s in m.
+fn sharpest_uneven_m(line: &NonuniformLineScan, step_m: f64) -> f64 {
+    let (positions_m, heights_m) = (line.positions_m(), line.heights_m());
+    let height_at = |position_m: f64| {
+        let end = positions_m.partition_point(|&known_m| known_m < position_m);
+        if end == 0 || end == positions_m.len() {
+            return (end == 0 && position_m == positions_m[0]).then(|| heights_m[0]);
+        }
+        let fraction = (position_m - positions_m[end - 1]) / (positions_m[end] - positions_m[end - 1]);
+        Some(heights_m[end - 1] + fraction * (heights_m[end] - heights_m[end - 1]))
+    };
+    let second_difference_m = |(&position_m, height_m): (&f64, &f64)| {
+        let (left_m, right_m) = (height_at(position_m - step_m)?, height_at(position_m + step_m)?);
+        Some((right_m - height_m) + (left_m - height_m))
+    };
+    positions_m.iter().zip(heights_m).filter_map(second_difference_m).fold(f64::INFINITY, f64::min)
+}

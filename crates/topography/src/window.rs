@@ -1,0 +1,67 @@
+//! The window that makes the ends of data meet which are not periodic.
+
+use std::f64::consts::PI;
+
+use serde::{Deserialize, Serialize};
+
+use units::named;
+
+/// What the heights are multiplied by before they are transformed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Window {
+    /// The periodic Hann window (1 - cos(2 pi x/L))/2 divided by its rms, sqrt(3/8), so that it keeps the power of a
+    /// stationary surface: Jacobs, Junge & Pastewka (2017), Surf. Topogr.: Metrol. Prop. 5:013001.
+    ///
+    /// For a map the product of one along x and one along y: unlike a window of circular symmetry it uses the whole of
+    /// an elongated map, and its rms is the product of the two.
+    #[default]
+    Hann,
+    /// None, for periodic data.
+    None,
+}
+
+named!(Window, "window", { Hann => "hann", None => "none" });
+
+impl Window {
+    /// The factors at `points` >= 2 evenly spaced points of a period; the mean of their squares is 1.
+    pub(crate) fn factors(self, points: usize) -> Vec<f64> {
+        match self {
+            Self::Hann => hann(points),
+            Self::None => vec![1.0; points],
+        }
+    }
+}
+
+fn hann(points: usize) -> Vec<f64> {
+    // The mean of sin^4 is 3/8 where the points resolve cos(4 pi i/N), from 3 on; for 2 it is that of 0 and 1.
+    let rms = if points == 2 { 0.5f64.sqrt() } else { 0.375f64.sqrt() };
+    let factor = |point: usize| {
+        // From the nearer end, where the sine keeps its digits.
+        let steps = point.min(points - point);
+        (PI * steps as f64 / points as f64).sin().powi(2) / rms
+    };
+    (0..points).map(factor).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    #[test]
+    fn every_window_keeps_the_power() {
+        for points in (2..40).chain([97, 1000, 1024]) {
+            for &window in Window::ALL {
+                let sum: f64 = window.factors(points).iter().map(|factor| factor * factor).sum();
+                assert_relative_eq!(sum / points as f64, 1.0, max_relative = 1e-14);
+            }
+        }
+        assert_eq!("hann".parse(), Ok(Window::Hann));
+        assert_eq!(
+            "hamming".parse::<Window>().unwrap_err().to_string(),
+            "reading the window: 'hamming' is none of hann, none"
+        );
+    }
+}

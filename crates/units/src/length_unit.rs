@@ -1,0 +1,238 @@
+//! Units of length: one table, which typed lengths, headers of spectra and files of instruments read.
+
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+use crate::scale::Scale;
+
+/// A unit of length, one of [`LengthUnit::ALL`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct LengthUnit {
+    scale: Scale,
+    name: &'static str,
+    ascii: &'static str,
+    /// Signs in which case counts, beside the name and its plain form: M is mega, A is ampere.
+    signs: &'static [&'static str],
+    /// Words, singular and in lower case, in which it does not.
+    words: &'static [&'static str],
+}
+
+/// A text that names no unit of length.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("'{text}' is no unit of length; write one of {}", LengthUnit::accepted())]
+pub struct UnknownLengthUnit {
+    /// What stands in the place of the unit.
+    pub text: String,
+}
+
+impl LengthUnit {
+    /// The metre.
+    pub const METRE: Self = Self::decimal(0, "m", "m", &[], &["meter", "metre"]);
+    /// The centimetre.
+    pub const CENTIMETRE: Self = Self::decimal(-2, "cm", "cm", &[], &["centimeter", "centimetre"]);
+    /// The millimetre.
+    pub const MILLIMETRE: Self = Self::decimal(-3, "mm", "mm", &[], &["millimeter", "millimetre"]);
+    /// The micrometre; both micro signs are in use.
+    pub const MICROMETRE: Self =
+        Self::decimal(-6, "\u{b5}m", "um", &["\u{3bc}m"], &["micrometer", "micrometre", "micron"]);
+    /// The nanometre.
+    pub const NANOMETRE: Self = Self::decimal(-9, "nm", "nm", &[], &["nanometer", "nanometre"]);
+    /// The angstrom, with the letter or the sign of its own.
+    pub const ANGSTROM: Self = Self::decimal(-10, "\u{c5}", "angstrom", &["\u{212b}"], &["ångström"]);
+    /// The picometre.
+    pub const PICOMETRE: Self = Self::decimal(-12, "pm", "pm", &[], &["picometer", "picometre"]);
+    /// The kilometre.
+    pub const KILOMETRE: Self = Self::decimal(3, "km", "km", &[], &["kilometer", "kilometre"]);
+    /// The inch, 25.4 mm.
+    pub const INCH: Self = Self::inches(-4, "inch", "inch", &["in"], &["inche"]);
+    /// The microinch, 25.4 nm.
+    pub const MICROINCH: Self =
+        Self::inches(-10, "uin", "uin", &["\u{b5}in", "\u{3bc}in"], &["microinch", "microinche"]);
+
+    /// Every unit there is.
+    pub const ALL: [Self; 10] = [
+        Self::METRE,
+        Self::CENTIMETRE,
+        Self::MILLIMETRE,
+        Self::MICROMETRE,
+        Self::NANOMETRE,
+        Self::ANGSTROM,
+        Self::PICOMETRE,
+        Self::KILOMETRE,
+        Self::INCH,
+        Self::MICROINCH,
+    ];
+
+    const fn decimal(
+        decimal_exponent: i32,
+        name: &'static str,
+        ascii: &'static str,
+        signs: &'static [&'static str],
+        words: &'static [&'static str],
+    ) -> Self {
+        Self { scale: Scale::power_of_ten(decimal_exponent), name, ascii, signs, words }
+    }
+
+    /// 254 x 10^`decimal_exponent` m.
+    const fn inches(
+        decimal_exponent: i32,
+        name: &'static str,
+        ascii: &'static str,
+        signs: &'static [&'static str],
+        words: &'static [&'static str],
+    ) -> Self {
+        Self { scale: Scale::decimal(254, decimal_exponent), name, ascii, signs, words }
+    }
+
+    /// The names that messages offer.
+    #[must_use]
+    pub fn accepted() -> String {
+        Self::ALL.map(|unit| unit.name).join(", ")
+    }
+
+    /// The unit that a person means by `nm`, `um`, `µm` with either micro sign, `Å`, `Angstrom`, `microns`, `inch`.
+    ///
+    /// Case counts in signs, where M is mega, but not in words.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let text = text.trim();
+        Self::ALL
+            .into_iter()
+            .find(|unit| unit.signs().any(|sign| sign == text))
+            .or_else(|| Self::of_word(text))
+    }
+
+    /// The same from the file of an instrument, where `A` is the angstrom and `~m` (Nanoscope) the micrometre.
+    #[must_use]
+    pub fn parse_instrument(text: &str) -> Option<Self> {
+        match text.trim() {
+            "~m" => Some(Self::MICROMETRE),
+            "A" => Some(Self::ANGSTROM),
+            text => Self::parse(text),
+        }
+    }
+
+    /// The same where case does not count in signs either: `NM` in the header of a spectrum.
+    #[must_use]
+    pub fn parse_any_case(text: &str) -> Option<Self> {
+        let lower = text.trim().to_lowercase();
+        let is_sign = |unit: &Self| unit.signs().any(|sign| sign.to_lowercase() == lower);
+        Self::ALL.into_iter().find(is_sign).or_else(|| Self::of_word(&lower))
+    }
+
+    fn signs(&self) -> impl Iterator<Item = &'static str> {
+        [self.name, self.ascii].into_iter().chain(self.signs.iter().copied())
+    }
+
+    /// `Micrometers`, `MICRO_METER`, `angstrom`.
+    fn of_word(text: &str) -> Option<Self> {
+        let lower = text.to_lowercase().replace(['_', ' '], "");
+        let singular = lower.strip_suffix('s').unwrap_or(&lower);
+        // Names as short as a sign have no plural and no other case.
+        let is_word =
+            |unit: &Self| unit.words.contains(&singular) || (unit.ascii.len() > 3 && unit.ascii == singular);
+        Self::ALL.into_iter().find(is_word)
+    }
+
+    /// How much of a metre it is.
+    #[must_use]
+    pub const fn scale(self) -> Scale {
+        self.scale
+    }
+
+    /// A length in this unit, in m; of a decimal unit, rounded once.
+    #[must_use]
+    pub fn to_m(self, value: f64) -> f64 {
+        self.scale.to_si(value)
+    }
+
+    /// The name in plain letters: `um`, `angstrom`.
+    #[must_use]
+    pub const fn ascii(self) -> &'static str {
+        self.ascii
+    }
+}
+
+impl FromStr for LengthUnit {
+    type Err = UnknownLengthUnit;
+
+    /// As [`LengthUnit::parse_instrument`]: the unit of a file that says nothing of it is typed in the words of instruments.
+    fn from_str(text: &str) -> Result<Self, UnknownLengthUnit> {
+        Self::parse_instrument(text).ok_or_else(|| UnknownLengthUnit { text: text.to_owned() })
+    }
+}
+
+impl fmt::Display for LengthUnit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_read_in_every_spelling() {
+        for (text, metre) in [
+            ("m", 1.0),
+            ("Meters", 1.0),
+            ("cm", 1e-2),
+            ("mm", 1e-3),
+            ("um", 1e-6),
+            ("\u{b5}m", 1e-6),
+            ("\u{3bc}m", 1e-6),
+            ("~m", 1e-6),
+            ("Micrometer", 1e-6),
+            ("MICRO_METER", 1e-6),
+            ("microns", 1e-6),
+            ("nm", 1e-9),
+            ("NanoMeters", 1e-9),
+            ("A", 1e-10),
+            ("Å", 1e-10),
+            ("å", 1e-10),
+            ("\u{212b}", 1e-10),
+            ("angstrom", 1e-10),
+            ("Ångström", 1e-10),
+            (" pm ", 1e-12),
+            ("km", 1e3),
+            ("in", 0.0254),
+            ("inch", 0.0254),
+            ("Inches", 0.0254),
+            ("uin", 2.54e-8),
+            ("\u{b5}in", 2.54e-8),
+            ("microinches", 2.54e-8),
+        ] {
+            assert_eq!(text.parse::<LengthUnit>().map(|unit| unit.to_m(1.0)), Ok(metre), "{text}");
+        }
+        for text in ["", "V", "Mm", "NM", "furlong", "nm/V", "1/m", "parameters", "s", "In", "UIN", "a"] {
+            assert!(text.parse::<LengthUnit>().is_err(), "{text}");
+        }
+        assert_eq!(LengthUnit::NANOMETRE.to_m(5.65), 5.65e-9);
+        assert_eq!(
+            "ft".parse::<LengthUnit>().unwrap_err().to_string(),
+            "'ft' is no unit of length; write one of m, cm, mm, µm, nm, Å, pm, km, inch, uin"
+        );
+    }
+
+    #[test]
+    fn letters_that_mean_something_else_are_units_only_where_instruments_write_them() {
+        assert_eq!(LengthUnit::parse("A"), None);
+        assert_eq!(LengthUnit::parse("~m"), None);
+        assert_eq!(LengthUnit::parse_any_case("A"), None);
+        assert_eq!(LengthUnit::parse_any_case("NM"), Some(LengthUnit::NANOMETRE));
+        assert_eq!(LengthUnit::parse_any_case("Å"), Some(LengthUnit::ANGSTROM));
+    }
+
+    #[test]
+    fn no_spelling_names_two_units() {
+        for unit in LengthUnit::ALL {
+            for text in unit.signs().chain(unit.words.iter().copied()) {
+                assert_eq!(LengthUnit::parse(text), Some(unit), "{text}");
+                assert_eq!(LengthUnit::parse_any_case(text), Some(unit), "{text}");
+            }
+        }
+    }
+}
