@@ -1,16 +1,15 @@
 //! What a scene does not need is not computed: exact counters, so that a change that does more work fails review.
 
-use std::path::Path;
-
 use insta::assert_debug_snapshot;
 use report::products::Findings;
 use spectrum::{Convention, ProfilePsd, Psd};
+use study::NoFiles;
 use study::plan::{Plan, Work};
 use study::scene::{Overrides, Scene, Template};
 
 fn scene(sections: &str) -> Scene {
     let text = format!("[surface]\npsd = \"builtin:uncd-measured\"\n{sections}");
-    Scene::parse(&text, "counted", Path::new("."), &Overrides::default()).unwrap()
+    Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap()
 }
 
 fn work(sections: &str) -> Work {
@@ -105,7 +104,7 @@ fn the_shipped_scenes_do_this_much_and_no_more() {
 #[test]
 fn the_template_of_a_new_scene_does_this_much_and_no_more() {
     let text = Template::New.text().replace("my_psd.csv", "builtin:uncd-measured");
-    let scene = Scene::parse(&text, "new", Path::new("."), &Overrides::default()).unwrap();
+    let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
     assert_debug_snapshot!(scene.plan().compute().unwrap().work, @r"
     Work {
         moment_cutoffs: 0,

@@ -63,7 +63,7 @@ fn csv_and_json_carry_the_same_doubles() {
     let csv = bench.run(&["amplitude", "builtin:uncd-measured"]).ok();
     let json = bench.run(&["amplitude", "builtin:uncd-measured", "--format", "json"]).ok();
     // The texts, since this parser of JSON rounds numbers twice unless told otherwise.
-    let rows: Vec<indexmap::IndexMap<String, Box<serde_json::value::RawValue>>> =
+    let rows: Vec<std::collections::BTreeMap<String, Box<serde_json::value::RawValue>>> =
         serde_json::from_str(&json).unwrap();
     let from_json: Vec<f64> = rows.iter().map(|row| row["amplitude_m"].get().parse().unwrap()).collect();
     assert_eq!(support::numbers(&csv, "amplitude_m"), from_json);
