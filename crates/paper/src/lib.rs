@@ -10,7 +10,7 @@
 //! assert_eq!(rows.len(), 20);
 //! // The converged real pressure of about 8 H is not what the clamped law gives.
 //! assert_eq!(rows[4].findings[0].1.verdict, Verdict::NotReproduced);
-//! # Ok::<(), cli::failure::Failure>(())
+//! # Ok::<(), study::failure::Failure>(())
 //! ```
 //!
 //! * [`Evidence`]: a scene of the paper with its results;

@@ -1,7 +1,7 @@
 //! Features of curves: where they settle, dip, level off, cross, and how steep they are.
 //!
 //! ```
-//! use cli::features::{convergence, dips, widest_plateau};
+//! use study::features::{convergence, dips, widest_plateau};
 //!
 //! // Area against cutoff, from long to short wavelengths.
 //! let curve = [(1e-4, 0.3), (1e-5, 0.1), (1e-6, 0.15), (1e-7, 0.151), (1e-8, 0.15)];
