@@ -10,7 +10,7 @@
 //! assert_eq!(rows.len(), 20);
 //! // The converged real pressure of about 8 H is not what the clamped law gives.
 //! assert_eq!(rows[4].findings[0].1.verdict, Verdict::NotReproduced);
-//! # Ok::<(), study::failure::Failure>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! * [`Evidence`]: a scene of the paper with its results;
