@@ -93,13 +93,16 @@ impl ElasticSinusoid {
 
     /// The mean pressures \[Pa\] at which the area is not smooth, in rising order.
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
+        self.area_breaks().into_iter()
+    }
+
+    pub(crate) fn area_breaks(&self) -> [Break; 2] {
         let complete = self.complete_contact_pressure_pa;
         let (below, above) = (light_joined(JOINED_UP_TO), heavy_limit(JOINED_UP_TO));
         [
             Break::jump(JOINED_UP_TO * complete, "end of the joined law at 0.8 p*", below, above),
             Break::kink(complete, "complete contact at p*"),
         ]
-        .into_iter()
     }
 
     /// t = (p/p*)^(1/2) and 1 - t, which keeps its digits when p is close to p*; 1 and 0 from there on.

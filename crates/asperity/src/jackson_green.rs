@@ -68,9 +68,13 @@ pub struct JacksonGreen {
     /// C Sy \[Pa\]: the largest pressure at first yield.
     yield_pressure_pa: f64,
     yield_strength_pa: f64,
+    /// Sy/E*.
     strength_over_modulus: f64,
+    /// w_c \[m\].
     critical_interference_m: f64,
+    /// ln(1.9 w_c/R).
     log_onset_over_radius: f64,
+    /// b = 0.14 exp(23 Sy/E*).
     area_exponent: f64,
 }
 
@@ -144,7 +148,7 @@ impl JacksonGreen {
         }
     }
 
-    /// The same at one, without a branch; `over_strength` is the hardness.
+    /// The same at one interference, without a branch; `over_strength` is H_G/Sy at ln(A/(pi R^2)).
     #[inline(always)]
     fn plastic_force_and_area(&self, interference_m: f64, over_strength: impl Fn(f64) -> f64) -> (f64, f64) {
         let log_ratio = self.log_over_onset(interference_m);
@@ -253,7 +257,8 @@ impl JacksonGreen {
             .min(1.0)
     }
 
-    /// The force from the onset on; `log_ratio` is ln(w'/1.9).
+    /// The force \[N\] from the onset on, in logarithms: `log_ratio` is ln(w'/1.9), and `over_strength` gives H_G/Sy at
+    /// ln(A/(pi R^2)), which is ln(1.9 w_c/R) + (1 + b) ln(w'/1.9), held at 0.
     #[inline(always)]
     fn plastic_force_n(
         &self,

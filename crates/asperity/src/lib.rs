@@ -27,6 +27,7 @@
 
 mod bem_sinusoid;
 mod breaks;
+mod elastic_plastic_interference;
 mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
 pub mod elementary;
@@ -37,13 +38,14 @@ mod material;
 mod mean_gap;
 mod monotone_cubic;
 mod nix_gao;
-mod plastic_area;
+mod plastic_flow;
+#[cfg(test)]
+mod samples;
+mod yielding_area;
 
 pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;
-pub use elastic_plastic_sinusoid::{
-    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, FlowPoint, PlasticFlow, YieldingArea,
-};
+pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
 pub use elastic_sinusoid::ElasticSinusoid;
 pub use error::{AsperityError, Bound};
 pub use hertz::Hertz;
@@ -53,3 +55,5 @@ pub use jackson_green::{
 };
 pub use material::{ElasticBody, MaterialPair};
 pub use nix_gao::NixGao;
+pub use plastic_flow::{FlowPoint, PlasticFlow};
+pub use yielding_area::YieldingArea;
