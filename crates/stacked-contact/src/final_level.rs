@@ -45,7 +45,7 @@ impl<'s> FinalLevels<'s> {
         if let Some(&neighbour) = above[visited..].last() {
             descent.pass_flattened(neighbour);
         }
-        let level = descent.pass(&mut Step::new(last));
+        let level = descent.level_below(&mut Step::new(last));
         Some(FinalLevel { level, visited: visited + 1 })
     }
 }

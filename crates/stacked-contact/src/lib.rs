@@ -31,11 +31,13 @@ mod dense_limit;
 mod descent;
 mod final_level;
 mod level;
+mod levels;
 mod model;
 
 pub use convergence::{Convergence, LEAST_WAVELENGTH_RATIO_BELOW, convergence};
 pub use dense_limit::{largest_full_contact_pressure_pa, setting_level};
-pub use descent::{levels, levels_under_loads};
 pub use final_level::{FinalLevel, FinalLevels};
-pub use level::{Level, Regime, Scale};
+pub use level::{Level, Regime};
+pub use levels::{levels, levels_under_loads};
 pub use model::StackedModel;
+pub use units::Scale;
