@@ -75,12 +75,14 @@ pub struct BemSinusoid {
 
 impl BemSinusoid {
     /// A sinusoid of aspect ratio B = Delta/lambda > 0.
+    #[must_use]
     pub fn new(pair: &MaterialPair, aspect_ratio: f64) -> Self {
         let elastic = ElasticSinusoid::new(pair, aspect_ratio);
         BemSinusoid { complete_contact_pressure_pa: elastic.complete_contact_pressure_pa() }
     }
 
     /// Mean pressure p* = sqrt(2) pi E* B \[Pa\] at which the surfaces touch everywhere.
+    #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.complete_contact_pressure_pa
     }
@@ -91,16 +93,19 @@ impl BemSinusoid {
     }
 
     /// Deformation over amplitude h_p/Delta = 1 - g/Delta in (0, 1] at the mean pressure p > 0 \[Pa\].
+    #[must_use]
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
         self.below_complete_contact(pressure_pa).map_or(1.0, |log_x| deformation_and_slope(log_x).0)
     }
 
     /// Deformation over amplitude, and its derivative by ln x, at the mean pressure p* x, ln x < 0.
+    #[must_use]
     pub fn deformation_and_slope(&self, log_x: f64) -> (f64, f64) {
         deformation_and_slope(log_x)
     }
 
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta; p* from w = Delta on.
+    #[must_use]
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         if interference_over_amplitude >= 1.0 {
             return self.complete_contact_pressure_pa;

@@ -21,6 +21,7 @@ struct Pressed {
 impl ElasticPlasticSinusoid {
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and the
     /// elastic-plastic one, since plastic flow can only soften; p*_ep from w = Delta on.
+    #[must_use]
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         self.pressure_at_interference_by_pa(self.gap_exponent(), interference_over_amplitude)
     }
@@ -46,6 +47,7 @@ impl ElasticPlasticSinusoid {
     /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
     /// [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) and [`area_fraction`](Self::area_fraction), at
     /// two thirds of their cost.
+    #[must_use]
     pub fn pressure_and_area_at_interference(&self, interference_over_amplitude: f64) -> (f64, f64) {
         if interference_over_amplitude >= 1.0 {
             return (self.complete_contact_pressure_pa(), 1.0);
@@ -54,6 +56,7 @@ impl ElasticPlasticSinusoid {
     }
 
     /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
+    #[must_use]
     pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
         if !self.can_yield() {
             let pressure_pa = self.elastic_pressure_pa(t);
@@ -74,12 +77,14 @@ impl ElasticPlasticSinusoid {
     /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
     /// in the law x^(A1 x + A2) = t, that the elastic pressure would need, over the one that it has.
     #[inline]
+    #[must_use]
     pub fn flow_margin_at_interference(&self, interference_over_amplitude: f64) -> f64 {
         self.flow_margin_at_power(power_at(interference_over_amplitude))
     }
 
     /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), without a branch.
     #[inline(always)]
+    #[must_use]
     pub fn flow_margin_at_power(&self, t: f64) -> f64 {
         let log_t = elementary::ln(t);
         let log_x = 2.0 * log_t - self.log_softening();
@@ -97,6 +102,7 @@ impl ElasticPlasticSinusoid {
     ///
     /// There is one: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
     /// contact, and the difference of the exponents has a single zero between.
+    #[must_use]
     pub fn flow_onset_pressure_pa(&self) -> Option<f64> {
         self.can_yield().then(|| {
             let log_softening = self.log_softening();

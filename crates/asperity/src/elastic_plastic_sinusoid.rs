@@ -34,6 +34,7 @@ pub struct ElasticPlasticSinusoid {
 impl ElasticPlasticSinusoid {
     /// A sinusoid of aspect ratio B = Delta/lambda > 0 and yield strength Sy > 0 \[Pa\]; an infinite strength is elastic.
     #[inline]
+    #[must_use]
     pub fn new(pair: &MaterialPair, aspect_ratio: f64, yield_strength_pa: f64) -> Self {
         debug_assert!(aspect_ratio > 0.0 && yield_strength_pa > 0.0);
         let slope_pa = pair.composite_modulus_pa() * aspect_ratio;
@@ -53,40 +54,47 @@ impl ElasticPlasticSinusoid {
     }
 
     /// The same sinusoid without its strength.
+    #[must_use]
     pub fn elastic(&self) -> ElasticSinusoid {
         self.elastic
     }
 
     /// Critical aspect ratio B_c = sqrt(2) Sy/(3 pi E*) exp(2 (nu + 1)/3): the von Mises stress under a harmonic
     /// pressure reaches the strength just at complete contact.
+    #[must_use]
     pub fn critical_aspect_ratio(&self) -> f64 {
         self.critical_aspect_ratio
     }
 
     /// r = B/B_c >= 0; at most 1 is elastic, and above
     /// [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`] results are not to be trusted.
+    #[must_use]
     pub fn aspect_ratio_over_critical(&self) -> f64 {
         self.aspect_ratio_over_critical
     }
 
     /// Mean pressure of complete contact \[Pa\]: p*_ep = p* (11/(4 r + 7))^(3/5) for r > 1, else p*. The area is complete
     /// at [`flattening_pressure_pa`](Self::flattening_pressure_pa) already.
+    #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.softened_pressure_pa(self.log_softening())
     }
 
     /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It counts only
     /// where r > 1.
+    #[must_use]
     pub fn critical_pressure_pa(&self) -> f64 {
         self.critical_pressure_pa
     }
 
     /// Whether the sinusoid yields anywhere at the mean pressure p \[Pa\].
+    #[must_use]
     pub fn yields_at(&self, pressure_pa: f64) -> bool {
         self.can_yield() && pressure_pa > self.critical_pressure_pa
     }
 
     /// Whether r lies below the value from which results are flagged, [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`].
+    #[must_use]
     pub fn in_fitted_range(&self) -> bool {
         self.aspect_ratio_over_critical <= FLAGGED_ASPECT_RATIO_OVER_CRITICAL
     }
@@ -94,6 +102,7 @@ impl ElasticPlasticSinusoid {
     /// Fraction of the nominal area in contact, in (0, 1\], at the mean pressure p > 0 \[Pa\]: the elastic one for r <=
     /// 1 and up to p_c, else min(1, phi_p (1 - x^1.51) + phi_2 x^1.04), x = p/p*_ep < 1, and 1 from there on. The
     /// published fit is held at 1, and steps up by up to 4 % at the critical pressure.
+    #[must_use]
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
         if self.yields_at(pressure_pa) {
             self.yielding_area().fraction_at(pressure_pa)
@@ -103,6 +112,7 @@ impl ElasticPlasticSinusoid {
     }
 
     /// The area of the yielding sinusoid, r > 1 and p > p_c, with its constants worked out: for many pressures.
+    #[must_use]
     pub fn yielding_area(&self) -> YieldingArea {
         self.yielding_area_at(self.log_softening())
     }
@@ -120,6 +130,7 @@ impl ElasticPlasticSinusoid {
 
     /// Mean pressure \[Pa\] from which the area fraction is 1: below p*_ep for r > 1.5 or so because the fitted area, held
     /// at 1, overshoots.
+    #[must_use]
     pub fn flattening_pressure_pa(&self) -> f64 {
         if self.can_yield() {
             self.yielding_area().flattening_pressure_pa()
@@ -130,6 +141,7 @@ impl ElasticPlasticSinusoid {
 
     /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, at mean
     /// pressures up to that of complete contact, for r > 1: a root of it is cheaper than the pressure itself.
+    #[must_use]
     pub fn flattening_margin(&self, pressure_pa: f64) -> f64 {
         self.yielding_area().flattening_margin(pressure_pa)
     }
@@ -138,6 +150,7 @@ impl ElasticPlasticSinusoid {
     /// \[Pa\] (Rostami & Jackson 2013; Jackson & Jacobs, Eqs. 9-12); the elastic one for r <= 1 and up to p_c. It jumps
     /// at the critical pressure, upwards, by the share of the deformation that
     /// [`deformation_breaks`](Self::deformation_breaks) tells.
+    #[must_use]
     pub fn mean_gap_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
             return self.elastic.mean_gap_over_amplitude(pressure_pa);
@@ -148,6 +161,7 @@ impl ElasticPlasticSinusoid {
 
     /// Deformation over amplitude h_p/Delta = 1 - g/Delta in \[0, 1\] at the mean pressure p > 0 \[Pa\]; 0 where it
     /// underflows, which takes r beyond 1e4.
+    #[must_use]
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
             return self.elastic.deformation_over_amplitude(pressure_pa);
@@ -158,6 +172,7 @@ impl ElasticPlasticSinusoid {
 
     /// [`area_fraction`](Self::area_fraction) and [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the
     /// mean pressure p > 0 \[Pa\], of which the second costs little beside the first.
+    #[must_use]
     pub fn area_and_deformation(&self, pressure_pa: f64) -> (f64, f64) {
         if !self.yields_at(pressure_pa) {
             let elastic = self.elastic;

@@ -34,6 +34,7 @@ pub struct FlowPoint {
 
 impl ElasticPlasticSinusoid {
     /// The plastic branch with its constants worked out, for r > 1: for many pressures of one sinusoid.
+    #[must_use]
     pub fn plastic_flow(&self) -> PlasticFlow {
         PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.yielding_area() }
     }
@@ -41,11 +42,13 @@ impl ElasticPlasticSinusoid {
 
 impl PlasticFlow {
     /// [`ElasticPlasticSinusoid::complete_contact_pressure_pa`].
+    #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.area.complete_contact_pressure_pa()
     }
 
     /// [`ElasticPlasticSinusoid::area_fraction`].
+    #[must_use]
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
         if self.law.yields_at(pressure_pa) {
             self.area.fraction_at(pressure_pa)
@@ -55,11 +58,13 @@ impl PlasticFlow {
     }
 
     /// [`ElasticPlasticSinusoid::pressure_at_interference_pa`].
+    #[must_use]
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         self.law.pressure_at_interference_by_pa(self.gap, interference_over_amplitude)
     }
 
     /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
+    #[must_use]
     pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
         let flowing = self.yielding_at(log_x.exp(), log_x);
         if self.law.yields_at(flowing.pressure_pa) {
@@ -70,6 +75,7 @@ impl PlasticFlow {
 
     /// The same at ln x < 0 and x, without a branch, where the sinusoid yields.
     #[inline(always)]
+    #[must_use]
     pub fn yielding_at(&self, x: f64, log_x: f64) -> FlowPoint {
         let (interference_over_amplitude, slope_by_log_pressure) = self.gap.deformation_and_slope(log_x, x);
         FlowPoint {
@@ -82,11 +88,13 @@ impl PlasticFlow {
 
     /// The fraction of the area at p = p*_ep x, x < 1, without a branch, where the sinusoid yields.
     #[inline(always)]
+    #[must_use]
     pub fn yielding_area_fraction(&self, x: f64) -> f64 {
         self.area.fraction(x, elementary::ln(x))
     }
 
     /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1).
+    #[must_use]
     pub fn log_pressure_at_interference(&self, interference_over_amplitude: f64) -> f64 {
         self.gap.log_x_at(interference_over_amplitude)
     }

@@ -58,12 +58,14 @@ impl YieldingArea {
     }
 
     /// p*_ep \[Pa\], the mean pressure of complete contact.
+    #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.complete_contact_pressure_pa
     }
 
     /// [`ElasticPlasticSinusoid::area_fraction`](crate::ElasticPlasticSinusoid::area_fraction) where the sinusoid yields
     /// at the mean pressure p > 0 \[Pa\].
+    #[must_use]
     pub fn fraction_at(&self, pressure_pa: f64) -> f64 {
         let x = pressure_pa / self.complete_contact_pressure_pa;
         if x < 1.0 { self.fraction_alone(x, x.ln()) } else { 1.0 }

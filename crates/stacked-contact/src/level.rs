@@ -15,6 +15,7 @@ pub enum Regime {
 
 impl Regime {
     /// The regime's name in tables.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Regime::Elastic => "elastic",
@@ -26,6 +27,7 @@ impl Regime {
 
 /// The contact after one more scale of roughness has been taken into account.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
 pub struct Level {
     /// Wavelength of the scale \[m\].
     pub wavelength_m: f64,
