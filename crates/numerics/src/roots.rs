@@ -144,7 +144,7 @@ mod tests {
         let above = bisect(1.0, 8.0, 1e-6, |x| x > 3.0);
         assert!(3.0 < above && above <= 3.0 * (1.0 + 1e-6), "{above}");
         let below = bisect(8.0, 1.0, 1e-6, |x| x < 3.0);
-        assert!(3.0 * (1.0 - 2e-6) <= below && below < 3.0, "{below}");
+        assert!((3.0 * (1.0 - 2e-6)..3.0).contains(&below), "{below}");
     }
 
     #[test]
