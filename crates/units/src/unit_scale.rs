@@ -3,13 +3,13 @@
 /// How much of the SI unit another unit is: `multiple`/`divisor` times a power of ten, all whole numbers, so that scaled
 /// text is rounded once, when it becomes a double.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Scale {
+pub struct UnitScale {
     multiple: u64,
     divisor: u64,
     decimal_exponent: i32,
 }
 
-impl Scale {
+impl UnitScale {
     /// The SI unit itself.
     pub const ONE: Self = Self::power_of_ten(0);
 
@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn scaling_by_a_unit_is_correctly_rounded() {
-        let read = |text, exponent| Scale::power_of_ten(exponent).read(text);
+        let read = |text, exponent| UnitScale::power_of_ten(exponent).read(text);
         assert_eq!(read("5.65", -9), Some(5.65e-9));
         assert_ne!(5.65 * 1e-9, 5.65e-9);
         assert_eq!(read("+5.65E+3", -9), Some(5.65e-6));
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn multiples_of_powers_of_ten_are_rounded_once_as_well() {
-        let inch = Scale::decimal(254, -4);
+        let inch = UnitScale::decimal(254, -4);
         for (text, expected) in
             [("1", 0.0254), ("-0.1", -0.00254), ("39.37", 0.999998), (".5e3", 12.7), ("99", 2.5146)]
         {
@@ -128,8 +128,8 @@ mod tests {
 
     #[test]
     fn numbers_are_scaled_like_text() {
-        assert_eq!(Scale::power_of_ten(-9).to_si(5.65), 5.65e-9);
-        assert_eq!(Scale::power_of_ten(3).to_si(1.5), 1500.0);
-        assert_eq!(Scale::decimal(254, -4).to_si(1.0), 0.0254);
+        assert_eq!(UnitScale::power_of_ten(-9).to_si(5.65), 5.65e-9);
+        assert_eq!(UnitScale::power_of_ten(3).to_si(1.5), 1500.0);
+        assert_eq!(UnitScale::decimal(254, -4).to_si(1.0), 0.0254);
     }
 }
