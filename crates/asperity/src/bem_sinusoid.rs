@@ -3,9 +3,10 @@
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::OnceLock;
 
+use numerics::newton_in_bracket;
+
 use crate::elastic_sinusoid::log_of_fraction;
 use crate::monotone_cubic::MonotoneCubic;
-use crate::root::newton_in_bracket;
 use crate::{Break, ElasticSinusoid, MaterialPair};
 
 /// p/p*, area fraction on a mesh of 1024^2, mean gap over amplitude: computed for this project by boundary elements.

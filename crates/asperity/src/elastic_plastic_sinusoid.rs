@@ -1,9 +1,10 @@
 //! The elastic-plastic sinusoid: Krithivasan & Jackson (2007), Tribol. Lett. 27:31; Jackson, Krithivasan & Wilson (2008).
 
+use numerics::newton_in_bracket;
+
 use crate::elastic_sinusoid::log_of_fraction;
 use crate::mean_gap::{GapExponent, power_at};
 use crate::plastic_area::PlasticArea;
-use crate::root::newton_in_bracket;
 use crate::{Break, ElasticSinusoid, MaterialPair, elementary};
 
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.

@@ -38,7 +38,6 @@ mod mean_gap;
 mod monotone_cubic;
 mod nix_gao;
 mod plastic_area;
-mod root;
 
 pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;

@@ -4,8 +4,9 @@
 //! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits where
 //! the gap is almost the amplitude; the strength goes like h_p^(-1/2), so they show.
 
+use numerics::newton_in_bracket;
+
 use crate::elementary;
-use crate::root::newton_in_bracket;
 
 /// The exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
 #[derive(Debug, Clone, Copy, PartialEq)]

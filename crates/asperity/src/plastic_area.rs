@@ -1,10 +1,11 @@
 //! The area of a sinusoid that yields: Jackson, Krithivasan & Wilson (2008); `docs/models.md`, section 2.4.
 
+use numerics::newton_in_bracket;
+
 use crate::elastic_sinusoid::{
     FULL_CONTACT_SLOPE, HEAVY_EXPONENT, LIGHT_EXPONENT, heavy_limit, joining_powers, joining_powers_by,
 };
 use crate::elementary;
-use crate::root::newton_in_bracket;
 
 /// The area of a yielding sinusoid against x = p/p*_ep < 1: phi_p = exp(`log_factor`) x^`exponent`, joined to phi_2.
 #[derive(Debug, Clone, Copy, PartialEq)]

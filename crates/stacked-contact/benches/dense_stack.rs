@@ -1,4 +1,4 @@
-//! A stack of 100,000 scales under five loads: `cargo bench -p stacked-contact`.
+//! A stack of 100,000 scales under five loads: `cargo bench -p truearea-stacked-contact`.
 //!
 //! The answer is checked first: a dense stack has come to the limit of its law. Then the fastest of several runs is
 //! printed, in nanoseconds per level, since machines are shared and the fastest run is the least disturbed.

@@ -1,7 +1,7 @@
 //! The statistical states of the scene `data/scenes/uncd-reconstructed.toml` and no more, to be counted by instructions:
 //!
 //! ```text
-//! cargo build --release -p stat-contact --example uncd_states
+//! cargo build --release -p truearea-stat-contact --example uncd_states
 //! valgrind --tool=callgrind --toggle-collect='*counted_states*' target/release/examples/uncd_states 1e-10 [curve]
 //! ```
 //!

@@ -4,9 +4,10 @@
 //! down it is below rounding, while the heights themselves lose their digits to u: every asperity is taken at the
 //! mean height there.
 
+use numerics::{minimum_in_bracket, zero_in_bracket};
+
 use crate::ContactState;
 use crate::asperities::{Asperities, Course, Response};
-use crate::root::{in_bracket, minimum};
 
 /// Depth below the mean plane, in units of sigma_s, from which on asperities are taken at the mean height.
 pub(crate) const FAR: f64 = 1e6;
@@ -46,7 +47,7 @@ impl<'a> FarBelow<'a> {
             return None;
         }
         if let Some(top_m) = self.top_before_dip_m().filter(|top_m| missing(top_m.ln()) <= 0.0) {
-            return Some(-in_bracket(nearest_m.ln(), top_m.ln(), missing).exp());
+            return Some(-zero_in_bracket(nearest_m.ln(), top_m.ln(), missing).exp());
         }
         let deepest_m = match self.asperities.course(self.sigma_s_m) {
             Course::Rises => self.deep_enough_m(missing)?,
@@ -58,7 +59,7 @@ impl<'a> FarBelow<'a> {
                 if on_near_side { top_m } else { self.deep_enough_m(missing)? }
             }
         };
-        Some(-in_bracket(nearest_m.ln(), deepest_m.ln(), missing).exp())
+        Some(-zero_in_bracket(nearest_m.ln(), deepest_m.ln(), missing).exp())
     }
 
     /// The interference \[m\] of the maximum before a dip of the force, where it is a far one.
@@ -66,7 +67,8 @@ impl<'a> FarBelow<'a> {
         const STEPS: usize = 90;
         let [from_m, to_m] = self.asperities.dip_m()?;
         let low = from_m.max(FAR * self.sigma_s_m).ln();
-        (low < to_m.ln()).then(|| minimum(low, to_m.ln(), STEPS, |log_m| -self.log_response(log_m)).exp())
+        (low < to_m.ln())
+            .then(|| minimum_in_bracket(low, to_m.ln(), STEPS, |log_m| -self.log_response(log_m)).exp())
     }
 
     /// An interference \[m\] at which no pressure is missing; `None` where the pressure is never reached.
@@ -88,7 +90,7 @@ impl<'a> FarBelow<'a> {
     fn peak_m(&self) -> Option<f64> {
         const STEPS: usize = 90;
         let (low, high) = ((FAR * self.sigma_s_m).ln(), self.asperities.falls_from_m()?.ln());
-        (low < high).then(|| minimum(low, high, STEPS, |log_m| -self.log_response(log_m)).exp())
+        (low < high).then(|| minimum_in_bracket(low, high, STEPS, |log_m| -self.log_response(log_m)).exp())
     }
 
     fn log_response(&self, log_interference: f64) -> f64 {

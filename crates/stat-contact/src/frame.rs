@@ -264,7 +264,7 @@ impl<'a> Frame<'a> {
     ) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let nodes = self.nodes.add(rule.count());
-        for (v, x) in self.nodes.rows(nodes).densities.iter_mut().zip(&rule.x) {
+        for (v, x) in self.nodes.rows(nodes).densities.iter_mut().zip(rule.gauss.nodes()) {
             *v = middle + half * x;
         }
         self.evaluate(chart, coordinate, nodes, Weights::Gauss(rule, half));
@@ -306,7 +306,10 @@ impl<'a> Frame<'a> {
             Weights::Equal(step) => slopes.iter_mut().for_each(|slope| *slope *= step * per_slope),
             Weights::Gauss(rule, half) => {
                 let half = half * per_slope;
-                slopes.iter_mut().zip(&rule.weights).for_each(|(slope, weight)| *slope *= half * weight);
+                slopes
+                    .iter_mut()
+                    .zip(rule.gauss.weights())
+                    .for_each(|(slope, weight)| *slope *= half * weight);
             }
         }
         for ((pressure_pa, area_fraction), weight) in

@@ -3,10 +3,10 @@
 use asperity::{
     ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao, elementary,
 };
+use numerics::{minimum_in_bracket, zero_in_bracket};
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Course, Piece, Points, Response};
-use crate::root::{in_bracket, minimum};
 use crate::sine::ElasticSine;
 
 /// Elastic-plastic sinusoids of the strength at the depth of their interference (Jackson & Jacobs, Eqs. 8-9), also
@@ -59,7 +59,7 @@ impl GradientSines {
             sign(&self.at_depth(depth_m), depth_m / self.amplitude_m)
         };
         let (low, high) = (from_m.ln(), to_m.ln());
-        (low < high && at(low) * at(high) < 0.0).then(|| in_bracket(low, high, at).exp())
+        (low < high && at(low) * at(high) < 0.0).then(|| zero_in_bracket(low, high, at).exp())
     }
 
     /// Where plastic flow sets in or gives way to elasticity. The exponent A2 falls and rises again with r, so that it may
@@ -92,12 +92,17 @@ impl GradientSines {
                 m[0] * m[1] > 0.0 && m[1] * m[2] > 0.0 && m[1].abs() < m[0].abs().min(m[2].abs());
             if towards_zero {
                 let signed = |log_m: f64| at(log_m) * m[1].signum();
-                samples.push(sample(minimum(samples[i - 1].0, samples[i + 1].0, GOLDEN_STEPS, signed)));
+                samples.push(sample(minimum_in_bracket(
+                    samples[i - 1].0,
+                    samples[i + 1].0,
+                    GOLDEN_STEPS,
+                    signed,
+                )));
             }
         }
         samples.sort_by(|a, b| a.0.total_cmp(&b.0));
         let changes = samples.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0);
-        changes.map(|pair| in_bracket(pair[0].0, pair[1].0, at).exp()).collect()
+        changes.map(|pair| zero_in_bracket(pair[0].0, pair[1].0, at).exp()).collect()
     }
 
     /// Kinks and jumps between two interferences below complete contact.
@@ -198,7 +203,7 @@ impl Asperities for GradientSines {
         } else if yields(from) >= 0.0 {
             flagged_m
         } else {
-            in_bracket(from, to, yields).exp()
+            zero_in_bracket(from, to, yields).exp()
         };
         vec![(first_m, f64::INFINITY)]
     }

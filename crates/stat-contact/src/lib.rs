@@ -43,7 +43,6 @@ mod law;
 mod legendre;
 mod nodes;
 mod population;
-mod root;
 mod search;
 mod sine;
 mod sphere;

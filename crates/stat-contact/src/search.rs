@@ -5,13 +5,14 @@
 //! Gaussian being variation diminishing: a force with one maximum makes a pressure with one, whose far side holds the
 //! larger separation, and only a force that steps down or dips between two rises has to be scanned.
 
+use numerics::zero_in_bracket;
+
 use crate::asperities::Course;
 use crate::cell::Cell;
 use crate::far::FAR;
 use crate::frame::Sums;
 use crate::frames::Frames;
 use crate::gaussian::{log_reference_density, reference_density};
-use crate::root::in_bracket;
 
 /// Steps after which a search ends in any case; each halves a bracket or better.
 const MOST_STEPS: usize = 60;
@@ -220,7 +221,7 @@ impl Search<'_, '_> {
 
     /// The same between two separations, the nearer of which carries the pressure or more, and the other one does not.
     fn bisect(&mut self, low: f64, high: f64) -> Found {
-        let u = in_bracket(low, high, |u| self.missing_at(u));
+        let u = zero_in_bracket(low, high, |u| self.missing_at(u));
         Found { cell: Cell::of(u), u }
     }
 
@@ -257,7 +258,7 @@ impl Search<'_, '_> {
     fn peak(&mut self) -> Option<f64> {
         let edge = self.far_edge()?;
         let rises_at_edge = self.pressure_and_slope(edge).1 > 0.0;
-        Some(if rises_at_edge { in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1) } else { edge })
+        Some(if rises_at_edge { zero_in_bracket(edge, 0.0, |u| self.pressure_and_slope(u).1) } else { edge })
     }
 
     /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach, or where
@@ -295,7 +296,7 @@ impl Search<'_, '_> {
             let mut low = high - longer(high).max(STRIDE);
             let (mut pressure_pa, slope) = self.pressure_and_slope(low);
             if slope > 0.0 && slope_at_high <= 0.0 && pressure_pa < self.pressure_pa {
-                let peak = in_bracket(low, high, |u| self.pressure_and_slope(u).1);
+                let peak = zero_in_bracket(low, high, |u| self.pressure_and_slope(u).1);
                 if self.pressure_and_slope(peak).0 >= self.pressure_pa {
                     (low, pressure_pa) = (peak, f64::INFINITY);
                 }

@@ -4,10 +4,10 @@ use asperity::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, Hertz, JacksonGreen,
     MaterialPair, NixGao, YIELD_INTERFERENCE_RATIO,
 };
+use numerics::zero_in_bracket;
 
 use crate::Population;
 use crate::asperities::{Asperities, Chart, Course, Hertzian, Piece, Response, pieces_between};
-use crate::root::in_bracket;
 
 /// Elastic spheres.
 #[derive(Debug, Clone)]
@@ -143,7 +143,7 @@ impl ElasticPlasticSpheres {
         if low_m >= high_m || excess(high_m.ln()) < 0.0 {
             return f64::INFINITY;
         }
-        in_bracket(low_m.ln(), high_m.ln(), excess).exp()
+        zero_in_bracket(low_m.ln(), high_m.ln(), excess).exp()
     }
 
     fn modulus_pa(&self) -> f64 {

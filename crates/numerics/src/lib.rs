@@ -1,0 +1,9 @@
+#![doc = include_str!("../README.md")]
+
+mod legendre;
+mod minimum;
+mod roots;
+
+pub use legendre::{GaussLegendre, legendre_integral_above, legendre_polynomials};
+pub use minimum::minimum_in_bracket;
+pub use roots::{bisect, newton_in_bracket, zero_in_bracket};
