@@ -29,26 +29,15 @@
 #![deny(missing_docs)]
 
 mod asperities;
-mod cell;
 mod contact;
-mod coordinate;
-mod density;
 mod far;
-mod frame;
-mod frames;
 mod gaussian;
-mod gradient_sine;
-mod hertz_load;
 mod law;
-mod legendre;
-mod nodes;
 mod population;
+mod quadrature;
 mod search;
-mod sine;
-mod sphere;
 mod state;
 mod sweep;
-mod trapezoid;
 
 pub use contact::StatisticalContact;
 pub use law::{AsperityLaw, InterferenceLaw, Model, UnknownName};

@@ -2,7 +2,9 @@
 
 use approx::{AbsDiffEq, RelativeEq};
 
-use crate::asperities::Response;
+use crate::asperities::answers::Response;
+use crate::gaussian::density::{log_reference_density, reference_density};
+use crate::quadrature::frame::Frame;
 
 /// A population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -31,6 +33,31 @@ pub struct ContactState {
 }
 
 impl ContactState {
+    /// The state at the separation u + rounding in units of sigma_s, on a frame near it, but for what the frame does not
+    /// know: the separation in metres, and the evaluations.
+    pub(crate) fn on_frame(frame: &mut Frame<'_>, u: f64, rounding: f64) -> Self {
+        let sums = frame.sums_at(u);
+        let correction = sums.log_pressure_slope() * rounding;
+        let log_density = log_reference_density(u) + correction;
+        let scale = reference_density(u) * (1.0 + correction);
+        let ln_pressure_pa = sums.pressure_pa.ln() + log_density;
+        let ln_area_fraction = sums.area_fraction.ln() + log_density;
+        // Where the density has left the normal doubles, its product with a large number may not have.
+        let product =
+            |sum: f64, logarithm: f64| if scale.is_normal() { sum * scale } else { logarithm.exp() };
+        ContactState {
+            separation_m: None,
+            pressure_pa: product(sums.pressure_pa, ln_pressure_pa),
+            area_fraction: product(sums.area_fraction, ln_area_fraction).min(1.0),
+            ln_pressure_pa,
+            ln_area_fraction: ln_area_fraction.min(0.0),
+            error_estimate: frame.relative_error(u),
+            evaluations: 0,
+            out_of_range_load_share: frame.out_of_range_load_share(u),
+            clamped: ln_area_fraction > 0.0,
+        }
+    }
+
     /// Every asperity pressed to the interference -d; `neglected` is what that may change, relatively.
     pub(crate) fn without_spread(separation_m: f64, response: &Response, neglected: f64) -> Self {
         ContactState {
