@@ -4,7 +4,7 @@ use approx::{AbsDiffEq, RelativeEq};
 
 use crate::asperities::answers::Response;
 use crate::gaussian::density::{log_reference_density, reference_density};
-use crate::quadrature::frame::Frame;
+use crate::quadrature::frame::Here;
 
 /// A population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -33,10 +33,10 @@ pub struct ContactState {
 }
 
 impl ContactState {
-    /// The state at the separation u + rounding in units of sigma_s, on a frame near it, but for what the frame does not
-    /// know: the separation in metres, and the evaluations.
-    pub(crate) fn on_frame(frame: &mut Frame<'_>, u: f64, rounding: f64) -> Self {
-        let sums = frame.sums_at(u);
+    /// The state on a frame at the separation u + rounding, in units of sigma_s, but for what the frame does not know: the
+    /// separation in metres, and the evaluations.
+    pub(crate) fn on_frame(here: &Here<'_, '_>, rounding: f64) -> Self {
+        let &Here { u, sums, .. } = here;
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
@@ -51,9 +51,9 @@ impl ContactState {
             area_fraction: product(sums.area_fraction, ln_area_fraction).min(1.0),
             ln_pressure_pa,
             ln_area_fraction: ln_area_fraction.min(0.0),
-            error_estimate: frame.relative_error(u),
+            error_estimate: here.relative_error(),
             evaluations: 0,
-            out_of_range_load_share: frame.out_of_range_load_share(u),
+            out_of_range_load_share: here.out_of_range_load_share(),
             clamped: ln_area_fraction > 0.0,
         }
     }

@@ -39,11 +39,13 @@ pub struct Sweep<'a> {
 const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
 
 impl<'a> Sweep<'a> {
+    #[inline]
     pub(crate) fn on(frames: Frames<'a>) -> Self {
         Sweep { frames, near: None }
     }
 
     /// The same with a state to start the next search from, where it has a separation.
+    #[inline]
     pub(crate) fn starting_at(self, state: Option<&ContactState>) -> Self {
         let near = state.and_then(|state| state.separation_m).map(|d| d / self.frames.sigma_s_m);
         Sweep { near: near.map(|u| Neighbour { u, sums: None }), ..self }
@@ -63,9 +65,9 @@ impl<'a> Sweep<'a> {
         // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
         let rounding = (-u).mul_add(sigma_s_m, separation_m) / sigma_s_m;
         let spent = self.frames.evaluations;
-        let frame = self.frames.at(u);
-        let (sums, state) = (frame.sums_at(u), ContactState::on_frame(frame, u, rounding));
-        self.near = Some(Neighbour { u, sums: Some(sums) });
+        let here = self.frames.at(u).at(u);
+        self.near = Some(Neighbour { u, sums: Some(here.sums) });
+        let state = ContactState::on_frame(&here, rounding);
         let evaluations = self.frames.evaluations - spent;
         Ok(ContactState { separation_m: Some(separation_m), evaluations, ..state })
     }
@@ -94,9 +96,9 @@ impl<'a> Sweep<'a> {
         let Some(Found { cell, u }) = search else { return Ok(ContactState::complete(pressure_pa)) };
         let evaluations = self.frames.evaluations - spent;
         let sigma_s_m = self.frames.sigma_s_m;
-        let frame = self.frames.of(cell);
-        let (sums, state) = (frame.sums_at(u), ContactState::on_frame(frame, u, 0.0));
-        self.near = Some(Neighbour { u, sums: Some(sums) });
+        let here = self.frames.of(cell).at(u);
+        self.near = Some(Neighbour { u, sums: Some(here.sums) });
+        let state = ContactState::on_frame(&here, 0.0);
         Ok(asked(ContactState { separation_m: Some(u * sigma_s_m), evaluations, ..state }))
     }
 

@@ -1,9 +1,10 @@
 //! Which panels a law needs around a separation, and with how many nodes.
 
+use super::builder::{Builder, Quantities, Scratch};
 use super::cell::Cell;
 use super::coordinate::Coordinate;
 use super::panel::{Panel, Variable};
-use super::panels::{Panels, Quantities};
+use super::panels::Panels;
 use super::precision::Precision;
 use super::rules::Rule;
 use super::trapezoid::Trapezoid;
@@ -27,19 +28,21 @@ pub(crate) fn for_cell<'a>(
     cell: Cell,
     precision: Precision,
     window: &Window,
+    scratch: &mut Scratch,
 ) -> Panels<'a> {
     // Room for nearly all.
     const NODES: usize = 96;
     let centre = cell.centre();
     let coordinate = Coordinate::around(centre, cell.farthest(), precision.digits);
-    let mut panels = Panels::around(centre, asperities, sigma_s_m, Quantities::PressureAndArea, NODES);
+    let mut panels = Panels::around(centre, asperities, sigma_s_m, NODES);
     panels.saturation = asperities.saturation().map(|(from_m, at)| (from_m / sigma_s_m, at));
+    let mut builder = Builder { panels, quantities: Quantities::PressureAndArea, scratch };
     let (low_m, high_m) = (window.low * sigma_s_m, window.high * sigma_s_m);
     for piece in asperities.pieces(low_m, high_m) {
-        add_piece(&mut panels, piece, window, coordinate, centre, precision.digits);
+        add_piece(&mut builder, piece, window, coordinate, precision.digits);
     }
-    refine(&mut panels, precision.tolerance);
-    panels
+    refine(&mut builder, precision.tolerance);
+    builder.panels
 }
 
 /// The force at a few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so,
@@ -50,41 +53,42 @@ pub(crate) fn rough<'a>(
     u: f64,
     precision: Precision,
     window: &Window,
+    scratch: &mut Scratch,
 ) -> Panels<'a> {
     // Nodes of the rules on the two sides of the strongest break.
     const NODES_BELOW: usize = 8;
     const NODES_ABOVE: usize = 5;
     let coordinate = Coordinate::around(u, u, precision.digits);
-    let room = NODES_BELOW + NODES_ABOVE;
-    let mut panels = Panels::around(u, asperities, sigma_s_m, Quantities::Pressure, room);
+    let panels = Panels::around(u, asperities, sigma_s_m, NODES_BELOW + NODES_ABOVE);
+    let mut builder = Builder { panels, quantities: Quantities::Pressure, scratch };
     let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
     let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
         let ends = [window.low, window.high].map(|s| coordinate.of(s));
-        panels.add_trapezoid(coordinate, ends, Trapezoid::between(ends[0], ends[1], precision.digits));
-        return panels;
+        builder.add_trapezoid(coordinate, ends, Trapezoid::between(ends[0], ends[1], precision.digits));
+        return builder.panels;
     };
     let [low, middle, high] = [window.low, kink, window.high].map(|s| coordinate.of(s));
-    panels.add(Variable::Own(coordinate), [low, middle], 0, Rule::of_at_least(NODES_BELOW));
-    panels.saturation = asperities.saturation().map(|(_, response)| (kink, response));
-    if panels.saturation.is_none() {
-        panels.add(Variable::Own(coordinate), [middle, high], 0, Rule::of_at_least(NODES_ABOVE));
+    builder.add(Variable::Own(coordinate), [low, middle], 0, Rule::of_at_least(NODES_BELOW));
+    builder.panels.saturation = asperities.saturation().map(|(_, response)| (kink, response));
+    if builder.panels.saturation.is_none() {
+        builder.add(Variable::Own(coordinate), [middle, high], 0, Rule::of_at_least(NODES_ABOVE));
     }
-    panels
+    builder.panels
 }
 
 /// Adds the part of a piece that lies within the window, under as many nodes as it is likely to need.
 fn add_piece<'a>(
-    panels: &mut Panels<'a>,
+    builder: &mut Builder<'a, '_>,
     piece: Piece<'a>,
     window: &Window,
     coordinate: Coordinate,
-    centre: f64,
     digits: f64,
 ) {
     // Over decades the law, and not the density, wants nodes: as many more for nine of ten panels of the UNCD scenes.
     const RESOLUTION_OVER_DECADES: f64 = 1.4;
-    let low = window.low.max(piece.from_m / panels.sigma_s_m);
-    let high = window.high.min(piece.to_m / panels.sigma_s_m);
+    let Panels { centre, sigma_s_m, .. } = builder.panels;
+    let low = window.low.max(piece.from_m / sigma_s_m);
+    let high = window.high.min(piece.to_m / sigma_s_m);
     if low >= high {
         return;
     }
@@ -98,9 +102,9 @@ fn add_piece<'a>(
         }
         Chart::Law(chart) => (Variable::Law(chart), chart.resolution(low == 0.0)),
     };
-    let ends = [low, high].map(|s| variable.of(s, s * panels.sigma_s_m));
+    let ends = [low, high].map(|s| variable.of(s, s * sigma_s_m));
     let nodes = resolution * nodes_between(low, high, centre, digits);
-    panels.add(variable, ends, 0, Rule::of_at_least(nodes.ceil() as usize));
+    builder.add(variable, ends, 0, Rule::of_at_least(nodes.ceil() as usize));
 }
 
 /// Nodes that a Gauss-Legendre rule needs between two interferences for exp(-digits) of the whole, from how far the exponent
@@ -131,20 +135,22 @@ fn nodes_between(low: f64, high: f64, centre: f64, digits: f64) -> f64 {
 }
 
 /// Gives more nodes to the panels whose error at the centre is above their share of the tolerance, or halves them.
-fn refine(panels: &mut Panels<'_>, tolerance: f64) {
+fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) {
     // Few panels err as much as they may: with this share their sum stays about the tolerance.
     const SHARE: f64 = 0.3;
     let tolerance = SHARE * tolerance;
-    let totals = panels.sums();
+    let totals = builder.panels.sums();
     let mut place = 0;
-    while let Some(panel) = panels.get(place).filter(|_| panels.evaluations < MOST_EVALUATIONS) {
-        let [pressure, area] = panels.errors(&panel);
+    while let Some(panel) =
+        builder.panels.list.get(place).copied().filter(|_| builder.panels.evaluations < MOST_EVALUATIONS)
+    {
+        let [pressure, area] = builder.panels.errors(&panel);
         let fine = pressure <= tolerance * totals.pressure_pa && area <= tolerance * totals.area_fraction;
         match panel.rule {
             Some(rule) if !fine && panel.halvings < MOST_HALVINGS => {
                 // What takes its place comes last, to be looked at again.
-                panels.remove(place);
-                replace(panels, &panel, rule);
+                builder.panels.list.remove(place);
+                replace(builder, &panel, rule);
             }
             _ => place += 1,
         }
@@ -152,13 +158,13 @@ fn refine(panels: &mut Panels<'_>, tolerance: f64) {
 }
 
 /// Adds a panel anew with a third more nodes, or, where it has many already, in halves with a quarter less.
-fn replace<'a>(panels: &mut Panels<'a>, panel: &Panel<'a>, rule: &'static Rule) {
+fn replace<'a>(builder: &mut Builder<'a, '_>, panel: &Panel<'a>, rule: &'static Rule) {
     let &Panel { variable, from, to, halvings, .. } = panel;
     let nodes = rule.count();
     if nodes < MOST_NODES {
-        return panels.add(variable, [from, to], halvings, Rule::of_at_least(nodes + nodes / 3 + 1));
+        return builder.add(variable, [from, to], halvings, Rule::of_at_least(nodes + nodes / 3 + 1));
     }
     let (middle, rule) = (0.5 * (from + to), Rule::of_at_least(nodes * 3 / 4));
-    panels.add(variable, [from, middle], halvings + 1, rule);
-    panels.add(variable, [middle, to], halvings + 1, rule);
+    builder.add(variable, [from, middle], halvings + 1, rule);
+    builder.add(variable, [middle, to], halvings + 1, rule);
 }

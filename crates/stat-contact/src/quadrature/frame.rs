@@ -1,6 +1,7 @@
 //! The integrals at all separations near one.
 
 use super::build;
+use super::builder::Scratch;
 use super::cell::Cell;
 use super::hertz_integrals::HertzIntegrals;
 use super::panels::Panels;
@@ -44,25 +45,29 @@ impl<'a> Frame<'a> {
         sigma_s_m: f64,
         cell: Cell,
         precision: Precision,
+        scratch: &mut Scratch,
     ) -> Self {
         let precision = precision.around(cell.centre());
         let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
         let integrals = match HertzIntegrals::within(&window, asperities, sigma_s_m) {
             Some(hertz) => Integrals::Closed(hertz),
-            None => Integrals::Panels(build::for_cell(asperities, sigma_s_m, cell, precision, &window)),
+            None => {
+                let panels = build::for_cell(asperities, sigma_s_m, cell, precision, &window, scratch);
+                Integrals::Panels(panels)
+            }
         };
         Self::new(cell.centre(), window, integrals)
     }
 
     /// The pressure around one separation within a percent or so, for a few evaluations; no areas.
-    pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64) -> Self {
+    pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64, scratch: &mut Scratch) -> Self {
         // Far below the mean plane ln p is flat: its curvature, of the order of 1/u^2, has to be seen.
         let digits = 10.0 + 2.0 * (-u).max(0.0).ln_1p();
         let precision = Precision { tolerance: (-digits).exp(), digits, drop: digits };
         let window = Window::new(u, u, precision.drop);
         let integrals = match HertzIntegrals::within(&window, asperities, sigma_s_m) {
             Some(hertz) => Integrals::Closed(hertz),
-            None => Integrals::Panels(build::rough(asperities, sigma_s_m, u, precision, &window)),
+            None => Integrals::Panels(build::rough(asperities, sigma_s_m, u, precision, &window, scratch)),
         };
         Self::new(u, window, integrals)
     }
@@ -114,30 +119,45 @@ impl<'a> Frame<'a> {
         self.sums_at_centre.unwrap_or_else(|| self.sums_at(self.centre))
     }
 
-    /// Estimate of the larger relative error of the two integrals at a separation near the centre.
-    pub fn relative_error(&mut self, u: f64) -> f64 {
+    /// Everything that is known at a separation near the centre.
+    pub fn at(&mut self, u: f64) -> Here<'_, 'a> {
         let sums = self.sums_at(u);
-        match &self.integrals {
-            Integrals::Closed(hertz) => hertz.relative_error(u),
+        Here { frame: self, u, sums }
+    }
+}
+
+/// A frame at a separation near its centre.
+pub(crate) struct Here<'f, 'a> {
+    frame: &'f Frame<'a>,
+    pub u: f64,
+    pub sums: Sums,
+}
+
+impl Here<'_, '_> {
+    /// Estimate of the larger relative error of the two integrals.
+    pub fn relative_error(&self) -> f64 {
+        let Frame { window, integrals, .. } = self.frame;
+        match integrals {
+            Integrals::Closed(hertz) => hertz.relative_error(self.u),
             Integrals::Panels(panels) => {
-                let saturates = panels.saturation.is_some_and(|(from, _)| from <= self.window.high);
-                error_estimate(panels.relative_error(&sums) + self.window.left_out(u, saturates), u)
+                let saturates = panels.saturation.is_some_and(|(from, _)| from <= window.high);
+                let left_out = window.left_out(self.u, saturates);
+                error_estimate(panels.relative_error(&self.sums) + left_out, self.u)
             }
         }
     }
 
-    /// Share of the load, at a separation near the centre, that is carried at interferences for which the law was not fitted.
-    pub fn out_of_range_load_share(&mut self, u: f64) -> f64 {
-        let sums = self.sums_at(u);
-        let Integrals::Panels(panels) = &self.integrals else { return 0.0 };
+    /// Share of the load that is carried at interferences for which the law was not fitted.
+    pub fn out_of_range_load_share(&self) -> f64 {
+        let Frame { window, integrals: Integrals::Panels(panels), .. } = self.frame else { return 0.0 };
         let above_pa = |at_m: f64| if at_m.is_finite() { panels.load_above_pa(at_m) } else { 0.0 };
         let load_pa: f64 = panels
             .asperities
-            .out_of_fitted_range(self.window.high * panels.sigma_s_m)
+            .out_of_fitted_range(window.high * panels.sigma_s_m)
             .into_iter()
             .filter(|(from_m, to_m)| from_m < to_m)
             .map(|(from_m, to_m)| above_pa(from_m) - above_pa(to_m))
             .sum();
-        (load_pa / sums.pressure_pa).clamp(0.0, 1.0)
+        (load_pa / self.sums.pressure_pa).clamp(0.0, 1.0)
     }
 }

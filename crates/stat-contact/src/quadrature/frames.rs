@@ -2,6 +2,7 @@
 //!
 //! A frame depends on its cell alone, so that a state has the same digits on one that is there as on one built for it.
 
+use super::builder::Scratch;
 use super::cell::Cell;
 use super::frame::Frame;
 use super::precision::Precision;
@@ -27,6 +28,7 @@ pub(crate) struct Frames<'a> {
     oldest: usize,
     /// Law evaluations spent.
     pub evaluations: usize,
+    scratch: Scratch,
 }
 
 impl<'a> Frames<'a> {
@@ -42,6 +44,7 @@ impl<'a> Frames<'a> {
             last: 0,
             oldest: 0,
             evaluations: 0,
+            scratch: Scratch::default(),
         }
     }
 
@@ -82,14 +85,14 @@ impl<'a> Frames<'a> {
         if let Some(everywhere) = &mut self.everywhere {
             return everywhere.sums_at(u);
         }
-        let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u);
+        let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u, &mut self.scratch);
         self.evaluations += frame.evaluations();
         frame.sums_at(u)
     }
 
     /// Builds a frame, and returns its place.
     fn build(&mut self, cell: Cell) -> usize {
-        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
+        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision, &mut self.scratch);
         self.evaluations += frame.evaluations();
         if self.built.len() < MOST_FRAMES {
             self.cells.push(cell);

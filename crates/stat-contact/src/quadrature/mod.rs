@@ -6,6 +6,7 @@
 //! the separation that carries a load therefore evaluates the law once, not once per step.
 
 pub mod build;
+pub mod builder;
 pub mod cell;
 pub mod coordinate;
 pub mod frame;

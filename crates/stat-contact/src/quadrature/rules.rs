@@ -10,7 +10,7 @@ use super::nodes::LANES;
 /// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
 const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
 /// Nodes of the largest rule.
-const MOST: usize = 40;
+pub(crate) const MOST: usize = 40;
 
 /// A Gauss-Legendre rule on [-1, 1], and the Legendre polynomials at its nodes.
 pub(crate) struct Rule {
