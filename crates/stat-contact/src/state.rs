@@ -40,21 +40,18 @@ impl ContactState {
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
-        let ln_pressure_pa = sums.pressure_pa.ln() + log_density;
-        let ln_area_fraction = sums.area_fraction.ln() + log_density;
-        // Where the density has left the normal doubles, its product with a large number may not have.
-        let product =
-            |sum: f64, logarithm: f64| if scale.is_normal() { sum * scale } else { logarithm.exp() };
+        let pressure = Product::of(sums.pressure_pa, scale, log_density);
+        let area_fraction = Product::of(sums.area_fraction, scale, log_density);
         ContactState {
             separation_m: None,
-            pressure_pa: product(sums.pressure_pa, ln_pressure_pa),
-            area_fraction: product(sums.area_fraction, ln_area_fraction).min(1.0),
-            ln_pressure_pa,
-            ln_area_fraction: ln_area_fraction.min(0.0),
+            pressure_pa: pressure.value,
+            area_fraction: area_fraction.value.min(1.0),
+            ln_pressure_pa: pressure.logarithm,
+            ln_area_fraction: area_fraction.logarithm.min(0.0),
             error_estimate: here.relative_error(),
             evaluations: 0,
             out_of_range_load_share: here.out_of_range_load_share(),
-            clamped: ln_area_fraction > 0.0,
+            clamped: area_fraction.logarithm > 0.0,
         }
     }
 
@@ -101,6 +98,25 @@ impl ContactState {
         separations
             .max(logarithmic(self.ln_pressure_pa, other.ln_pressure_pa))
             .max(logarithmic(self.ln_area_fraction, other.ln_area_fraction))
+    }
+}
+
+/// An integral with its density, and the logarithm of it.
+struct Product {
+    value: f64,
+    logarithm: f64,
+}
+
+impl Product {
+    /// A positive integral over the reference density, times that, which is given with its logarithm.
+    fn of(sum: f64, density: f64, log_density: f64) -> Self {
+        // Where the density has left the normal doubles, its product with a large number may not have.
+        let value = sum * density;
+        if density.is_normal() && value.is_normal() {
+            return Product { value, logarithm: value.ln() };
+        }
+        let logarithm = sum.ln() + log_density;
+        Product { value: if density.is_normal() { value } else { logarithm.exp() }, logarithm }
     }
 }
 

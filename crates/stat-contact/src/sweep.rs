@@ -92,14 +92,18 @@ impl<'a> Sweep<'a> {
             return Ok(asked(far_below.state(separation_m)));
         }
         let (near, spent) = (self.near, self.frames.evaluations);
-        let search = Search { frames: &mut self.frames, pressure_pa }.largest(near);
-        let Some(Found { cell, u }) = search else { return Ok(ContactState::complete(pressure_pa)) };
+        let mut search = Search { frames: &mut self.frames, pressure_pa };
+        let Some(found) = search.largest(near) else { return Ok(ContactState::complete(pressure_pa)) };
+        let missed_by = search.missed_by(found);
+        let Found { cell, u } = found;
         let evaluations = self.frames.evaluations - spent;
         let sigma_s_m = self.frames.sigma_s_m;
         let here = self.frames.of(cell).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
         let state = ContactState::on_frame(&here, 0.0);
-        Ok(asked(ContactState { separation_m: Some(u * sigma_s_m), evaluations, ..state }))
+        let error_estimate = state.error_estimate + missed_by;
+        let separation_m = Some(u * sigma_s_m);
+        Ok(asked(ContactState { separation_m, error_estimate, evaluations, ..state }))
     }
 
     /// The pressure \[Pa\] below which every pressure is carried at some separation.

@@ -10,6 +10,7 @@ use super::gradient_law::GradientLaw;
 pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
     let mut breaks_m = vec![law.critical_m];
     breaks_m.extend(law.strength.cap_depth_m());
+    breaks_m.extend(ends_of_growth_m(law, to_m));
     // The elastic area's own break counts where nothing yields; elsewhere it only costs a panel.
     let elastic = law.at_depth(from_m).elastic();
     breaks_m.extend(
@@ -24,6 +25,16 @@ pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
     breaks_m.extend(crossing_m(edge_m, to_m, |w| law.log_pressure_over_critical(w)));
     breaks_m.extend(crossing_m(edge_m, to_m, |w| law.at_depth(w).flattening_margin(law.pressure_pa(w))));
     breaks_m
+}
+
+/// Where the growth of the strength, (1 + h*/w)^(1/2), has come about and where it no longer shows, if that is but a small
+/// part of the interferences up to one: a rule over all of them sees too little of it to tell its own error.
+fn ends_of_growth_m(law: &GradientLaw, to_m: f64) -> impl Iterator<Item = f64> {
+    // In units of h*; in the cube root of the interference, the singularity at -h* is as far off as each stretch is long.
+    const ENDS: [f64; 2] = [1.0, 500.0];
+    const SMALL_PART: f64 = 1e-3;
+    let length_m = law.strength.strain_gradient_length_m().filter(|length_m| *length_m < SMALL_PART * to_m);
+    length_m.into_iter().flat_map(|length_m| ENDS.map(|end| end * length_m))
 }
 
 /// The interference \[m\] between two others at which `sign` is zero, where its signs at the two differ.

@@ -86,13 +86,18 @@ fn add_piece<'a>(
 ) {
     // Over decades the law, and not the density, wants nodes: as many more for nine of ten panels of the UNCD scenes.
     const RESOLUTION_OVER_DECADES: f64 = 1.4;
+    // Width over depth of a window in which a law without a break is smooth in the interference itself.
+    const NARROW: f64 = 1e-3;
     let Panels { centre, sigma_s_m, .. } = builder.panels;
     let low = window.low.max(piece.from_m / sigma_s_m);
     let high = window.high.min(piece.to_m / sigma_s_m);
     if low >= high {
         return;
     }
+    let whole_window = low == window.low && high == window.high;
     let (variable, resolution) = match piece.chart {
+        // The law's own coordinate would round the heights to the digits of the interference.
+        Chart::Law(_) if whole_window && high - low < NARROW * low => (Variable::Own(coordinate), 1.0),
         Chart::Interference => {
             let coordinate = coordinate.between(low, high);
             (

@@ -104,10 +104,18 @@ impl Search<'_, '_> {
     }
 
     /// Whether a search has converged. Near a maximum, and between several, its parabolas may not lead to the load.
-    pub fn is_carried_by(&mut self, Found { cell, u }: Found) -> bool {
+    pub fn is_carried_by(&mut self, found: Found) -> bool {
+        self.missed_by(found) == 0.0
+    }
+
+    /// How much the pressure of what was found is off, relatively; 0 where that is rounding. It is no more than the error of
+    /// the quadratures where the pressures of two cells leave the load between them, at their common edge.
+    pub fn missed_by(&mut self, Found { cell, u }: Found) -> f64 {
         const CLOSE: f64 = 1e-11;
         let sums = self.frames.of(cell).sums_at(u);
-        self.missing(u, &sums).abs() <= CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs()
+        let missing = self.missing(u, &sums).abs();
+        let rounding = CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs();
+        if missing <= rounding { 0.0 } else { missing }
     }
 
     /// How far off the quadratures may place the solution; `None` where that is no small part of a cell.

@@ -21,7 +21,7 @@ impl Search<'_, '_> {
             return Some(Found { cell: Cell::ANY, u });
         }
         let found = neighbour.and_then(|neighbour| self.from_neighbour(neighbour));
-        let found = found.or_else(|| self.from_nowhere()).or_else(|| self.end())?;
+        let found = found.or_else(|| self.from_nowhere())?;
         // Above the mean plane there is no other.
         if found.u >= 0.0 {
             return Some(found);
@@ -58,25 +58,29 @@ impl Search<'_, '_> {
             _ => Bracket::EVERYTHING,
         };
         let near = self.approach(USUAL_SEPARATION.clamp(bracket.low, bracket.high), bracket);
-        let found = self.settle(near, bracket);
-        if let Some(near) = found {
-            if self.is_carried_by(near) {
-                return found;
+        if let Some(found) = self.settle(near, bracket) {
+            if self.is_carried_by(found) {
+                return Some(found);
             }
-            if let Some(bisected) = self.bisect_around(near.u) {
-                return Some(bisected);
+            if let Some(crossing) = self.crossing_around(found.u) {
+                return Some(crossing);
             }
         }
-        match self.peak() {
-            Some(peak) if self.pressure_pa <= self.pressure_at(peak).pa => self.bisect_around(peak),
-            Some(_) => None,
-            None => found,
-        }
+        self.from_most_loaded()
     }
 
-    /// The end of the search, for a force with its maximum beyond: a load that is missing all the way is missing by rounding.
-    fn end(&self) -> Option<Found> {
-        let rises_on = self.frames.asperities.falls_from_m()? > FAR * self.frames.sigma_s_m;
-        rises_on.then_some(Found { cell: Cell::of(-FAR), u: -FAR })
+    /// The solution nearest to the separation that carries most: the peak of the pressure, or the depth at which searches
+    /// end.
+    fn from_most_loaded(&mut self) -> Option<Found> {
+        let peak = self.peak();
+        let most_loaded = peak.unwrap_or(-FAR);
+        if self.missing_at(most_loaded) <= 0.0 {
+            return Some(self.crossing_beyond(most_loaded));
+        }
+        // What is carried beyond that depth is not looked for here: a load that is missing all the way is missing by the
+        // error of the quadrature.
+        let falls_before_end =
+            self.frames.asperities.falls_from_m().is_some_and(|at_m| at_m <= FAR * self.frames.sigma_s_m);
+        (!falls_before_end).then_some(Found { cell: Cell::of(-FAR), u: -FAR })
     }
 }

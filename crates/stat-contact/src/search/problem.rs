@@ -79,8 +79,14 @@ impl Search<'_, '_> {
     /// For a force with a maximum: the separation at which the pressure has it.
     pub fn peak(&mut self) -> Option<f64> {
         let edge = self.far_edge()?;
-        let rises_at_edge = self.pressure_at(edge).log_slope > 0.0;
-        Some(if rises_at_edge { zero_in_bracket(edge, 0.0, |u| self.pressure_at(u).log_slope) } else { edge })
+        let at_edge = self.pressure_at(edge);
+        if at_edge.log_slope <= 0.0 {
+            return Some(edge);
+        }
+        let level = zero_in_bracket(edge, 0.0, |u| self.pressure_at(u).log_slope);
+        // Where the pressure hardly changes over thousands of standard deviations, slopes drown in the rounding of u, and
+        // one of them may be zero anywhere.
+        Some(if self.pressure_at(level).pa >= at_edge.pa { level } else { edge })
     }
 
     /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach, or where

@@ -17,26 +17,50 @@ enum Crossing {
     NotAbove(f64),
 }
 
+/// Distances from a separation, each twice the last.
+fn reaches(u: f64) -> impl Iterator<Item = f64> {
+    // Of the first one, relative to 1 + |u|: a small part of a cell unless that is far below.
+    const NARROWEST: f64 = 1e-6;
+    const MOST_DOUBLINGS: i32 = 60;
+    (0..MOST_DOUBLINGS).map(move |doubling| NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling))
+}
+
 impl Search<'_, '_> {
-    /// The crossing of the load nearest to a separation, on the quadrature of its cell; `None` where there is none.
-    pub fn bisect_around(&mut self, u: f64) -> Option<Found> {
-        // The first reach, relative to 1 + |u|, and how often it is doubled.
-        const NARROWEST: f64 = 1e-6;
-        const MOST_DOUBLINGS: i32 = 60;
-        let mut last_high = None;
-        let (low, high) = (0..MOST_DOUBLINGS).find_map(|doubling| {
-            let reach = NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling);
-            let (low, high) = (last_high.unwrap_or((u - reach).max(-FAR)), u + reach);
-            if self.missing_at(high) > 0.0 {
-                return (self.missing_at(low) <= 0.0).then_some((low, high));
+    /// The crossing of the load nearest to a separation, on the quadrature of its cell; `None` where the load is missing from
+    /// there down to the depth at which searches end.
+    pub fn crossing_around(&mut self, u: f64) -> Option<Found> {
+        if self.missing_at(u) <= 0.0 {
+            return Some(self.crossing_beyond(u));
+        }
+        let mut high = u;
+        for reach in reaches(u) {
+            let low = (u - reach).max(-FAR);
+            if self.missing_at(low) <= 0.0 {
+                return Some(self.bisect(low, high));
             }
-            last_high = Some(high);
-            None
-        })?;
-        Some(self.bisect(low, high))
+            if low == -FAR {
+                break;
+            }
+            high = low;
+        }
+        None
     }
 
-    /// The same between two separations, the nearer of which carries the pressure or more, and the other one does not.
+    /// The crossing nearest to a separation that carries the load, at a larger one.
+    pub fn crossing_beyond(&mut self, u: f64) -> Found {
+        let mut low = u;
+        for reach in reaches(u) {
+            let high = u + reach;
+            if self.missing_at(high) > 0.0 {
+                return self.bisect(low, high);
+            }
+            low = high;
+        }
+        // The last reach is past any separation at which a pressure is above the smallest number.
+        Found { cell: Cell::of(low), u: low }
+    }
+
+    /// The crossing between two separations, the nearer of which carries the pressure or more, and the other one does not.
     fn bisect(&mut self, low: f64, high: f64) -> Found {
         let u = zero_in_bracket(low, high, |u| self.missing_at(u));
         Found { cell: Cell::of(u), u }
@@ -68,7 +92,7 @@ impl Search<'_, '_> {
         let stride = |u: f64| (SHARE_OF_DEPTH * u.abs()).min(SHARE_OF_DIP * (to - from));
         match self.crossing_below(top, bottom, stride) {
             // Above the mean plane the pressure falls for good.
-            Crossing::AtTop => self.bisect_around(top),
+            Crossing::AtTop => self.crossing_around(top),
             Crossing::Between { low, high } => Some(self.bisect(low, high)),
             Crossing::NotAbove(_) => None,
         }
