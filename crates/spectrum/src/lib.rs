@@ -44,7 +44,7 @@ mod scan;
 mod self_affine_fit;
 mod transform;
 
-pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
+pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
@@ -69,4 +69,4 @@ pub use transform::{
     nonuniform_line_spectrum, nonuniform_line_spectrum_to, overlaps, real_space_derivatives, superpose,
     tip_cutoff_m, uniform_line_spectrum,
 };
-pub use units::UnknownName;
+pub use units::{Scale, UnknownName};

@@ -8,6 +8,7 @@ use std::str::FromStr;
 
 /// What is wrong with a typed quantity.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum QuantityError {
     /// No number at its start.
     #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
@@ -105,6 +106,7 @@ pub enum Pressure {
 
 impl Pressure {
     /// The pressure \[Pa\], given the hardness \[Pa\] where there is one.
+    #[must_use]
     pub fn pascals(self, hardness_pa: Option<f64>) -> Option<f64> {
         match self {
             Pressure::Pascals(pa) => Some(pa),
