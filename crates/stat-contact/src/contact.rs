@@ -74,7 +74,6 @@ impl StatisticalContact {
 
     /// States at many separations and pressures, to a relative `tolerance` as [`at_separation`](Self::at_separation) takes
     /// it, for less than as many single ones.
-    #[must_use]
     pub fn sweep(&self, tolerance: f64) -> Sweep<'_> {
         Sweep::on(Frames::new(&*self.asperities, self.sigma_s_m, Precision::new(tolerance)))
     }

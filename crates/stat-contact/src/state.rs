@@ -8,6 +8,7 @@ use crate::quadrature::frame::Here;
 
 /// A population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
 pub struct ContactState {
     /// Separation d of the flat from the mean of the asperity heights \[m\]; negative below it. `None` where the pressure
     /// is beyond what the population carries at any separation.

@@ -29,6 +29,7 @@ use crate::search::problem::{Found, Neighbour, Search};
 /// assert!(heavy.evaluations < light.evaluations);
 /// # Ok::<(), asperity::AsperityError>(())
 /// ```
+#[must_use]
 pub struct Sweep<'a> {
     frames: Frames<'a>,
     /// The last state that a search can start from.

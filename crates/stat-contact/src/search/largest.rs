@@ -20,8 +20,8 @@ impl Search<'_, '_> {
             let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
             return Some(Found { cell: Cell::ANY, u });
         }
-        let found = neighbour.and_then(|neighbour| self.from_neighbour(neighbour));
-        let found = found.or_else(|| self.from_nowhere())?;
+        let found = neighbour.and_then(|neighbour| self.solution_near(neighbour));
+        let found = found.or_else(|| self.solution_anywhere())?;
         // Above the mean plane there is no other.
         if found.u >= 0.0 {
             return Some(found);
@@ -30,7 +30,7 @@ impl Search<'_, '_> {
     }
 
     /// The solution near that of another pressure; `None` where it may not be the one that is found without a neighbour.
-    fn from_neighbour(&mut self, neighbour: Neighbour) -> Option<Found> {
+    fn solution_near(&mut self, neighbour: Neighbour) -> Option<Found> {
         if !matches!(self.course(), Course::Rises | Course::Peaks { certain: true }) {
             return None;
         }
@@ -50,7 +50,7 @@ impl Search<'_, '_> {
     }
 
     /// The solution from the usual start, or, where steps from there do not converge, from crossings of the load.
-    fn from_nowhere(&mut self) -> Option<Found> {
+    fn solution_anywhere(&mut self) -> Option<Found> {
         let bracket = match self.course() {
             Course::StepsDown { at_m } if at_m < FAR * self.frames.sigma_s_m => {
                 self.bracket_across(at_m / self.frames.sigma_s_m)
@@ -66,12 +66,12 @@ impl Search<'_, '_> {
                 return Some(crossing);
             }
         }
-        self.from_most_loaded()
+        self.solution_beside_most_loaded()
     }
 
     /// The solution nearest to the separation that carries most: the peak of the pressure, or the depth at which searches
     /// end.
-    fn from_most_loaded(&mut self) -> Option<Found> {
+    fn solution_beside_most_loaded(&mut self) -> Option<Found> {
         let peak = self.peak();
         let most_loaded = peak.unwrap_or(-FAR);
         if self.missing_at(most_loaded) <= 0.0 {
