@@ -119,7 +119,7 @@ impl ElasticPlasticSinusoid {
 
     /// The smaller of the elastic and the plastic pressure at t in (0, 1), for r > 1, from the exponent of the gap and
     /// ln(p*_ep/p*).
-    #[inline]
+    #[inline(always)]
     fn pressed_to_power(&self, t: f64, gap: GapExponent, log_softening: f64) -> Pressed {
         let elastic_pa = self.elastic_pressure_pa(t);
         let log_t = elementary::ln(t);

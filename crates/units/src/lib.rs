@@ -5,10 +5,10 @@ mod named;
 mod number;
 mod pressure_range;
 mod quantity;
-mod scale;
+mod roughness;
 
 pub use named::UnknownName;
 pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{Area, Force, Length, Modulus, Pressure, QuantityError, SignedLength};
-pub use scale::Scale;
+pub use roughness::Scale;
