@@ -1,6 +1,7 @@
 //! What can be wrong with a file.
 
 use thiserror::Error;
+use units::LengthUnit;
 
 use crate::convention::Convention;
 use crate::read::json::JsonError;
@@ -302,13 +303,12 @@ impl ReadError {
     /// A unit that does not measure the density of a convention.
     pub(crate) fn bad_density_unit(line: usize, column: &str, unit: &str, convention: Convention) -> Self {
         let power = convention.metre_power();
-        let metres = ["m", "cm", "mm", "um", "nm", "pm", "angstrom"];
         Self::BadUnit {
             line,
             column: column.to_owned(),
             unit: unit.to_owned(),
             quantity: format!("spectrum ({convention})"),
-            accepted: metres.map(|metre| format!("{metre}^{power}")).join(", "),
+            accepted: LengthUnit::ALL.map(|unit| format!("{}^{power}", unit.ascii())).join(", "),
         }
     }
 }
