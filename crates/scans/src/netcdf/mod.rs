@@ -51,7 +51,7 @@ pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Reading, ScanR
     let height_to_m = units.height_to_m(FORMAT)?;
     let mut heights_m = file.values(variable)?;
     heights_m.iter_mut().for_each(|height| *height = height_to_m(*height));
-    blank_masked(&file, &mut heights_m)?;
+    blank_masked(&file, variable, &mut heights_m)?;
     let scan = match layout {
         Layout::Points => points(&file, &units, options, heights_m)?,
         Layout::Line => size(&file, false, &units, options, &mut notes)?.line(heights_m)?,
@@ -86,11 +86,7 @@ impl Layout {
                 format: FORMAT,
                 place: Place::Byte(heights.offset),
                 field: "the list of dimensions of 'heights'".to_owned(),
-                value: dimensions
-                    .iter()
-                    .map(|d| format!("{}: {}", d.name, d.length))
-                    .collect::<Vec<_>>()
-                    .join(", "),
+                value: file.dimensions_of(heights),
                 bound: "x and y (both above 0), x, or n".to_owned(),
                 mend: "name them as contact.engineering does",
             }),
@@ -169,8 +165,18 @@ fn points(
 }
 
 /// Marks the points that the variable `mask` leaves out as undefined.
-fn blank_masked(file: &Classic, heights_m: &mut [f64]) -> Result<(), ScanReadError> {
+fn blank_masked(file: &Classic, heights: &Variable, heights_m: &mut [f64]) -> Result<(), ScanReadError> {
     let Some(mask) = file.variable("mask") else { return Ok(()) };
+    if mask.dimensions != heights.dimensions {
+        return Err(ScanReadError::BadField {
+            format: FORMAT,
+            place: Place::Byte(mask.offset),
+            field: "the list of dimensions of 'mask'".to_owned(),
+            value: file.dimensions_of(mask),
+            bound: format!("that of 'heights', {}", file.dimensions_of(heights)),
+            mend: "write both over the same dimensions",
+        });
+    }
     let mask = file.values(mask)?;
     for (height, masked) in heights_m.iter_mut().zip(mask) {
         if masked != 0.0 {
