@@ -60,7 +60,8 @@ fn files_that_are_no_utf8_text_are_refused() {
     assert_refused(
         b"CDF\x02\0\0",
         1,
-        "line 1: byte 5 of the file is 0x00, which is not UTF-8 text; save the spectrum as CSV or text in UTF-8",
+        "line 1: byte 5 of the file is 0x00, which is binary, perhaps a scan, and no spectrum as text; save the spectrum as \
+         CSV or text in UTF-8",
     );
 }
 

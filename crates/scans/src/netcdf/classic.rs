@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 
 use crate::error::ScanReadError;
-use crate::netcdf::FORMAT;
+use crate::netcdf::cursor::FORMAT;
 use crate::netcdf::cursor::{Cursor, bad};
 
 const DIMENSIONS: u32 = 10;

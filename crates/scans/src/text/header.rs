@@ -2,9 +2,10 @@
 
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
-use crate::options::{ScanOptions, ScanSize};
-use crate::text::FORMAT;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 use crate::text::columns::Columns;
+use crate::text::style::FORMAT;
 use crate::text::style::{is_comment, shortened};
 use units::LengthUnit;
 

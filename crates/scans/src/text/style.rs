@@ -3,6 +3,10 @@
 use std::borrow::Cow;
 
 use crate::error::ScanReadError;
+use crate::format::ScanFormat;
+
+/// The format whose reader this is, for messages.
+pub(crate) const FORMAT: ScanFormat = ScanFormat::Text;
 
 /// What separates the columns of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
