@@ -32,7 +32,7 @@ mod x3p;
 
 #[cfg(feature = "container")]
 pub use container::read_metadata;
-pub use error::{Place, ScanReadError};
+pub use error::{Mend, Place, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use format::ScanFormat;
 pub use heights::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};

@@ -2,7 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_metadata, read_scans};
+use scans::{
+    LengthUnit, MeasurementMetadata, Mend, ScanFile, ScanOption, ScanOptions, ScanReadError, ScanSize,
+    read_metadata, read_scans,
+};
 use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
 
@@ -39,8 +42,20 @@ pub(super) fn load(request: &ScanRequest, folder: &Path) -> Result<Loaded, Failu
     };
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let scans = read_scans(&bytes, &name, &options)
-        .map_err(|error| Failure::Input(format!("{}: {error}", request.path)))?;
+        .map_err(|error| Failure::Input(format!("{}: {error}{}", request.path, mended(&error))))?;
     Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
+}
+
+/// The option that mends an error, in words that follow it.
+fn mended(error: &ScanReadError) -> String {
+    match error.mend() {
+        Some(Mend::Give(ScanOption::Unit)) => format!("; say it with --unit ({})", LengthUnit::accepted()),
+        Some(Mend::Give(ScanOption::Size)) => "; say it with --size".to_owned(),
+        Some(Mend::Give(ScanOption::Channel)) => "; name one that holds heights with --channel".to_owned(),
+        Some(Mend::LeaveOut(ScanOption::Unit)) => "; leave out --unit".to_owned(),
+        Some(Mend::LeaveOut(ScanOption::Size)) => "; leave out --size".to_owned(),
+        _ => String::new(),
+    }
 }
 
 /// What a `meta.yml` or `index.json` in the same folder says of a file, where there is one that names it.
