@@ -41,3 +41,8 @@ pub use options::ScanOptions;
 pub use read::read_scans;
 pub use scan_size::ScanSize;
 pub use units::LengthUnit;
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

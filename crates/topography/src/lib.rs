@@ -48,3 +48,8 @@ pub use radial::{ArealSpectrum, RadialBin};
 pub use rms::RmsDerivatives;
 pub use tip::tip_cutoff_m;
 pub use window::Window;
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
