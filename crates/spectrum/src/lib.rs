@@ -48,10 +48,15 @@ pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{
-    Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
-    WorkbookError, read_psd, series_names,
+    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName,
+    UnitError, WorkbookError, is_psd, read_psd, series_names,
 };
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
 pub use units::{Scale, UnknownName};
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
