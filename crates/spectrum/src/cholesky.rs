@@ -53,11 +53,11 @@ mod tests {
     fn the_inverse_undoes_the_matrix() {
         let matrix = [[4.0, 2.0, -1.0], [2.0, 5.0, 0.5], [-1.0, 0.5, 3.0]];
         let inverse = Cholesky::of(matrix).unwrap().inverse();
-        for row in 0..3 {
-            for column in 0..3 {
-                let product: f64 = (0..3).map(|k| matrix[row][k] * inverse[k][column]).sum();
-                assert!((product - f64::from(u8::from(row == column))).abs() < 1e-15);
-            }
+        for (i, row) in matrix.iter().enumerate() {
+            let product: [f64; 3] =
+                std::array::from_fn(|j| row.iter().zip(&inverse).map(|(a, column)| a * column[j]).sum());
+            let unit: [f64; 3] = std::array::from_fn(|j| f64::from(u8::from(i == j)));
+            assert!(product.iter().zip(unit).all(|(found, unit)| (found - unit).abs() < 1e-15));
         }
         assert!(Cholesky::of([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_none());
         assert!(Cholesky::of([[f64::NAN; 3]; 3]).is_none());
