@@ -30,6 +30,7 @@
 mod abel;
 mod amplitude;
 mod approximate;
+mod cholesky;
 mod convention;
 mod interval;
 mod mccool;
