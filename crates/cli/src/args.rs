@@ -16,8 +16,9 @@ use crate::output::Place;
 use study::material::StackedModelName;
 use study::plan::Tolerance;
 use study::scene::Template;
-use study::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
+use study::topography::ScanRequest;
 use tables::Format;
+use topography::{Average, DEFAULT_BINS_PER_DECADE};
 use units::PressureRange;
 use units::{Length, Modulus, Pressure, SignedLength};
 

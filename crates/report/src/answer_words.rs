@@ -3,7 +3,7 @@
 use study::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use study::plan::Results;
 use study::scene::Scene;
-use study::topography::InstrumentsDisagree;
+use topography::InstrumentsDisagree;
 use units::display::{length, pressure, three_digits};
 
 /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.

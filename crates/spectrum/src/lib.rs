@@ -31,6 +31,7 @@ mod abel;
 mod amplitude;
 mod approximate;
 mod convention;
+mod hole;
 mod interval;
 mod mccool;
 mod moments;
@@ -43,6 +44,7 @@ mod superpose;
 
 pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
 pub use convention::{Convention, ConversionError};
+pub use hole::{HOLE_FACTOR, Hole};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
 pub use profile::ProfilePsd;

@@ -30,6 +30,30 @@ pub enum TransformError {
     /// Heights so large that their squares overflow.
     #[error("taking the reliable part of a spectrum: {0}")]
     Overflow(#[from] PsdError),
+    /// Heights so large that their variance overflows.
+    #[error("transforming heights: their variance is beyond the range of numbers; check their unit")]
+    BeyondNumbers,
+    /// Heights without roughness.
+    #[error(
+        "transforming heights: the scan is flat: after detrending its rms height is {rms_m:e} m, no more than the rounding \
+         of heights up to {largest_m:e} m; check the channel, and export it with more digits"
+    )]
+    Flat {
+        /// Root mean square of the detrended heights in m.
+        rms_m: f64,
+        /// The largest height as read in m.
+        largest_m: f64,
+    },
+    /// Bins too few to be a spectrum.
+    #[error(
+        "averaging spectra: the scans fill {bins} {} in all, a spectrum has at least 2; give more or larger scans, or more \
+         bins per decade",
+        if *.bins == 1 { "bin" } else { "bins" }
+    )]
+    TooFewBins {
+        /// The bins.
+        bins: usize,
+    },
     /// A composite of nothing.
     #[error("averaging spectra: the number of measurements is 0, it must be at least 1")]
     NoMeasurements,

@@ -1,14 +1,18 @@
 //! `psd`: from scans to their composite spectrum.
 
-use super::{Context, say_notes};
+use super::{Context, say_notes, say_of_severity};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::output::Place;
+use crate::stderr::say;
 use crate::timings::Timings;
 use report::plot;
+use report::scan_words;
+use report::scans_table::scans_table;
 use study::provenance::program;
-use study::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
+use study::topography::{CompositeOfFiles, ScanRequest, areal_spectrum};
+use topography::{Recipe, Remark};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
     refuse_idle_options(args, context)?;
@@ -33,22 +37,32 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         return context.write_to(output, &found.table, &[program(context.typed), found.provenance]);
     }
     let mut timings = Timings::start();
-    let found =
-        CompositeSpectrum::of_files(&requests, &Folder::current(), &recipe).map_err(Failure::input)?;
+    let found = CompositeOfFiles::read(&requests, &Folder::current(), &recipe).map_err(Failure::input)?;
     timings.lap("reading and transforming");
-    say_notes(found.notes());
+    say_lines(&scans_table(&found.spectrum));
+    let remarks = found.spectrum.remarks();
+    for remark in &remarks {
+        say_of_severity(remark.severity(), &scan_words::remark(remark));
+    }
     let mut comments = vec![program(context.typed)];
     comments.extend(found.provenance());
+    let holes = remarks.iter().filter(|remark| matches!(remark, Remark::Holes(_)));
+    comments.extend(holes.map(scan_words::remark));
     let table = if args.per_scan { found.series_table() } else { found.table() };
     context.write_to(output, &table, &comments)?;
     if let Some(path) = &args.figure {
-        let title = format!("{} scans", found.scans.len());
+        let title = format!("{} scans", found.spectrum.scans.len());
         let svg = plot::svg(&found.figure("psd"), &title, &comments);
         Place::File(path.clone()).write(|out| out.write_all(svg.as_bytes()))?;
     }
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())
+}
+
+/// Says text of several lines on stderr.
+fn say_lines(text: &str) {
+    text.lines().for_each(say);
 }
 
 /// Refuses options that say nothing about scans: a call that is not carried out as it reads is worse than none.

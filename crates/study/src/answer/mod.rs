@@ -7,7 +7,7 @@ use stacked_contact::setting_level;
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
 use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Results};
 use crate::scene::Scene;
-use crate::topography::InstrumentsDisagree;
+use topography::InstrumentsDisagree;
 
 /// From so many scales on, over so many decades, a spectrum can tell which of them matter.
 pub const LEAST_SCALES: usize = 5;
@@ -86,7 +86,7 @@ impl Answer {
     pub fn of(scene: &Scene, results: &Results) -> Self {
         let needs = &scene.needs;
         let scans = scene.surface.made_from.as_ref();
-        let instruments_disagree = scans.and_then(|scans| scans.instruments_disagree());
+        let instruments_disagree = scans.and_then(|scans| scans.spectrum.instruments_disagree());
         let wavelengths_m = results.psd.wavelengths_m();
         let decades = (wavelengths_m[0] / wavelengths_m[wavelengths_m.len() - 1]).log10();
         let enough = wavelengths_m.len() >= LEAST_SCALES && decades >= LEAST_DECADES;

@@ -3,7 +3,6 @@
 use std::{fmt, io};
 
 use scans::ScanReadError;
-use spectrum::PsdError;
 use topography::TransformError;
 
 /// Why the scans of a file, or all of them together, yield no spectrum.
@@ -44,23 +43,12 @@ pub enum ScanProblem {
         /// Why.
         error: TransformError,
     },
-    /// Heights in a unit that cannot be meant.
-    #[error("the variance of the heights is beyond the range of numbers; check their unit")]
-    VarianceBeyondNumbers,
     /// An areal spectrum of none or several scans.
     #[error("{0} scans; an areal spectrum is that of one map")]
     NotOneMap(usize),
     /// An areal spectrum of a line.
     #[error("a line scan has no areal spectrum")]
     LineHasNoArea,
-    /// Too few bins to be a spectrum.
-    #[error("{error}: the scans fill {bins} bins; give more of them, or more bins per decade")]
-    TooFewBins {
-        /// What a spectrum needs.
-        error: PsdError,
-        /// The bins.
-        bins: usize,
-    },
 }
 
 impl fmt::Display for TopographyError {
@@ -82,7 +70,7 @@ impl TopographyError {
     }
 
     /// All of the scans together are to blame.
-    pub(super) fn of_all(problem: ScanProblem) -> Self {
+    pub(crate) fn of_all(problem: ScanProblem) -> Self {
         TopographyError { file: None, request: None, problem }
     }
 }
