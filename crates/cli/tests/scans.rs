@@ -214,7 +214,9 @@ fn data_given_twice_are_told() {
     let told: Vec<&str> = run.stderr.lines().filter(|line| line.contains("the same data")).collect();
     assert_eq!(
         told,
-        ["warning: a.txt and copy.txt are the same data, which count once; leave one of them out"]
+        [
+            "warning: a.txt and copy.txt are the same data, which say nothing of each other; leave one of them out"
+        ]
     );
 }
 

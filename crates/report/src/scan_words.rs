@@ -51,7 +51,9 @@ pub fn remark(told: &Remark) -> String {
     match told {
         Remark::Scan { name, remark } => format!("{name}: {}", scan_remark(remark)),
         Remark::SameData { names: [first, second] } => {
-            format!("{first} and {second} are the same data, which count once; leave one of them out")
+            format!(
+                "{first} and {second} are the same data, which say nothing of each other; leave one of them out"
+            )
         }
         Remark::Overlap { names: [first, second], ratio, bins, longest_m, shortest_m } => {
             let doubt = if told.severity() == Severity::Warning {

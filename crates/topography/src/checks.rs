@@ -1,10 +1,11 @@
 //! How far a spectrum can be believed: checks that run by themselves.
 
-use scans::{HeightMap, Scan};
+use scans::Scan;
 
 use crate::remark::{Derivative, FundamentalMode, ScanRemark};
 use crate::{
-    Boundary, DerivativeOf, Detrend, LineSpectrum, Preparation, fundamental_kept, real_space_derivatives,
+    Boundary, DerivativeOf, LineSpectrum, Preparation, fundamental_kept, real_space_derivatives,
+    real_space_derivatives_across,
 };
 
 /// What is known of a spectrum besides its values.
@@ -49,7 +50,8 @@ impl Checks {
             evenly_spaced: !matches!(scan, Scan::NonuniformLine(_)),
             largest_gap: largest_gap(scan),
             real_slope: real.slope,
-            slope_across: slope_across(scan, preparation.detrend, boundary),
+            slope_across: real_space_derivatives_across(scan, preparation.detrend, boundary)
+                .map(|across| across.slope),
             spectral_slope: spectral.map(|spectral| spectral.slope),
             real_curvature_per_m: real.curvature_per_m,
             spectral_curvature_per_m: spectral.and_then(|spectral| spectral.curvature_per_m),
@@ -90,20 +92,4 @@ fn largest_gap(scan: &Scan) -> f64 {
     let mut gaps: Vec<f64> = line.positions_m().windows(2).map(|pair| pair[1] - pair[0]).collect();
     gaps.sort_by(f64::total_cmp);
     gaps[gaps.len() - 1] / gaps[gaps.len() / 2]
-}
-
-/// Root mean square slope across the scan lines: along the lines of the map turned by a quarter.
-fn slope_across(scan: &Scan, detrend: Detrend, boundary: Boundary) -> Option<f64> {
-    let Scan::Map(map) = scan else { return None };
-    let turned = Scan::Map(turned(map));
-    Some(real_space_derivatives(&turned, detrend, boundary).slope)
-}
-
-/// The map with its columns for rows.
-fn turned(map: &HeightMap) -> HeightMap {
-    let (columns, rows) = (map.columns(), map.rows());
-    let column = |column: usize| map.heights_m().iter().skip(column).step_by(columns).copied();
-    let heights_m = (0..columns).flat_map(column).collect();
-    HeightMap::new(rows, map.spacing_y_m(), map.spacing_x_m(), heights_m)
-        .expect("a map is one with its columns for rows")
 }

@@ -9,8 +9,6 @@ use crate::{Composite, CompositeOptions, Overlap, TransformError, composite, ove
 
 /// In fewer shared bins the scatter of single lines may look as if instruments disagreed.
 const TELLING_BINS: usize = 3;
-/// A spectrum has at least two samples, between which it is a power law.
-const LEAST_BINS: usize = 2;
 
 /// Two instruments that do not show the same surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +35,7 @@ pub struct CompositeSpectrum {
     pub repeated: Vec<(usize, usize)>,
     /// What neighbouring instruments say of the wavelengths that they share.
     pub overlaps: Vec<Overlap>,
-    /// The composite, in which data given twice count once.
+    /// The composite; data given twice count once in its standard errors.
     pub composite: Composite,
 }
 
@@ -47,26 +45,15 @@ impl CompositeSpectrum {
     /// # Errors
     /// [`TransformError`] where there are none, or their bins are too few to be a spectrum.
     pub fn of(scans: Vec<ScanSpectrum>, recipe: &Recipe) -> Result<Self, TransformError> {
-        let repeated = repeated(&scans);
-        let is_first = |scan: &usize| !repeated.iter().any(|(_, repeats)| repeats == scan);
-        let distinct: Vec<usize> = (0..scans.len()).filter(is_first).collect();
-        let reliable: Vec<_> = distinct.iter().map(|&scan| scans[scan].reliable.clone()).collect();
+        let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
         let options = CompositeOptions {
             bins_per_decade: recipe.bins_per_decade,
             across: recipe.average.across(),
             ..CompositeOptions::default()
         };
-        let in_list = |overlap: Overlap| Overlap {
-            first: distinct[overlap.first],
-            second: distinct[overlap.second],
-            ..overlap
-        };
-        let overlaps = overlaps(&reliable, recipe.bins_per_decade).into_iter().map(in_list).collect();
         let composite = composite(&reliable, &options)?;
-        let bins = composite.bins().len();
-        if bins < LEAST_BINS {
-            return Err(TransformError::TooFewBins { bins });
-        }
+        let repeated = repeated(&scans);
+        let overlaps = overlaps(&reliable, recipe.bins_per_decade);
         Ok(CompositeSpectrum { recipe: *recipe, scans, repeated, overlaps, composite })
     }
 
@@ -127,7 +114,8 @@ impl CompositeSpectrum {
         });
         let same =
             self.repeated.iter().map(|&(scan, repeats)| Remark::SameData { names: both([scan, repeats]) });
-        let overlaps = self.overlaps.iter().map(|overlap| Remark::Overlap {
+        let is_told = |overlap: &&Overlap| !self.repeated.contains(&(overlap.first, overlap.second));
+        let overlaps = self.overlaps.iter().filter(is_told).map(|overlap| Remark::Overlap {
             names: both([overlap.first, overlap.second]),
             ratio: overlap.ratio,
             bins: overlap.bins,

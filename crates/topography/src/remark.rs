@@ -134,7 +134,7 @@ pub enum Remark {
         /// What.
         remark: ScanRemark,
     },
-    /// Two scans are the same data, which count once.
+    /// Two scans are the same data, which count once in standard errors.
     SameData {
         /// Their names.
         names: [String; 2],

@@ -1,6 +1,6 @@
 //! Heights become a spectrum, limited to the band that shows the surface.
 
-use scans::{Scan, ScanFile, ScanFormat};
+use scans::{Probe, Scan, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
 
 use crate::checks::Checks;
@@ -51,7 +51,7 @@ impl ScanSpectrum {
         refuse_flat(&file.scan, &spectrum)?;
         let reliable = spectrum.profile(&band)?;
         let checks = Checks::of(&file.scan, &spectrum, preparation, file.is_periodic);
-        let band_end = band_end(&band, limits, given, file.is_periodic);
+        let band_end = band_end(&band, limits, given, may_have_a_tip(&file));
         Ok(ScanSpectrum {
             name: file.name,
             format: file.format,
@@ -104,14 +104,19 @@ fn refuse_flat(scan: &Scan, spectrum: &LineSpectrum) -> Result<(), TransformErro
 }
 
 /// Which of the limits of a band is the longest.
-fn band_end(band: &ReliableBand, limits: BandLimits, given: BandLimits, is_periodic: bool) -> BandEnd {
+fn band_end(band: &ReliableBand, limits: BandLimits, given: BandLimits, may_have_a_tip: bool) -> BandEnd {
     let ends = |limit_m: Option<f64>| limit_m.is_some_and(|limit_m| limit_m == band.shortest_m);
     match limits.tip_radius_m {
         Some(radius_m) if ends(band.tip_m) => BandEnd::Tip { radius_m },
         _ if ends(given.shortest_m) => BandEnd::Given,
         _ if ends(band.user_m) => BandEnd::Resolution,
-        // Heights that repeat themselves were computed: no tip has touched them.
-        None if limits.shortest_m.is_none() && !is_periodic => BandEnd::PixelsWithoutTip,
+        None if limits.shortest_m.is_none() && may_have_a_tip => BandEnd::PixelsWithoutTip,
         _ => BandEnd::Pixels,
     }
+}
+
+/// Whether a tip may have touched the surface: not of a microscope, nor of heights that repeat themselves, which were
+/// computed.
+fn may_have_a_tip(file: &ScanFile) -> bool {
+    file.probe != Some(Probe::Microscope) && !file.is_periodic
 }
