@@ -2,6 +2,7 @@
 
 mod tables;
 
+use spectrum::Hole;
 use stacked_contact::setting_level;
 
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
@@ -93,7 +94,8 @@ impl Answer {
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &crate::plan::Load)| {
-                LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)
+                let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)?;
+                Some(answer.of_spectrum_with(scene.surface.holes()))
             };
             needs.loads.iter().enumerate().map(of_load).collect()
         };
@@ -146,6 +148,14 @@ impl LoadAnswer {
             }),
             out_of_range_load_share: out_of_range.map(|(_, state)| state.out_of_range_load_share),
         })
+    }
+
+    /// The same answer for a spectrum with these holes, in which decades were not measured.
+    fn of_spectrum_with(mut self, holes: &[Hole]) -> Self {
+        for decade in &mut self.decades {
+            *decade = decade.of_spectrum_with(holes);
+        }
+        self
     }
 
     /// The decade of wavelengths that decides most.

@@ -14,7 +14,7 @@ impl CompositeOfFiles {
         let composite = self.spectrum.composite.profile();
         let points = self.series("composite", COMPOSITE_COLOUR, 1, "c1d_m3", &composite);
         let series = self.scan_series().into_iter().chain([points]).collect();
-        psd_figure(name, series)
+        psd_figure(name, series).with_holes(&self.spectrum.holes())
     }
 
     /// A figure of the composite, with the scans beneath it.
