@@ -1,11 +1,13 @@
 //! The words for what is worth knowing about a spectrum and the scans that it is made from.
 
+use scans::{Mend, ScanOption};
 use spectrum::Hole;
 use study::Note;
 use study::surface::Surface;
 use topography::{
     BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
 };
+use units::LengthUnit;
 use units::display::{length, three_digits};
 
 /// Double precision tells relative errors from here on.
@@ -86,6 +88,19 @@ pub fn holes(holes: &[Hole]) -> String {
         "nothing was measured {}{more}: the spectrum there is a straight line in logarithms from end to end",
         named.join(" and ")
     )
+}
+
+/// What mends an error of a scan, in words that follow it; `name_of` knows what an option is called where it is given, if
+/// it can be given there.
+#[must_use]
+pub fn mend(mend: Mend, name_of: impl Fn(ScanOption) -> Option<&'static str>) -> String {
+    let (Mend::Give(option) | Mend::LeaveOut(option)) = mend;
+    let Some(name) = name_of(option) else { return String::new() };
+    match (mend, option) {
+        (Mend::Give(_), ScanOption::Unit) => format!("; say it with {name} ({})", LengthUnit::accepted()),
+        (Mend::Give(_), _) => format!("; say it with {name}"),
+        (Mend::LeaveOut(_), _) => format!("; leave out {name}"),
+    }
 }
 
 fn scan_remark(remark: &ScanRemark) -> String {

@@ -31,9 +31,5 @@ pub(crate) fn refuse_size(
     place: Place,
     options: &ScanOptions,
 ) -> Result<(), ScanReadError> {
-    if options.size.is_none() {
-        return Ok(());
-    }
-    let found = "a line at uneven spacing with another size than its own".to_owned();
-    Err(ScanReadError::Unsupported { format, place, found, mend: "leave out --size" })
+    if options.size.is_none() { Ok(()) } else { Err(ScanReadError::SizeIsFixed { format, place }) }
 }

@@ -32,7 +32,7 @@ mod x3p;
 
 #[cfg(feature = "container")]
 pub use container::read_metadata;
-pub use error::{Place, ScanReadError};
+pub use error::{Mend, Place, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use format::ScanFormat;
 pub use heights::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
@@ -41,3 +41,8 @@ pub use options::ScanOptions;
 pub use read::read_scans;
 pub use scan_size::ScanSize;
 pub use units::LengthUnit;
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -74,7 +74,7 @@ fn nanoscope_headers_that_lie() {
     let unit = refusal(&bytes, &in_unit("nm"));
     assert_eq!(
         unit,
-        "reading Nanoscope: the format fixes the unit of lengths and heights; leave out --unit 'nm'"
+        "reading Nanoscope: the format fixes the unit of lengths and heights, and 'nm' is asked for"
     );
     let lies = replaced(&bytes, "lines: 4\r\n\\Scan", "lines: 9\r\n\\Scan");
     assert!(refusal(&lies, &none()).contains("at least the 108 bytes of 6 x 9 points of 2 bytes"));

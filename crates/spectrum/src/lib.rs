@@ -57,3 +57,8 @@ pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
 pub use units::UnknownName;
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -61,3 +61,8 @@ pub use rms::RmsDerivatives;
 pub use scan_spectrum::ScanSpectrum;
 pub use tip::tip_cutoff_m;
 pub use window::Window;
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

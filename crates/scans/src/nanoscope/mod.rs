@@ -55,7 +55,7 @@ fn choose<'i, 'h>(images: &'i [Image<'h>], options: &ScanOptions) -> Result<&'i 
     let heights = || images.iter().filter(|image| image.is_named_after_height());
     // Where none can be scaled, the first will say why.
     let found = heights().find(|image| image.is_length()).or_else(|| heights().next());
-    found.ok_or_else(|| none("channel of heights; name one that holds them with --channel".to_owned()))
+    found.ok_or_else(|| none("channel of heights".to_owned()))
 }
 
 /// Force curves and unevenly spaced profiles have image sections that hold no map.

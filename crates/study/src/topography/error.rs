@@ -2,7 +2,7 @@
 
 use std::{fmt, io};
 
-use scans::ScanReadError;
+use scans::{Mend, ScanReadError};
 use topography::TransformError;
 
 /// Why the scans of a file, or all of them together, yield no spectrum.
@@ -64,6 +64,15 @@ impl fmt::Display for TopographyError {
 impl std::error::Error for TopographyError {}
 
 impl TopographyError {
+    /// The option of a scan that mends it, where one does; whoever asked knows what it is called there.
+    #[must_use]
+    pub fn mend(&self) -> Option<Mend> {
+        match &self.problem {
+            ScanProblem::Format(error) => error.mend(),
+            _ => None,
+        }
+    }
+
     /// The scans of one file are to blame.
     pub(super) fn of_file(file: &str, problem: ScanProblem) -> Self {
         TopographyError { file: Some(file.to_owned()), request: None, problem }

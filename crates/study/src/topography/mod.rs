@@ -2,7 +2,7 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | what was asked for | `request.rs`: files with their own options |
+//! | what was asked for | `request.rs`: files with their own options; `list.rs`: a table of them |
 //! | a file becomes heights | `load.rs`: format, unit and size from the file, else from metadata beside it, else as given |
 //! | heights become one spectrum, with checks | the crate `topography`; `composite.rs` remembers the files |
 //! | what is shown | `tables.rs`, `figure.rs` |
@@ -12,6 +12,7 @@ mod areal;
 mod composite;
 mod error;
 mod figure;
+mod list;
 mod load;
 mod request;
 mod tables;
@@ -19,4 +20,5 @@ mod tables;
 pub use areal::{AreaSpectrum, areal_spectrum};
 pub use composite::{CompositeOfFiles, Source};
 pub use error::{ScanProblem, TopographyError};
+pub use list::{ListError, requests_of_list};
 pub use request::{RequestError, ScanRequest};

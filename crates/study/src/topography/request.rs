@@ -77,7 +77,8 @@ impl FromStr for ScanRequest {
 }
 
 impl ScanRequest {
-    fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
+    /// Sets an option by its name on the command line.
+    pub(super) fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
         let bad = |problem: String| RequestError::BadValue {
             file: self.path.clone(),
             key: key.to_owned(),
