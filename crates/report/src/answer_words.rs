@@ -3,7 +3,7 @@
 use study::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use study::plan::Results;
 use study::scene::Scene;
-use study::topography::InstrumentsDisagree;
+use topography::InstrumentsDisagree;
 use units::display::{length, pressure, three_digits};
 
 /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.
@@ -207,14 +207,13 @@ impl<'a> Group<'a> {
     fn deciding(&self, scene: &Scene) -> String {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
-            Some((
-                format!(
-                    "{} to {}",
-                    length(decade.longest_m.min(self.longest_m)),
-                    length(decade.shortest_m.max(self.shortest_m))
-                ),
-                decade.share,
-            ))
+            let ends = format!(
+                "{} to {}",
+                length(decade.longest_m.min(self.longest_m)),
+                length(decade.shortest_m.max(self.shortest_m))
+            );
+            let name = if decade.measured { ends } else { format!("{ends}, which was not measured") };
+            Some((name, decade.share))
         };
         let mut decades: Vec<(String, Vec<usize>, Vec<f64>)> = Vec::new();
         for (load, answer) in &self.answers {

@@ -6,6 +6,7 @@ pub mod features;
 pub mod figure;
 mod files;
 pub mod material;
+mod note;
 pub mod plan;
 pub mod provenance;
 pub mod result_tables;
@@ -15,4 +16,5 @@ pub mod surface;
 pub mod topography;
 
 pub use files::{Files, NoFiles};
+pub use note::Note;
 pub use parallel::{Progress, Unobserved};

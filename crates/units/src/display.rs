@@ -18,9 +18,12 @@ fn with_prefix(value: f64, units: &[(&str, i32)]) -> String {
     format!("{} {unit}", three_digits(value / 10f64.powi(*power)))
 }
 
-/// Three significant digits, with an exponent outside 1e-3 to 1e4.
+/// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
     if !(1e-3..1e4).contains(&value.abs()) {
         return format!("{value:.2e}");
     }

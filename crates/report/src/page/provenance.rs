@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::answer::sentence;
 use super::{SceneReport, Section, per_scene};
+use crate::scan_words;
 use crate::summary::sampling;
 
 pub(super) fn section(scenes: &[SceneReport<'_>], repeat: &str) -> Section {
@@ -23,7 +24,7 @@ fn of(report: &SceneReport<'_>) -> Markup {
             p { "Its file says:" }
             blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }
         }
-        @for note in &surface.notes { p { (sentence(note)) } }
+        @for note in &surface.notes { p { (sentence(&scan_words::note(note))) } }
     }
 }
 

@@ -73,7 +73,8 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
     let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|(series, _)| series.dash == 0);
     let traces: Vec<&(&Series, Vec<(f64, f64)>)> = solid.into_iter().chain(dashed).collect();
-    let lines: Vec<Plot> = traces.iter().map(|(series, points)| line(series, points, compared)).collect();
+    let lines: Vec<Plot> =
+        traces.iter().flat_map(|(series, points)| lines(figure, series, points, compared)).collect();
     let layout = layout
         .with_x_axis_min(x.first)
         .with_x_axis_max(x.last)
@@ -146,6 +147,15 @@ fn add_minor_ticks(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: 
 
 fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.log10(), y.log10())).collect()
+}
+
+/// The line of a series, in pieces where it has to leave something open.
+fn lines(figure: &FigureData, series: &Series, points: &[(f64, f64)], compared: bool) -> Vec<Plot> {
+    if figure.gaps.is_empty() {
+        return vec![line(series, points, compared)];
+    }
+    let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
+    pieces.filter(|piece| !piece.is_empty()).map(|piece| line(series, &piece, compared)).collect()
 }
 
 fn line(series: &Series, points: &[(f64, f64)], compared: bool) -> Plot {
@@ -233,6 +243,7 @@ mod tests {
             x_label: "x".to_owned(),
             y_label: "y",
             series: vec![series],
+            gaps: Vec::new(),
         }
     }
 
