@@ -1,6 +1,8 @@
 //! What a study found, in words, SVG and one HTML page.
 
 mod answer_words;
+pub mod curve_names;
+mod decade;
 pub mod explain;
 pub mod page;
 pub mod plot;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use crate::curve_names::with_full_names;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use study::answer::Answer;
@@ -33,7 +34,8 @@ fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
 }
 
 fn drawn(scene: &Scene, figure: &FigureData) -> String {
-    plot::svg(figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
+    let figure = with_full_names(figure.clone(), &scene.needs.curves);
+    plot::svg(&figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
 }
 
 fn origin(scene: &Scene, what: &str) -> Vec<String> {
@@ -46,7 +48,7 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
 pub struct Findings {
     /// The answer.
     pub answer: Answer,
-    /// What rests on which choice.
+    /// How much each choice of modelling moves the areas.
     pub sensitivities: Vec<Sensitivity>,
     /// How much was computed for that.
     pub work: Work,
@@ -71,7 +73,10 @@ impl Findings {
             results,
             answer: &self.answer,
             sensitivities: &self.sensitivities,
-            figures: figures(scene, results),
+            figures: figures(scene, results)
+                .into_iter()
+                .map(|figure| with_full_names(figure, &scene.needs.curves))
+                .collect(),
         }
     }
 

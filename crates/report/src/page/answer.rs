@@ -18,7 +18,7 @@ pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {
 
 fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let (scene, answer) = (report.scene, report.answer);
-    let sentences = answer_words::sentences(answer, scene);
+    let sentences = answer_words::sentences(answer, scene, report.results);
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
     html! {
         @if several { h3 { (report.label) } }

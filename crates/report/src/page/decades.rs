@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use units::display::length;
+use crate::decade;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let strips = per_scene(scenes, of)?;
@@ -33,14 +33,12 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if decades.is_empty() {
         return None;
     }
-    // A decade that the spectrum covers in part is told as far as it goes.
     let psd = &report.results.psd;
-    let (begins_m, ends_m) = (psd.longest_wavelength_m(), psd.shortest_wavelength_m());
     let head = html! {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
             @for (longest_m, shortest_m) in &decades {
-                th scope="col" { (unbroken(longest_m.min(begins_m))) " to " (unbroken(shortest_m.max(ends_m))) }
+                th scope="col" { (decade::name(*longest_m, *shortest_m, psd)) }
             }
         }
     };
@@ -58,11 +56,6 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         }
     };
     Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
-}
-
-/// A length that stays on its line.
-fn unbroken(length_m: f64) -> String {
-    length(length_m).replace(' ', "\u{a0}")
 }
 
 /// The strips of each curve; neighbouring loads whose strips read the same share one.

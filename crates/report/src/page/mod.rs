@@ -18,6 +18,7 @@ pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::curve_names::in_full;
 use study::answer::{Answer, LoadAnswer};
 use study::figure::FigureData;
 use study::plan::Results;
@@ -35,7 +36,7 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
-    /// What rests on which choice.
+    /// How much each choice of modelling moves its areas.
     pub sensitivities: &'a [Sensitivity],
     /// Its figures.
     pub figures: Vec<FigureData>,
@@ -148,9 +149,9 @@ impl SceneReport<'_> {
         )
     }
 
-    /// A curve's name.
-    fn curve(&self, curve: usize) -> &str {
-        &self.scene.needs.curves[curve].name
+    /// A curve's name in full.
+    fn curve(&self, curve: usize) -> String {
+        in_full(&self.scene.needs.curves[curve])
     }
 
     /// A pressure in units of the hardness, where there is one.
