@@ -79,10 +79,13 @@ pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) ->
         }
     }
     let sentence = |(loads, names): (String, Vec<String>)| {
+        let models = match names.len() {
+            all if all == scene.needs.curves.len() && all > 2 => "any of the models".to_owned(),
+            _ => listed(&names.iter().map(String::as_str).collect::<Vec<_>>()),
+        };
         format!(
-            "This spectrum cannot tell how much touches by {} {loads}: it ends at {} before the area has settled (within \
+            "This spectrum cannot tell how much touches by {models} {loads}: it ends at {} before the area has settled (within \
              1 %, with half a decade of spectrum below). The tables hold the area at that cutoff.",
-            listed(&names.iter().map(String::as_str).collect::<Vec<_>>()),
             length(shortest_m)
         )
     };

@@ -37,7 +37,7 @@ pub fn explain(scene: &Scene) -> String {
         if_needed(needs.moments.is_some()),
         match needs.moments {
             Some(norm) => format!(
-                "moments for every cutoff, times {} ({})",
+                "moments for every cutoff, {norm}: {} ({})",
                 choices_in_words::normalisation(norm),
                 users_of_moments(scene)
             ),
@@ -49,13 +49,16 @@ pub fn explain(scene: &Scene) -> String {
         match needs.amplitudes {
             Some(definition) if !needs.curves.iter().any(|curve| is_stacked(&curve.model)) => {
                 format!(
-                    "amplitudes, {} ({})",
+                    "amplitudes, {definition}: {} ({})",
                     choices_in_words::amplitude(definition),
                     figures(scene, &[Shows::Amplitude, Shows::AspectRatio])
                 )
             }
             Some(definition) => {
-                format!("amplitudes, {} (the stacked curves)", choices_in_words::amplitude(definition))
+                format!(
+                    "amplitudes, {definition}: {} (the stacked curves)",
+                    choices_in_words::amplitude(definition)
+                )
             }
             None => "amplitudes: no curve and no figure uses them".to_owned(),
         },

@@ -8,7 +8,7 @@ use stat_contact::InterferenceLaw;
 #[must_use]
 pub fn normalisation(choice: Normalisation) -> &'static str {
     match choice {
-        Normalisation::Parseval => "1/π, which keeps the variance (Parseval)",
+        Normalisation::Parseval => "1/π, which keeps the variance",
         Normalisation::AsPrinted => "1, as printed in Eq. (1) of Jackson & Jacobs",
     }
 }
@@ -18,7 +18,7 @@ pub fn normalisation(choice: Normalisation) -> &'static str {
 pub fn amplitude(choice: AmplitudeDefinition) -> &'static str {
     match choice {
         AmplitudeDefinition::Eq5 => "Eq. (5) of Jackson & Jacobs",
-        AmplitudeDefinition::Parseval => "of its band, which keeps the variance (Parseval)",
+        AmplitudeDefinition::Parseval => "of its band, which keeps the variance",
     }
 }
 
