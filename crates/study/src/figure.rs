@@ -90,6 +90,8 @@ pub struct FigureData {
     pub y_label: &'static str,
     /// The lines.
     pub series: Vec<Series>,
+    /// Stretches of the abscissa that were not measured, by their two ends: no line crosses them.
+    pub gaps: Vec<[f64; 2]>,
 }
 
 /// An abscissa: its column in a table and its label in a picture.
@@ -144,7 +146,16 @@ impl Figure {
             Some(hardness_pa) => format!("{}; H = {}", x.label, pressure(hardness_pa)),
             None => x.label.to_owned(),
         };
-        FigureData { name: self.name.clone(), shows: self.shows, title, x, x_label, y_label, series }
+        FigureData {
+            name: self.name.clone(),
+            shows: self.shows,
+            title,
+            x,
+            x_label,
+            y_label,
+            series,
+            gaps: Vec::new(),
+        }
     }
 
     fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {
@@ -215,6 +226,7 @@ pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
         x_label: WAVEVECTOR.label.to_owned(),
         y_label: PSD,
         series,
+        gaps: Vec::new(),
     }
 }
 
@@ -310,6 +322,7 @@ mod tests {
                 alone("a", vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
                 alone("b", vec![(2.0, 0.5), (0.5, 0.4)]),
             ],
+            gaps: Vec::new(),
         };
         let table = figure.table();
         let column = |name: &str| match table.column(name) {

@@ -30,7 +30,7 @@ impl CompositeSpectrum {
         let names = self.series_names();
         let line = |(index, scan): (usize, &super::ScanSpectrum)| {
             let binned = log_binned(&scan.reliable, self.recipe.bins_per_decade, BinMean::Arithmetic);
-            let colour = index % COMPOSITE_COLOUR;
+            let colour = index + usize::from(index >= COMPOSITE_COLOUR);
             self.series(&names[index], colour, 0, &format!("c1d_m3 of {}", names[index]), &binned)
         };
         self.scans.iter().enumerate().map(line).collect()
