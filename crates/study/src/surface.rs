@@ -2,6 +2,7 @@
 
 use std::io;
 
+use sha2::{Digest, Sha256};
 use spectrum::{ConversionError, ProfilePsd, PsdFile, ReadError, ReadOptions, read_psd, superpose};
 use units::display::length;
 
@@ -58,6 +59,15 @@ pub enum SurfaceError {
     Scans(#[from] TopographyError),
 }
 
+/// A file that a surface was read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Its name, as given.
+    pub name: String,
+    /// The SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
+}
+
 /// A spectrum ready to be worked with.
 #[derive(Debug, Clone)]
 pub struct Surface {
@@ -71,6 +81,8 @@ pub struct Surface {
     pub notes: Vec<String>,
     /// The scans it is the composite of, where it is not given as a spectrum.
     pub made_from: Option<CompositeSpectrum>,
+    /// The files that it was read from; those of scans are told in the remarks.
+    pub sources: Vec<SourceFile>,
 }
 
 impl Surface {
@@ -94,7 +106,15 @@ impl Surface {
         if name == RECONSTRUCTION.0 {
             notes.push(RECONSTRUCTION.1.to_owned());
         }
-        Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes, made_from: None })
+        let source = SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) };
+        Ok(Surface {
+            name: name.to_owned(),
+            psd,
+            remarks: comments,
+            notes,
+            made_from: None,
+            sources: vec![source],
+        })
     }
 
     /// The composite spectrum of scans.
@@ -111,7 +131,14 @@ impl Surface {
         let name = names.join(" + ");
         let psd = scans.psd()?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
-        Ok(Surface { name, psd, remarks: scans.provenance(), notes: scans.notes(), made_from: Some(scans) })
+        Ok(Surface {
+            name,
+            psd,
+            remarks: scans.provenance(),
+            notes: scans.notes(),
+            made_from: Some(scans),
+            sources: Vec::new(),
+        })
     }
 
     /// The sum of two surfaces that know nothing of each other: their spectra add where both have one, and elsewhere the
@@ -145,6 +172,7 @@ impl Surface {
             remarks: of_each(|surface| &surface.remarks),
             notes,
             made_from: None,
+            sources: [self.sources, other.sources].concat(),
         }
     }
 }

@@ -19,6 +19,7 @@ pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::in_full;
+use crate::products::Occasion;
 use study::answer::{Answer, LoadAnswer};
 use study::figure::FigureData;
 use study::plan::Results;
@@ -38,7 +39,7 @@ pub struct SceneReport<'a> {
     pub answer: &'a Answer,
     /// How much each choice of modelling moves its areas.
     pub sensitivities: &'a [Sensitivity],
-    /// Its figures.
+    /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
     pub figures: Vec<FigureData>,
 }
 
@@ -52,6 +53,8 @@ pub struct Report<'a> {
     pub ledger: Option<&'a Ledger>,
     /// How to make the report again, e.g. a command.
     pub repeat: &'a str,
+    /// How and when it was made.
+    pub occasion: &'a Occasion,
 }
 
 /// A section of the page.
@@ -75,7 +78,7 @@ impl Report<'_> {
             sensitivities::section(scenes),
             validity::section(scenes),
             choices::section(scenes),
-            Some(provenance::section(scenes, self.repeat)),
+            Some(provenance::section(self)),
         ]
         .into_iter()
         .flatten()
@@ -97,6 +100,7 @@ impl Report<'_> {
                     }
                     main {
                         (answer::lead(scenes))
+                        (figures::of_the_answer(scenes))
                         nav aria-label="Contents" {
                             ul { @for section in &sections { li { a href={ "#" (section.id) } { (section.title) } } } }
                         }

@@ -26,7 +26,7 @@ use units::display::typeset;
 const WIDTH_PX: f64 = 480.0;
 const HEIGHT_PX: f64 = 380.0;
 /// Width of one that has a page to itself.
-const WIDE_PX: f64 = 760.0;
+const WIDE_PX: f64 = 860.0;
 /// Without a title, a picture is lower by what that took.
 const TITLE_PX: f64 = 36.0;
 const MOST_TITLE_LETTERS: usize = 54;

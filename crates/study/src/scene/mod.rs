@@ -30,6 +30,8 @@ use units::number;
 /// A checked scene.
 #[derive(Debug, Clone)]
 pub struct Scene {
+    /// The scene as typed.
+    pub text: String,
     /// What it is about.
     pub title: String,
     /// The surface and its spectrum.
@@ -50,7 +52,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] with place, key, value and bound.
     pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
-        resolve::resolve(raw::RawScene::parse(text)?, files, overrides)
+        resolve::resolve(text, files, overrides)
     }
 
     /// A scene that comes with the program.
