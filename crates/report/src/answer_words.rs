@@ -7,7 +7,7 @@ use study::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCA
 use study::plan::Results;
 use study::scene::Scene;
 use study::topography::InstrumentsDisagree;
-use units::display::{length, pressure, three_digits};
+use units::display::{counted, length, pressure, three_digits};
 
 /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.
 pub(crate) fn sentences(answer: &Answer, scene: &Scene, results: &Results) -> Vec<String> {
@@ -46,9 +46,9 @@ pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) ->
     }
     if let Some(scales) = answer.too_few_scales {
         return vec![format!(
-            "This spectrum cannot tell how much touches, nor which scales decide it: it has {scales} {} from {} to {}; \
+            "This spectrum cannot tell how much touches, nor which scales decide it: it has {} from {} to {}; \
              at least {LEAST_SCALES} over {LEAST_DECADES} decade are needed. The tables hold what its scales alone give.",
-            if scales == 1 { "scale" } else { "scales" },
+            counted(scales, "scale"),
             length(longest_m),
             length(shortest_m)
         )];

@@ -10,9 +10,10 @@ use stat_contact::ContactState;
 use crate::answer_words;
 use crate::curve_names::in_full;
 use study::answer::{Answer, LoadAnswer};
+use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use study::scene::Scene;
-use units::display::{length, pressure, three_digits};
+use units::display::{counted, length, pressure, three_digits};
 
 /// The summary of a scene's results.
 pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
@@ -25,7 +26,12 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
     }
-    for choice in scene.choices() {
+    let material = scene.material.as_ref().map(Material::properties).unwrap_or_default();
+    if !material.is_empty() {
+        let told: Vec<String> = material.iter().map(|(name, value)| format!("{name} {value}")).collect();
+        let _ = writeln!(text, "{}", textwrap::fill(&told.join(", "), &columns));
+    }
+    for choice in scene.model_choices() {
         let _ = writeln!(text, "{choice}");
     }
     for ((curve, result), loads) in scene.needs.curves.iter().zip(&results.curves).zip(&answer.curves) {
@@ -180,7 +186,7 @@ impl StateCounts {
     }
 
     fn notes_of_curve(&self) -> Vec<String> {
-        let what = "are beyond complete contact of every asperity: area fraction 1, no separation";
+        let what = "beyond complete contact of every asperity, area fraction 1, no separation";
         self.note(self.incomplete, what).into_iter().chain(self.notes()).collect()
     }
 
@@ -188,17 +194,17 @@ impl StateCounts {
     pub fn notes(&self) -> Vec<String> {
         let clamped = self.note(
             self.clamped,
-            "have more contact area than there is nominal area, held at an area fraction of 1",
+            "more contact area than there is nominal area, held at an area fraction of 1",
         );
         let out_of_range = self.note(
             self.out_of_range,
-            "carry most of their load on asperities outside the range their law was fitted in",
+            "most of the load on asperities outside the range their law was fitted in",
         );
         clamped.into_iter().chain(out_of_range).collect()
     }
 
     fn note(&self, found: usize, what: &str) -> Option<String> {
-        (found > 0).then(|| format!("{found} of {} states {what}", self.all))
+        (found > 0).then(|| format!("{found} of {}: {what}", counted(self.all, "state")))
     }
 }
 
@@ -221,8 +227,9 @@ impl LevelCounts {
         let LevelCounts { all, beyond } = self;
         (*beyond > 0).then(|| {
             format!(
-                "{beyond} of {all} levels have B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the \
-                 elastic-plastic sinusoid is trusted for"
+                "{beyond} of {}: B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the elastic-plastic \
+                 sinusoid is trusted for",
+                counted(*all, "level")
             )
         })
     }

@@ -2,13 +2,14 @@
 
 use spectrum::PsdError;
 use thiserror::Error;
+use units::display::length;
 
 /// A request no spectrum can be made from.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TransformError {
     /// A limit of the reliable band that is no finite length above 0.
-    #[error("limiting the band of a scan: the {what} is {value} m, it must be finite and above 0")]
+    #[error("limiting the band of a scan: the {what} is {}, it must be finite and above 0", length(*.value))]
     BadLimit {
         /// Which limit.
         what: &'static str,
@@ -17,9 +18,11 @@ pub enum TransformError {
     },
     /// No bin between the flagged ones and the shortest reliable wavelength.
     #[error(
-        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {shortest_m} m, the \
-         shortest reliable wavelength, and {longest_m} m, the longest; take a longer scan, or a smaller tip radius or \
-         limit"
+        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {}, the \
+         shortest reliable wavelength, and {}, the longest; take a longer scan, or a smaller tip radius or \
+         limit",
+        length(*.shortest_m),
+        length(*.longest_m)
     )]
     NothingReliable {
         /// Shortest reliable wavelength in m.
