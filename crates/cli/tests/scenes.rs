@@ -239,7 +239,7 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     assert_eq!(
         refused("\"463 GPa\"", "463e9"),
         "error: key material.youngs_modulus: '463000000000.0' has no unit; a modulus needs one of Pa, hPa, kPa, bar, MPa, \
-         GPa, TPa, as in '210 GPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
+         GPa, TPa, psi, ksi, as in '210 GPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
     );
     assert!(
         refused("poisson_ratio = 0.2", "poison = 1")
