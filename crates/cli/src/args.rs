@@ -141,7 +141,7 @@ Example:
     #[command(after_help = "\
 Writes one table per curve, one table and one SVG per figure, and prints a
 summary: area fraction, real pressure, and the wavelength at which the area
-has converged, per load. Options given here count more than the scene's own.
+has settled, per load. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml
@@ -191,19 +191,19 @@ pub(crate) struct SharedArgs {
     /// Where the table goes, or the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
     pub output: Place,
-    /// Normalisation of the moments: 1/pi, which keeps the variance, or 1 as printed in Eq. (1)
+    /// Normalisation of the moments: parseval, 1/pi, which keeps the variance, or as-printed, the 1 of Jackson & Jacobs, Eq. (1)
     #[arg(long, value_parser = one_of::<Normalisation, _>(Normalisation::ALL), global = true)]
     pub normalisation: Option<Normalisation>,
-    /// Amplitude of a scale: Eq. (5), or the band amplitude that keeps the variance
+    /// Amplitude of a scale: eq5, Eq. (5) of Jackson & Jacobs, or parseval, the band amplitude that keeps the variance
     #[arg(long, value_parser = one_of::<AmplitudeDefinition, _>(AmplitudeDefinition::ALL), global = true)]
     pub amplitude: Option<AmplitudeDefinition>,
     /// Resample the spectrum to N scales per decade; the stacked area depends on it
     #[arg(long, value_name = "N", value_parser = parse_count, allow_hyphen_values = true, global = true)]
     pub scales_per_decade: Option<NonZeroU32>,
-    /// Hardness of the sphere in `statistical --model ep-sphere`: Jackson & Green 2005, or its cosine form
+    /// Hardness of the sphere in `statistical --model ep-sphere`: 2005, that of Jackson & Green 2005, or cosine, the cosine form 2.84 - 0.92 [1 - cos(pi a/R)]
     #[arg(long, value_parser = hardness(), global = true)]
     pub hardness: Option<Hardness>,
-    /// Bound of a strength that grows at small depths
+    /// Upper limit of the depth-dependent yield strength
     #[arg(long, value_name = "P", allow_hyphen_values = true, global = true)]
     pub strength_cap: Option<Pressure>,
     /// Leave out the scales below this wavelength

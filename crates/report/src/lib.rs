@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
 mod answer_words;
+pub mod curve_names;
+mod decade;
 pub mod explain;
 pub mod page;
 pub mod plot;

@@ -207,7 +207,7 @@ impl Figure {
         let dash = if self.curves.len() > 1 { [1, 0].get(place).copied().unwrap_or(place) } else { 0 };
         Series {
             column: format!("{curve} at {condition}"),
-            curve: curve.replace("-strain-gradient", ", strain gradient"),
+            curve: curve.to_owned(),
             condition: condition.to_owned(),
             condition_in_full: typeset(condition),
             colour,

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use sha2::{Digest, Sha256};
 use spectrum::{ConversionError, Hole, ProfilePsd, PsdFile, ReadError, ReadOptions, read_psd, superpose};
 use topography::Recipe;
 
@@ -58,6 +59,15 @@ pub enum SurfaceError {
     Scans(#[from] TopographyError),
 }
 
+/// A file that a surface was read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Its name, as given.
+    pub name: String,
+    /// The SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
+}
+
 /// A spectrum ready to be worked with.
 #[derive(Debug, Clone)]
 pub struct Surface {
@@ -73,6 +83,8 @@ pub struct Surface {
     pub made_from: Option<CompositeOfFiles>,
     /// See [`Surface::holes`].
     holes: Vec<Hole>,
+    /// The files that it was read from; those of scans are told in the remarks.
+    pub sources: Vec<SourceFile>,
 }
 
 impl Surface {
@@ -99,7 +111,16 @@ impl Surface {
         }
         let holes = psd.holes();
         notes.extend((!holes.is_empty()).then(|| Note::Holes(holes.clone())));
-        Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes, made_from: None, holes })
+        let source = SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) };
+        Ok(Surface {
+            name: name.to_owned(),
+            psd,
+            remarks: comments,
+            notes,
+            made_from: None,
+            sources: vec![source],
+            holes,
+        })
     }
 
     /// The composite spectrum of scans.
@@ -121,7 +142,7 @@ impl Surface {
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let notes = scans.spectrum.remarks().into_iter().map(Note::Scans).collect();
         let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());
-        Ok(Surface { name, psd, remarks, notes, made_from: Some(scans), holes })
+        Ok(Surface { name, psd, remarks, notes, made_from: Some(scans), sources: Vec::new(), holes })
     }
 
     /// Wavelengths that were not measured, from long to short: where neighbouring samples of the spectrum are a factor of
@@ -145,7 +166,8 @@ impl Surface {
         notes.push(Note::Superposition { shared_m: sum.shared_m });
         let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
         let name = format!("{} against {}", self.name, other.name);
-        Surface { name, psd: sum.psd, remarks, notes, made_from: None, holes }
+        let sources = [self.sources, other.sources].concat();
+        Surface { name, psd: sum.psd, remarks, notes, made_from: None, sources, holes }
     }
 
     fn has(&self, hole: &Hole) -> bool {

@@ -9,7 +9,7 @@ use units::display::length;
 #[non_exhaustive]
 pub enum TransformError {
     /// A limit of the reliable band that is no finite length above 0.
-    #[error("limiting the band of a scan: the {what} is {value} m, it must be finite and above 0")]
+    #[error("limiting the band of a scan: the {what} is {}, it must be finite and above 0", length(*.value))]
     BadLimit {
         /// Which limit.
         what: &'static str,

@@ -1,6 +1,9 @@
 //! `run`: everything a scene asks for.
 
 use std::path::PathBuf;
+use std::time::SystemTime;
+
+use chrono::{DateTime, Utc};
 
 use super::{Context, compute, say_surface};
 use crate::args::RunArgs;
@@ -10,7 +13,7 @@ use crate::output::{Place, utf8};
 use crate::timings::Timings;
 use crate::{output, scene_errors};
 use report::explain::explain;
-use report::products::Findings;
+use report::products::{Findings, Occasion};
 use report::summary::summary;
 use study::answer::Answer;
 use study::plan::PlanError;
@@ -29,7 +32,10 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("computing");
     let findings = match args.no_report {
         true => None,
-        false => Some(Findings::of(&scene, &results).map_err(|error| blame(&error))?),
+        false => {
+            let found = Findings::of(&scene, &results).map_err(|error| blame(&error))?;
+            Some(found.on(Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) }))
+        }
     };
     timings.lap("judging");
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
@@ -52,6 +58,11 @@ fn read(place: &Place, context: &Context<'_>) -> Result<Scene, Failure> {
     let text = utf8(&bytes, &name, "scene")?;
     Scene::parse(text, &files, &context.overrides()?)
         .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))
+}
+
+/// The date and time of day, in universal time.
+fn now() -> String {
+    DateTime::<Utc>::from(SystemTime::now()).format("%Y-%m-%d %H:%M UTC").to_string()
 }
 
 fn default_folder(scene: &Place) -> PathBuf {

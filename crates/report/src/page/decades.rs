@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
+use crate::decade;
 use study::features::DecadeShare;
-use units::display::length;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let strips = per_scene(scenes, of)?;
@@ -33,15 +33,13 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if decades.is_empty() {
         return None;
     }
-    // A decade that the spectrum covers in part is told as far as it goes.
     let psd = &report.results.psd;
-    let (begins_m, ends_m) = (psd.longest_wavelength_m(), psd.shortest_wavelength_m());
     let head = html! {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
             @for decade in &decades {
                 th scope="col" {
-                    (unbroken(decade.longest_m.min(begins_m))) " to " (unbroken(decade.shortest_m.max(ends_m)))
+                    (decade::name(decade.longest_m, decade.shortest_m, psd))
                     @if !decade.measured { " (not measured)" }
                 }
             }
@@ -61,11 +59,6 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         }
     };
     Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
-}
-
-/// A length that stays on its line.
-fn unbroken(length_m: f64) -> String {
-    length(length_m).replace(' ', "\u{a0}")
 }
 
 /// The strips of each curve; neighbouring loads whose strips read the same share one.

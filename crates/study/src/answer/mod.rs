@@ -71,7 +71,7 @@ pub struct SettingScale {
 pub struct Disagreement {
     /// The load, by index.
     pub load: usize,
-    /// The curve of the least area, by index.
+    /// The curve of the smallest area, by index.
     pub least: usize,
     /// The curve of the largest area, by index.
     pub most: usize,
@@ -156,6 +156,12 @@ impl LoadAnswer {
             *decade = decade.of_spectrum_with(holes);
         }
         self
+    }
+
+    /// Where the area has settled within a tolerance \[m\], one of the two above; `None` where the spectrum cannot tell.
+    #[must_use]
+    pub fn settled_at_m(&self, within: Convergence) -> Option<f64> {
+        within.if_converged_m().filter(|_| self.settled)
     }
 
     /// The decade of wavelengths that decides most.

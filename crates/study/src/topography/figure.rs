@@ -31,7 +31,7 @@ impl CompositeOfFiles {
         let line = |(index, scan): (usize, &ScanSpectrum)| {
             let binned =
                 log_binned(&scan.reliable, self.spectrum.recipe.bins_per_decade, BinMean::Arithmetic);
-            let colour = index % COMPOSITE_COLOUR;
+            let colour = index + usize::from(index >= COMPOSITE_COLOUR);
             self.series(&names[index], colour, 0, &format!("c1d_m3 of {}", names[index]), &binned)
         };
         self.spectrum.scans.iter().enumerate().map(line).collect()
