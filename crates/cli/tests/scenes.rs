@@ -107,7 +107,7 @@ fn paths_are_relative_to_the_scene() {
 #[test]
 fn explaining_computes_and_writes_nothing() {
     let bench = Bench::new();
-    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--explain"]).ok();
+    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--dry-run"]).ok();
     assert_eq!(
         explanation,
         "small\n  \
@@ -136,7 +136,7 @@ fn explaining_tells_what_is_the_same() {
                  [[curve]]\nmodel = \"hertz\"\nname = \"again\"\ncutoffs = \"shortest\"\n\
                  [[figure]]\nname = \"f\"\nshows = \"area-against-load\"\n\
                  loads = { from = \"1 MPa\", to = \"1 GPa\", points = 4 }\n";
-    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--dry-run"]).ok();
     let told: Vec<&str> = explanation.lines().skip(3).map(str::trim).collect();
     assert_eq!(
         told,

@@ -4,14 +4,14 @@ use super::{Context, say_notes};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::Place;
+use crate::output::{Place, publish};
 use crate::timings::Timings;
-use report::plot;
+use staging::StagedFiles;
 use study::provenance::program;
 use study::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
-    refuse_idle_options(args, context)?;
+    refuse_two_outputs(args, context)?;
     let recipe = Recipe {
         detrend: args.detrend,
         window: args.window,
@@ -21,6 +21,10 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     };
     let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.with_common_options(file)).collect();
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
+    let targets = context
+        .targets(args.figure.as_ref())?
+        .with("--out", args.out.as_ref().unwrap_or(&Place::Standard))?;
+    let folder = Folder::current(targets);
     if args.areal {
         let [request] = &requests[..] else {
             return Err(Failure::Input(format!(
@@ -28,46 +32,36 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
                 requests.len()
             )));
         };
-        let found = areal_spectrum(request, &Folder::current(), &recipe).map_err(Failure::input)?;
+        let found = areal_spectrum(request, &folder, &recipe).map_err(Failure::input)?;
         say_notes(found.notes);
-        return context.write_to(output, &found.table, &[program(context.typed), found.provenance]);
+        let mut files = StagedFiles::default();
+        let comments = [program(context.typed), found.provenance];
+        context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&found.table)?))?;
+        return publish(files);
     }
     let mut timings = Timings::start();
-    let found =
-        CompositeSpectrum::of_files(&requests, &Folder::current(), &recipe).map_err(Failure::input)?;
+    let found = CompositeSpectrum::of_files(&requests, &folder, &recipe).map_err(Failure::input)?;
     timings.lap("reading and transforming");
     say_notes(found.notes());
     let mut comments = vec![program(context.typed)];
     comments.extend(found.provenance());
     let table = if args.per_scan { found.series_table() } else { found.table() };
-    context.write_to(output, &table, &comments)?;
-    if let Some(path) = &args.figure {
-        let title = format!("{} scans", found.scans.len());
-        let svg = plot::svg(&found.figure("psd"), &title, &comments);
-        Place::File(path.clone()).write(|out| out.write_all(svg.as_bytes()))?;
+    let mut files = StagedFiles::default();
+    if let Some(picture) = &args.figure {
+        let subject = format!("{} scans", found.scans.len());
+        context.stage_picture(&mut files, picture, &found.figure("psd"), &subject, &comments)?;
     }
+    // Later commands tell from them what the composite is made of.
+    context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&table)?))?;
+    publish(files)?;
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())
 }
 
-/// Refuses options that say nothing about scans: a call that is not carried out as it reads is worse than none.
-fn refuse_idle_options(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let shared = &context.shared;
-    let idle = [
-        ("--normalisation", shared.normalisation.is_some()),
-        ("--amplitude", shared.amplitude.is_some()),
-        ("--scales-per-decade", shared.scales_per_decade.is_some()),
-        ("--hardness", shared.hardness.is_some()),
-        ("--strength-cap", shared.strength_cap.is_some()),
-        ("--cutoff", shared.cutoff.is_some()),
-        ("--counterface-youngs-modulus", shared.counterface_youngs_modulus.is_some()),
-    ];
-    if let Some((option, _)) = idle.iter().find(|(_, given)| *given) {
-        let message = "has no bearing on the spectrum of scans; leave it out, and give it to the command that takes the spectrum";
-        return Err(Failure::Input(format!("{option} {message}")));
-    }
-    if args.out.is_some() && shared.output != Place::Standard {
+/// Refuses two places for one table.
+fn refuse_two_outputs(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
+    if args.out.is_some() && context.shared.output != Place::Standard {
         return Err(Failure::input("--out and --output are the same; give one of them"));
     }
     Ok(())
