@@ -346,12 +346,24 @@ pub(crate) struct StackedArgs {
     pub figure: FigureArg,
 }
 
+/// Options of `statistical` that mean nothing without a spectrum.
+const OF_SPECTRA: [&str; 11] = [
+    "column",
+    "x",
+    "convention",
+    "series",
+    "subject",
+    "x_unit",
+    "psd_unit",
+    "scales_per_decade",
+    "cutoff",
+    "normalisation",
+    "figure",
+];
+
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
 #[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges", "separations"]))]
-#[command(group = clap::ArgGroup::new("for_spectra").multiple(true).conflicts_with("input").args(
-    ["scales_per_decade", "cutoff", "normalisation", "figure"]
-))]
 pub(crate) struct StatisticalArgs {
     /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
     #[arg(requires = "model", requires = "pressed")]
@@ -359,7 +371,7 @@ pub(crate) struct StatisticalArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of populations instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA)]
     pub input: Option<Place>,
     /// Which column of the table is the input where both are filled; the other is recomputed
     #[arg(long, value_enum, requires = "input")]

@@ -29,8 +29,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let typed: Vec<String> = args.iter().skip(1).map(|arg| arg.to_string_lossy().into_owned()).collect();
     let line = args::behind_the_command(args);
     match args::Args::try_parse_from(&line) {
-        Ok(parsed) => commands::run(parsed, &typed.join(" "))
-            .map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS),
+        Ok(parsed) => match commands::run(parsed, &typed.join(" ")) {
+            Ok(()) => ExitCode::SUCCESS,
+            // Whoever ends a program often ends its input as well, which is no fault of the input.
+            Err(_) if interruption::is_asked_for() => failure::Failure::Interrupted.report(),
+            Err(failure) => failure.report(),
+        },
         Err(error) => {
             if let Some(message) = args::foreign_option(&error, &line) {
                 return failure::Failure::Input(message).report();

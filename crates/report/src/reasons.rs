@@ -58,7 +58,7 @@ fn of_load(
     reasons.extend(what_sets_it(result, block, answer, in_hardnesses));
     if let Some(decade) = answer.decisive_decade() {
         reasons.push(format!(
-            "of all decades of wavelengths that from {} to {} decides most: {} of the logarithm of the area",
+            "the wavelengths from {} to {} decide most, more than any other decade: {} of the logarithm of the area",
             length(decade.longest_m),
             length(decade.shortest_m),
             percent(decade.share)

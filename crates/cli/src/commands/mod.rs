@@ -35,7 +35,7 @@ use study::plan::{Load, Needs, Part, Plan, PlanError, Results, Sampling};
 use study::provenance::provenance;
 use study::result_tables;
 use study::surface::{Surface, SurfaceError};
-use tables::{Table, TableWriter};
+use tables::{Format, Table, TableWriter};
 use units::PressureRange;
 use units::display::length;
 use units::number;
@@ -44,6 +44,11 @@ use units::{Modulus, Pressure};
 /// Carries a command out; `typed` is the command line without the program's name.
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
     let context = Context { shared: args.shared, typed };
+    if context.shared.provenance && context.shared.format == Format::Json {
+        return Err(Failure::input(
+            "--provenance writes comment lines, which JSON does not have; leave it out, or take --format csv",
+        ));
+    }
     match args.command {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
