@@ -377,7 +377,7 @@ pub(crate) struct StatisticalArgs {
     #[arg(long, value_enum, requires = "input")]
     pub given: Option<GivenColumn>,
     /// The law of one asperity
-    #[arg(long, value_parser = one_of::<Model, _>(&Model::ALL), conflicts_with = "input")]
+    #[arg(long, value_parser = one_of::<Model, _>(Model::ALL), conflicts_with = "input")]
     pub model: Option<Model>,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true,
@@ -401,7 +401,7 @@ pub(crate) struct StatisticalArgs {
     pub tolerance: Tolerance,
     /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
     /// boundary-element solutions
-    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(&InterferenceLaw::ALL))]
+    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
     #[command(flatten)]
     pub sampling: SamplingArgs,

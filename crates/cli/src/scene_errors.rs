@@ -1,11 +1,17 @@
 //! What is wrong in a scene, drawn like a compiler's message.
 
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
-use study::scene::SceneError;
+use study::scene::{SceneError, SceneProblem};
+use study::surface::SurfaceError;
 
 /// The message with file, line, and the line itself; that it is an error is said where it is reported.
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
-    let message = error.to_string();
+    let message = match &error.problem {
+        SceneProblem::Surface(SurfaceError::Scan { .. }) => {
+            format!("{error}; give it in scans = [...] instead of psd")
+        }
+        _ => error.to_string(),
+    };
     let title = Level::ERROR.primary_title(&message);
     let group = match &error.span {
         Some(span) => title.element(

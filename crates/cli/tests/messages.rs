@@ -57,6 +57,7 @@ run scene.toml --hardness cosine
 run scene.toml --strength-cap 1GPa
 run scene.toml --cutoff 1nm
 run scene.toml --explain --no-report
+run of-scan.toml
 man --out psd.csv
 completions bash --output folder
 ";
@@ -68,7 +69,7 @@ fn all_messages() {
     let line: String = (0..512).map(|i| format!("{i} {}\n", height(i))).collect();
     bench.write("psd.csv", PSD).write("scene.toml", SCENE).write("line.txt", line);
     bench.write("map.001", "\\*File list\r\n\\Version: 0x05120000\r\n").write("map.nc", "CDF\x01\0\0\0\0");
-    bench.write("rows.csv", "model\nhertz\n");
+    bench.write("rows.csv", "model\nhertz\n").write("of-scan.toml", SCENE.replace("psd.csv", "map.001"));
     std::fs::create_dir(bench.path("folder")).unwrap();
     let files = bench.files();
     // Every platform has its own words for it.

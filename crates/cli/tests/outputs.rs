@@ -66,8 +66,8 @@ fn an_input_is_known_under_other_names_and_through_a_redirection() {
     }
     let script = format!("{} moments - --output s.csv < s.csv", env!("CARGO_BIN_EXE_truearea"));
     let mut shell = std::process::Command::new("bash");
-    let status = shell.args(["-c", &script]).current_dir(bench.path("")).status().unwrap();
-    assert_eq!(status.code(), Some(2));
+    let output = shell.args(["-c", &script]).current_dir(bench.path("")).output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert_eq!(bench.read("s.csv"), PSD);
 }
 

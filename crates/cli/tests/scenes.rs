@@ -127,6 +127,26 @@ fn explaining_computes_and_writes_nothing() {
 }
 
 #[test]
+fn an_explanation_gives_the_reasons_behind_every_number_and_writes_nothing() {
+    let bench = Bench::new();
+    let scene = SMALL.replacen("[[curve]]", "[[curve]]\nmodel = \"hertz\"\n[[curve]]", 1);
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    assert_eq!(bench.files(), ["s.toml"]);
+    let plan = bench.run(&["run", "s.toml", "--dry-run"]).ok();
+    let reasons = explanation.strip_prefix(&plan).unwrap();
+    for words in [
+        "\nelastic: Archard stack, elastic (Jackson-Streator)\n  1e-3 H: area fraction ",
+        "\n  54 MPa: area fraction ",
+        "\n    the scale of 45.6 nm sets it (aspect ratio 0.027): it takes ",
+        "\nhertz: Greenwood-Williamson (Hertz)\n",
+        "\n    the asperities that the cutoff 3.5 nm leaves set it: radius ",
+        " decide most, more than any other decade: ",
+    ] {
+        assert!(format!("\n{reasons}").contains(words), "{words}\n{reasons}");
+    }
+}
+
+#[test]
 fn explaining_tells_what_is_the_same() {
     let bench = Bench::new();
     let scene = "title = \"t\"\n[surface]\npsd = \"builtin:uncd-measured\"\n\
@@ -236,7 +256,7 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     assert_eq!(
         refused("\"463 GPa\"", "463e9"),
         "error: key material.youngs_modulus: '463000000000.0' has no unit; a modulus needs one of Pa, hPa, kPa, bar, MPa, \
-         GPa, TPa, as in '210 GPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
+         GPa, TPa, psi, ksi, as in '210 GPa'\n --> s.toml:6:18\n  |\n6 | youngs_modulus = 463e9\n  |                  ^^^^^\n"
     );
     assert!(
         refused("poisson_ratio = 0.2", "poison = 1")

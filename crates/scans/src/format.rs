@@ -18,6 +18,23 @@ pub enum ScanFormat {
     Container,
 }
 
+impl ScanFormat {
+    /// The format of a binary file, told by its beginning and, of a ZIP file, by the names of what is in it; `None` for text,
+    /// which may be anything, and for what no reader knows. Whether it can be read is [`read_scans`](crate::read_scans)'s to
+    /// say.
+    #[must_use]
+    pub fn of(bytes: &[u8]) -> Option<Self> {
+        let names = |name: &str| bytes.windows(name.len()).any(|part| part == name.as_bytes());
+        match Magic::of(bytes) {
+            Magic::Nanoscope => Some(Self::Nanoscope),
+            Magic::NetCdf => Some(Self::NetCdf),
+            Magic::Zip if names("main.xml") => Some(Self::X3p),
+            Magic::Zip if names("meta.yml") || names("index.json") => Some(Self::Container),
+            Magic::Zip | Magic::Text | Magic::Foreign(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for ScanFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -208,6 +208,22 @@ impl HeightMap {
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
     }
+
+    /// The same map with x and y exchanged: its rows run across those of this one.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        Self {
+            columns: self.rows(),
+            spacing_x_m: self.spacing_y_m,
+            spacing_y_m: self.spacing_x_m,
+            heights_m: transposed(&self.heights_m, self.columns),
+        }
+    }
+}
+
+/// The columns of rows of so many values, one after the other.
+pub(crate) fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
+    (0..columns).flat_map(|column| values.iter().skip(column).step_by(columns).copied()).collect()
 }
 
 fn refuse_few(what: &'static str, found: usize) -> Result<(), ScanError> {

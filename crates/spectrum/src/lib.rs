@@ -30,6 +30,7 @@
 mod abel;
 mod amplitude;
 mod approximate;
+mod cholesky;
 mod convention;
 mod interval;
 mod mccool;
@@ -41,17 +42,22 @@ mod samples;
 mod self_affine_fit;
 mod superpose;
 
-pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
+pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{
-    Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
-    WorkbookError, read_psd, series_names,
+    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName,
+    UnitError, WorkbookError, is_psd, read_psd, series_names,
 };
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
-pub use units::UnknownName;
+pub use units::{Scale, UnknownName};
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,7 +1,4 @@
-//! Files written aside and renamed into place together: all of them appear whole, or none does.
-//!
-//! What is written aside and not yet in place is a temporary file in the folder of its target. It goes when its
-//! [`StagedFiles`] is dropped; a program that ends otherwise, by a signal, calls [`remove_temporaries`] first.
+#![doc = include_str!("../README.md")]
 
 mod temporaries;
 

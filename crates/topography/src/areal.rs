@@ -6,9 +6,9 @@ use std::sync::Arc;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
-use crate::Preparation;
 use crate::detrend::Trend;
 use crate::lines::{BLOCK_ROWS, RowTransform, rows_of_block};
+use crate::preparation::Preparation;
 use crate::radial::{ArealSpectrum, RadialBin};
 use crate::sums::Spread;
 use scans::HeightMap;

@@ -2,6 +2,7 @@
 
 use spectrum::PsdError;
 use thiserror::Error;
+use units::display::length;
 
 /// A request no spectrum can be made from.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -17,9 +18,10 @@ pub enum TransformError {
     },
     /// No bin between the flagged ones and the shortest reliable wavelength.
     #[error(
-        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {shortest_m} m, the \
-         shortest reliable wavelength, and {longest_m} m, the longest; take a longer scan, or a smaller tip radius or \
-         limit"
+        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {}, the \
+         shortest reliable wavelength, and {}, the longest; take a longer scan, or a smaller tip radius or \
+         limit",
+        length(*.shortest_m), length(*.longest_m)
     )]
     NothingReliable {
         /// Shortest reliable wavelength in m.
@@ -30,6 +32,16 @@ pub enum TransformError {
     /// Heights so large that their squares overflow.
     #[error("taking the reliable part of a spectrum: {0}")]
     Overflow(#[from] PsdError),
+    /// A composite of one bin, which is no spectrum yet.
+    #[error(
+        "averaging spectra: all samples lie in one bin about {}, there must be at least 2; take more bins per \
+         decade, or a longer scan, or a smaller tip radius or limit",
+        length(*.centre_m)
+    )]
+    SingleBin {
+        /// Wavelength in m of the centre of the bin.
+        centre_m: f64,
+    },
     /// A composite of nothing.
     #[error("averaging spectra: the number of measurements is 0, it must be at least 1")]
     NoMeasurements,

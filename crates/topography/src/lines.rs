@@ -5,9 +5,9 @@ use std::sync::Arc;
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
-use crate::Preparation;
 use crate::detrend::Trend;
 use crate::line::LineSpectrum;
+use crate::preparation::Preparation;
 use crate::sums::Spread;
 use scans::{HeightMap, UniformLineScan};
 

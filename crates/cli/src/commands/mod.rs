@@ -13,8 +13,7 @@ mod statistical;
 use std::time::{Duration, Instant};
 
 use asperity::ElasticBody;
-use scans::ScanFormat;
-use spectrum::{ProfilePsd, ReadError, ReadOptions};
+use spectrum::{ProfilePsd, ReadOptions};
 use staging::StagedFiles;
 
 use crate::args::{Args, Command, CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, SharedArgs};
@@ -175,7 +174,9 @@ impl Context<'_> {
         let surface =
             Surface::load(spectrum.psd, &Folder::current(targets), &options).map_err(
                 |error| match error {
-                    SurfaceError::Spectrum { name, error } => not_a_spectrum(&name, &error),
+                    SurfaceError::Scan { ref name, .. } => {
+                        Failure::Input(format!("{error}; use `truearea psd {name}`"))
+                    }
                     error => Failure::input(error),
                 },
             )?;
@@ -276,19 +277,6 @@ impl<'a> Drawn<'a> {
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
     let progress = Progress::towards(plan.statistical_states());
     plan.compute_observed(&progress)
-}
-
-/// What is wrong with a file that was to hold a spectrum; a scan is told as one.
-fn not_a_spectrum(name: &str, error: &ReadError) -> Failure {
-    let message = format!("{name}: {error}");
-    // A stream has been read, and is not there any more.
-    let bytes = std::fs::read(name).unwrap_or_default();
-    Failure::Input(match ScanFormat::of_binary(&bytes) {
-        Some(format) => {
-            format!("{name}: this is a scan ({format}), not its spectrum; use `truearea psd {name}`")
-        }
-        None => message,
-    })
 }
 
 /// Refuses a cutoff below all data.

@@ -1,14 +1,9 @@
 //! Which column of a series holds what, and in which unit.
 
+use units::UnitScale;
+
 use crate::convention::Convention;
-use crate::read::density::Candidate;
-use crate::read::error::ReadError;
-use crate::read::header::{Abscissa, Heading, Quantity, trailing_unit};
-use crate::read::nameless::nameless;
-use crate::read::options::{GivenUnits, ReadOptions};
-use crate::read::series::{ColumnKind, Columns};
-use crate::read::unit::Unit;
-use units::{LengthUnit, Scale};
+use crate::read::header::Abscissa;
 
 /// How the rows of a series are to be read.
 #[derive(Debug)]
@@ -25,13 +20,13 @@ pub(crate) struct Layout {
 pub(crate) struct AbscissaColumn {
     pub(crate) index: usize,
     pub(crate) quantity: Abscissa,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DensityColumn {
     pub(crate) index: usize,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
     pub(crate) convention: Convention,
 }
 
@@ -39,164 +34,5 @@ pub(crate) struct DensityColumn {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ErrorColumn {
     pub(crate) index: usize,
-    pub(crate) scale: Scale,
-}
-
-impl Layout {
-    /// Finds the columns of a series, and notes what had to be assumed.
-    pub(crate) fn of(
-        columns: &Columns,
-        options: &ReadOptions,
-        units: &GivenUnits<'_>,
-        notes: &mut Vec<String>,
-    ) -> Result<Self, ReadError> {
-        match columns.kind {
-            ColumnKind::Named | ColumnKind::Arrays { named: true } => {
-                Header { line: columns.line, names: &columns.names, options, units }.layout(notes)
-            }
-            ColumnKind::Numbered | ColumnKind::Arrays { named: false } => {
-                nameless(columns, options, units, notes)
-            }
-        }
-    }
-}
-
-/// The names of a file's columns and what the caller says about them.
-pub(crate) struct Header<'h> {
-    pub(crate) line: usize,
-    pub(crate) names: &'h [String],
-    pub(crate) options: &'h ReadOptions,
-    pub(crate) units: &'h GivenUnits<'h>,
-}
-
-impl Header<'_> {
-    fn layout(&self, notes: &mut Vec<String>) -> Result<Layout, ReadError> {
-        let mut abscissae = self.abscissae(notes)?;
-        let chosen = match self.options.x {
-            Some(x) => {
-                abscissae.iter().position(|column| column.quantity == x).ok_or_else(|| self.missing(x))?
-            }
-            None => 0,
-        };
-        let abscissa = abscissae.remove(chosen);
-        let Candidate { name, column: density } = self.density(abscissa.quantity)?;
-        self.refuse_other_units(abscissa, density)?;
-        self.note_missing_units(abscissa, density, notes);
-        if let Some(name) = name
-            && self.options.convention.is_none()
-        {
-            notes.extend(self.convention_note(name, density, abscissa.quantity));
-        }
-        let standard_error = name.and_then(|name| self.standard_error(name, density, notes));
-        Ok(Layout { abscissa, checks: abscissae, density, standard_error })
-    }
-
-    /// The columns of wavelength, wavevector and frequency, in this order; at least one.
-    fn abscissae(&self, notes: &mut Vec<String>) -> Result<Vec<AbscissaColumn>, ReadError> {
-        let mut columns: Vec<AbscissaColumn> = Vec::new();
-        let mut unfit = None;
-        for (index, heading) in self.headings() {
-            let Quantity::Abscissa(quantity) = heading.quantity else { continue };
-            match self.abscissa_unit(index, quantity, heading.unit) {
-                Err(error) => unfit = unfit.or(Some((index, error))),
-                Ok(unit) => match columns.iter().find(|column| column.quantity == quantity) {
-                    Some(first) => return Err(self.duplicate(quantity.name(), first.index, index)),
-                    None => {
-                        let scale = unit.scale();
-                        columns.push(AbscissaColumn { index, quantity, scale });
-                    }
-                },
-            }
-        }
-        if columns.is_empty() {
-            return Err(unfit.map_or_else(|| self.missing_abscissa(), |(_, error)| error));
-        }
-        if let Some((index, _)) = unfit {
-            notes.push(format!(
-                "column '{}' is not looked at: its unit is none of its quantity's",
-                self.names[index]
-            ));
-        }
-        columns.sort_by_key(|column| column.quantity as u8);
-        Ok(columns)
-    }
-
-    fn abscissa_unit(&self, index: usize, quantity: Abscissa, unit: Option<&str>) -> Result<Unit, ReadError> {
-        let given = self.units.x.filter(|given| quantity.fits(given.unit));
-        let Some(text) = unit else { return Ok(given.map_or(quantity.si(), |given| given.unit)) };
-        Unit::parse(text).filter(|&unit| quantity.fits(unit)).ok_or_else(|| ReadError::BadUnit {
-            line: self.line,
-            column: self.names[index].clone(),
-            unit: text.to_owned(),
-            quantity: quantity.name().to_owned(),
-            accepted: accepted_units(quantity),
-        })
-    }
-
-    pub(crate) fn headings(&self) -> impl Iterator<Item = (usize, Heading<'_>)> {
-        self.names.iter().enumerate().filter_map(|(index, name)| Some((index, Heading::parse(name)?)))
-    }
-
-    /// The unit in the name of a column.
-    fn stated_unit(&self, index: usize) -> Option<Unit> {
-        let name = &self.names[index];
-        match Heading::parse(name) {
-            Some(heading) => heading.unit.and_then(Unit::parse),
-            None => trailing_unit(name),
-        }
-    }
-
-    fn refuse_other_units(&self, abscissa: AbscissaColumn, density: DensityColumn) -> Result<(), ReadError> {
-        for (index, given) in [(abscissa.index, self.units.x), (density.index, self.units.psd)] {
-            if let Some(given) = given {
-                given.refuse_other(self.stated_unit(index), self.line, &self.names[index])?;
-            }
-        }
-        let bare = self.stated_unit(abscissa.index).is_none();
-        match self.units.x.filter(|given| bare && !abscissa.quantity.fits(given.unit)) {
-            Some(given) => {
-                self.abscissa_unit(abscissa.index, abscissa.quantity, Some(given.text)).map(|_| ())
-            }
-            None => Ok(()),
-        }
-    }
-
-    fn note_missing_units(&self, abscissa: AbscissaColumn, density: DensityColumn, notes: &mut Vec<String>) {
-        for (index, given) in [(abscissa.index, self.units.x), (density.index, self.units.psd)] {
-            if given.is_none() && self.stated_unit(index).is_none() {
-                notes.push(format!("column '{}' states no unit and is read in SI units", self.names[index]));
-            }
-        }
-    }
-
-    fn missing(&self, abscissa: Abscissa) -> ReadError {
-        let accepted = match abscissa {
-            Abscissa::Wavelength => "wavelength, lambda",
-            Abscissa::Wavevector => "wavevector, q",
-            Abscissa::Frequency => "frequency, f",
-        };
-        self.missing_column(abscissa.name(), accepted)
-    }
-
-    fn missing_abscissa(&self) -> ReadError {
-        self.missing_column("wavelength", "wavelength or lambda, wavevector or q, frequency or f")
-    }
-
-    pub(crate) fn missing_column(&self, quantity: &'static str, accepted: &'static str) -> ReadError {
-        ReadError::MissingColumn { line: self.line, quantity, accepted, found: self.names.to_vec() }
-    }
-
-    pub(crate) fn duplicate(&self, quantity: &'static str, first: usize, second: usize) -> ReadError {
-        let (first, second) = (self.names[first].clone(), self.names[second].clone());
-        ReadError::DuplicateColumn { line: self.line, quantity, first, second }
-    }
-}
-
-fn accepted_units(quantity: Abscissa) -> String {
-    let lengths = LengthUnit::ALL.map(LengthUnit::ascii);
-    match quantity {
-        Abscissa::Wavelength => lengths.join(", "),
-        Abscissa::Wavevector => format!("rad/m or 1/m, and the same with {}", lengths[1..].join(", ")),
-        Abscissa::Frequency => format!("1/{}", lengths.join(", 1/")),
-    }
+    pub(crate) scale: UnitScale,
 }
