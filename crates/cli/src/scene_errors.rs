@@ -8,7 +8,12 @@ use study::surface::SurfaceError;
 
 /// The message with file, line, and the line itself; that it is an error is said where it is reported.
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
-    let message = format!("{error}{}", mended(error));
+    let message = match &error.problem {
+        SceneProblem::Surface(SurfaceError::Scan { .. }) => {
+            format!("{error}; give it in scans = [...] instead of psd")
+        }
+        _ => format!("{error}{}", mended(error)),
+    };
     let title = Level::ERROR.primary_title(&message);
     let group = match &error.span {
         Some(span) => title.element(

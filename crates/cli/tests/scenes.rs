@@ -107,7 +107,7 @@ fn paths_are_relative_to_the_scene() {
 #[test]
 fn explaining_computes_and_writes_nothing() {
     let bench = Bench::new();
-    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--explain"]).ok();
+    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--dry-run"]).ok();
     assert_eq!(
         explanation,
         "small\n  \
@@ -127,6 +127,26 @@ fn explaining_computes_and_writes_nothing() {
 }
 
 #[test]
+fn an_explanation_gives_the_reasons_behind_every_number_and_writes_nothing() {
+    let bench = Bench::new();
+    let scene = SMALL.replacen("[[curve]]", "[[curve]]\nmodel = \"hertz\"\n[[curve]]", 1);
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    assert_eq!(bench.files(), ["s.toml"]);
+    let plan = bench.run(&["run", "s.toml", "--dry-run"]).ok();
+    let reasons = explanation.strip_prefix(&plan).unwrap();
+    for words in [
+        "\nelastic: Archard stack, elastic (Jackson-Streator)\n  1e-3 H: area fraction ",
+        "\n  54 MPa: area fraction ",
+        "\n    the scale of 45.6 nm sets it (aspect ratio 0.027): it takes ",
+        "\nhertz: Greenwood-Williamson (Hertz)\n",
+        "\n    the asperities that the cutoff 3.5 nm leaves set it: radius ",
+        " decide most, more than any other decade: ",
+    ] {
+        assert!(format!("\n{reasons}").contains(words), "{words}\n{reasons}");
+    }
+}
+
+#[test]
 fn explaining_tells_what_is_the_same() {
     let bench = Bench::new();
     let scene = "title = \"t\"\n[surface]\npsd = \"builtin:uncd-measured\"\n\
@@ -136,7 +156,7 @@ fn explaining_tells_what_is_the_same() {
                  [[curve]]\nmodel = \"hertz\"\nname = \"again\"\ncutoffs = \"shortest\"\n\
                  [[figure]]\nname = \"f\"\nshows = \"area-against-load\"\n\
                  loads = { from = \"1 MPa\", to = \"1 GPa\", points = 4 }\n";
-    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--dry-run"]).ok();
     let told: Vec<&str> = explanation.lines().skip(3).map(str::trim).collect();
     assert_eq!(
         told,

@@ -131,7 +131,13 @@ fn an_elastic_counterface_softens_the_contact() {
     let soft = area(&["--counterface-youngs-modulus", "210GPa", "--counterface-poisson-ratio", "0.3"]);
     assert!(soft > area(&[]));
     let message = bench
-        .run(&["amplitude", "builtin:uncd-measured", "--counterface-youngs-modulus", "210GPa"])
+        .run(
+            &[
+                &["stacked", "builtin:uncd-measured", "--model", "elastic", "--pressure", "1MPa"][..],
+                &["--counterface-youngs-modulus", "210GPa"],
+            ]
+            .concat(),
+        )
         .refused();
     assert!(message.contains("--counterface-poisson-ratio"), "{message}");
 }
@@ -204,6 +210,9 @@ fn quantities_need_units_and_good_values() {
         refused("--poisson-ratio", "0.51"),
         "error: --poisson-ratio: Poisson's ratio is 0.51; it must be greater than -1 and at most 0.5\n"
     );
-    assert!(refused("--strength-cap", "1GPa").contains("must be finite and at least 1.8e9"));
+    let cap = ["--strength-cap", "1GPa", "--strain-gradient-length", "5um"];
+    let args = ["stacked", "builtin:uncd-measured", "--model", "elastic-plastic", "--pressure", "1MPa"];
+    let message = bench.run(&[&args[..], &DIAMOND, &cap].concat()).refused();
+    assert!(message.contains("must be finite and at least 1.8e9"), "{message}");
     assert!(refused("--strain-gradient-length", "5").contains("'5' has no unit; a length needs one of m"));
 }

@@ -7,6 +7,7 @@ pub mod explain;
 pub mod page;
 pub mod plot;
 pub mod products;
+pub mod reasons;
 pub mod scan_words;
 pub mod scans_table;
 pub mod summary;

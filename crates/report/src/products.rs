@@ -14,6 +14,9 @@ use study::scene::Scene;
 use study::sensitivity::{self, Sensitivity, counted_sensitivities};
 use tables::{Format, Table};
 
+const REPORT: &str = "report.html";
+const REPORT_TABLES: [&str; 3] = ["report-scales", "report-decades", "report-sensitivity"];
+
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
     scene.figures.iter().map(|figure| data(scene, results, figure)).collect()
@@ -156,12 +159,29 @@ impl Findings {
     }
 
     fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
+        let [scales, decades, sensitivity] = REPORT_TABLES;
         [
-            ("report-scales", self.answer.scales_table(&scene.needs)),
-            ("report-decades", self.answer.decades_table(&scene.needs)),
-            ("report-sensitivity", sensitivity::table(&self.sensitivities, &scene.needs)),
+            (scales, self.answer.scales_table(&scene.needs)),
+            (decades, self.answer.decades_table(&scene.needs)),
+            (sensitivity, sensitivity::table(&self.sensitivities, &scene.needs)),
         ]
     }
+}
+
+/// The names of the files that a scene may have, for whoever looks before they are made; `reported` with those of the
+/// report, of which a table without rows is not written.
+#[must_use]
+pub fn file_names(scene: &Scene, reported: bool, format: Format) -> Vec<String> {
+    let table = |name: &str| format!("{name}.{}", format.extension());
+    let mut names: Vec<String> = scene.needs.curves.iter().map(|curve| table(&curve.name)).collect();
+    if reported {
+        names.extend(REPORT_TABLES.map(table));
+        names.push(REPORT.to_owned());
+    }
+    for figure in &scene.figures {
+        names.extend([table(&figure.name), format!("{}.svg", figure.name)]);
+    }
+    names
 }
 
 /// What puts the bytes of one file anywhere.
@@ -209,9 +229,9 @@ pub fn each_file<E>(
             repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
             occasion: &findings.occasion,
         };
-        names.push("report.html".to_owned());
+        names.push(REPORT.to_owned());
         let html = report.html();
-        file("report.html", &|out| out.write_all(html.as_bytes()))?;
+        file(REPORT, &|out| out.write_all(html.as_bytes()))?;
     }
     Ok(names)
 }

@@ -138,6 +138,19 @@ pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     counts.states.notes_of_curve()
 }
 
+/// What there is to say of one block of a curve.
+pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
+    let mut counts = CurveCounts::default();
+    match result {
+        CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
+        CurveResult::Statistical(blocks) => {
+            let contacts = blocks[block].iter().filter_map(|row| row.contact.as_ref());
+            counts.states.add(contacts.map(|(_, state)| state));
+        }
+    }
+    counts.notes()
+}
+
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
 pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
     let mut counts = LevelCounts::default();

@@ -47,6 +47,28 @@ impl fmt::Display for ScanFormat {
     }
 }
 
+impl ScanFormat {
+    /// The format that the first bytes of a file show beyond doubt, for whoever takes a scan for something else; none for
+    /// text, which may hold anything, and for a ZIP file without the names that a scan has in it, such as a workbook.
+    #[must_use]
+    pub fn of_binary(bytes: &[u8]) -> Option<Self> {
+        match Magic::of(bytes) {
+            Magic::Nanoscope => Some(Self::Nanoscope),
+            Magic::NetCdf => Some(Self::NetCdf),
+            Magic::Zip => {
+                // Names stand in a ZIP file as they are.
+                let holds = |name: &[u8]| bytes.windows(name.len()).any(|found| found == name);
+                let containers = [b"meta.yml".as_slice(), b"index.json"];
+                match containers.into_iter().any(holds) {
+                    true => Some(Self::Container),
+                    false => holds(b"main.xml").then_some(Self::X3p),
+                }
+            }
+            Magic::Text | Magic::Foreign(_) => None,
+        }
+    }
+}
+
 /// What the first bytes tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Magic {

@@ -3,7 +3,7 @@
 use spectrum::Hole;
 use stacked_contact::Scale;
 
-use crate::plan::{Needs, Results};
+use crate::plan::{CurveResult, Needs, Results};
 use tables::Table;
 use units::display::{length, load_in_full, pressure, typeset};
 
@@ -169,6 +169,16 @@ impl Figure {
                     condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa, hardness_pa),
                     ..line
                 });
+            }
+            if let CurveResult::Statistical(_) = results.curves[curve] {
+                for (at, separation_m) in needs.separations_m.iter().enumerate() {
+                    // The blocks of separations follow those of the loads.
+                    let block = needs.loads.len() + at;
+                    let sign = if *separation_m < 0.0 { "-" } else { "" };
+                    let label = format!("separation {sign}{}", length(separation_m.abs()));
+                    let points = results.curves[curve].area_fractions(block);
+                    series.push(self.line(&needs.curves[curve].name, &label, place, block, points));
+                }
             }
         }
         series

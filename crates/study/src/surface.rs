@@ -2,6 +2,7 @@
 
 use std::io;
 
+use scans::ScanFormat;
 use sha2::{Digest, Sha256};
 use spectrum::{ConversionError, Hole, ProfilePsd, PsdFile, ReadError, ReadOptions, read_psd, superpose};
 use topography::Recipe;
@@ -45,6 +46,14 @@ pub enum SurfaceError {
         name: String,
         /// Why.
         error: ReadError,
+    },
+    /// The file holds heights.
+    #[error("{name}: this is a scan ({format}), not its spectrum")]
+    Scan {
+        /// The file.
+        name: String,
+        /// The format of the scan.
+        format: ScanFormat,
     },
     /// The spectrum is of a convention that cannot become that of a profile.
     #[error("{name}: {error}")]
@@ -102,8 +111,11 @@ impl Surface {
         } else {
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
         };
-        let PsdFile { psd, comments, notes } = read_psd(&bytes[..], options)
-            .map_err(|error| SurfaceError::Spectrum { name: name.to_owned(), error })?;
+        let PsdFile { psd, comments, notes } =
+            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of_binary(&bytes) {
+                Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
+                None => SurfaceError::Spectrum { name: name.to_owned(), error },
+            })?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.to_owned(), error })?;
         let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
         if name == RECONSTRUCTION {

@@ -2,8 +2,8 @@
 
 use asperity::ElasticBody;
 
-use super::Context;
 use super::row_by_row::{self, RowByRow};
+use super::{Context, counterface};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -16,7 +16,7 @@ pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failur
         AsperityLaw::Sinusoid(args) => (AsperityTable::Sinusoid, args),
         AsperityLaw::SinusoidInterference(args) => (AsperityTable::SinusoidInterference, args),
     };
-    let counterface = context.counterface()?;
+    let counterface = counterface(&args.counterface)?;
     row_by_row::run(&args.input, &mut Asperities { law, counterface, rows: 0, beyond: 0 }, context)
 }
 

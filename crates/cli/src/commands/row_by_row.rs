@@ -3,8 +3,10 @@
 use super::{Context, say_notes};
 use crate::failure::Failure;
 use crate::files::open_table;
-use crate::output::{Place, Stopped};
+use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
+use staging::StagedFiles;
+use study::Progress as _;
 use study::provenance::program;
 use tables::{InputTable, Refusal, TableError};
 
@@ -26,6 +28,8 @@ pub(super) trait RowByRow {
 
 /// Reads the table at a place twice, to check all of it before anything is computed, and writes it as it is filled in.
 pub(super) fn run(input: &Place, command: &mut dyn RowByRow, context: &Context<'_>) -> Result<(), Failure> {
+    // A table may be extended in its own place.
+    context.targets(None)?;
     let mut source = open_table(input)?;
     let mut rows = 0;
     let mut refusal = Refusal::default();
@@ -36,14 +40,18 @@ pub(super) fn run(input: &Place, command: &mut dyn RowByRow, context: &Context<'
     })?;
     refusal.into_result()?;
     let progress = Progress::towards(rows);
-    let mut comments = vec![program(context.typed)];
+    let mut comments = context.wanted(&[program(context.typed)]).to_vec();
+    // What somebody else has written above the table belongs to it.
     comments.append(&mut source.comments);
-    context.write_blocks(&context.shared.output, &comments, |out| {
+    let mut files = StagedFiles::default();
+    context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {
             command.fill_in(&mut block, &progress)?;
-            Ok::<(), Stopped>(out.block(&block.table)?)
+            out.block(&block.table)?;
+            if progress.is_cancelled() { Err(Failure::Interrupted.into()) } else { Ok::<(), Stopped>(()) }
         })?;
         progress.aside(|| say_notes(command.notes()));
         Ok(())
-    })
+    })?;
+    publish(files)
 }

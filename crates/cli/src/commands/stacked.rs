@@ -1,23 +1,32 @@
 //! `stacked`: contact area against cutoff, scale upon scale.
 
-use super::{Context, loads, material};
+use super::{Context, Drawn, Spectrum, loads, material, refuse_idle_strength_cap};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
 use report::summary::sampling_of;
+use study::material::StackedModelName;
 use study::plan::{Curve, CurveModel, Cutoffs, Needs};
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let material = material(&args.material, context)?;
+    let yields = args.model == StackedModelName::ElasticPlastic;
+    refuse_idle_strength_cap(&args.material, args.model.name(), yields)?;
+    let material = material(&args.material)?;
     let gradient = args.material.strain_gradient_length.is_some();
     let model = CurveModel::Stacked(material.stacked(args.model, gradient).map_err(Failure::input)?);
     let needs = Needs {
-        amplitudes: Some(context.shared.amplitude.unwrap_or_default()),
+        amplitudes: Some(args.amplitude.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
         loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
         ..Needs::default()
     };
-    context.curve_to_table(&args.psd.psd, &args.psd.reading, needs, args.details, |stream| {
-        let sampling = sampling_of(stream.psd());
+    let spectrum = Spectrum {
+        psd: &args.psd.psd,
+        reading: &args.psd.reading,
+        sampling: args.sampling.sampling(),
+        figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
+    };
+    context.curve_to_table(&spectrum, needs, args.details, |psd| {
+        let sampling = sampling_of(psd);
         format!("{sampling}; the area depends on how densely scales are sampled (--scales-per-decade)")
     })
 }

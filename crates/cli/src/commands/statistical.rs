@@ -4,7 +4,7 @@ use asperity::{Bound, ElasticBody, MaterialPair, NixGao};
 use stat_contact::{AsperityLaw, ContactState, Model, Population, StatisticalContact};
 
 use super::row_by_row::{self, RowByRow};
-use super::{Context, loads, material, say_notes};
+use super::{Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap, say_notes};
 use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -20,9 +20,9 @@ pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), F
     match (&args.psd, &args.input) {
         (Some(psd), _) => over_cutoffs(psd, args, context),
         (None, Some(input)) => {
-            let counterface = context.counterface()?;
+            let counterface = counterface(&args.material.counterface)?;
             let counts = StateCounts::default();
-            row_by_row::run(input, &mut Populations { args, context, counterface, counts }, context)
+            row_by_row::run(input, &mut Populations { args, counterface, counts }, context)
         }
         (None, None) => Err(Failure::input("give a spectrum, or a table with --input")),
     }
@@ -30,13 +30,15 @@ pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), F
 
 fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     let model = args.model.ok_or_else(|| Failure::input("a spectrum needs --model"))?;
-    let material = material(&args.material, context)?;
-    let hardness = context.shared.hardness.unwrap_or_default();
+    refuse_idle_options(args, model)?;
+    let material = material(&args.material)?;
+    let hardness = args.hardness.hardness.unwrap_or_default();
     let gradient = args.material.strain_gradient_length.is_some();
-    let law =
-        material.statistical(model, gradient, hardness, args.interference_law).map_err(Failure::input)?;
+    let law = material
+        .statistical(model, gradient, hardness, args.interference_law.unwrap_or_default())
+        .map_err(Failure::input)?;
     let needs = Needs {
-        moments: Some(context.shared.normalisation.unwrap_or_default()),
+        moments: Some(args.normalisation.normalisation.unwrap_or_default()),
         curves: vec![Curve {
             name: model.to_string(),
             model: CurveModel::Statistical { pair: material.pair, law },
@@ -47,9 +49,32 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         tolerance: args.tolerance,
         ..Needs::default()
     };
-    context.curve_to_table(psd, &args.reading, needs, args.details, |_| {
+    let spectrum = Spectrum {
+        psd,
+        reading: &args.reading,
+        sampling: args.sampling.sampling(),
+        figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
+    };
+    context.curve_to_table(&spectrum, needs, args.details, |_| {
         "the longest wavelength has no asperities yet: its row is empty".to_owned()
     })
+}
+
+/// Refuses options that the model has no use for.
+fn refuse_idle_options(args: &StatisticalArgs, model: Model) -> Result<(), Failure> {
+    let idle = [
+        ("--hardness", args.hardness.hardness.is_some(), Model::EpSphere),
+        ("--interference-law", args.interference_law.is_some(), Model::ElasticSine),
+    ];
+    for (option, given, its_model) in idle {
+        if given && model != its_model {
+            return Err(Failure::Input(format!(
+                "{option} has no bearing on --model {model}, only on {its_model}; leave it out"
+            )));
+        }
+    }
+    let yields = matches!(model, Model::EpSphere | Model::EpSine);
+    refuse_idle_strength_cap(&args.material, &model.to_string(), yields)
 }
 
 /// A row of the table: a population, and what it is asked at.
@@ -70,7 +95,6 @@ const REQUIRED_COLUMNS: [&str; 6] =
 /// A table of populations.
 struct Populations<'a> {
     args: &'a StatisticalArgs,
-    context: &'a Context<'a>,
     counterface: Option<ElasticBody>,
     counts: StateCounts,
 }
@@ -131,10 +155,12 @@ impl Populations<'_> {
     fn law(&self, model: Model, row: &Row<'_>) -> Result<AsperityLaw, String> {
         Ok(match model {
             Model::Hertz => AsperityLaw::Hertz,
-            Model::ElasticSine => AsperityLaw::ElasticSine { interference: self.args.interference_law },
+            Model::ElasticSine => {
+                AsperityLaw::ElasticSine { interference: self.args.interference_law.unwrap_or_default() }
+            }
             Model::EpSphere => AsperityLaw::EpSphere {
                 strength: self.strength(row)?,
-                hardness: self.context.shared.hardness.unwrap_or_default(),
+                hardness: self.args.hardness.hardness.unwrap_or_default(),
             },
             Model::EpSine => AsperityLaw::EpSine { strength: self.strength(row)? },
         })
@@ -143,7 +169,8 @@ impl Populations<'_> {
     fn strength(&self, row: &Row<'_>) -> Result<NixGao, String> {
         let strength_pa = row.number("yield_strength_pa", Bound::Positive)?;
         let length_m = row.optional_number("strain_gradient_length_m", Bound::Positive)?;
-        strength(strength_pa, length_m, self.context.shared.strength_cap).map_err(|error| error.to_string())
+        strength(strength_pa, length_m, self.args.material.strength_cap.strength_cap)
+            .map_err(|error| error.to_string())
     }
 
     fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
