@@ -54,6 +54,7 @@ impl Asperities for GradientSines {
         let mut pieces = Vec::new();
         if low_m < complete_m {
             let from_m = low_m.max(NEGLIGIBLE * high_m);
+            // Below complete contact by a few units in the last place.
             let to_m = high_m.min(complete_m * (1.0 - 1e-15));
             let charts = self.charts.each_ref().map(|chart| chart as &dyn LawChart);
             pieces = self.law.shape.pieces(0.0, complete_m, breaks_m(&self.law, from_m, to_m), charts);
