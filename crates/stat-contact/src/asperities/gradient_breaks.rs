@@ -30,7 +30,7 @@ pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
 
 /// Where the growth of the strength, (1 + h*/w)^(1/2), has come about and where it no longer shows, if that is but a small
 /// part of the interferences up to one: a rule over all of them sees too little of it to tell its own error.
-fn ends_of_growth_m(law: &GradientLaw, to_m: f64) -> impl Iterator<Item = f64> {
+pub(crate) fn ends_of_growth_m(law: &GradientLaw, to_m: f64) -> impl Iterator<Item = f64> {
     // In units of h*; in the cube root of the interference, the singularity at -h* is as far off as each stretch is long.
     const ENDS: [f64; 2] = [1.0, 500.0];
     const SMALL_PART: f64 = 1e-3;
