@@ -30,6 +30,7 @@
 mod abel;
 mod amplitude;
 mod approximate;
+mod cholesky;
 mod convention;
 mod hole;
 mod interval;
@@ -42,7 +43,7 @@ mod samples;
 mod self_affine_fit;
 mod superpose;
 
-pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
+pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use hole::{HOLE_FACTOR, Hole};
 pub use mccool::AsperityParameters;
@@ -56,7 +57,7 @@ pub use read::{
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
-pub use units::UnknownName;
+pub use units::{Scale, UnknownName};
 
 /// The example of the page runs.
 #[cfg(doctest)]

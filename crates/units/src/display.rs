@@ -1,11 +1,13 @@
 //! Lengths and pressures as people read them: three digits and a prefix.
 
 /// A length, e.g. `5.65 nm`.
+#[must_use]
 pub fn length(length_m: f64) -> String {
     with_prefix(length_m, &[("m", 0), ("mm", -3), ("µm", -6), ("nm", -9), ("pm", -12)])
 }
 
 /// A pressure, e.g. `5.4 MPa`.
+#[must_use]
 pub fn pressure(pressure_pa: f64) -> String {
     with_prefix(pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
 }
@@ -17,6 +19,7 @@ fn with_prefix(value: f64, units: &[(&str, i32)]) -> String {
 }
 
 /// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
+#[must_use]
 pub fn three_digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -30,6 +33,7 @@ pub fn three_digits(value: f64) -> String {
 }
 
 /// A power of ten as it is set, e.g. `10⁻³`.
+#[must_use]
 pub fn power_of_ten(power: i32) -> String {
     const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| SUPERSCRIPTS[digit as usize]);
@@ -56,6 +60,7 @@ fn typeset_word(word: &str) -> String {
 }
 
 /// Three significant digits; below a tenth with a power of ten, e.g. `3.33 × 10⁻³`.
+#[must_use]
 pub fn typeset_digits(value: f64) -> String {
     if (1e-3..0.1).contains(&value.abs()) {
         typeset(&format!("{value:.2e}"))
@@ -65,6 +70,7 @@ pub fn typeset_digits(value: f64) -> String {
 }
 
 /// A load as typed; one typed in units of pressure or force also in units of the hardness, e.g. `10 MPa = 3.33 × 10⁻³ H`.
+#[must_use]
 pub fn load_in_full(typed: &str, pressure_pa: f64, hardness_pa: Option<f64>) -> String {
     match hardness_pa.filter(|_| !typed.ends_with('H')) {
         Some(hardness_pa) => format!("{} = {} H", typeset(typed), typeset_digits(pressure_pa / hardness_pa)),

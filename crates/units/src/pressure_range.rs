@@ -17,6 +17,7 @@ pub struct PressureRange {
 
 /// What is wrong with a typed range.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PressureRangeError {
     /// Not three parts.
     #[error("'{0}' is no range of pressures; one reads FROM:TO:COUNT, as in '1kPa:1GPa:1000'")]
@@ -34,6 +35,7 @@ impl PressureRange {
     pub const MOST_POINTS: u32 = 10_000_000;
 
     /// The pressures \[Pa\], given the hardness \[Pa\] where there is one.
+    #[must_use]
     pub fn pascals(&self, hardness_pa: Option<f64>) -> Option<Vec<f64>> {
         Some(log_spaced(self.from.pascals(hardness_pa)?, self.to.pascals(hardness_pa)?, self.points))
     }
@@ -54,6 +56,7 @@ impl FromStr for PressureRange {
 }
 
 /// Values evenly spaced in their logarithms from one > 0 to another, both included; `points` is at least 2.
+#[must_use]
 pub fn log_spaced(from: f64, to: f64, points: u32) -> Vec<f64> {
     let ratio = to / from;
     let last = points - 1;

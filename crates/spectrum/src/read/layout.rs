@@ -1,6 +1,6 @@
 //! Which column of a series holds what, and in which unit.
 
-use units::Scale;
+use units::UnitScale;
 
 use crate::convention::Convention;
 use crate::read::header::Abscissa;
@@ -20,13 +20,13 @@ pub(crate) struct Layout {
 pub(crate) struct AbscissaColumn {
     pub(crate) index: usize,
     pub(crate) quantity: Abscissa,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DensityColumn {
     pub(crate) index: usize,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
     pub(crate) convention: Convention,
 }
 
@@ -34,5 +34,5 @@ pub(crate) struct DensityColumn {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ErrorColumn {
     pub(crate) index: usize,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
 }
