@@ -6,7 +6,7 @@ use spectrum::ProfilePsd;
 use study::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use study::plan::Results;
 use study::scene::Scene;
-use study::topography::InstrumentsDisagree;
+use topography::InstrumentsDisagree;
 use units::display::{counted, length, pressure, three_digits};
 
 /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.
@@ -219,7 +219,7 @@ impl<'a> Group<'a> {
     fn deciding(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
-            Some((decade::name(decade.longest_m, decade.shortest_m, psd), decade.share))
+            Some((decade::name(decade, psd), decade.share))
         };
         let mut decades: Vec<(String, Vec<usize>, Vec<f64>)> = Vec::new();
         for (load, answer) in &self.answers {

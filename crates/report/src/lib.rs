@@ -7,4 +7,6 @@ pub mod explain;
 pub mod page;
 pub mod plot;
 pub mod products;
+pub mod scan_words;
+pub mod scans_table;
 pub mod summary;

@@ -27,9 +27,13 @@ pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String
 
 fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
     let data = figure.data(results, &scene.needs, scene.hardness_pa());
-    match (&scene.surface.made_from, figure.shows) {
-        (Some(scans), Shows::Psd) => scans.beneath(data),
-        _ => data,
+    if figure.shows != Shows::Psd {
+        return data;
+    }
+    let data = data.with_holes(scene.surface.holes());
+    match &scene.surface.made_from {
+        Some(scans) => scans.beneath(data),
+        None => data,
     }
 }
 

@@ -9,6 +9,7 @@ use stat_contact::ContactState;
 
 use crate::answer_words;
 use crate::curve_names::in_full;
+use crate::scan_words;
 use study::answer::{Answer, LoadAnswer};
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
@@ -17,7 +18,11 @@ use units::display::{counted, length, pressure, three_digits};
 
 /// The summary of a scene's results.
 pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
-    let mut text = format!("{}\n{}\n\n", scene.title, sampling(results));
+    let mut text = format!("{}\n{}\n", scene.title, sampling(results));
+    for warning in scan_words::warnings(&scene.surface) {
+        let _ = writeln!(text, "Warning: {warning}");
+    }
+    text.push('\n');
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut paragraphs = answer_words::sentences(answer, scene, results);

@@ -28,6 +28,7 @@ pub fn hardness(choice: Hardness) -> &'static str {
     match choice {
         Hardness::JacksonGreen2005 => "Jackson & Green 2005",
         Hardness::Cosine => "cosine form, 2.84 - 0.92 [1 - cos(πa/R)]",
+        other => other.name(),
     }
 }
 

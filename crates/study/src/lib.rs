@@ -7,6 +7,7 @@ pub mod features;
 pub mod figure;
 mod files;
 pub mod material;
+mod note;
 pub mod plan;
 pub mod provenance;
 pub mod result_tables;
@@ -16,4 +17,5 @@ pub mod surface;
 pub mod topography;
 
 pub use files::{Files, NoFiles};
+pub use note::Note;
 pub use parallel::{Progress, Unobserved};

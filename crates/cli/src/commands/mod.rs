@@ -22,6 +22,7 @@ use crate::output::{Place, Stopped};
 use crate::progress::Progress;
 use crate::stderr::say;
 use crate::timings::Timings;
+use report::scan_words;
 use report::summary::CurveCounts;
 use study::material::{GivenMaterial, Material};
 use study::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
@@ -30,6 +31,7 @@ use study::result_tables;
 use study::scene::Overrides;
 use study::surface::Surface;
 use tables::{Table, TableWriter};
+use topography::Severity;
 use units::PressureRange;
 use units::number;
 use units::{Modulus, Pressure};
@@ -104,7 +106,8 @@ impl Context<'_> {
         let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
         let results = compute(&plan).map_err(Failure::input)?;
         timings.lap("computing");
-        say_notes(surface.notes.iter().cloned().chain(notes(&results)));
+        say_surface(&surface);
+        say_notes(notes(&results));
         self.write(&table(&results, &plan.needs), &provenance(self.typed, &surface, plan.sampling))?;
         timings.lap("writing");
         timings.report(self.shared.timings);
@@ -126,7 +129,8 @@ impl Context<'_> {
         timings.lap("reading");
         let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
         let stream = plan.stream().map_err(Failure::input)?;
-        say_notes(surface.notes.iter().cloned().chain([first_note(&stream)]));
+        say_surface(&surface);
+        say_notes([first_note(&stream)]);
         let loads = &plan.needs.loads;
         let mut counts = CurveCounts::default();
         let mut writing = Duration::ZERO;
@@ -250,6 +254,22 @@ fn loads(
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
     ElasticBody::new(modulus.pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
+}
+
+/// Says on stderr what a reader has to know about a spectrum.
+fn say_surface(surface: &Surface) {
+    for note in &surface.notes {
+        say_of_severity(note.severity(), &scan_words::note(note));
+    }
+}
+
+/// Says a note or a warning on stderr, and of checks that were passed nothing.
+fn say_of_severity(severity: Severity, text: &str) {
+    match severity {
+        Severity::Passed => {}
+        Severity::Note => say(&format!("note: {text}")),
+        Severity::Warning => say(&format!("warning: {text}")),
+    }
 }
 
 /// Says notes on stderr.

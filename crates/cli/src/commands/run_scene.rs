@@ -5,7 +5,7 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::{Context, compute, say_notes};
+use super::{Context, compute, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -23,7 +23,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut timings = Timings::start();
     let scene = read(&args.scene, context)?;
     timings.lap("reading");
-    say_notes(scene.surface.notes.iter().cloned());
+    say_surface(&scene.surface);
     if args.explain {
         return print(&explain(&scene), context);
     }

@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::SceneReport;
 use crate::answer_words;
+use crate::scan_words;
 use crate::summary::sampling;
 use units::display::typeset;
 
@@ -22,7 +23,7 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
     html! {
         @if several { h3 { (report.label) } }
-        p.spectrum { (sampling(report.results)) "." @for note in &scene.surface.notes { " " strong { (sentence(note)) } } }
+        p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
         @if scene.needs.curves.is_empty() { p { "No contact was asked for: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }
         @for text in &shortcomings { p.shortcoming { strong { "Not answered. " } (typeset(text)) } }

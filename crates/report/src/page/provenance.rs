@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::answer::sentence;
 use super::{Report, SceneReport, Section, per_scene};
 use crate::products::Occasion;
+use crate::scan_words;
 use crate::summary::sampling;
 
 pub(super) fn section(report: &Report<'_>) -> Section {
@@ -33,7 +34,7 @@ fn of(report: &SceneReport<'_>) -> Markup {
             p { "Its file says:" }
             blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }
         }
-        @for note in &surface.notes { p { (sentence(note)) } }
+        @for note in &surface.notes { p { (sentence(&scan_words::note(note))) } }
         p { "The scene, as typed:" }
         pre tabindex="0" { code { (report.scene.text.trim_end()) } }
     }

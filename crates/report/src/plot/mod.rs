@@ -3,7 +3,6 @@
 mod decades;
 mod labels;
 mod legend;
-mod runs;
 mod style;
 mod thinned;
 
@@ -16,7 +15,6 @@ use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
-use runs::runs;
 use study::figure::{FigureData, Series};
 use style::{colour, dash, tint};
 use thinned::thinned;
@@ -64,8 +62,10 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let x = Decades::around(points().map(|(x, _)| *x));
     let y = Decades::around(points().map(|(_, y)| *y));
     let compared = figure.compares_curves();
-    let gaps: Vec<[f64; 2]> = figure.gaps.iter().map(|ends| ends.map(f64::log10)).collect();
-    let drawn = |series: &Series| runs(&logarithms(&series.points), &gaps).into_iter().map(thinned).collect();
+    let drawn = |series: &Series| {
+        let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
+        pieces.filter(|piece| !piece.is_empty()).collect()
+    };
     let traces: Vec<Trace<'_>> =
         figure.series.iter().map(|series| Trace { series, runs: drawn(series) }).collect();
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
@@ -92,8 +92,8 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let mut scene = render_multiple(lines, layout);
     let frame = frame(&computed);
     add_minor_ticks(&mut scene, &computed, frame, x, y);
-    for gap in &gaps {
-        shade(&mut scene, &computed, frame, *gap);
+    for (from, to) in &figure.gaps {
+        shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
     }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
@@ -277,7 +277,7 @@ mod tests {
         figure.series[0].points = vec![(1.0, 1.0), (2.0, 2.0), (20.0, 3.0), (40.0, 4.0)];
         let lines = |svg: &str| svg.matches("stroke-width=\"1.6\"").count();
         let whole = svg(&figure, "", &[]);
-        figure.gaps = vec![[20.0, 2.0]];
+        figure.gaps = vec![(2.0, 20.0)];
         let broken = svg(&figure, "", &[]);
         assert_eq!(lines(&broken), lines(&whole) + 1, "{broken}");
         assert!(broken.contains("opacity=\"0.15\"") && !whole.contains("opacity=\"0.15\""), "{broken}");
