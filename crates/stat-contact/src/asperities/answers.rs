@@ -1,4 +1,6 @@
-//! What a quadrature needs to know of a population's law: its smooth pieces, and its values on them.
+//! What a quadrature and a search need to know of a population's law.
+
+use super::pieces::Piece;
 
 /// What a population answers if every asperity were pressed to the same interference.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,44 +11,9 @@ pub(crate) struct Response {
     pub area_fraction: f64,
 }
 
-/// What a law answers at the points of a chart, a row for each quantity.
-pub(crate) struct Points<'a> {
-    pub interferences_m: &'a mut [f64],
-    /// Derivative of the interference by the coordinate.
-    pub slopes_m: &'a mut [f64],
-    /// eta F \[Pa\] and eta A.
-    pub pressures_pa: &'a mut [f64],
-    pub area_fractions: &'a mut [f64],
-}
-
-/// The coordinate in which a piece of a law is smooth up to its ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Chart {
-    /// The quadrature's own coordinate of the interference, good for powers of it.
-    Interference,
-    /// Of a sinusoid from first touch on.
-    SineLight,
-    /// Of a sinusoid towards complete contact.
-    SineHeavy,
-    /// Of a yielding sinusoid, its pressure explicit: from the onset of plastic flow on.
-    FlowLight,
-    /// The same towards complete contact.
-    FlowHeavy,
-    /// Of tabulated pressures: below the first, between two of them, and above the last.
-    TableLight,
-    Table,
-    TableHeavy,
-}
-
-/// An interval of interferences \[m\] on which a law is smooth in the coordinate of `chart`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Piece {
-    pub from_m: f64,
-    pub to_m: f64,
-    pub chart: Chart,
-}
-
 /// A population under a contact law.
+///
+/// What has a default is what a law without the feature answers: no saturation, no kink, a force that rises for ever.
 pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     /// The response at an interference > 0 \[m\].
     fn at_interference(&self, interference_m: f64) -> Response;
@@ -79,7 +46,7 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
 
     /// The smooth pieces that cover the interferences from `low_m` to `high_m`, in rising order; those outside may be
     /// left out. The last one ends at infinity or where [`saturation`](Self::saturation) begins.
-    fn pieces(&self, low_m: f64, high_m: f64) -> Vec<Piece>;
+    fn pieces(&self, low_m: f64, high_m: f64) -> Vec<Piece<'_>>;
 
     /// The interference from which on the response no longer changes, and that response.
     fn saturation(&self) -> Option<(f64, Response)> {
@@ -89,17 +56,6 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     /// The interference \[m\] of the kink that shows most, where one stands out: complete contact.
     fn strongest_kink_m(&self) -> Option<f64> {
         self.saturation().map(|(from_m, _)| from_m)
-    }
-
-    /// The coordinate, on a chart of this law other than [`Chart::Interference`], of an interference.
-    fn coordinate(&self, chart: Chart, _interference_m: f64) -> f64 {
-        unreachable!("the law has no chart {chart:?}")
-    }
-
-    /// The points at coordinates of a chart of this law other than [`Chart::Interference`], that no break of the law
-    /// divides.
-    fn at_coordinates(&self, chart: Chart, _coordinates: &[f64], _points: Points<'_>) {
-        unreachable!("the law has no chart {chart:?}")
     }
 
     /// The intervals of interference \[m\], below `high_m`, in which the law is used beyond what it was fitted to.
@@ -148,13 +104,4 @@ pub(crate) enum Course {
     Peaks { certain: bool },
     /// It steps down at one interference \[m\] and rises elsewhere.
     StepsDown { at_m: f64 },
-}
-
-/// The pieces between neighbouring breaks, all on one chart.
-pub(crate) fn pieces_between(breaks_m: &[f64], chart: Chart) -> Vec<Piece> {
-    breaks_m
-        .windows(2)
-        .filter(|pair| pair[0] < pair[1])
-        .map(|pair| Piece { from_m: pair[0], to_m: pair[1], chart })
-        .collect()
 }

@@ -26,8 +26,6 @@ pub(crate) struct Rows<'a> {
     pub area_fractions: &'a mut [f64],
     /// The density at the separation last summed at.
     pub densities: &'a mut [f64],
-    /// Derivative of the interference by the coordinate: of use while the law is evaluated.
-    pub slopes: &'a mut [f64],
 }
 
 /// What is added up over the nodes of a panel, in lanes.
@@ -39,7 +37,7 @@ pub(crate) struct Summed<'a> {
 }
 
 impl Nodes {
-    const ROWS: usize = 5;
+    const ROWS: usize = 4;
 
     /// No nodes yet, and room for some.
     pub fn with_room_for(count: usize) -> Self {
@@ -57,13 +55,12 @@ impl Nodes {
     pub fn rows(&mut self, block: Block) -> Rows<'_> {
         let Block { at, count } = block;
         let rows = &mut self.values[at..at + Self::ROWS * block.row()];
-        let [places, pressures_pa, area_fractions, densities, slopes] = split(rows, block.row());
+        let [places, pressures_pa, area_fractions, densities] = split(rows, block.row());
         Rows {
             places: &mut places[..count],
             pressures_pa: &mut pressures_pa[..count],
             area_fractions: &mut area_fractions[..count],
             densities: &mut densities[..count],
-            slopes: &mut slopes[..count],
         }
     }
 
@@ -82,19 +79,14 @@ impl Nodes {
 }
 
 impl Block {
-    /// How many nodes there are.
-    pub fn count(self) -> usize {
-        self.count
-    }
-
     /// The length of a row.
     fn row(self) -> usize {
         self.count.next_multiple_of(LANES)
     }
 }
 
-/// The rows of a block.
-fn split(rows: &mut [f64], length: usize) -> [&mut [f64]; Nodes::ROWS] {
+/// As many rows of a length as are wanted.
+pub(crate) fn split<const ROWS: usize>(rows: &mut [f64], length: usize) -> [&mut [f64]; ROWS] {
     let mut rest = rows;
     std::array::from_fn(|_| {
         let (row, others) = std::mem::take(&mut rest).split_at_mut(length);
@@ -118,10 +110,9 @@ mod tests {
         let blocks = [3, 4].map(|count| nodes.add(count));
         for (block, value) in blocks.into_iter().zip([1.0, 2.0]) {
             let rows = nodes.rows(block);
-            assert_eq!(rows.slopes.len(), block.count());
+            assert_eq!(rows.area_fractions.len(), block.count);
             rows.places.fill(value);
             rows.densities.fill(-value);
-            rows.slopes.fill(7.0);
         }
         let first = nodes.summed(blocks[0]);
         assert_eq!(first.places, [[1.0, 1.0], [1.0, 0.0]]);

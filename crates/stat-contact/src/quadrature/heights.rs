@@ -2,8 +2,8 @@
 
 use asperity::elementary;
 
-use crate::coordinate::Coordinate;
-use crate::gaussian::log_reference_density;
+use super::coordinate::Coordinate;
+use crate::gaussian::density::log_reference_density;
 
 /// The density of the heights at the separation u, over the reference density, on a frame around another separation.
 pub(crate) struct Density {

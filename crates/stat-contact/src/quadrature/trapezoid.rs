@@ -1,6 +1,6 @@
 //! The trapezoidal rule over a window, for rough integrals: it needs to know nothing of the law.
 
-use crate::coordinate::Coordinate;
+use super::coordinate::Coordinate;
 
 /// The nodes (first + 0.5) step, (first + 1.5) step and so on, `count` of them.
 #[derive(Debug, Clone, Copy)]

@@ -2,9 +2,12 @@
 //!
 //! A frame depends on its cell alone, so that a state has the same digits on one that is there as on one built for it.
 
-use crate::asperities::Asperities;
-use crate::cell::{Cell, Precision};
-use crate::frame::{Frame, Sums};
+use super::builder::Scratch;
+use super::cell::Cell;
+use super::frame::Frame;
+use super::precision::Precision;
+use super::sums::Sums;
+use crate::asperities::answers::Asperities;
 
 /// Frames kept at most, of a few kilobytes each: all between fifty standard deviations on the far side and ten below.
 const MOST_FRAMES: usize = 150;
@@ -25,6 +28,7 @@ pub(crate) struct Frames<'a> {
     oldest: usize,
     /// Law evaluations spent.
     pub evaluations: usize,
+    scratch: Scratch,
 }
 
 impl<'a> Frames<'a> {
@@ -40,6 +44,7 @@ impl<'a> Frames<'a> {
             last: 0,
             oldest: 0,
             evaluations: 0,
+            scratch: Scratch::default(),
         }
     }
 
@@ -80,15 +85,15 @@ impl<'a> Frames<'a> {
         if let Some(everywhere) = &mut self.everywhere {
             return everywhere.sums_at(u);
         }
-        let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u);
-        self.evaluations += frame.evaluations;
+        let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u, &mut self.scratch);
+        self.evaluations += frame.evaluations();
         frame.sums_at(u)
     }
 
     /// Builds a frame, and returns its place.
     fn build(&mut self, cell: Cell) -> usize {
-        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision);
-        self.evaluations += frame.evaluations;
+        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision, &mut self.scratch);
+        self.evaluations += frame.evaluations();
         if self.built.len() < MOST_FRAMES {
             self.cells.push(cell);
             self.built.push(frame);
@@ -107,7 +112,7 @@ mod tests {
 
     use super::*;
     use crate::Population;
-    use crate::sine::ElasticSines;
+    use crate::asperities::elastic_sines::ElasticSines;
 
     #[test]
     fn a_frame_is_built_once_until_its_room_is_needed() {

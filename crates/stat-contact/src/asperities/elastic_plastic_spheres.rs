@@ -1,4 +1,4 @@
-//! Populations of spheres: Hertz's and Jackson & Green's.
+//! Populations of the elastic-plastic spheres of Jackson & Green.
 
 use asperity::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, Hertz, JacksonGreen,
@@ -6,69 +6,10 @@ use asperity::{
 };
 use numerics::zero_in_bracket;
 
+use super::answers::{Asperities, Course, Hertzian, Response};
+use super::hertz_spheres::hertzian;
+use super::pieces::{Chart, Piece, pieces_between};
 use crate::Population;
-use crate::asperities::{Asperities, Chart, Course, Hertzian, Piece, Response, pieces_between};
-
-/// Elastic spheres.
-#[derive(Debug, Clone)]
-pub(crate) struct ElasticSpheres {
-    sphere: Hertz,
-    density_per_m2: f64,
-}
-
-impl ElasticSpheres {
-    pub fn new(pair: &MaterialPair, population: &Population) -> Self {
-        ElasticSpheres {
-            sphere: Hertz::new(pair, population.radius_m()),
-            density_per_m2: population.density_per_m2(),
-        }
-    }
-}
-
-impl Asperities for ElasticSpheres {
-    fn at_interference(&self, interference_m: f64) -> Response {
-        Response {
-            pressure_pa: self.density_per_m2 * self.sphere.force_n(interference_m),
-            area_fraction: self.density_per_m2 * self.sphere.area_m2(interference_m),
-        }
-    }
-
-    fn at_interferences(
-        &self,
-        interferences_m: &[f64],
-        pressures_pa: &mut [f64],
-        area_fractions: &mut [f64],
-    ) {
-        for ((&w, pressure_pa), area_fraction) in interferences_m.iter().zip(pressures_pa).zip(area_fractions)
-        {
-            *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
-            *area_fraction = self.density_per_m2 * self.sphere.area_m2(w);
-        }
-    }
-
-    fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
-        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
-            *pressure_pa = self.density_per_m2 * self.sphere.force_n(w);
-        }
-    }
-
-    fn hertzian(&self) -> Option<Hertzian> {
-        Some(hertzian(&self.sphere, self.density_per_m2, f64::INFINITY))
-    }
-
-    fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece> {
-        Vec::new()
-    }
-}
-
-/// So many spheres that are Hertz's up to an interference.
-fn hertzian(sphere: &Hertz, density_per_m2: f64, until_m: f64) -> Hertzian {
-    Hertzian {
-        until_m,
-        area_per_m: density_per_m2 * sphere.area_m2(1.0),
-        pressure_per_three_halves: density_per_m2 * sphere.force_per_three_halves(),
-    }
-}
 
 /// Elastic-plastic spheres, their strength constant or that of the interference.
 #[derive(Debug, Clone)]
@@ -146,6 +87,20 @@ impl ElasticPlasticSpheres {
         zero_in_bracket(low_m.ln(), high_m.ln(), excess).exp()
     }
 
+    /// Whether the force never falls smoothly, without having to look.
+    ///
+    /// On the way to a = R the hardness falls, the faster the faster the area grows (the cosine to a third), and the strength
+    /// may; from there on the force rises again. ln H_G falls by ln(a/R) no faster than 1.21 (cosine) or 0.46 (2005), a^2
+    /// grows like w^(1+b) or, with a gradient, w^(1+2b), and the rest of the force at least like w or w^(1/2).
+    fn is_known_to_rise(&self) -> bool {
+        // The Sy/E* up to which b is at most 0.56.
+        const RISES_BELOW: f64 = 0.06;
+        let is_constant = self.strength.strain_gradient_length_m().is_none();
+        let strongest_pa = self.strength.at_depth_pa(self.onset_m);
+        (is_constant || self.hardness == Hardness::JacksonGreen2005)
+            && strongest_pa < RISES_BELOW * self.modulus_pa()
+    }
+
     fn modulus_pa(&self) -> f64 {
         self.pair.composite_modulus_pa()
     }
@@ -200,7 +155,7 @@ impl Asperities for ElasticPlasticSpheres {
         Some(hertzian(&sphere, self.density_per_m2, self.onset_m.min(self.radius_m)))
     }
 
-    fn pieces(&self, _low_m: f64, high_m: f64) -> Vec<Piece> {
+    fn pieces(&self, _low_m: f64, high_m: f64) -> Vec<Piece<'_>> {
         let mut breaks_m = vec![0.0];
         if self.onset_m.min(self.radius_m) < high_m {
             breaks_m.extend([self.onset_m, self.interference_of_area_share_m(1.0, high_m)]);
@@ -208,7 +163,7 @@ impl Asperities for ElasticPlasticSpheres {
         breaks_m.extend(self.strength.cap_depth_m().filter(|&depth_m| depth_m > self.onset_m));
         breaks_m.push(f64::INFINITY);
         breaks_m.sort_by(f64::total_cmp);
-        pieces_between(&breaks_m, Chart::Interference)
+        pieces_between(&breaks_m, |_| Chart::Interference)
     }
 
     fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {
@@ -239,22 +194,16 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn dip_m(&self) -> Option<[f64; 2]> {
-        // On the way to a = R the hardness falls, the faster the faster the area grows (the cosine to a third), and the
-        // strength may; from there on the force rises again.
+        // Interferences between which the force is sampled, evenly in their logarithm: dips are a tenth of them or wider.
         const SAMPLES: usize = 48;
+        // Below this share of the cross-section the hardness is still that of the flat.
         const SMALLEST_SHARE: f64 = 1e-2;
-        // ln H_G falls by ln(a/R) no faster than 1.21 (cosine) or 0.46 (2005), a^2 grows like w^(1+b) or, with a gradient,
-        // w^(1+2b), and the rest of the force at least like w or w^(1/2): below this Sy/E*, b = 0.56, it never falls.
-        const RISES_BELOW: f64 = 0.06;
-        let is_constant = self.strength.strain_gradient_length_m().is_none();
-        let strongest_pa = self.strength.at_depth_pa(self.onset_m);
-        let rises = (is_constant || self.hardness == Hardness::JacksonGreen2005)
-            && strongest_pa < RISES_BELOW * self.modulus_pa();
-        if rises {
+        if self.is_known_to_rise() {
             return None;
         }
         let [low_m, high_m] =
             [SMALLEST_SHARE, 1.0].map(|share| self.interference_of_area_share_m(share, f64::INFINITY));
+        // Beside the onset, on its plastic side.
         let low_m = low_m.max(self.onset_m) * (1.0 + 1e-12);
         if low_m >= high_m || !high_m.is_finite() {
             return None;

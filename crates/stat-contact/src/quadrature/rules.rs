@@ -5,12 +5,12 @@ use std::sync::OnceLock;
 use numerics::{GaussLegendre, legendre_integral_above, legendre_polynomials};
 use wide::f64x2;
 
-use crate::nodes::LANES;
+use super::nodes::LANES;
 
 /// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
 const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
 /// Nodes of the largest rule.
-const MOST: usize = 40;
+pub(crate) const MOST: usize = 40;
 
 /// A Gauss-Legendre rule on [-1, 1], and the Legendre polynomials at its nodes.
 pub(crate) struct Rule {
