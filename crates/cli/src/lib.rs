@@ -7,6 +7,7 @@ pub mod args;
 mod commands;
 pub mod failure;
 mod files;
+mod material_errors;
 pub mod output;
 mod progress;
 mod scene_errors;

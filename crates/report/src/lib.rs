@@ -5,4 +5,5 @@ pub mod explain;
 pub mod page;
 pub mod plot;
 pub mod products;
+pub mod row_notes;
 pub mod summary;

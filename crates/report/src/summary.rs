@@ -5,11 +5,11 @@ use std::fmt::Write;
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
-use stat_contact::ContactState;
 
 use crate::answer_words;
 use study::answer::{Answer, LoadAnswer};
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
+use study::rows::StateCounts;
 use study::scene::Scene;
 use units::display::{length, pressure, three_digits};
 
@@ -117,7 +117,7 @@ fn stacked_remarks(
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
-    counts.states.notes_of_curve()
+    notes_of_curve(&counts.states)
 }
 
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
@@ -148,51 +148,32 @@ impl CurveCounts {
 
     /// What there is to say of them.
     pub fn notes(&self) -> Vec<String> {
-        self.states.notes_of_curve().into_iter().chain(self.levels.note()).collect()
+        notes_of_curve(&self.states).into_iter().chain(self.levels.note()).collect()
     }
 }
 
-/// How many states are held at a bound, or rest on asperities that their law was not fitted for.
-#[derive(Debug, Default)]
-pub struct StateCounts {
-    all: usize,
-    incomplete: usize,
-    clamped: usize,
-    out_of_range: usize,
+fn notes_of_curve(counts: &StateCounts) -> Vec<String> {
+    let what = "are beyond complete contact of every asperity: area fraction 1, no separation";
+    of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
 }
 
-impl StateCounts {
-    /// Counts states.
-    pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
-        for state in states {
-            self.all += 1;
-            self.incomplete += usize::from(state.separation_m.is_none());
-            self.clamped += usize::from(state.clamped);
-            self.out_of_range += usize::from(state.out_of_range_load_share > 0.5);
-        }
-    }
+/// What there is to say where each state beyond complete contact is told by itself.
+pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
+    let clamped = of_states(
+        counts.clamped,
+        counts,
+        "have more contact area than there is nominal area, held at an area fraction of 1",
+    );
+    let out_of_range = of_states(
+        counts.out_of_range,
+        counts,
+        "carry most of their load on asperities outside the range their law was fitted in",
+    );
+    clamped.into_iter().chain(out_of_range).collect()
+}
 
-    fn notes_of_curve(&self) -> Vec<String> {
-        let what = "are beyond complete contact of every asperity: area fraction 1, no separation";
-        self.note(self.incomplete, what).into_iter().chain(self.notes()).collect()
-    }
-
-    /// What there is to say where each state beyond complete contact is told by itself.
-    pub fn notes(&self) -> Vec<String> {
-        let clamped = self.note(
-            self.clamped,
-            "have more contact area than there is nominal area, held at an area fraction of 1",
-        );
-        let out_of_range = self.note(
-            self.out_of_range,
-            "carry most of their load on asperities outside the range their law was fitted in",
-        );
-        clamped.into_iter().chain(out_of_range).collect()
-    }
-
-    fn note(&self, found: usize, what: &str) -> Option<String> {
-        (found > 0).then(|| format!("{found} of {} states {what}", self.all))
-    }
+fn of_states(found: usize, counts: &StateCounts, what: &str) -> Option<String> {
+    (found > 0).then(|| format!("{found} of {} states {what}", counts.all))
 }
 
 /// How many levels lie beyond what their law is trusted for.

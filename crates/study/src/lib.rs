@@ -20,14 +20,15 @@
 //! `parallel` is on.
 
 pub mod answer;
-pub mod asperity_table;
 pub mod features;
 pub mod figure;
 mod files;
 pub mod material;
+pub mod models;
 pub mod plan;
 pub mod provenance;
 pub mod result_tables;
+pub mod rows;
 pub mod scene;
 pub mod sensitivity;
 pub mod surface;

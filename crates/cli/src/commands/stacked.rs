@@ -4,12 +4,16 @@ use super::{Context, loads, material};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
 use report::summary::sampling_of;
-use study::plan::{Curve, CurveModel, Cutoffs, Needs};
+use study::models::ModelOptions;
+use study::plan::{Curve, Cutoffs, Needs};
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
     let material = material(&args.material, context)?;
-    let gradient = args.material.strain_gradient_length.is_some();
-    let model = CurveModel::Stacked(material.stacked(args.model, gradient).map_err(Failure::input)?);
+    let options = ModelOptions {
+        strain_gradient: args.material.strain_gradient_length.is_some(),
+        ..ModelOptions::default()
+    };
+    let model = args.model.build(&material, &options)?;
     let needs = Needs {
         amplitudes: Some(context.shared.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
