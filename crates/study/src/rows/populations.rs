@@ -126,7 +126,11 @@ impl Populations {
 
     fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
         let separation = || row.optional_number("separation_m", Sweep::SEPARATION_M);
-        let pressure = || row.optional_number("pressure_pa", Sweep::PRESSURE_PA);
+        let pressure = || {
+            // What is no pressure at all is told so, before what is too large a one.
+            row.optional_number("pressure_pa", Bound::Positive)?;
+            row.optional_number("pressure_pa", Sweep::PRESSURE_PA)
+        };
         match self.given {
             Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {
                 "column separation_m: the cell is empty, and the separation is to be given".to_owned()
