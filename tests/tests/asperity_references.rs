@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use study::asperity_table::AsperityTable;
+use study::rows::asperity_table::AsperityTable;
 use tables::{Cells, TableSource};
 use tests::{Deviations, ReferenceTable, committed_file, shared_file};
 
@@ -12,7 +12,7 @@ fn compare(law: AsperityTable, path: PathBuf, max: f64) {
     let references = ReferenceTable::read(&path);
     let file = std::fs::File::open(&path).unwrap();
     let mut computed = TableSource::new("references", file).and_then(TableSource::whole).unwrap();
-    law.extend(&mut computed, None).unwrap();
+    law.set_results(&mut computed, None).unwrap();
     let conditions = references.has("condition").then(|| references.numbers("condition"));
     for column in law.results() {
         let Some(Cells::Numbers(values)) = computed.table.column(column) else {

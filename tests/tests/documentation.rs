@@ -62,28 +62,3 @@ fn sections(page: &str) -> Vec<String> {
     };
     headings.map(name).collect()
 }
-
-#[test]
-fn the_changes_that_add_a_law_still_apply() {
-    let page = std::fs::read_to_string(committed_file("docs/adding-a-law.md")).unwrap();
-    // Names of files stand in backquotes; one that follows another may leave its folder out.
-    let mut files: Vec<PathBuf> = Vec::new();
-    for name in page.split('`').filter(|name| name.contains('.') && !name.contains([' ', '\n'])) {
-        let beside = files.last().and_then(|last| Some(last.parent()?.join(name)));
-        files
-            .extend([Some(committed_file(name)), beside].into_iter().flatten().filter(|path| path.is_file()));
-    }
-    let texts: Vec<String> = files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
-    let blocks: Vec<&str> =
-        page.split("```diff\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    assert!(blocks.len() > 30, "{} changes found", blocks.len());
-    for block in blocks {
-        // Who has followed the page has the lines after the change.
-        let [before, after] = ['+', '-'].map(|left_out| {
-            let lines = block.lines().filter(|line| !line.starts_with(left_out));
-            lines.map(|line| format!("{}\n", &line[1..])).collect::<String>()
-        });
-        let found = texts.iter().any(|text| text.contains(&before) || text.contains(&after));
-        assert!(found, "no file has the lines around\n{block}");
-    }
-}

@@ -1,7 +1,7 @@
 //! The statistical models at given separations against high-precision tables, from -60 to 60 standard deviations.
 
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
-use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Model, Population, StatisticalContact};
+use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, StatisticalContact};
 use tests::{Deviations, ReferenceTable, shared_file};
 
 fn state(table: &ReferenceTable, row: usize) -> ContactState {
@@ -11,11 +11,12 @@ fn state(table: &ReferenceTable, row: usize) -> ContactState {
         "" => strength,
         length_m => strength.with_strain_gradient(length_m.parse().unwrap()).unwrap(),
     };
-    let law = match table.text("model")[row].parse().unwrap() {
-        Model::Hertz => AsperityLaw::Hertz,
-        Model::EpSphere => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
-        Model::ElasticSine => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },
-        Model::EpSine => AsperityLaw::EpSine { strength },
+    let law = match table.text("model")[row].as_ref() {
+        "hertz" => AsperityLaw::Hertz,
+        "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+        "elastic-sine" => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },
+        "ep-sine" => AsperityLaw::EpSine { strength },
+        other => panic!("no table has a law {other}"),
     };
     let body = ElasticBody::new(number("youngs_modulus_pa"), number("poisson_ratio")).unwrap();
     let population =

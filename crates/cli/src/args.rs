@@ -16,19 +16,20 @@ use std::path::PathBuf;
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
 use scans::LengthUnit;
-use stat_contact::{InterferenceLaw, Model};
+use stat_contact::InterferenceLaw;
 use topography::{Detrend, Window};
 
 use crate::output::Place;
 use crate::picture::Picture;
-use parsers::{one_of, parse_count, parse_labelled_pressure, parse_place, parse_tolerance};
-use study::material::StackedModelName;
+use parsers::{model_of, one_of, parse_count, parse_labelled_pressure, parse_place, parse_tolerance};
+use study::models::{Framework, ModelEntry};
 use study::plan::Tolerance;
+use study::rows::GivenColumn;
 use study::scene::Template;
 use study::topography::ScanRequest;
 use topography::{Average, DEFAULT_BINS_PER_DECADE};
 use units::PressureRange;
-use units::{Length, Pressure, SignedLength};
+use units::{Length, Modulus, Pressure, SignedLength};
 
 /// How much of two rough surfaces really touches, and which scales of roughness decide it.
 ///
@@ -100,13 +101,14 @@ pressure_pa, area_fraction; a row per wavelength from long to short, in blocks
 in the order of the pressures, then of the separations. The first row has no
 asperities yet: its cells are empty.
 
-With --input, a table with the columns model (hertz, ep-sphere, elastic-sine
-or ep-sine), youngs_modulus_pa, poisson_ratio, yield_strength_pa,
-strain_gradient_length_m (empty for none), radius_m, density_per_m2,
-sigma_s_m, and of separation_m and pressure_pa exactly one in each row; the
-other one and area_fraction are filled in. A pressure beyond complete contact
-of every sinusoid has no separation: its cell stays empty, and the area
-fraction is 1.
+With --input, a table with the columns model (one of those of --model),
+youngs_modulus_pa, poisson_ratio, yield_strength_pa, strain_gradient_length_m
+(empty for none), radius_m, density_per_m2, sigma_s_m, and of separation_m and
+pressure_pa exactly one in each row; the other one and area_fraction are filled
+in. What is the same in every row may be given as an option instead of a
+column. Rows without asperities, as the first one of `moments`, have empty
+results. A pressure beyond complete contact of every sinusoid has no
+separation: its cell stays empty, and the area fraction is 1.
 
 The separation is measured from the mean of the asperity heights and may be
 negative.
@@ -116,7 +118,9 @@ Examples:
       --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
   truearea statistical psd.csv --model hertz --pressures 1kPa:1GPa:1000 \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --output sweep.csv
-  truearea statistical --input rows.csv --given pressure --output rows.csv")]
+  truearea statistical --input rows.csv --given pressure --output rows.csv
+  truearea moments psd.csv | truearea statistical --input - \\
+      --model hertz --pressure 1MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
     Statistical(StatisticalArgs),
     /// The power spectrum of scans, each in the band that shows the surface, and their composite
     #[command(after_help = "\
@@ -297,6 +301,15 @@ pub(crate) struct TableArgs {
     /// The table to extend, CSV or JSON: a path, or - for standard input
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place)]
     pub input: Place,
+    /// Young's modulus of every row, in place of the column youngs_modulus_pa
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub youngs_modulus: Option<Modulus>,
+    /// Poisson's ratio of every row, in (-1, 0.5], in place of the column poisson_ratio
+    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    pub poisson_ratio: Option<f64>,
+    /// Yield strength of every row, in place of the column yield_strength_pa
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub yield_strength: Option<Pressure>,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
 }
@@ -331,8 +344,8 @@ pub(crate) struct StackedArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
     /// How scales deform
-    #[arg(long, value_parser = one_of::<StackedModelName, _>(StackedModelName::ALL))]
-    pub model: StackedModelName,
+    #[arg(long, value_parser = model_of(Framework::Stacked))]
+    pub model: &'static ModelEntry,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
@@ -380,14 +393,13 @@ pub(crate) struct StatisticalArgs {
     #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA)]
     pub input: Option<Place>,
     /// Which column of the table is the input where both are filled; the other is recomputed
-    #[arg(long, value_enum, requires = "input")]
+    #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input")]
     pub given: Option<GivenColumn>,
     /// The law of one asperity
-    #[arg(long, value_parser = one_of::<Model, _>(Model::ALL), conflicts_with = "input")]
-    pub model: Option<Model>,
+    #[arg(long, value_parser = model_of(Framework::Statistical))]
+    pub model: Option<&'static ModelEntry>,
     /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true,
-        conflicts_with = "input")]
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
     /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
     #[arg(
@@ -398,7 +410,7 @@ pub(crate) struct StatisticalArgs {
     )]
     pub pressure_ranges: Vec<PressureRange>,
     /// Separation from the mean of the asperity heights, of either sign; repeatable
-    #[arg(long = "separation", value_name = "L", allow_hyphen_values = true, conflicts_with = "input")]
+    #[arg(long = "separation", value_name = "L", allow_hyphen_values = true)]
     pub separations: Vec<SignedLength>,
     #[command(flatten)]
     pub material: MaterialArgs,
@@ -420,15 +432,6 @@ pub(crate) struct StatisticalArgs {
     pub details: bool,
     #[command(flatten)]
     pub figure: FigureArg,
-}
-
-/// Which of two filled columns a table's rows are to be computed from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum GivenColumn {
-    /// separation_m
-    Separation,
-    /// pressure_pa
-    Pressure,
 }
 
 #[derive(Debug, ClapArgs)]

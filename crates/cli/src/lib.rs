@@ -8,6 +8,7 @@ mod commands;
 pub mod failure;
 mod files;
 mod interruption;
+mod material_errors;
 pub mod output;
 mod picture;
 mod progress;

@@ -273,10 +273,13 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
         refused("\"5 um\"", "\"5 GPa\"")
             .contains("key material.strain_gradient_length: '5 GPa' has the unit 'GPa'")
     );
-    assert!(refused("yield_strength = \"1.8 GPa\"", "").contains("needs the yield strength"));
+    assert!(
+        refused("yield_strength = \"1.8 GPa\"", "")
+            .contains("needs the yield strength: add yield_strength in [material]")
+    );
     assert!(
         refused("strain_gradient_length = \"5 um\"", "")
-            .contains("strain-gradient strength needs its length")
+            .contains("strain-gradient strength needs its length: add strain_gradient_length in [material]")
     );
     assert!(
         refused("54 MPa", "-54 MPa").contains("'-54 MPa' is out of range; a pressure must be greater than 0")

@@ -271,3 +271,108 @@ fn many_cutoffs_at_one_load_are_the_same_whatever_is_computed_together() {
     );
     assert_eq!(areas.len(), rows - 1);
 }
+
+/// A row of `moments` without asperities, and one with them.
+const MOMENTS: &str =
+    "wavelength_m,radius_m,density_per_m2,sigma_s_m\n1e-4,,,\n1e-5,2.43843e-06,1.80165e+11,2.11632e-08\n";
+
+const CONSTANTS: [&str; 10] = [
+    "--model",
+    "ep-sphere",
+    "--pressure",
+    "1MPa",
+    "--youngs-modulus",
+    "463GPa",
+    "--poisson-ratio",
+    "0.2",
+    "--yield-strength",
+    "1.8GPa",
+];
+
+fn with_constants(bench: &Bench, table: &str) -> support::Ran {
+    bench.run_with_input(&[&["statistical", "--input", "-"][..], &CONSTANTS].concat(), table)
+}
+
+#[test]
+fn moments_chain_into_statistical_with_the_constants_given_once() {
+    let bench = Bench::new();
+    let moments = bench.run(&["moments", "builtin:uncd-measured"]).ok();
+    let ran = with_constants(&bench, &moments);
+    assert_eq!(
+        ran.stderr.matches("note: 1 of 46 rows have no asperities: their results are empty\n").count(),
+        1
+    );
+    let chained = ran.ok();
+    let mut args = vec!["statistical", "builtin:uncd-measured"];
+    args.extend(CONSTANTS);
+    let at_once = bench.run(&args).ok();
+    for name in ["separation_m", "pressure_pa", "area_fraction"] {
+        let (found, expected) = (column(&chained, name), column(&at_once, name));
+        assert_eq!((found.len(), found[0]), (46, ""), "{name}");
+        for (found, expected) in found[1..].iter().zip(&expected[1..]) {
+            let (found, expected): (f64, f64) = (found.parse().unwrap(), expected.parse().unwrap());
+            assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn constants_and_columns_give_the_same_digits() {
+    let bench = Bench::new();
+    let row = "ep-sphere,463e9,0.2,1.8e9,,2.43843e-06,1.80165e+11,2.11632e-08,,1e6,";
+    let by_columns = bench.run_with_input(&["statistical", "--input", "-"], &table(&[row])).ok();
+    let by_constants = with_constants(&bench, MOMENTS).ok();
+    for name in ["separation_m", "area_fraction"] {
+        assert_eq!(column(&by_columns, name)[0], column(&by_constants, name)[1], "{name}");
+    }
+    let in_hardnesses: Vec<&str> =
+        CONSTANTS.iter().map(|arg| if *arg == "1MPa" { "1e-3H" } else { arg }).collect();
+    let args = [&["statistical", "--input", "-"][..], &in_hardnesses].concat();
+    assert_eq!(column(&bench.run_with_input(&args, MOMENTS).ok(), "pressure_pa"), ["", "5400000"]);
+    let message = bench.run_with_input(&[&args[..7], &args[7..11]].concat(), MOMENTS).refused();
+    assert!(message.contains("--pressure 1e-3H: a pressure in H") && message.contains("--yield-strength"));
+}
+
+#[test]
+fn an_option_and_a_column_of_one_name_are_refused_and_both_named() {
+    let bench = Bench::new();
+    let message = with_constants(&bench, &table(&[SPHERES])).refused();
+    assert_eq!(
+        message,
+        "error: standard input: column model stands in the table, and is given for all rows besides; keep one: leave \
+         --model out, or the column\n"
+    );
+    let both = ["statistical", "--input", "-", "--pressure", "1MPa", "--separation", "1nm"];
+    let message = bench.run_with_input(&both, MOMENTS).refused();
+    assert!(message.contains("one --pressure or one --separation"), "{message}");
+    // A population that is known in part is a mistake, not the absence of asperities.
+    let message = with_constants(&bench, &MOMENTS.replace("1e-4,,,", "1e-4,1e-6,,")).refused();
+    assert!(message.contains("line 2, column density_per_m2: the cell is empty"), "{message}");
+}
+
+#[test]
+fn every_bound_of_the_computation_is_held_before_anything_is_written() {
+    let bench = Bench::new();
+    let refused = |from: &str, to: &str| {
+        let strange = SPHERES.replacen(from, to, 1);
+        assert_ne!(strange, SPHERES);
+        let mut rows = vec![SPHERES; 5_000];
+        rows.push(&strange);
+        let args = ["statistical", "--input", "-", "--output", "out.csv"];
+        let message = bench.run_with_input(&args, &table(&rows)).refused();
+        assert!(bench.files().is_empty());
+        message.strip_prefix("error: standard input, line 5002, ").map(str::to_owned).unwrap_or(message)
+    };
+    assert_eq!(refused("463e9", "1e31"), "column youngs_modulus_pa: 1e31 must be from 1e-30 to 1e30\n");
+    assert_eq!(refused("1.8e9", "1e-31"), "column yield_strength_pa: 1e-31 must be from 1e-30 to 1e30\n");
+    assert_eq!(
+        refused("1.8e9,,", "1.8e9,1e40,"),
+        "column strain_gradient_length_m: 1e40 must be from 1e-30 to 1e30\n"
+    );
+    assert_eq!(refused("1.80165e+11", "1e45"), "column density_per_m2: 1e45 must be from 1e-30 to 1e30\n");
+    assert_eq!(refused("5.02477e-08", "1e31"), "column separation_m: 1e31 must be from -1e30 to 1e30\n");
+    assert_eq!(
+        refused("5.02477e-08,,", ",1e61,"),
+        "column pressure_pa: 1e61 must be greater than 0 and at most 1e60\n"
+    );
+}

@@ -163,3 +163,40 @@ fn an_output_that_cannot_be_written_is_a_failure_of_the_system() {
     assert_eq!(ran.status, 1);
     assert!(ran.stderr.starts_with("error: writing no/such/folder.csv: "), "{}", ran.stderr);
 }
+
+#[test]
+fn constants_stand_for_columns_that_are_not_there() {
+    let bench = Bench::new();
+    let input = "radius_m,interference_m\n5.3113e-07,4.43628e-11\n";
+    let constants =
+        ["--youngs-modulus", "24.7149GPa", "--poisson-ratio", "0.2799", "--yield-strength", "771.57MPa"];
+    let args = [&["asperity", "sphere"][..], &constants].concat();
+    let by_constants = bench.run_with_input(&args, input).ok();
+    let by_columns = bench.run_with_input(&["asperity", "sphere"], SPHERES).ok();
+    for name in ["hertz_force_n", "jackson_green_area_m2"] {
+        assert_eq!(support::column(&by_constants, name)[0], support::column(&by_columns, name)[0]);
+    }
+    let message = bench.run_with_input(&args, SPHERES).refused();
+    assert!(
+        message.contains("column youngs_modulus_pa stands in the table")
+            && message.contains("--youngs-modulus"),
+        "{message}"
+    );
+    let message = bench.run_with_input(&args[..6], input).refused();
+    assert!(message.contains("column yield_strength_pa is missing"), "{message}");
+}
+
+#[test]
+fn a_material_that_no_law_takes_is_refused_with_its_line_before_anything_is_written() {
+    let bench = Bench::new();
+    let row = SPHERES.lines().nth(1).unwrap();
+    let rows = format!("{row}\n").repeat(5_000);
+    let input =
+        format!("{}\n{rows}{}\n", SPHERES.lines().next().unwrap(), row.replace("2.47149e+10", "1e31"));
+    let ran = bench.run_with_input(&["asperity", "sphere", "--output", "out.csv"], &input);
+    assert_eq!(
+        ran.refused(),
+        "error: standard input, line 5002, column youngs_modulus_pa: 1e31 must be from 1e-30 to 1e30\n"
+    );
+    assert!(bench.files().is_empty());
+}

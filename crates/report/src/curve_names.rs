@@ -1,11 +1,11 @@
 //! The names of curves in print: their models in full, as the field calls them.
 
-use asperity::NixGao;
-use stacked_contact::StackedModel;
-use stat_contact::{AsperityLaw, InterferenceLaw};
+use stat_contact::InterferenceLaw;
 
+use study::choices_in_words;
 use study::figure::{FigureData, Shows};
-use study::plan::{Curve, CurveModel};
+use study::models::CurveModel;
+use study::plan::Curve;
 
 /// The name of a curve in print: that of its model, behind its own where the user gave it one.
 #[must_use]
@@ -29,57 +29,33 @@ pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
     figure
 }
 
-/// The framework and the shape of its asperities, with whom the law is of.
+/// The model's full name, and what of its choices sets it apart from the plain one.
 fn model_in_full(model: &CurveModel) -> String {
-    let name = match model {
-        CurveModel::Stacked(StackedModel::Elastic { .. }) => "Archard stack, elastic (Jackson-Streator)",
-        CurveModel::Stacked(StackedModel::ElasticPlastic { .. }) => {
-            "Archard stack, elastic-plastic (Jackson-Streator)"
-        }
-        CurveModel::Statistical { law, .. } => match law {
-            AsperityLaw::Hertz => "Greenwood-Williamson (Hertz)",
-            AsperityLaw::EpSphere { .. } => "GW, elastic-plastic spheres (Jackson-Green)",
-            AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson } => {
-                "GW, elastic sinusoids (Rostami-Jackson)"
-            }
-            AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem } => {
-                "GW, elastic sinusoids (boundary elements)"
-            }
-            AsperityLaw::EpSine { .. } => "GW, elastic-plastic sinusoids (Krithivasan-Jackson)",
-        },
-    };
-    let suffix = if grows(model) { ", strain gradient" } else { "" };
-    format!("{name}{suffix}")
+    let mut name = model.entry().full_name.to_owned();
+    if grows(model) {
+        name.push_str(", strain gradient");
+    }
+    if let Some(law) = other_interference(model) {
+        name.push_str(&format!(", {}", choices_in_words::interference(law)));
+    }
+    name
 }
 
 /// The name that a scene gives a curve of this model where the user gives it none.
 fn key(model: &CurveModel) -> String {
-    let (name, bem) = match model {
-        CurveModel::Stacked(StackedModel::Elastic { .. }) => ("elastic", false),
-        CurveModel::Stacked(StackedModel::ElasticPlastic { .. }) => ("elastic-plastic", false),
-        CurveModel::Statistical { law, .. } => (
-            law.model().name(),
-            matches!(law, AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem }),
-        ),
-    };
-    match (grows(model), bem) {
-        (true, _) => format!("{name}-strain-gradient"),
-        (_, true) => format!("{name}-bem"),
-        _ => name.to_owned(),
-    }
+    model.entry().curve_name(grows(model), other_interference(model))
 }
 
 /// Whether the strength grows at small depths.
 fn grows(model: &CurveModel) -> bool {
-    let strength: Option<&NixGao> = match model {
-        CurveModel::Stacked(StackedModel::ElasticPlastic { strength, .. }) => Some(strength),
-        CurveModel::Statistical {
-            law: AsperityLaw::EpSphere { strength, .. } | AsperityLaw::EpSine { strength },
-            ..
-        } => Some(strength),
-        _ => None,
-    };
-    strength.is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+}
+
+/// The interference law of elastic sinusoids, where it is not the usual one.
+fn other_interference(model: &CurveModel) -> Option<InterferenceLaw> {
+    let is_its_own = |law| model.with_interference(law).as_ref() == Some(model);
+    let mut others = InterferenceLaw::ALL.iter().copied().filter(|law| *law != InterferenceLaw::default());
+    others.find(|law| is_its_own(*law))
 }
 
 #[cfg(test)]

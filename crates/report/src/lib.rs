@@ -8,6 +8,7 @@ pub mod page;
 pub mod plot;
 pub mod products;
 pub mod reasons;
+pub mod row_notes;
 pub mod scan_words;
 pub mod scans_table;
 pub mod summary;

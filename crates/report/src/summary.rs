@@ -5,7 +5,6 @@ use std::fmt::Write;
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
-use stat_contact::ContactState;
 
 use crate::answer_words;
 use crate::curve_names::in_full;
@@ -13,6 +12,7 @@ use crate::scan_words;
 use study::answer::{Answer, LoadAnswer};
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
+use study::rows::StateCounts;
 use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
 
@@ -135,7 +135,7 @@ fn stacked_remarks(
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
-    counts.states.notes_of_curve()
+    notes_of_curve(&counts.states)
 }
 
 /// What there is to say of one block of a curve.
@@ -179,51 +179,32 @@ impl CurveCounts {
 
     /// What there is to say of them.
     pub fn notes(&self) -> Vec<String> {
-        self.states.notes_of_curve().into_iter().chain(self.levels.note()).collect()
+        notes_of_curve(&self.states).into_iter().chain(self.levels.note()).collect()
     }
 }
 
-/// How many states are held at a bound, or rest on asperities that their law was not fitted for.
-#[derive(Debug, Default)]
-pub struct StateCounts {
-    all: usize,
-    incomplete: usize,
-    clamped: usize,
-    out_of_range: usize,
+fn notes_of_curve(counts: &StateCounts) -> Vec<String> {
+    let what = "beyond complete contact of every asperity, area fraction 1, no separation";
+    of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
 }
 
-impl StateCounts {
-    /// Counts states.
-    pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
-        for state in states {
-            self.all += 1;
-            self.incomplete += usize::from(state.separation_m.is_none());
-            self.clamped += usize::from(state.clamped);
-            self.out_of_range += usize::from(state.out_of_range_load_share > 0.5);
-        }
-    }
+/// What there is to say where each state beyond complete contact is told by itself.
+pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
+    let clamped = of_states(
+        counts.clamped,
+        counts,
+        "more contact area than there is nominal area, held at an area fraction of 1",
+    );
+    let out_of_range = of_states(
+        counts.out_of_range,
+        counts,
+        "most of the load on asperities outside the range their law was fitted in",
+    );
+    clamped.into_iter().chain(out_of_range).collect()
+}
 
-    fn notes_of_curve(&self) -> Vec<String> {
-        let what = "beyond complete contact of every asperity, area fraction 1, no separation";
-        self.note(self.incomplete, what).into_iter().chain(self.notes()).collect()
-    }
-
-    /// What there is to say where each state beyond complete contact is told by itself.
-    pub fn notes(&self) -> Vec<String> {
-        let clamped = self.note(
-            self.clamped,
-            "more contact area than there is nominal area, held at an area fraction of 1",
-        );
-        let out_of_range = self.note(
-            self.out_of_range,
-            "most of the load on asperities outside the range their law was fitted in",
-        );
-        clamped.into_iter().chain(out_of_range).collect()
-    }
-
-    fn note(&self, found: usize, what: &str) -> Option<String> {
-        (found > 0).then(|| format!("{found} of {}: {what}", counted(self.all, "state")))
-    }
+fn of_states(found: usize, counts: &StateCounts, what: &str) -> Option<String> {
+    (found > 0).then(|| format!("{found} of {}: {what}", counted(counts.all, "state")))
 }
 
 /// How many levels lie beyond what their law is trusted for.

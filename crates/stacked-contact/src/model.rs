@@ -19,3 +19,33 @@ pub enum StackedModel {
         strength: NixGao,
     },
 }
+
+impl StackedModel {
+    /// The bodies in contact.
+    #[must_use]
+    pub fn pair(&self) -> &MaterialPair {
+        match self {
+            StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. } => pair,
+        }
+    }
+
+    /// The strength of the rough body, where it yields.
+    #[must_use]
+    pub fn strength(mut self) -> Option<NixGao> {
+        self.strength_mut().copied()
+    }
+
+    /// The same model of another strength; `None` where it never yields.
+    #[must_use]
+    pub fn with_strength(mut self, strength: NixGao) -> Option<Self> {
+        *self.strength_mut()? = strength;
+        Some(self)
+    }
+
+    fn strength_mut(&mut self) -> Option<&mut NixGao> {
+        match self {
+            StackedModel::Elastic { .. } => None,
+            StackedModel::ElasticPlastic { strength, .. } => Some(strength),
+        }
+    }
+}

@@ -3,15 +3,9 @@
 use asperity::{AsperityError, MaterialPair};
 
 use crate::asperities::answers::Asperities;
-use crate::asperities::bem_sines::BemSines;
-use crate::asperities::elastic_plastic_sines::ElasticPlasticSines;
-use crate::asperities::elastic_plastic_spheres::ElasticPlasticSpheres;
-use crate::asperities::elastic_sines::ElasticSines;
-use crate::asperities::gradient_sines::GradientSines;
-use crate::asperities::hertz_spheres::ElasticSpheres;
 use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
-use crate::{AsperityLaw, ContactState, InterferenceLaw, Population, Sweep};
+use crate::{AsperityLaw, ContactState, Population, Sweep};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
 /// the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1.
@@ -25,23 +19,7 @@ impl StatisticalContact {
     /// The contact of a population of a material under a law.
     #[must_use]
     pub fn new(pair: &MaterialPair, population: &Population, law: &AsperityLaw) -> Self {
-        let asperities: Box<dyn Asperities> = match *law {
-            AsperityLaw::Hertz => Box::new(ElasticSpheres::new(pair, population)),
-            AsperityLaw::EpSphere { strength, hardness } => {
-                Box::new(ElasticPlasticSpheres::new(pair, population, strength, hardness))
-            }
-            AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson } => {
-                Box::new(ElasticSines::new(pair, population))
-            }
-            AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem } => {
-                Box::new(BemSines::new(pair, population))
-            }
-            AsperityLaw::EpSine { strength } if strength.strain_gradient_length_m().is_none() => {
-                let strength_pa = strength.macroscopic_strength_pa();
-                Box::new(ElasticPlasticSines::new(pair, population, strength_pa))
-            }
-            AsperityLaw::EpSine { strength } => Box::new(GradientSines::new(pair, population, strength)),
-        };
+        let asperities = law.asperities(pair, population);
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 

@@ -1,7 +1,16 @@
-//! The choice of contact law, and the names by which users choose it.
+//! The choice of contact law, what each law is made of, and the asperities that follow it.
 
-use asperity::{Hardness, NixGao};
+use asperity::{Hardness, MaterialPair, NixGao};
 use units::named;
+
+use crate::Population;
+use crate::asperities::answers::Asperities;
+use crate::asperities::bem_sines::BemSines;
+use crate::asperities::elastic_plastic_sines::ElasticPlasticSines;
+use crate::asperities::elastic_plastic_spheres::ElasticPlasticSpheres;
+use crate::asperities::elastic_sines::ElasticSines;
+use crate::asperities::gradient_sines::GradientSines;
+use crate::asperities::hertz_spheres::ElasticSpheres;
 
 /// How one asperity answers to the flat that presses on it (`docs/models.md`, sections 2 and 3.1).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -30,44 +39,64 @@ pub enum AsperityLaw {
 }
 
 impl AsperityLaw {
-    /// The model that this law belongs to.
+    /// The strength of the asperities, where they yield.
     #[must_use]
-    pub fn model(&self) -> Model {
+    pub fn strength(mut self) -> Option<NixGao> {
+        self.strength_mut().copied()
+    }
+
+    /// The same law of another strength; `None` where it never yields.
+    #[must_use]
+    pub fn with_strength(mut self, strength: NixGao) -> Option<Self> {
+        *self.strength_mut()? = strength;
+        Some(self)
+    }
+
+    /// The same law with the hardness in another form; `None` where it has none.
+    #[must_use]
+    pub fn with_hardness(self, hardness: Hardness) -> Option<Self> {
         match self {
-            AsperityLaw::Hertz => Model::Hertz,
-            AsperityLaw::EpSphere { .. } => Model::EpSphere,
-            AsperityLaw::ElasticSine { .. } => Model::ElasticSine,
-            AsperityLaw::EpSine { .. } => Model::EpSine,
+            AsperityLaw::EpSphere { strength, .. } => Some(AsperityLaw::EpSphere { strength, hardness }),
+            _ => None,
         }
     }
-}
 
-/// The four statistical models by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Model {
-    /// Elastic spheres.
-    Hertz,
-    /// Elastic-plastic spheres.
-    EpSphere,
-    /// Elastic sinusoids.
-    ElasticSine,
-    /// Elastic-plastic sinusoids.
-    EpSine,
-}
-
-named!(Model, "statistical model", {
-    Hertz => "hertz",
-    EpSphere => "ep-sphere",
-    ElasticSine => "elastic-sine",
-    EpSine => "ep-sine",
-});
-
-impl Model {
-    /// Whether the model needs a yield strength.
+    /// The same law with pressure and interference tied in another way; `None` where there is one way alone.
     #[must_use]
-    pub fn is_plastic(self) -> bool {
-        matches!(self, Model::EpSphere | Model::EpSine)
+    pub fn with_interference(self, interference: InterferenceLaw) -> Option<Self> {
+        match self {
+            AsperityLaw::ElasticSine { .. } => Some(AsperityLaw::ElasticSine { interference }),
+            _ => None,
+        }
+    }
+
+    fn strength_mut(&mut self) -> Option<&mut NixGao> {
+        match self {
+            AsperityLaw::Hertz | AsperityLaw::ElasticSine { .. } => None,
+            AsperityLaw::EpSphere { strength, .. } => Some(strength),
+            AsperityLaw::EpSine { strength } => Some(strength),
+        }
+    }
+
+    /// A population of asperities that follow this law.
+    pub(crate) fn asperities(self, pair: &MaterialPair, population: &Population) -> Box<dyn Asperities> {
+        match self {
+            AsperityLaw::Hertz => Box::new(ElasticSpheres::new(pair, population)),
+            AsperityLaw::EpSphere { strength, hardness } => {
+                Box::new(ElasticPlasticSpheres::new(pair, population, strength, hardness))
+            }
+            AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson } => {
+                Box::new(ElasticSines::new(pair, population))
+            }
+            AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem } => {
+                Box::new(BemSines::new(pair, population))
+            }
+            AsperityLaw::EpSine { strength } if strength.strain_gradient_length_m().is_none() => {
+                let strength_pa = strength.macroscopic_strength_pa();
+                Box::new(ElasticPlasticSines::new(pair, population, strength_pa))
+            }
+            AsperityLaw::EpSine { strength } => Box::new(GradientSines::new(pair, population, strength)),
+        }
     }
 }
 
@@ -93,15 +122,18 @@ mod tests {
 
     #[test]
     fn names_are_read_as_they_are_written() {
-        for model in Model::ALL {
-            assert_eq!(model.to_string().parse::<Model>().as_ref(), Ok(model));
-        }
         for law in InterferenceLaw::ALL {
             assert_eq!(law.to_string().parse::<InterferenceLaw>().as_ref(), Ok(law));
         }
-        assert_eq!(
-            "gauss".parse::<Model>().unwrap_err().to_string(),
-            "reading the statistical model: 'gauss' is none of hertz, ep-sphere, elastic-sine, ep-sine"
-        );
+    }
+
+    #[test]
+    fn a_law_takes_another_strength_where_it_yields_and_keeps_what_else_it_has() {
+        let [soft, hard] = [1e9, 2e9].map(|strength_pa| NixGao::constant(strength_pa).unwrap());
+        let law = AsperityLaw::EpSphere { strength: soft, hardness: Hardness::Cosine };
+        let harder = law.with_strength(hard).unwrap();
+        assert_eq!(harder, AsperityLaw::EpSphere { strength: hard, hardness: Hardness::Cosine });
+        assert_eq!((law.strength(), harder.strength()), (Some(soft), Some(hard)));
+        assert_eq!((AsperityLaw::Hertz.strength(), AsperityLaw::Hertz.with_strength(hard)), (None, None));
     }
 }

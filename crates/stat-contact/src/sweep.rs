@@ -36,10 +36,13 @@ pub struct Sweep<'a> {
     near: Option<Neighbour>,
 }
 
-/// Pressures \[Pa\] that may be asked for.
-const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
-
 impl<'a> Sweep<'a> {
+    /// Pressures \[Pa\] that may be asked for.
+    pub const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
+
+    /// Separations \[m\] that may be asked for.
+    pub const SEPARATION_M: Bound = Bound::Signed;
+
     #[inline]
     pub(crate) fn on(frames: Frames<'a>) -> Self {
         Sweep { frames, near: None }
@@ -57,7 +60,7 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// Those of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
     pub fn at_separation(&mut self, separation_m: f64) -> Result<ContactState, AsperityError> {
-        let separation_m = Bound::Signed.check("separation in m", separation_m)?;
+        let separation_m = Self::SEPARATION_M.check("separation in m", separation_m)?;
         if let Some(state) = self.far_below().at_separation(separation_m) {
             return Ok(state);
         }
@@ -79,7 +82,7 @@ impl<'a> Sweep<'a> {
     /// Those of [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure).
     pub fn at_pressure(&mut self, pressure_pa: f64) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
-        let pressure_pa = PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
+        let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
         let asked = |state| ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state };
         if pressure_pa >= self.frames.asperities.highest_response_pa() {
             return Ok(ContactState::complete(pressure_pa));

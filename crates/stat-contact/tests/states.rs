@@ -89,12 +89,9 @@ fn pressure_and_area_fall_with_the_separation_to_sixty_sigma_and_stay_finite_in_
 #[test]
 fn lengths_and_moduli_may_be_scaled() {
     let far = 1e3;
-    let scaled = |law: &AsperityLaw| match *law {
-        AsperityLaw::EpSphere { strength: s, hardness } => {
-            AsperityLaw::EpSphere { strength: scale(s, far), hardness }
-        }
-        AsperityLaw::EpSine { strength: s } => AsperityLaw::EpSine { strength: scale(s, far) },
-        other => other,
+    let scaled = |law: &AsperityLaw| {
+        let strength = law.strength().map(|strength| scale(strength, far));
+        strength.map_or(Some(*law), |strength| law.with_strength(strength)).unwrap()
     };
     for law in laws() {
         let here = contact(&law).at_separation(1.3 * SIGMA_M, 1e-10).unwrap();

@@ -1,16 +1,17 @@
 #![doc = include_str!("../README.md")]
 
 pub mod answer;
-pub mod asperity_table;
 pub mod choices_in_words;
 pub mod features;
 pub mod figure;
 mod files;
 pub mod material;
+pub mod models;
 mod note;
 pub mod plan;
 pub mod provenance;
 pub mod result_tables;
+pub mod rows;
 pub mod scene;
 pub mod sensitivity;
 pub mod surface;

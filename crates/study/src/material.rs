@@ -1,8 +1,6 @@
 //! The material as given: what a model needs of it is drawn, and missed, only when the model asks.
 
-use asperity::{AsperityError, Bound, ElasticBody, Hardness, MaterialPair, NixGao};
-use stacked_contact::StackedModel;
-use stat_contact::{AsperityLaw, InterferenceLaw, Model};
+use asperity::{AsperityError, Bound, ElasticBody, MaterialPair, NixGao};
 
 use units::Pressure;
 use units::display::{length, pressure};
@@ -41,56 +39,48 @@ pub struct GivenMaterial {
     pub strain_gradient_length_m: Option<f64>,
 }
 
-/// Which of the stacked models, as typed.
+/// A property of a material that not everything needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StackedModelName {
-    /// Sinusoids that only deform elastically.
-    Elastic,
-    /// Sinusoids that yield.
-    ElasticPlastic,
+pub enum MaterialProperty {
+    /// The yield strength S0.
+    YieldStrength,
+    /// h*, the strain-gradient length of Eq. (8).
+    StrainGradientLength,
 }
 
-units::named!(StackedModelName, "stacked model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
-
-/// Any of the models, as typed in a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ModelName {
-    /// Stacked, elastic sinusoids.
-    Elastic,
-    /// Stacked, elastic-plastic sinusoids.
-    ElasticPlastic,
-    /// Statistical, elastic spheres.
-    Hertz,
-    /// Statistical, elastic-plastic spheres.
-    EpSphere,
-    /// Statistical, elastic sinusoids.
-    ElasticSine,
-    /// Statistical, elastic-plastic sinusoids.
-    EpSine,
+/// What a property of the material is needed for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NeededFor {
+    /// A pressure in units of the hardness.
+    PressureInHardnesses,
+    /// A model whose asperities yield.
+    Yielding,
+    /// A strength that grows at small depths.
+    StrainGradient,
 }
 
-impl ModelName {
-    /// The model in its framework.
-    pub fn framework(self) -> Framework {
+impl NeededFor {
+    /// The property that it takes.
+    #[must_use]
+    pub fn property(self) -> MaterialProperty {
         match self {
-            ModelName::Elastic => Framework::Stacked(StackedModelName::Elastic),
-            ModelName::ElasticPlastic => Framework::Stacked(StackedModelName::ElasticPlastic),
-            ModelName::Hertz => Framework::Statistical(Model::Hertz),
-            ModelName::EpSphere => Framework::Statistical(Model::EpSphere),
-            ModelName::ElasticSine => Framework::Statistical(Model::ElasticSine),
-            ModelName::EpSine => Framework::Statistical(Model::EpSine),
+            NeededFor::PressureInHardnesses | NeededFor::Yielding => MaterialProperty::YieldStrength,
+            NeededFor::StrainGradient => MaterialProperty::StrainGradientLength,
         }
     }
 }
 
-/// One of the two frameworks and its model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Framework {
-    /// Scale upon scale.
-    Stacked(StackedModelName),
-    /// Asperities of one curvature.
-    Statistical(Model),
+impl std::fmt::Display for NeededFor {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            NeededFor::PressureInHardnesses => {
+                "a pressure in H, three times the yield strength, needs the yield strength"
+            }
+            NeededFor::Yielding => "an elastic-plastic model needs the yield strength",
+            NeededFor::StrainGradient => "the strain-gradient strength needs its length",
+        })
+    }
 }
 
 /// Something a model needs and the material lacks.
@@ -104,19 +94,15 @@ pub enum MaterialError {
         "the yield strength cannot be given in H, which is three times the yield strength; give it in GPa or MPa"
     )]
     StrengthInHardnesses,
-    /// A pressure in units of a hardness that is not known.
-    #[error("a pressure in H, three times the yield strength, needs the yield strength")]
-    NoHardness,
-    /// An elastic-plastic model without a strength.
-    #[error(
-        "an elastic-plastic model needs the yield strength: give --yield-strength, or yield_strength in [material]"
-    )]
-    NoStrength,
-    /// A strain gradient without its length.
-    #[error(
-        "the strain-gradient strength needs its length: give --strain-gradient-length, or strain_gradient_length in [material]"
-    )]
-    NoStrainGradientLength,
+    /// Something is asked for that takes a property which the material was not given.
+    #[error("{0}")]
+    Missing(NeededFor),
+}
+
+/// The hardness H = 3 S0 \[Pa\] of a strength S0 > 0 \[Pa\].
+#[must_use]
+pub fn hardness_pa(strength_pa: f64) -> f64 {
+    HARDNESS_OVER_STRENGTH * strength_pa
 }
 
 impl Material {
@@ -137,7 +123,7 @@ impl Material {
 
     /// The hardness H = 3 S0 \[Pa\], a unit for pressures (Jackson & Jacobs), where there is a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
-        Some(HARDNESS_OVER_STRENGTH * self.yield_strength?.pascals(None)?)
+        self.yield_strength?.pascals(None).map(hardness_pa)
     }
 
     /// The material in a line, in SI units, for the record; what presses on the body shows in E*.
@@ -190,58 +176,26 @@ impl Material {
     /// A pressure > 0 \[Pa\], in units of the hardness or not.
     ///
     /// # Errors
-    /// [`MaterialError::NoHardness`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is
+    /// [`MaterialError::Missing`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is
     /// not finite and positive.
     pub fn pascals(&self, pressure: Pressure) -> Result<f64, MaterialError> {
-        let pressure_pa = pressure.pascals(self.hardness_pa()).ok_or(MaterialError::NoHardness)?;
+        let pressure_pa = pressure
+            .pascals(self.hardness_pa())
+            .ok_or(MaterialError::Missing(NeededFor::PressureInHardnesses))?;
         Ok(Bound::Positive.check("pressure in Pa", pressure_pa)?)
     }
 
-    /// The stacked model of this name for this material; `strain_gradient` lets its strength grow at small depths.
+    /// The strength of the rough body; `strain_gradient` lets it grow at small depths.
     ///
     /// # Errors
-    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
-    pub fn stacked(
-        &self,
-        name: StackedModelName,
-        strain_gradient: bool,
-    ) -> Result<StackedModel, MaterialError> {
-        match name {
-            StackedModelName::Elastic => Ok(StackedModel::Elastic { pair: self.pair }),
-            StackedModelName::ElasticPlastic => Ok(StackedModel::ElasticPlastic {
-                pair: self.pair,
-                strength: self.strength(strain_gradient)?,
-            }),
-        }
-    }
-
-    /// The statistical law of this model for this material; `strain_gradient` lets its strength grow at small depths,
-    /// and the options that the law does not have are not looked at.
-    ///
-    /// # Errors
-    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
-    pub fn statistical(
-        &self,
-        model: Model,
-        strain_gradient: bool,
-        hardness: Hardness,
-        interference: InterferenceLaw,
-    ) -> Result<AsperityLaw, MaterialError> {
-        Ok(match model {
-            Model::Hertz => AsperityLaw::Hertz,
-            Model::EpSphere => AsperityLaw::EpSphere { strength: self.strength(strain_gradient)?, hardness },
-            Model::ElasticSine => AsperityLaw::ElasticSine { interference },
-            Model::EpSine => AsperityLaw::EpSine { strength: self.strength(strain_gradient)? },
-        })
-    }
-
-    fn strength(&self, strain_gradient: bool) -> Result<NixGao, MaterialError> {
-        let given = self.yield_strength.ok_or(MaterialError::NoStrength)?;
+    /// [`MaterialError`] where the material lacks what that takes, or what it has is out of bounds.
+    pub fn strength(&self, strain_gradient: bool) -> Result<NixGao, MaterialError> {
+        let given = self.yield_strength.ok_or(MaterialError::Missing(NeededFor::Yielding))?;
         let strength_pa = given.pascals(None).ok_or(MaterialError::StrengthInHardnesses)?;
         let length_m = match (strain_gradient, self.strain_gradient_length_m) {
             (false, _) => None,
             (true, Some(length_m)) => Some(length_m),
-            (true, None) => return Err(MaterialError::NoStrainGradientLength),
+            (true, None) => return Err(MaterialError::Missing(NeededFor::StrainGradient)),
         };
         Ok(strength(strength_pa, length_m, self.strength_cap)?)
     }
@@ -252,16 +206,12 @@ impl Material {
 ///
 /// # Errors
 /// [`AsperityError`] for what is out of these bounds.
-pub fn strength(
-    strength_pa: f64,
-    length_m: Option<f64>,
-    cap: Option<Pressure>,
-) -> Result<NixGao, AsperityError> {
+fn strength(strength_pa: f64, length_m: Option<f64>, cap: Option<Pressure>) -> Result<NixGao, AsperityError> {
     let mut strength = NixGao::constant(strength_pa)?;
     if let Some(length_m) = length_m {
         strength = strength.with_strain_gradient(length_m)?;
     }
-    match cap.and_then(|cap| cap.pascals(Some(HARDNESS_OVER_STRENGTH * strength_pa))) {
+    match cap.and_then(|cap| cap.pascals(Some(hardness_pa(strength_pa)))) {
         Some(cap_pa) => strength.with_cap(cap_pa),
         None => Ok(strength),
     }

@@ -5,8 +5,7 @@ use std::num::NonZeroU32;
 use asperity::{Hardness, NixGao};
 use parallel::Unobserved;
 use spectrum::{AmplitudeDefinition, Normalisation};
-use stacked_contact::StackedModel;
-use stat_contact::{AsperityLaw, InterferenceLaw};
+use stat_contact::InterferenceLaw;
 
 use crate::choices_in_words;
 use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
@@ -253,14 +252,8 @@ impl Variation {
             (Variation::Normalisation(_), _) if statistical => return Some(*model),
             (Variation::Amplitude(_), _) if !statistical => return Some(*model),
             (Variation::ScalesPerDecade(_), _) => return Some(*model),
-            (
-                Variation::Hardness(hardness),
-                CurveModel::Statistical { pair, law: AsperityLaw::EpSphere { strength, .. } },
-            ) => CurveModel::Statistical { pair, law: AsperityLaw::EpSphere { strength, hardness } },
-            (
-                Variation::Interference(interference),
-                CurveModel::Statistical { pair, law: AsperityLaw::ElasticSine { .. } },
-            ) => CurveModel::Statistical { pair, law: AsperityLaw::ElasticSine { interference } },
+            (Variation::Hardness(hardness), model) => model.with_hardness(hardness)?,
+            (Variation::Interference(interference), model) => model.with_interference(interference)?,
             (Variation::StrengthCap(cap_pa), model) => with_cap(model, cap_pa)?,
             _ => return None,
         };
@@ -303,26 +296,11 @@ fn plan<'s>(scene: &'s Scene, variation: Option<Variation>, models: &[CurveModel
 
 /// The model with its strength capped, or not; `None` where its strength does not grow.
 fn with_cap(model: CurveModel, cap_pa: Option<f64>) -> Option<CurveModel> {
-    let capped = |strength: NixGao| -> Option<NixGao> {
-        let length_m = strength.strain_gradient_length_m()?;
-        let plain = NixGao::constant(strength.macroscopic_strength_pa())
-            .and_then(|s| s.with_strain_gradient(length_m));
-        // A cap below the strength itself is none of this body's.
-        cap_pa.map_or(plain, |cap_pa| plain.and_then(|plain| plain.with_cap(cap_pa))).ok()
-    };
-    Some(match model {
-        CurveModel::Stacked(StackedModel::ElasticPlastic { pair, strength }) => {
-            CurveModel::Stacked(StackedModel::ElasticPlastic { pair, strength: capped(strength)? })
-        }
-        CurveModel::Statistical { pair, law: AsperityLaw::EpSphere { strength, hardness } } => {
-            CurveModel::Statistical {
-                pair,
-                law: AsperityLaw::EpSphere { strength: capped(strength)?, hardness },
-            }
-        }
-        CurveModel::Statistical { pair, law: AsperityLaw::EpSine { strength } } => {
-            CurveModel::Statistical { pair, law: AsperityLaw::EpSine { strength: capped(strength)? } }
-        }
-        _ => return None,
-    })
+    let strength = model.strength()?;
+    let length_m = strength.strain_gradient_length_m()?;
+    let plain =
+        NixGao::constant(strength.macroscopic_strength_pa()).and_then(|s| s.with_strain_gradient(length_m));
+    // A cap below the strength itself is none of this body's.
+    let capped = cap_pa.map_or(plain, |cap_pa| plain.and_then(|plain| plain.with_cap(cap_pa))).ok()?;
+    model.with_strength(capped)
 }

@@ -42,6 +42,14 @@ pub enum TableError {
         /// The name.
         column: String,
     },
+    /// A column is given for all rows at once, and stands in the table too.
+    #[error("{table}: column {column} stands in the table, and is given for all rows besides; keep one")]
+    GivenTwice {
+        /// The table.
+        table: String,
+        /// The column.
+        column: &'static str,
+    },
     /// A row has more or fewer fields than there are columns.
     #[error(
         "{table}, line {line}: {fields} fields; the header has {columns}, and every row must have as many"

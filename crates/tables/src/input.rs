@@ -16,11 +16,16 @@ pub struct InputTable {
     source: String,
     /// `line 12` or `row 3`.
     row_names: Vec<String>,
+    /// Columns that are not in the table, and what every row has there.
+    constants: Constants,
 }
 
+/// Columns of one value, the text of their cells behind each name.
+pub(crate) type Constants = Vec<(&'static str, String)>;
+
 impl InputTable {
-    pub(crate) fn new(table: Table, source: String, row_names: Vec<String>) -> Self {
-        InputTable { table, comments: Vec::new(), source, row_names }
+    pub(crate) fn new(table: Table, source: String, row_names: Vec<String>, constants: Constants) -> Self {
+        InputTable { table, comments: Vec::new(), source, row_names, constants }
     }
 
     /// The named columns as numbers within their bounds, row by row.
@@ -31,15 +36,15 @@ impl InputTable {
         let mut values = vec![[0.0; N]; self.row_names.len()];
         let mut problems = Vec::new();
         for (at, (name, bound)) in columns.into_iter().enumerate() {
-            let Some(Cells::Typed(cells)) = self.table.column(name) else {
+            if !self.has(name) {
                 // No rows at all are no mistake.
                 if self.row_names.is_empty() && self.table.columns().next().is_none() {
                     continue;
                 }
                 return Err(self.missing_column(name));
-            };
-            for (row, cell) in cells.iter().enumerate() {
-                match read_number(&cell.text(), bound) {
+            }
+            for row in 0..self.row_names.len() {
+                match read_number(&self.text(name, row), bound) {
                     Ok(value) => values[row][at] = value,
                     Err(problem) => problems.push((row, format!("column {name}: {problem}"))),
                 }
@@ -58,13 +63,13 @@ impl InputTable {
         required: &[&str],
         read: impl Fn(&Row<'_>) -> Result<T, String>,
     ) -> Result<Vec<T>, Refusal> {
-        if let Some(missing) = required.iter().find(|name| self.table.column(name).is_none()) {
+        if let Some(missing) = required.iter().find(|name| !self.has(name)) {
             return Err(self.missing_column(missing));
         }
         let mut values = Vec::with_capacity(self.row_names.len());
         let mut problems = Vec::new();
         for at in 0..self.row_names.len() {
-            match read(&Row { table: &self.table, at }) {
+            match read(&Row { table: self, at }) {
                 Ok(value) => values.push(value),
                 Err(problem) => problems.push((at, problem)),
             }
@@ -75,6 +80,19 @@ impl InputTable {
     /// The name of a row in messages.
     pub fn row_name(&self, row: usize) -> String {
         format!("{}, {}", self.source, self.row_names[row])
+    }
+
+    fn has(&self, column: &str) -> bool {
+        self.table.column(column).is_some() || self.constants.iter().any(|(name, _)| *name == column)
+    }
+
+    /// The cell as a person would read it, or what every row has; empty where there is no such column.
+    fn text(&self, column: &str, row: usize) -> Cow<'_, str> {
+        let constant = || self.constants.iter().find(|(name, _)| *name == column);
+        match self.table.column(column) {
+            Some(Cells::Typed(cells)) => cells[row].text(),
+            _ => constant().map_or("", |(_, text)| text).into(),
+        }
     }
 
     fn missing_column(&self, name: &str) -> Refusal {
@@ -95,17 +113,14 @@ impl InputTable {
 
 /// One row of a table that came in.
 pub struct Row<'t> {
-    table: &'t Table,
+    table: &'t InputTable,
     at: usize,
 }
 
 impl Row<'_> {
     /// The cell as a person would read it; empty where there is no such column.
     pub fn text(&self, column: &str) -> Cow<'_, str> {
-        match self.table.column(column) {
-            Some(Cells::Typed(cells)) => cells[self.at].text(),
-            _ => Cow::Borrowed(""),
-        }
+        self.table.text(column, self.at)
     }
 
     /// The cell as a number within its bound, or what is wrong with it.
@@ -139,5 +154,6 @@ fn read_number(text: &str, bound: Bound) -> Result<f64, String> {
             format!("{text:?} is not a number")
         });
     };
-    if bound.admits(value) { Ok(value) } else { Err(format!("{text} must be {bound}")) }
+    // Of what is wrong with the value the plainest bound is told.
+    bound.check("the cell", value).map_err(|error| format!("{text} must be {}", error.bound))
 }

@@ -3,7 +3,7 @@
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 
 use crate::error::TableError;
-use crate::input::InputTable;
+use crate::input::{Constants, InputTable};
 use crate::table::{Cell, Cells, Table};
 use crate::{OWN_COMMENT, csv_text, json_text};
 
@@ -19,6 +19,7 @@ pub struct TableSource {
     start: u64,
     is_json: bool,
     columns: Vec<String>,
+    constants: Constants,
     /// The comments of the file, without the program's own.
     pub comments: Vec<String>,
 }
@@ -36,6 +37,7 @@ impl TableSource {
             start: 0,
             is_json: false,
             columns: Vec::new(),
+            constants: Constants::new(),
             comments: Vec::new(),
         };
         source.start = source.checked_start()?;
@@ -43,12 +45,25 @@ impl TableSource {
         source.with_columns()
     }
 
+    /// Gives every row the same cell in a column that the table does not have; it is read, and not written.
+    ///
+    /// # Errors
+    /// [`TableError::GivenTwice`] where the table has that column.
+    pub fn set_constant(&mut self, column: &'static str, text: String) -> Result<(), TableError> {
+        if self.columns.iter().any(|other| other == column) {
+            return Err(TableError::GivenTwice { table: self.name.clone(), column });
+        }
+        self.constants.push((column, text));
+        Ok(())
+    }
+
     /// All of it at once.
     ///
     /// # Errors
     /// [`TableError`] with the line where it has one.
     pub fn whole(mut self) -> Result<InputTable, TableError> {
-        let mut whole = InputTable::new(Table::default(), self.name.clone(), Vec::new());
+        let mut whole =
+            InputTable::new(Table::default(), self.name.clone(), Vec::new(), self.constants.clone());
         self.blocks(usize::MAX, |block| {
             whole = block;
             Ok::<(), TableError>(())
@@ -85,8 +100,12 @@ impl TableSource {
         most_rows: usize,
         mut each: impl FnMut(InputTable) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut block =
-            Block { columns: self.columns.clone(), source: self.name.clone(), ..Block::default() };
+        let mut block = Block {
+            columns: self.columns.clone(),
+            source: self.name.clone(),
+            constants: self.constants.clone(),
+            ..Block::default()
+        };
         let mut any = false;
         let mut push = |row_name: String, cells: Vec<Cell>, block: &mut Block| -> Result<(), E> {
             block.push(row_name, cells);
@@ -189,6 +208,7 @@ impl TableSource {
 struct Block {
     columns: Vec<String>,
     source: String,
+    constants: Constants,
     row_names: Vec<String>,
     cells: Vec<Vec<Cell>>,
 }
@@ -208,7 +228,12 @@ impl Block {
         for (name, cells) in self.columns.iter().zip(self.cells.drain(..)) {
             table.set(name, Cells::Typed(cells));
         }
-        InputTable::new(table, self.source.clone(), std::mem::take(&mut self.row_names))
+        InputTable::new(
+            table,
+            self.source.clone(),
+            std::mem::take(&mut self.row_names),
+            self.constants.clone(),
+        )
     }
 }
 

@@ -16,13 +16,13 @@ fn contacts() -> [(&'static str, StatisticalContact); 4] {
     let strength = NixGao::constant(STRENGTH_PA).expect("a strength within its bounds");
     let interference = InterferenceLaw::default();
     let laws = [
-        AsperityLaw::Hertz,
-        AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
-        AsperityLaw::ElasticSine { interference },
-        AsperityLaw::EpSine { strength },
+        ("hertz", AsperityLaw::Hertz),
+        ("ep-sphere", AsperityLaw::EpSphere { strength, hardness: Hardness::default() }),
+        ("elastic-sine", AsperityLaw::ElasticSine { interference }),
+        ("ep-sine", AsperityLaw::EpSine { strength }),
     ];
     let population = Population::new(5e-6, 0.2e12, SIGMA_S_M).expect("a population within its bounds");
-    laws.map(|law| (law.model().name(), StatisticalContact::new(&steel(), &population, &law)))
+    laws.map(|(name, law)| (name, StatisticalContact::new(&steel(), &population, &law)))
 }
 
 /// Pressure and area against separation.

@@ -4,6 +4,7 @@ use std::num::NonZeroU32;
 
 use asperity::Hardness;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use study::models::{self, Framework, ModelEntry};
 use study::plan::Tolerance;
 use units::Pressure;
 
@@ -31,6 +32,12 @@ pub(super) fn hardness() -> impl TypedValueParser<Value = Hardness> {
     PossibleValuesParser::new(Hardness::ALL.map(Hardness::name)).try_map(|name| {
         Hardness::ALL.into_iter().find(|hardness| hardness.name() == name).ok_or("an unknown hardness")
     })
+}
+
+/// A parser of the names of a framework's models.
+pub(super) fn model_of(framework: Framework) -> impl TypedValueParser<Value = &'static ModelEntry> {
+    PossibleValuesParser::new(models::of_framework(framework).map(|entry| entry.name))
+        .try_map(move |name| models::named(framework, &name))
 }
 
 /// A parser of the names that `values` display as.

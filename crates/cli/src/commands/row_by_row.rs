@@ -1,56 +1,98 @@
 //! Tables of any length, checked as a whole and then computed block by block.
 
-use super::{Context, say_notes};
+use super::{Context, elastic_body, say_notes};
 use crate::failure::Failure;
 use crate::files::open_table;
 use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
+use report::row_notes;
 use staging::StagedFiles;
 use study::Progress as _;
+use study::material::MaterialError;
 use study::provenance::program;
-use tables::{InputTable, Refusal, TableError};
+use study::rows::{RowByRow, RowsNote};
+use tables::{Refusal, TableError};
+use units::{Modulus, Pressure};
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
 
-/// What a command makes of the rows of a table.
-pub(super) trait RowByRow {
-    /// Finds what is wrong with rows.
-    fn check(&self, block: &InputTable) -> Result<(), Refusal>;
+/// What options give to every row: the option, the column that it stands for, and its cell.
+#[derive(Debug, Default)]
+pub(super) struct Constants(Vec<(&'static str, &'static str, String)>);
 
-    /// Sets the computed columns of rows that have been checked; with a step for each row that takes long, and what there is
-    /// to say of single rows said aside.
-    fn fill_in(&mut self, block: &mut InputTable, progress: &Progress) -> Result<(), Failure>;
+impl Constants {
+    /// Gives every row a text.
+    pub fn add(&mut self, option: &'static str, column: &'static str, text: impl Into<String>) {
+        self.0.push((option, column, text.into()));
+    }
 
-    /// What there is to say of all rows.
-    fn notes(&self) -> Vec<String>;
+    /// Gives every row a number, to its last digit.
+    pub fn add_number(&mut self, option: &'static str, column: &'static str, value: Option<f64>) {
+        if let Some(value) = value {
+            self.add(option, column, format!("{value:e}"));
+        }
+    }
+
+    /// The elastic constants of the rough body.
+    pub fn add_elastic(
+        &mut self,
+        modulus: Option<Modulus>,
+        poisson_ratio: Option<f64>,
+    ) -> Result<(), Failure> {
+        if let (Some(modulus), Some(ratio)) = (modulus, poisson_ratio) {
+            elastic_body(modulus, "--poisson-ratio", ratio)?;
+        }
+        self.add_number("--youngs-modulus", "youngs_modulus_pa", modulus.map(|modulus| modulus.pa));
+        self.add_number("--poisson-ratio", "poisson_ratio", poisson_ratio);
+        Ok(())
+    }
+
+    /// The strength of the rough body.
+    pub fn add_strength(&mut self, strength: Option<Pressure>) -> Result<(), Failure> {
+        let pascals = |strength: Pressure| strength.pascals(None).ok_or(MaterialError::StrengthInHardnesses);
+        let strength_pa = strength.map(pascals).transpose()?;
+        self.add_number("--yield-strength", "yield_strength_pa", strength_pa);
+        Ok(())
+    }
 }
 
 /// Reads the table at a place twice, to check all of it before anything is computed, and writes it as it is filled in.
-pub(super) fn run(input: &Place, command: &mut dyn RowByRow, context: &Context<'_>) -> Result<(), Failure> {
+pub(super) fn run(
+    input: &Place,
+    constants: &Constants,
+    rows: &mut dyn RowByRow,
+    context: &Context<'_>,
+) -> Result<(), Failure> {
     // A table may be extended in its own place.
     context.targets(None)?;
     let mut source = open_table(input)?;
-    let mut rows = 0;
+    for (option, column, text) in &constants.0 {
+        source
+            .set_constant(column, text.clone())
+            .map_err(|error| Failure::Input(format!("{error}: leave {option} out, or the column")))?;
+    }
+    let mut count = 0;
     let mut refusal = Refusal::default();
     source.blocks(BLOCK, |block| {
-        rows += block.table.rows();
-        refusal.extend(command.check(&block).err().unwrap_or_default());
+        count += block.table.rows();
+        refusal.extend(rows.check(&block).err().unwrap_or_default());
         Ok::<(), TableError>(())
     })?;
     refusal.into_result()?;
-    let progress = Progress::towards(rows);
+    let progress = Progress::towards(count);
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
     // What somebody else has written above the table belongs to it.
     comments.append(&mut source.comments);
+    let say = |notes: Vec<RowsNote>| progress.aside(|| say_notes(notes.iter().flat_map(row_notes::told)));
     let mut files = StagedFiles::default();
     context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {
-            command.fill_in(&mut block, &progress)?;
+            say(rows.fill_in(&mut block, &progress).map_err(Failure::input)?);
             out.block(&block.table)?;
             if progress.is_cancelled() { Err(Failure::Interrupted.into()) } else { Ok::<(), Stopped>(()) }
         })?;
-        progress.aside(|| say_notes(command.notes()));
+        say(rows.notes());
         Ok(())
     })?;
     publish(files)

@@ -17,10 +17,9 @@ use report::explain::explain;
 use report::products::{self, Findings, Occasion};
 use report::reasons::reasons;
 use report::summary::summary;
-use stacked_contact::StackedModel;
-use stat_contact::AsperityLaw;
 use study::answer::Answer;
-use study::plan::{CurveModel, PlanError};
+use study::models::{Choice, CurveModel};
+use study::plan::PlanError;
 use study::scene::{Overrides, Scene};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -130,18 +129,11 @@ fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
 }
 
 fn has_spheres_that_yield(model: &CurveModel) -> bool {
-    matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSphere { .. }, .. })
+    model.entry().has(Choice::Hardness)
 }
 
 fn has_growing_strength(model: &CurveModel) -> bool {
-    match model {
-        CurveModel::Stacked(StackedModel::ElasticPlastic { strength, .. })
-        | CurveModel::Statistical {
-            law: AsperityLaw::EpSphere { strength, .. } | AsperityLaw::EpSine { strength },
-            ..
-        } => strength.strain_gradient_length_m().is_some(),
-        _ => false,
-    }
+    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
 }
 
 /// The date and time of day, in universal time.

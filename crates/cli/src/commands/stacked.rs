@@ -4,15 +4,17 @@ use super::{Context, Drawn, Spectrum, loads, material, refuse_idle_strength_cap}
 use crate::args::StackedArgs;
 use crate::failure::Failure;
 use report::summary::sampling_of;
-use study::material::StackedModelName;
-use study::plan::{Curve, CurveModel, Cutoffs, Needs};
+use study::models::{Choice, ModelOptions};
+use study::plan::{Curve, Cutoffs, Needs};
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let yields = args.model == StackedModelName::ElasticPlastic;
-    refuse_idle_strength_cap(&args.material, args.model.name(), yields)?;
+    refuse_idle_strength_cap(&args.material, args.model.name, args.model.has(Choice::Strength))?;
     let material = material(&args.material)?;
-    let gradient = args.material.strain_gradient_length.is_some();
-    let model = CurveModel::Stacked(material.stacked(args.model, gradient).map_err(Failure::input)?);
+    let options = ModelOptions {
+        strain_gradient: args.material.strain_gradient_length.is_some(),
+        ..ModelOptions::default()
+    };
+    let model = args.model.build(&material, &options)?;
     let needs = Needs {
         amplitudes: Some(args.amplitude.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],

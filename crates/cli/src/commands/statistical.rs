@@ -1,30 +1,28 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
-use asperity::{Bound, ElasticBody, MaterialPair, NixGao};
-use stat_contact::{AsperityLaw, ContactState, Model, Population, StatisticalContact};
-
-use super::row_by_row::{self, RowByRow};
-use super::{Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap, say_notes};
-use crate::args::{GivenColumn, StatisticalArgs};
+use super::row_by_row::{self, Constants};
+use super::{Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap};
+use crate::args::StatisticalArgs;
 use crate::failure::Failure;
-use crate::progress::Progress;
-use report::summary::StateCounts;
-use study::Progress as _;
-use study::material::strength;
-use study::plan::{Curve, CurveModel, Cutoffs, Needs};
-use study::result_tables::STATE_DETAILS;
-use tables::{Cell, Cells, InputTable, Refusal, Row};
-use units::number;
+use crate::output::Place;
+use study::material::{MaterialError, NeededFor, hardness_pa};
+use study::models::{self, Choice, Framework, ModelEntry, ModelOptions};
+use study::plan::{Curve, Cutoffs, Needs};
+use study::rows::Populations;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, &args.input) {
         (Some(psd), _) => over_cutoffs(psd, args, context),
-        (None, Some(input)) => {
-            let counterface = counterface(&args.material.counterface)?;
-            let counts = StateCounts::default();
-            row_by_row::run(input, &mut Populations { args, counterface, counts }, context)
-        }
+        (None, Some(input)) => of_rows(input, args, context),
         (None, None) => Err(Failure::input("give a spectrum, or a table with --input")),
+    }
+}
+
+fn options(args: &StatisticalArgs) -> ModelOptions {
+    ModelOptions {
+        strain_gradient: args.material.strain_gradient_length.is_some(),
+        hardness: args.hardness.hardness.unwrap_or_default(),
+        interference: args.interference_law.unwrap_or_default(),
     }
 }
 
@@ -32,16 +30,11 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let model = args.model.ok_or_else(|| Failure::input("a spectrum needs --model"))?;
     refuse_idle_options(args, model)?;
     let material = material(&args.material)?;
-    let hardness = args.hardness.hardness.unwrap_or_default();
-    let gradient = args.material.strain_gradient_length.is_some();
-    let law = material
-        .statistical(model, gradient, hardness, args.interference_law.unwrap_or_default())
-        .map_err(Failure::input)?;
     let needs = Needs {
         moments: Some(args.normalisation.normalisation.unwrap_or_default()),
         curves: vec![Curve {
             name: model.to_string(),
-            model: CurveModel::Statistical { pair: material.pair, law },
+            model: model.build(&material, &options(args))?,
             cutoffs: Cutoffs::Every,
         }],
         loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
@@ -61,175 +54,60 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
 }
 
 /// Refuses options that the model has no use for.
-fn refuse_idle_options(args: &StatisticalArgs, model: Model) -> Result<(), Failure> {
+fn refuse_idle_options(args: &StatisticalArgs, model: &ModelEntry) -> Result<(), Failure> {
     let idle = [
-        ("--hardness", args.hardness.hardness.is_some(), Model::EpSphere),
-        ("--interference-law", args.interference_law.is_some(), Model::ElasticSine),
+        ("--hardness", args.hardness.hardness.is_some(), Choice::Hardness),
+        ("--interference-law", args.interference_law.is_some(), Choice::Interference),
     ];
-    for (option, given, its_model) in idle {
-        if given && model != its_model {
+    for (option, given, choice) in idle {
+        if given && !model.has(choice) {
+            let its_models = models::of_framework(Framework::Statistical).filter(|entry| entry.has(choice));
+            let names: Vec<&str> = its_models.map(|entry| entry.name).collect();
             return Err(Failure::Input(format!(
-                "{option} has no bearing on --model {model}, only on {its_model}; leave it out"
+                "{option} has no bearing on --model {model}, only on {}; leave it out",
+                names.join(", ")
             )));
         }
     }
-    let yields = matches!(model, Model::EpSphere | Model::EpSine);
-    refuse_idle_strength_cap(&args.material, &model.to_string(), yields)
+    refuse_idle_strength_cap(&args.material, model.name, model.has(Choice::Strength))
 }
 
-/// A row of the table: a population, and what it is asked at.
-struct Asked {
-    contact: StatisticalContact,
-    at: At,
+fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let mut rows = Populations::new();
+    rows.counterface = counterface(&args.material.counterface)?;
+    rows.options = options(args);
+    rows.strength_cap = args.material.strength_cap.strength_cap;
+    rows.given = args.given;
+    rows.how_to_say_given = "say with --given which one counts";
+    rows.tolerance = args.tolerance;
+    rows.details = args.details;
+    row_by_row::run(input, &constants(args)?, &mut rows, context)
 }
 
-#[derive(Clone, Copy)]
-enum At {
-    Separation(f64),
-    Pressure(f64),
-}
-
-const REQUIRED_COLUMNS: [&str; 6] =
-    ["model", "youngs_modulus_pa", "poisson_ratio", "radius_m", "density_per_m2", "sigma_s_m"];
-
-/// A table of populations.
-struct Populations<'a> {
-    args: &'a StatisticalArgs,
-    counterface: Option<ElasticBody>,
-    counts: StateCounts,
-}
-
-impl RowByRow for Populations<'_> {
-    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
-        self.asked(block).map(|_| ())
+/// What the options say of every row.
+fn constants(args: &StatisticalArgs) -> Result<Constants, Failure> {
+    let mut constants = Constants::default();
+    if let Some(model) = args.model {
+        constants.add("--model", "model", model.name);
     }
-
-    fn fill_in(&mut self, block: &mut InputTable, progress: &Progress) -> Result<(), Failure> {
-        let asked = self.asked(block)?;
-        let tolerance = self.args.tolerance.value();
-        let state = |Asked { contact, at }: &Asked| {
-            let state = match at {
-                At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
-                At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
-            };
-            progress.advance(1);
-            state
-        };
-        let states = parallel::try_map(&asked, state).map_err(Failure::input)?;
-        progress.aside(|| say_notes(beyond_complete_contact(block, &asked, &states)));
-        self.counts.add(&states);
-        fill_in(block, &asked, &states, self.args.details);
-        Ok(())
+    let material = &args.material;
+    constants.add_elastic(material.youngs_modulus, material.poisson_ratio)?;
+    constants.add_strength(material.yield_strength)?;
+    let length_m = material.strain_gradient_length.map(|length| length.m);
+    constants.add_number("--strain-gradient-length", "strain_gradient_length_m", length_m);
+    if args.pressures.len() + args.separations.len() > 1 {
+        return Err(Failure::input("the rows of a table take one --pressure or one --separation"));
     }
-
-    fn notes(&self) -> Vec<String> {
-        self.counts.notes()
+    for (pressure, label) in &args.pressures {
+        let strength_pa = material.yield_strength.and_then(|strength| strength.pascals(None));
+        let pressure_pa = pressure
+            .pascals(strength_pa.map(hardness_pa))
+            .ok_or(MaterialError::Missing(NeededFor::PressureInHardnesses))
+            .map_err(|error| Failure::Input(format!("--pressure {label}: {error}: add --yield-strength")))?;
+        constants.add_number("--pressure", "pressure_pa", Some(pressure_pa));
     }
-}
-
-impl Populations<'_> {
-    fn asked(&self, block: &InputTable) -> Result<Vec<Asked>, Refusal> {
-        block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
+    for separation in &args.separations {
+        constants.add_number("--separation", "separation_m", Some(separation.m));
     }
-
-    fn read(&self, row: &Row<'_>) -> Result<Asked, String> {
-        let model: Model =
-            row.text("model").trim().parse().map_err(|error| format!("column model: {error}"))?;
-        let modulus_pa = row.number("youngs_modulus_pa", Bound::Positive)?;
-        let poisson_ratio = row.number("poisson_ratio", ElasticBody::POISSON_RATIO)?;
-        let body = ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?;
-        let pair = self
-            .counterface
-            .map_or(MaterialPair::against_rigid(body), |other| MaterialPair::against(body, other));
-        let [radius_m, density_per_m2, sigma_s_m] = [
-            row.number("radius_m", Bound::Positive)?,
-            row.number("density_per_m2", Bound::Positive)?,
-            row.number("sigma_s_m", Bound::Positive)?,
-        ];
-        let population =
-            Population::new(radius_m, density_per_m2, sigma_s_m).map_err(|error| error.to_string())?;
-        let contact = StatisticalContact::new(&pair, &population, &self.law(model, row)?);
-        Ok(Asked { contact, at: self.asked_at(row)? })
-    }
-
-    fn law(&self, model: Model, row: &Row<'_>) -> Result<AsperityLaw, String> {
-        Ok(match model {
-            Model::Hertz => AsperityLaw::Hertz,
-            Model::ElasticSine => {
-                AsperityLaw::ElasticSine { interference: self.args.interference_law.unwrap_or_default() }
-            }
-            Model::EpSphere => AsperityLaw::EpSphere {
-                strength: self.strength(row)?,
-                hardness: self.args.hardness.hardness.unwrap_or_default(),
-            },
-            Model::EpSine => AsperityLaw::EpSine { strength: self.strength(row)? },
-        })
-    }
-
-    fn strength(&self, row: &Row<'_>) -> Result<NixGao, String> {
-        let strength_pa = row.number("yield_strength_pa", Bound::Positive)?;
-        let length_m = row.optional_number("strain_gradient_length_m", Bound::Positive)?;
-        strength(strength_pa, length_m, self.args.material.strength_cap.strength_cap)
-            .map_err(|error| error.to_string())
-    }
-
-    fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
-        let separation = || row.optional_number("separation_m", Bound::Finite);
-        let pressure = || row.optional_number("pressure_pa", Bound::Positive);
-        match self.args.given {
-            Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {
-                "column separation_m: the cell is empty, and --given separation needs it".to_owned()
-            }),
-            Some(GivenColumn::Pressure) => pressure()?.map(At::Pressure).ok_or_else(|| {
-                "column pressure_pa: the cell is empty, and --given pressure needs it".to_owned()
-            }),
-            None => match (separation()?, pressure()?) {
-                (Some(separation_m), None) => Ok(At::Separation(separation_m)),
-                (None, Some(pressure_pa)) => Ok(At::Pressure(pressure_pa)),
-                (Some(_), Some(_)) => Err(
-                    "columns separation_m and pressure_pa are both filled; say with --given which one counts"
-                        .to_owned(),
-                ),
-                (None, None) => {
-                    Err("columns separation_m and pressure_pa are both empty; fill one".to_owned())
-                }
-            },
-        }
-    }
-}
-
-fn beyond_complete_contact(input: &InputTable, asked: &[Asked], states: &[ContactState]) -> Vec<String> {
-    let rows = asked.iter().zip(states).enumerate().filter(|(_, (_, state))| state.separation_m.is_none());
-    rows.map(|(row, (asked, state))| {
-        format!(
-            "{}: {} Pa is beyond complete contact of every asperity: area fraction 1, no separation; every pressure \
-             below {} Pa has one",
-            input.row_name(row),
-            number(state.pressure_pa),
-            number(asked.contact.highest_pressure_pa())
-        )
-    })
-    .collect()
-}
-
-/// What was given stays as typed; the rest is computed.
-fn fill_in(input: &mut InputTable, asked: &[Asked], states: &[ContactState], details: bool) {
-    let computed = |value: Option<f64>| value.map_or_else(|| Cell::Field(String::new()), Cell::Computed);
-    let mut filled = |name: &str, given: fn(&At) -> bool, of: fn(&ContactState) -> Option<f64>| {
-        let typed = input.table.column(name).cloned();
-        let cell = |row: usize| match &typed {
-            Some(Cells::Typed(cells)) if given(&asked[row].at) => cells[row].clone(),
-            _ => computed(of(&states[row])),
-        };
-        let cells = (0..states.len()).map(cell).collect();
-        input.table.set(name, Cells::Typed(cells));
-    };
-    filled("separation_m", |at| matches!(at, At::Separation(_)), |state| state.separation_m);
-    filled("pressure_pa", |at| matches!(at, At::Pressure(_)), |state| Some(state.pressure_pa));
-    filled("area_fraction", |_| false, |state| Some(state.area_fraction));
-    if details {
-        for (name, of) in STATE_DETAILS {
-            input.table.set(name, Cells::Numbers(states.iter().map(of).collect()));
-        }
-    }
+    Ok(constants)
 }

@@ -1,7 +1,7 @@
 //! What the paper says of yielding and hardness: rows 5, 9 and 15.
 
 use asperity::ElasticPlasticSinusoid;
-use stacked_contact::{StackedModel, setting_level};
+use stacked_contact::setting_level;
 use study::features::{agrees_from, ratio};
 use units::display::{length, three_digits};
 
@@ -20,15 +20,11 @@ pub(super) const CONVERGED_PRESSURE: (Statement, Check) = (
     |evidence| {
         let pressures = real_pressures(evidence, PLASTIC);
         let (model, levels) = evidence.stack(PLASTIC);
-        let complete = setting_level(&model, &levels[0]).map_or(f64::NAN, |(level, _)| match model {
-            StackedModel::ElasticPlastic { pair, strength } => {
-                let aspect_ratio = level.amplitude_m / level.wavelength_m;
-                let strength_pa = strength.macroscopic_strength_pa();
-                let sinusoid = ElasticPlasticSinusoid::new(&pair, aspect_ratio, strength_pa);
-                sinusoid.complete_contact_pressure_pa() / evidence.hardness_pa()
-            }
-            StackedModel::Elastic { .. } => f64::NAN,
-        });
+        let strength_pa = model.strength().expect("this stack yields").macroscopic_strength_pa();
+        let (level, _) = setting_level(&model, &levels[0]).expect("the paper's spectrum has scales");
+        let aspect_ratio = level.amplitude_m / level.wavelength_m;
+        let sinusoid = ElasticPlasticSinusoid::new(model.pair(), aspect_ratio, strength_pa);
+        let complete = sinusoid.complete_contact_pressure_pa() / evidence.hardness_pa();
         let holds = pressures.iter().all(|pressure| (6.0..=10.0).contains(pressure));
         Finding {
             value: pressures[0],

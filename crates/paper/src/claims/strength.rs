@@ -1,6 +1,6 @@
 //! What the paper says of a strength that grows at small scales: rows 11, 12, 13, 16, 17 and 18.
 
-use stacked_contact::{Level, Regime, StackedModel};
+use stacked_contact::{Level, Regime};
 use study::features::{Plateau, ratio};
 use units::display::{length, pressure};
 
@@ -93,11 +93,8 @@ pub(super) const STRENGTH_AT_DEPTH: (Statement, Check) = (
     },
     |evidence| {
         let (model, levels) = evidence.stack(PLASTIC_GRADIENT);
-        let at_depth_pa = |depth_m: f64| match model {
-            StackedModel::ElasticPlastic { strength, .. } => strength.at_depth_pa(depth_m),
-            StackedModel::Elastic { .. } => f64::NAN,
-        };
-        let (shallow_pa, deep_pa) = (at_depth_pa(3e-9), at_depth_pa(20e-9));
+        let strength = model.strength().expect("this stack yields");
+        let (shallow_pa, deep_pa) = (strength.at_depth_pa(3e-9), strength.at_depth_pa(20e-9));
         // The first scale meets the strength at large depth; where nothing was deformed above there is none.
         let met = |levels: &Vec<Level>| -> Vec<f64> {
             let strengths = levels.iter().skip(1).filter_map(|level| level.yield_strength_pa);

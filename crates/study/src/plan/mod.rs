@@ -11,19 +11,20 @@ mod stack;
 mod states;
 mod stream;
 
+pub use crate::models::CurveModel;
 pub use ground::Ground;
 pub use stream::{Part, Stream};
 
 use std::num::NonZeroU32;
 use std::ops::AddAssign;
 
-use asperity::{AsperityError, Bound, MaterialPair};
+use asperity::{AsperityError, Bound};
 use serde::{Deserialize, Serialize};
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, FitError, Moments, Normalisation, ProfilePsd, SelfAffineFit,
 };
-use stacked_contact::{Level, Scale, StackedModel};
-use stat_contact::{AsperityLaw, ContactState};
+use stacked_contact::{Level, Scale};
+use stat_contact::ContactState;
 use units::display::{length, three_digits};
 
 /// More scales than any spectrum resolves, and what still fits into memory under a handful of loads.
@@ -58,20 +59,6 @@ pub enum Cutoffs {
     Every,
     /// At the shortest one: a statistical model skips the others, a stack yields its last level alone.
     Shortest,
-}
-
-/// One of the two frameworks, with its law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CurveModel {
-    /// Scale upon scale.
-    Stacked(StackedModel),
-    /// Asperities of one curvature and Gaussian heights.
-    Statistical {
-        /// The bodies in contact.
-        pair: MaterialPair,
-        /// The law of one asperity.
-        law: AsperityLaw,
-    },
 }
 
 /// A nominal pressure and how it was given.

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialProperty};
 use crate::surface::SurfaceError;
 
 /// Something wrong in a scene, and where.
@@ -56,6 +56,13 @@ impl fmt::Display for SceneProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SceneProblem::Text(text) => f.write_str(text),
+            SceneProblem::Material(error @ MaterialError::Missing(needed_for)) => {
+                let key = match needed_for.property() {
+                    MaterialProperty::YieldStrength => "yield_strength",
+                    MaterialProperty::StrainGradientLength => "strain_gradient_length",
+                };
+                write!(f, "{error}: add {key} in [material]")
+            }
             SceneProblem::Material(error) => error.fmt(f),
             SceneProblem::Surface(error) => error.fmt(f),
         }

@@ -8,7 +8,7 @@ use topography::{Average, Detrend, Window};
 
 use super::error::SceneError;
 use crate::figure::Shows;
-use crate::material::ModelName;
+use crate::models::ModelEntry;
 use crate::plan::Cutoffs;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
@@ -90,7 +90,7 @@ pub(super) struct RawLoads {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCurve {
-    pub model: ModelName,
+    pub model: &'static ModelEntry,
     #[serde(default)]
     pub strain_gradient: bool,
     pub interference_law: Option<InterferenceLaw>,

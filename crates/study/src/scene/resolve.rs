@@ -7,7 +7,7 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
 use super::bodies::{resolve_counterface, resolve_material};
-use super::curves::{LawOptions, resolve_curves};
+use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::loads::resolve_loads;
@@ -16,6 +16,7 @@ use super::surfaces::resolve_surface;
 use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
 use crate::files::Files;
+use crate::models::ModelOptions;
 use crate::plan::{CurveModel, Needs, Sampling};
 use units::{Length, Pressure};
 
@@ -60,7 +61,8 @@ pub(super) fn resolve(text: &str, files: &dyn Files, overrides: &Overrides) -> R
     let per_decade =
         options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
     let hardness = overrides.hardness.or(options.hardness).unwrap_or_default();
-    let law_options = LawOptions { hardness, interference: options.interference_law.unwrap_or_default() };
+    let interference = options.interference_law.unwrap_or_default();
+    let law_options = ModelOptions { hardness, interference, ..ModelOptions::default() };
     let curves = resolve_curves(&raw.curve, material.as_ref(), law_options)?;
     let loads = match &raw.loads {
         Some(loads) => resolve_loads(loads, material.as_ref())?,

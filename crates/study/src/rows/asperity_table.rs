@@ -2,10 +2,12 @@
 
 use asperity::{Bound, ElasticBody, ElasticPlasticSinusoid, Hardness, Hertz, JacksonGreen, MaterialPair};
 
-use tables::{Cells, InputTable, Refusal, TableError};
+use tables::{Cells, InputTable, Refusal};
+
+use super::RowsError;
 
 const MATERIAL_COLUMNS: [(&str, Bound); 3] = [
-    ("youngs_modulus_pa", Bound::Positive),
+    ("youngs_modulus_pa", Bound::Magnitude),
     ("poisson_ratio", ElasticBody::POISSON_RATIO),
     ("yield_strength_pa", Bound::Positive),
 ];
@@ -122,28 +124,15 @@ impl AsperityTable {
     }
 
     /// Sets the result columns of a table from its input columns, against a counterface or a rigid one where absent;
-    /// yields a note where rows lie beyond the law's range.
+    /// yields how many rows lie beyond the law's range.
     ///
     /// # Errors
-    /// [`TableError`] for a missing column, or listing the first bad cells with line, column, value and bound.
-    pub fn extend(
-        self,
-        input: &mut InputTable,
-        counterface: Option<ElasticBody>,
-    ) -> Result<Option<String>, TableError> {
-        let beyond = self.set_results(input, counterface)?;
-        Ok(self.note(beyond, input.table.rows()))
-    }
-
-    /// The same, yielding how many rows lie beyond the law's range.
-    ///
-    /// # Errors
-    /// Those of [`extend`](Self::extend).
+    /// [`RowsError`] for a missing column, or listing the first bad cells with line, column, value and bound.
     pub fn set_results(
         self,
         input: &mut InputTable,
         counterface: Option<ElasticBody>,
-    ) -> Result<usize, TableError> {
+    ) -> Result<usize, RowsError> {
         match self {
             AsperityTable::Sphere => SPHERE.set_results(input, counterface),
             AsperityTable::Sinusoid => SINUSOID.set_results(input, counterface),
@@ -163,14 +152,14 @@ impl AsperityTable {
         }
     }
 
-    /// What there is to say where so many of all rows lie beyond the law's range.
-    pub fn note(self, beyond: usize, rows: usize) -> Option<String> {
-        let range = match self {
+    /// The range that the law was fitted in.
+    #[must_use]
+    pub fn range(self) -> &'static str {
+        match self {
             AsperityTable::Sphere => SPHERE.range,
             AsperityTable::Sinusoid => SINUSOID.range,
             AsperityTable::SinusoidInterference => SINUSOID_INTERFERENCE.range,
-        };
-        (beyond > 0).then(|| format!("{beyond} of {rows} rows lie beyond {range}"))
+        }
     }
 }
 
@@ -185,7 +174,7 @@ impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
         &self,
         input: &mut InputTable,
         counterface: Option<ElasticBody>,
-    ) -> Result<usize, TableError> {
+    ) -> Result<usize, RowsError> {
         let rows = self.read(input)?;
         let mut results: [Vec<Option<f64>>; OUT] = std::array::from_fn(|_| Vec::with_capacity(rows.len()));
         let mut beyond = 0;

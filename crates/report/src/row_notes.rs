@@ -1,0 +1,26 @@
+//! What there is to say of rows, in words.
+
+use study::rows::RowsNote;
+use units::number;
+
+use crate::summary::state_notes;
+
+/// A note as people read it; none where there is nothing to say.
+pub fn told(note: &RowsNote) -> Vec<String> {
+    match note {
+        RowsNote::BeyondCompleteContact { row, pressure_pa, highest_pressure_pa } => vec![format!(
+            "{row}: {} Pa is beyond complete contact of every asperity: area fraction 1, no separation; every pressure \
+             below {} Pa has one",
+            number(*pressure_pa),
+            number(*highest_pressure_pa)
+        )],
+        RowsNote::WithoutAsperities { rows, all } => {
+            vec![format!("{rows} of {all} rows have no asperities: their results are empty")]
+        }
+        RowsNote::States(counts) => state_notes(counts),
+        RowsNote::BeyondRange { rows, all, range } => {
+            vec![format!("{rows} of {all} rows lie beyond {range}")]
+        }
+        _ => Vec::new(),
+    }
+}

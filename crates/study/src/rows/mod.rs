@@ -1,0 +1,85 @@
+//! Tables of any length whose rows are each computed by themselves: first all of them are checked, then filled in.
+
+mod asperities;
+pub mod asperity_table;
+mod populations;
+mod state_counts;
+
+pub use asperities::Asperities;
+pub use populations::{GivenColumn, Populations};
+pub use state_counts::StateCounts;
+
+use asperity::AsperityError;
+use parallel::Progress;
+use tables::{InputTable, Refusal};
+
+/// What is made of the rows of a table.
+pub trait RowByRow {
+    /// Finds everything that is wrong with rows: rows that pass are computed without an error.
+    ///
+    /// # Errors
+    /// [`Refusal`] of the bad rows, with line, column, value and bound.
+    fn check(&self, block: &InputTable) -> Result<(), Refusal>;
+
+    /// Sets the computed columns of rows that have been checked; with a step of `progress` for each row that takes long.
+    /// Yields what there is to say of single rows.
+    ///
+    /// # Errors
+    /// [`RowsError`], of rows that have not been checked, or where `progress` is cancelled.
+    fn fill_in(
+        &mut self,
+        block: &mut InputTable,
+        progress: &dyn Progress,
+    ) -> Result<Vec<RowsNote>, RowsError>;
+
+    /// What there is to say of all rows so far.
+    fn notes(&self) -> Vec<RowsNote>;
+}
+
+/// Why rows cannot be filled in.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RowsError {
+    /// A column is missing, or cells are bad.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    /// A value that no law takes.
+    #[error(transparent)]
+    Value(#[from] AsperityError),
+    /// Whoever watches has ended it.
+    #[error("ended before all rows were computed")]
+    Cancelled,
+}
+
+/// What there is to say of rows.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum RowsNote {
+    /// A pressure that no separation carries.
+    BeyondCompleteContact {
+        /// The row, e.g. `rows.csv, line 2`.
+        row: String,
+        /// The pressure asked for \[Pa\].
+        pressure_pa: f64,
+        /// Every pressure below this one \[Pa\] has a separation.
+        highest_pressure_pa: f64,
+    },
+    /// Rows that hold no asperities: their results are empty.
+    WithoutAsperities {
+        /// How many.
+        rows: usize,
+        /// Of how many.
+        all: usize,
+    },
+    /// States at a bound, or outside the range of their law.
+    States(StateCounts),
+    /// Rows outside the range that a law was fitted in.
+    BeyondRange {
+        /// How many.
+        rows: usize,
+        /// Of how many.
+        all: usize,
+        /// The range.
+        range: &'static str,
+    },
+}

@@ -1,0 +1,248 @@
+//! Populations of asperities pressed to a separation or under a pressure, row by row.
+
+use asperity::{Bound, ElasticBody};
+use parallel::Progress;
+use stat_contact::{ContactState, Population, StatisticalContact, Sweep};
+use tables::{Cell, Cells, InputTable, Refusal, Row};
+use units::Pressure;
+
+use super::{RowByRow, RowsError, RowsNote, StateCounts};
+use crate::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
+use crate::models::{self, Choice, CurveModel, Framework, ModelOptions};
+use crate::plan::Tolerance;
+use crate::result_tables::STATE_DETAILS;
+
+/// Which of two filled columns the rows are computed from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GivenColumn {
+    /// `separation_m`
+    Separation,
+    /// `pressure_pa`
+    Pressure,
+}
+
+units::named!(GivenColumn, "column that is given", { Separation => "separation", Pressure => "pressure" });
+
+/// A table of populations, with what holds for all of its rows.
+#[derive(Debug)]
+pub struct Populations {
+    /// What presses on them; rigid where absent.
+    pub counterface: Option<ElasticBody>,
+    /// What laws leave to choose; whether the strength grows is told by the rows.
+    pub options: ModelOptions,
+    /// The cap of a growing strength.
+    pub strength_cap: Option<Pressure>,
+    /// Which column counts where both are filled.
+    pub given: Option<GivenColumn>,
+    /// How to say which one counts, in the words of who asks.
+    pub how_to_say_given: &'static str,
+    /// Relative tolerance of the states.
+    pub tolerance: Tolerance,
+    /// Whether to append how each state was found.
+    pub details: bool,
+    counts: StateCounts,
+    without_asperities: usize,
+}
+
+/// A row of the table: a population, and what it is asked at.
+struct Asked {
+    contact: StatisticalContact,
+    at: At,
+}
+
+#[derive(Clone, Copy)]
+enum At {
+    Separation(f64),
+    Pressure(f64),
+}
+
+/// The columns of McCool's parameters, empty together where a spectrum has no asperities yet.
+const ASPERITY_COLUMNS: [&str; 3] = ["radius_m", "density_per_m2", "sigma_s_m"];
+
+const REQUIRED_COLUMNS: [&str; 6] =
+    ["model", "youngs_modulus_pa", "poisson_ratio", "radius_m", "density_per_m2", "sigma_s_m"];
+
+impl Populations {
+    /// Populations against a rigid counterface, with every choice as it is by default.
+    #[must_use]
+    pub fn new() -> Self {
+        Populations {
+            counterface: None,
+            options: ModelOptions::default(),
+            strength_cap: None,
+            given: None,
+            how_to_say_given: "say which one counts",
+            tolerance: Tolerance::default(),
+            details: false,
+            counts: StateCounts::default(),
+            without_asperities: 0,
+        }
+    }
+
+    /// What every row asks for; nothing where it has no asperities.
+    fn asked(&self, block: &InputTable) -> Result<Vec<Option<Asked>>, Refusal> {
+        block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
+    }
+
+    fn read(&self, row: &Row<'_>) -> Result<Option<Asked>, String> {
+        let contact = self.contact(row)?;
+        contact.map(|contact| Ok(Asked { contact, at: self.asked_at(row)? })).transpose()
+    }
+
+    /// The material is checked of every row, the population where there is one.
+    fn contact(&self, row: &Row<'_>) -> Result<Option<StatisticalContact>, String> {
+        let entry = models::named(Framework::Statistical, row.text("model").trim())
+            .map_err(|error| format!("column model: {error}"))?;
+        let strong = entry.has(Choice::Strength);
+        let material = self.material(row, strong)?;
+        let strain_gradient = strong && !row.text("strain_gradient_length_m").trim().is_empty();
+        let model = entry.build(&material, &ModelOptions { strain_gradient, ..self.options });
+        let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
+            unreachable!("the model is one of the statistical ones");
+        };
+        if ASPERITY_COLUMNS.iter().all(|column| row.text(column).trim().is_empty()) {
+            return Ok(None);
+        }
+        let [radius_m, density_per_m2, sigma_s_m] =
+            ASPERITY_COLUMNS.map(|column| row.number(column, Bound::Magnitude));
+        let population =
+            Population::new(radius_m?, density_per_m2?, sigma_s_m?).map_err(|error| error.to_string())?;
+        Ok(Some(StatisticalContact::new(&pair, &population, &law)))
+    }
+
+    /// The material of a row; its strength is not looked at where the model has none.
+    fn material(&self, row: &Row<'_>, strong: bool) -> Result<Material, String> {
+        let modulus_pa = row.number("youngs_modulus_pa", Bound::Magnitude)?;
+        let poisson_ratio = row.number("poisson_ratio", ElasticBody::POISSON_RATIO)?;
+        let optional = |column| if strong { row.optional_number(column, Bound::Magnitude) } else { Ok(None) };
+        Ok(Material::new(GivenMaterial {
+            body: ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?,
+            counterface: self.counterface,
+            yield_strength: optional("yield_strength_pa")?.map(Pressure::Pascals),
+            strength_cap: self.strength_cap,
+            strain_gradient_length_m: optional("strain_gradient_length_m")?,
+        }))
+    }
+
+    fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
+        let separation = || row.optional_number("separation_m", Sweep::SEPARATION_M);
+        let pressure = || {
+            // What is no pressure at all is told so, before what is too large a one.
+            row.optional_number("pressure_pa", Bound::Positive)?;
+            row.optional_number("pressure_pa", Sweep::PRESSURE_PA)
+        };
+        match self.given {
+            Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {
+                "column separation_m: the cell is empty, and the separation is to be given".to_owned()
+            }),
+            Some(GivenColumn::Pressure) => pressure()?.map(At::Pressure).ok_or_else(|| {
+                "column pressure_pa: the cell is empty, and the pressure is to be given".to_owned()
+            }),
+            None => match (separation()?, pressure()?) {
+                (Some(separation_m), None) => Ok(At::Separation(separation_m)),
+                (None, Some(pressure_pa)) => Ok(At::Pressure(pressure_pa)),
+                (Some(_), Some(_)) => Err(format!(
+                    "columns separation_m and pressure_pa are both filled; {}",
+                    self.how_to_say_given
+                )),
+                (None, None) => {
+                    Err("columns separation_m and pressure_pa are both empty; fill one".to_owned())
+                }
+            },
+        }
+    }
+
+    /// What was given stays as typed; the rest is computed, and empty where there are no asperities.
+    fn set_results(&self, input: &mut InputTable, asked: &[Option<Asked>], states: &[Option<ContactState>]) {
+        let computed = |value: Option<f64>| value.map_or_else(|| Cell::Field(String::new()), Cell::Computed);
+        let mut filled = |name: &str, given: fn(&At) -> bool, of: fn(&ContactState) -> Option<f64>| {
+            let typed = input.table.column(name).cloned();
+            let cell = |row: usize| match (&typed, &asked[row]) {
+                (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
+                _ => computed(states[row].as_ref().and_then(of)),
+            };
+            let cells = (0..states.len()).map(cell).collect();
+            input.table.set(name, Cells::Typed(cells));
+        };
+        filled("separation_m", |at| matches!(at, At::Separation(_)), |state| state.separation_m);
+        filled("pressure_pa", |at| matches!(at, At::Pressure(_)), |state| Some(state.pressure_pa));
+        filled("area_fraction", |_| false, |state| Some(state.area_fraction));
+        if self.details {
+            for (name, of) in STATE_DETAILS {
+                let cells = states.iter().map(|state| state.as_ref().and_then(of)).collect();
+                input.table.set(name, Cells::Numbers(cells));
+            }
+        }
+    }
+}
+
+impl Default for Populations {
+    fn default() -> Self {
+        Populations::new()
+    }
+}
+
+impl RowByRow for Populations {
+    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
+        self.asked(block).map(|_| ())
+    }
+
+    fn fill_in(
+        &mut self,
+        block: &mut InputTable,
+        progress: &dyn Progress,
+    ) -> Result<Vec<RowsNote>, RowsError> {
+        let asked = self.asked(block)?;
+        let tolerance = self.tolerance.value();
+        let state = |asked: &Option<Asked>| -> Result<Option<ContactState>, RowsError> {
+            if progress.is_cancelled() {
+                return Err(RowsError::Cancelled);
+            }
+            let Some(Asked { contact, at }) = asked else { return Ok(None) };
+            let state = match at {
+                At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
+                At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
+            };
+            progress.advance(1);
+            Ok(Some(state?))
+        };
+        let states = parallel::try_map(&asked, state)?;
+        self.counts.add(states.iter().flatten());
+        self.without_asperities += states.iter().filter(|state| state.is_none()).count();
+        self.set_results(block, &asked, &states);
+        Ok(beyond_complete_contact(block, &asked, &states))
+    }
+
+    fn notes(&self) -> Vec<RowsNote> {
+        let (rows, all) = (self.without_asperities, self.without_asperities + self.counts.all);
+        let without = (rows > 0).then_some(RowsNote::WithoutAsperities { rows, all });
+        without.into_iter().chain([RowsNote::States(self.counts)]).collect()
+    }
+}
+
+/// What the material of a row lacks, told by its column.
+fn missing_cell(error: &MaterialError) -> String {
+    let MaterialError::Missing(needed_for) = error else { return error.to_string() };
+    let column = match needed_for.property() {
+        MaterialProperty::YieldStrength => "yield_strength_pa",
+        MaterialProperty::StrainGradientLength => "strain_gradient_length_m",
+    };
+    format!("column {column}: the cell is empty; {error}")
+}
+
+fn beyond_complete_contact(
+    input: &InputTable,
+    asked: &[Option<Asked>],
+    states: &[Option<ContactState>],
+) -> Vec<RowsNote> {
+    let rows = asked.iter().zip(states).enumerate();
+    rows.filter_map(|(row, (asked, state))| {
+        let (asked, state) = (asked.as_ref()?, state.as_ref()?);
+        state.separation_m.is_none().then(|| RowsNote::BeyondCompleteContact {
+            row: input.row_name(row),
+            pressure_pa: state.pressure_pa,
+            highest_pressure_pa: asked.contact.highest_pressure_pa(),
+        })
+    })
+    .collect()
+}
