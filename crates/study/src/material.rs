@@ -1,9 +1,10 @@
 //! The material as given: what a model needs of it is drawn, and missed, only when the model asks.
 
-use asperity::{AsperityError, Bound, ElasticBody, Hardness, MaterialPair, NixGao};
+use asperity::{AsperityError, ElasticBody, Hardness, MaterialPair, NixGao};
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw, Model};
 
+use crate::plan::NominalPressure;
 use units::Pressure;
 use units::display::{length, pressure};
 use units::number;
@@ -176,14 +177,14 @@ impl Material {
         properties
     }
 
-    /// A pressure > 0 \[Pa\], in units of the hardness or not.
+    /// A nominal pressure, in units of the hardness or not.
     ///
     /// # Errors
-    /// [`MaterialError::NoHardness`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is
-    /// not finite and positive.
-    pub fn pascals(&self, pressure: Pressure) -> Result<f64, MaterialError> {
+    /// [`MaterialError::NoHardness`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is beyond
+    /// [`NominalPressure::BOUND`].
+    pub fn nominal_pressure(&self, pressure: Pressure) -> Result<NominalPressure, MaterialError> {
         let pressure_pa = pressure.pascals(self.hardness_pa()).ok_or(MaterialError::NoHardness)?;
-        Ok(Bound::Positive.check("pressure in Pa", pressure_pa)?)
+        Ok(NominalPressure::new(pressure_pa)?)
     }
 
     /// The stacked model of this name for this material; `strain_gradient` lets its strength grow at small depths.

@@ -48,7 +48,10 @@ pub fn table(sensitivities: &[Sensitivity], needs: &Needs) -> Table {
         .with_text("choice", rows().map(|(varied, _)| varied.choice.to_owned()))
         .with_text("setting", rows().map(|(varied, _)| varied.setting.clone()))
         .with_text("curve", rows().map(|(_, row)| needs.curves[row.curve].name.clone()))
-        .with_numbers("nominal_pressure_pa", rows().map(|(_, row)| needs.loads[row.load].nominal_pressure_pa))
+        .with_numbers(
+            "nominal_pressure_pa",
+            rows().map(|(_, row)| needs.loads[row.load].nominal_pressure_pa()),
+        )
         .with_numbers("area_fraction", rows().map(|(_, row)| row.area_fraction))
         .with_numbers("ratio", rows().map(|(_, row)| row.ratio))
 }

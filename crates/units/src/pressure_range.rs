@@ -35,7 +35,9 @@ impl PressureRange {
 
     /// The pressures \[Pa\], given the hardness \[Pa\] where there is one.
     pub fn pascals(&self, hardness_pa: Option<f64>) -> Option<Vec<f64>> {
-        Some(log_spaced(self.from.pascals(hardness_pa)?, self.to.pascals(hardness_pa)?, self.points))
+        Some(
+            log_spaced(self.from.pascals(hardness_pa)?, self.to.pascals(hardness_pa)?, self.points).collect(),
+        )
     }
 }
 
@@ -54,11 +56,11 @@ impl FromStr for PressureRange {
 }
 
 /// Values evenly spaced in their logarithms from one > 0 to another, both included; `points` is at least 2.
-pub fn log_spaced(from: f64, to: f64, points: u32) -> Vec<f64> {
+pub fn log_spaced(from: f64, to: f64, points: u32) -> impl Iterator<Item = f64> + Clone {
     let ratio = to / from;
     let last = points - 1;
-    let value = |at: u32| from * ratio.powf(f64::from(at) / f64::from(last));
-    (0..last).map(value).chain([to]).collect()
+    let value = move |at: u32| from * ratio.powf(f64::from(at) / f64::from(last));
+    (0..last).map(value).chain([to])
 }
 
 #[cfg(test)]

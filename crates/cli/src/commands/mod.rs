@@ -23,15 +23,14 @@ use crate::progress::Progress;
 use crate::stderr::say;
 use crate::timings::Timings;
 use report::summary::CurveCounts;
-use study::material::{GivenMaterial, Material};
-use study::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
+use study::material::{GivenMaterial, Material, MaterialError};
+use study::plan::{Load, LoadRange, Needs, Plan, PlanError, Results, Sampling, Stream};
 use study::provenance::provenance;
 use study::result_tables;
 use study::scene::Overrides;
 use study::surface::Surface;
 use tables::{Table, TableWriter};
 use units::PressureRange;
-use units::number;
 use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.
@@ -127,7 +126,7 @@ impl Context<'_> {
         let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
         let stream = plan.stream().map_err(Failure::input)?;
         say_notes(surface.notes.iter().cloned().chain([first_note(&stream)]));
-        let loads = &plan.needs.loads;
+        let several = plan.needs.load_count() > 1;
         let mut counts = CurveCounts::default();
         let mut writing = Duration::ZERO;
         let comments = provenance(self.typed, &surface, plan.sampling);
@@ -136,9 +135,13 @@ impl Context<'_> {
                 let progress = Progress::towards(stream.rows(curve));
                 stream.parts(curve, &progress, |part| {
                     counts.add(&part.rows);
-                    let of_part = &loads[part.first_block.min(loads.len())..];
                     let begun = Instant::now();
-                    out.block(&result_tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
+                    out.block(&result_tables::part_of_curve(
+                        &part.rows,
+                        &part.pressures_pa,
+                        several,
+                        details,
+                    ))?;
                     writing += begun.elapsed();
                     Ok::<(), Stopped>(())
                 })?;
@@ -218,34 +221,28 @@ fn material(given: &MaterialArgs, context: &Context<'_>) -> Result<Material, Fai
     }))
 }
 
-/// The loads given by `--pressure`, and behind them those by `--pressures`.
+/// The loads given by `--pressure`, and the ranges behind them by `--pressures`.
 fn loads(
     pressures: &[(Pressure, String)],
     ranges: &[PressureRange],
     material: &Material,
-) -> Result<Vec<Load>, Failure> {
-    let load = |(pressure, label): &(Pressure, String)| {
-        let nominal_pressure_pa = material
-            .pascals(*pressure)
-            .map_err(|error| Failure::Input(format!("--pressure {label}: {error}: add --yield-strength")))?;
-        Ok(Load { nominal_pressure_pa, label: label.clone() })
+) -> Result<(Vec<Load>, Vec<LoadRange>), Failure> {
+    let pascals = |option: &str, pressure| {
+        material.nominal_pressure(pressure).map_err(|error| {
+            let mend = if matches!(error, MaterialError::NoHardness) { ": add --yield-strength" } else { "" };
+            Failure::Input(format!("{option}: {error}{mend}"))
+        })
     };
-    let mut loads: Vec<Load> = pressures.iter().map(load).collect::<Result<_, Failure>>()?;
-    for range in ranges {
-        // A pressure in H is the only one that may lack something.
-        for end in [range.from, range.to] {
-            material
-                .pascals(end)
-                .map_err(|error| Failure::Input(format!("--pressures: {error}: add --yield-strength")))?;
-        }
-        loads.extend(range.pascals(material.hardness_pa()).into_iter().flatten().map(
-            |nominal_pressure_pa| Load {
-                nominal_pressure_pa,
-                label: format!("{} Pa", number(nominal_pressure_pa)),
-            },
-        ));
-    }
-    Ok(loads)
+    let load = |(pressure, label): &(Pressure, String)| {
+        let nominal_pressure = pascals(&format!("--pressure {label}"), *pressure)?;
+        Ok(Load { nominal_pressure, label: label.clone() })
+    };
+    let range = |range: &PressureRange| {
+        let [from, to] = [range.from, range.to].map(|end| pascals("--pressures", end));
+        Ok(LoadRange::new(from?, to?, range.points))
+    };
+    let loads = pressures.iter().map(load).collect::<Result<_, Failure>>()?;
+    Ok((loads, ranges.iter().map(range).collect::<Result<_, Failure>>()?))
 }
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {

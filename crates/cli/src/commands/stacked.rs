@@ -10,10 +10,12 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
     let material = material(&args.material, context)?;
     let gradient = args.material.strain_gradient_length.is_some();
     let model = CurveModel::Stacked(material.stacked(args.model, gradient).map_err(Failure::input)?);
+    let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let needs = Needs {
         amplitudes: Some(context.shared.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
-        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
+        loads,
+        load_ranges,
         ..Needs::default()
     };
     context.curve_to_table(&args.psd.psd, &args.psd.reading, needs, args.details, |stream| {

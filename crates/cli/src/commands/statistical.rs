@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use report::summary::StateCounts;
 use study::Progress as _;
 use study::material::strength;
-use study::plan::{Curve, CurveModel, Cutoffs, Needs};
+use study::plan::{Curve, CurveModel, Cutoffs, Needs, NominalPressure};
 use study::result_tables::STATE_DETAILS;
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::number;
@@ -35,6 +35,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let gradient = args.material.strain_gradient_length.is_some();
     let law =
         material.statistical(model, gradient, hardness, args.interference_law).map_err(Failure::input)?;
+    let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let needs = Needs {
         moments: Some(context.shared.normalisation.unwrap_or_default()),
         curves: vec![Curve {
@@ -42,7 +43,8 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
             model: CurveModel::Statistical { pair: material.pair, law },
             cutoffs: Cutoffs::Every,
         }],
-        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
+        loads,
+        load_ranges,
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),
         tolerance: args.tolerance,
         ..Needs::default()
@@ -148,7 +150,7 @@ impl Populations<'_> {
 
     fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
         let separation = || row.optional_number("separation_m", Bound::Finite);
-        let pressure = || row.optional_number("pressure_pa", Bound::Positive);
+        let pressure = || row.optional_number("pressure_pa", NominalPressure::BOUND);
         match self.args.given {
             Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {
                 "column separation_m: the cell is empty, and --given separation needs it".to_owned()

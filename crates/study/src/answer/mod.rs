@@ -93,7 +93,7 @@ impl Answer {
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &crate::plan::Load)| {
-                LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)
+                LoadAnswer::of(curve, result, block, load.nominal_pressure_pa(), can_settle)
             };
             needs.loads.iter().enumerate().map(of_load).collect()
         };

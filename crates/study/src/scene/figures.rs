@@ -3,13 +3,12 @@
 use serde_spanned::Spanned;
 
 use super::error::SceneError;
+use super::loads::nominal_pressure;
 use super::raw::{RawFigure, RawLoadRange};
-use super::values::{check_file_name, quantity};
+use super::values::check_file_name;
 use crate::figure::{Figure, Shows};
 use crate::material::Material;
-use crate::plan::{Curve, CurveModel, Cutoffs, LoadSweep};
-use units::Pressure;
-use units::log_spaced;
+use crate::plan::{Curve, CurveModel, Cutoffs, LoadRange, LoadSweep, NominalPressure};
 
 /// The figures, and the sweeps over loads that they draw.
 pub(super) fn resolve_figures(
@@ -136,20 +135,12 @@ fn load_sweeps(
 
 /// Pressures \[Pa\] evenly spaced in their logarithms, both ends included.
 fn load_range(range: &RawLoadRange, material: Option<&Material>) -> Result<Vec<f64>, SceneError> {
-    let end = |key: &str, raw| {
-        let pressure: Pressure = quantity(key, raw)?;
-        pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
-            let message = format!(
-                "key {key}: a pressure in H, three times the yield strength, needs material.yield_strength"
-            );
-            SceneError::at(raw.span(), message)
-        })
-    };
-    let (from_pa, to_pa) = (end("figure.loads.from", &range.from)?, end("figure.loads.to", &range.to)?);
+    let from = nominal_pressure("figure.loads.from", &range.from, material)?;
+    let to = nominal_pressure("figure.loads.to", &range.to, material)?;
     let points = *range.points.get_ref();
     if !(2..=100_000).contains(&points) {
         let message = format!("key figure.loads.points: {points} must be a whole number from 2 to 100000");
         return Err(SceneError::at(range.points.span(), message));
     }
-    Ok(log_spaced(from_pa, to_pa, points))
+    Ok(LoadRange::new(from, to, points).pressures().map(NominalPressure::pa).collect())
 }
