@@ -1,4 +1,4 @@
-"""Coefficients of crates/stat-contact/src/hertz_load.rs.
+"""Makes crates/stat-contact/src/gaussian/coefficients.rs, the polynomials of integrals over Gaussian heights.
 
 The load of Gaussian asperities under Hertz's law is I(u) = Int_0^inf s^(3/2) exp(-(u+s)^2/2) ds, a parabolic cylinder
 function. Here it is interpolated at Chebyshev points, stretch by stretch, with 60 digits, and written as powers:
@@ -9,8 +9,16 @@ function. Here it is interpolated at Chebyshev points, stretch by stretch, with 
     -9 <= u < -6 I(u)                            in t = -(u + 7.5)/1.5
     u < -9       I(u) (-u)^(-3/2)                in w = (9/u)^2
 
-Needs mpmath. Prints Rust.
+Their area is the first moment phi(u) - u Q(u): over phi(u) and times (1 + u)^2, it is the Chebyshev series in
+t = (u - 5)/(u + 5), u >= 0, cut off after 26 terms.
+
+    python3 make_hertz_load.py           writes the file
+    python3 make_hertz_load.py --check   ends with 1 where the file is not what would be written
+
+Needs mpmath.
 """
+import sys
+from pathlib import Path
 import mpmath as mp
 
 mp.mp.dps = 60
@@ -29,6 +37,14 @@ def near(t):
         return load(u) * (1 + u) ** (NU + 1)
     term = lambda k: (-1) ** k * mp.rf(NU + 1, 2 * k) / (mp.factorial(k) * 2**k * u ** (2 * k))
     return mp.gamma(NU + 1) * mp.fsum(term(k) for k in range(14)) * (1 + 1 / u) ** (NU + 1)
+
+
+def first_moment(t):
+    u = 5 * (1 + t) / (1 - t)
+    if u < 200:
+        over_density = mp.erfc(u / mp.sqrt(2)) / 2 * mp.sqrt(2 * mp.pi) * mp.exp(u * u / 2)
+        return (1 - u * over_density) * (1 + u) ** 2
+    return mp.fsum((-1) ** k * mp.fac2(2 * k + 1) / u ** (2 * k + 2) for k in range(30)) * (1 + u) ** 2
 
 
 def within(middle):
@@ -74,19 +90,46 @@ def powers(coefficients, of_w=False):
     return total
 
 
+# Name, function, number of Chebyshev points, number of coefficients, whether in powers of w, what it is.
 STRETCHES = [
-    ("NEAR", near, 32, False),
-    ("FROM_0_TO_3", within(mp.mpf(3) / 2), 24, False),
-    ("FROM_3_TO_6", within(mp.mpf(9) / 2), 24, False),
-    ("FROM_6_TO_9", within(mp.mpf(15) / 2), 20, False),
-    ("FAR", far, 12, True),
+    ("NEAR", near, 32, 32, False,
+     ["Of t = (u - 3)/(u + 3) for u >= 0: the load over exp(-u^2/2), times (1 + u)^(5/2)."]),
+    ("FROM_0_TO_3", within(mp.mpf(3) / 2), 24, 24, False, ["Of t = -(u + 1.5)/1.5 for -3 <= u < 0: the load."]),
+    ("FROM_3_TO_6", within(mp.mpf(9) / 2), 24, 24, False, ["Of t = -(u + 4.5)/1.5 for -6 <= u < -3: the load."]),
+    ("FROM_6_TO_9", within(mp.mpf(15) / 2), 20, 20, False, ["Of t = -(u + 7.5)/1.5 for -9 <= u < -6: the load."]),
+    ("FAR", far, 12, 12, True, ["Of w = (9/u)^2 for u < -9: the load over (-u)^(3/2)."]),
+    ("FIRST_MOMENT", first_moment, 40, 26, False,
+     ["Of t = (u - 5)/(u + 5) for u >= 0: phi(u) - u Q(u) over phi(u), times (1 + u)^2; filled up with zeros to make up",
+      "fours."]),
 ]
 
+PATH = Path(__file__).parents[2] / "crates/stat-contact/src/gaussian/coefficients.rs"
+
+
+def literal(value):
+    """The shortest decimal of a double, its digits in threes after the point."""
+    mantissa, _, exponent = repr(float(value)).partition("e")
+    whole, _, digits = mantissa.partition(".")
+    threes = "_".join(digits[i:i + 3] for i in range(0, len(digits), 3))
+    return f"{whole}.{threes}" + (f"e{exponent}" if exponent else "")
+
+
+def generated():
+    lines = ["// Made by tests/reference/make_hertz_load.py; do not edit.",
+             "",
+             "//! Coefficients of the polynomials that stand for integrals over Gaussian heights, lowest power first."]
+    for name, function, points, count, of_w, description in STRETCHES:
+        values = [literal(value) for value in powers(chebyshev(function, points)[:count], of_w)]
+        values += ["0.0"] * (-count % 4)
+        lines += ["", *(f"/// {line}" for line in description)]
+        lines += [f"pub const {name}: [f64; {len(values)}] = [", *(f"    {value}," for value in values), "];"]
+    return "\n".join(lines) + "\n"
+
+
 if __name__ == "__main__":
-    for name, function, count, of_w in STRETCHES:
-        found = chebyshev(function, count)
-        print(f"/// The last Chebyshev coefficient is {mp.nstr(abs(found[-1]) / abs(found[0]), 1)} of the first.")
-        print(f"const {name}: [f64; {count}] = [")
-        for value in powers(found, of_w):
-            print(f"    {float(value)!r},")
-        print("];")
+    text = generated()
+    if sys.argv[1:] == ["--check"]:
+        if PATH.read_text() != text:
+            sys.exit(f"{PATH} is not what {Path(__file__).name} makes")
+    else:
+        PATH.write_text(text)

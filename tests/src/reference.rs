@@ -65,9 +65,13 @@ pub fn shared_file(name: &str) -> PathBuf {
     committed_file("..").join("shared").join(name)
 }
 
-/// A file of this repository, from its top.
+/// A file of this repository, from its top. The checkout is the one that cargo was called in, which need not be the one that
+/// compiled this: two of them may share a folder for what is built.
 pub fn committed_file(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").join(path)
+    let package = std::env::var_os("CARGO_MANIFEST_DIR")
+        .map_or(PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
+    let top = package.ancestors().find(|folder| folder.join("Cargo.lock").is_file());
+    top.expect("a package of the workspace").join(path)
 }
 
 /// Relative deviations of computed values from their references.

@@ -1,10 +1,12 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `stress`, `bench`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `stress`, `bench`.
 
 mod bench;
 mod docs;
 mod golden;
 mod instructions;
+mod layers;
 mod reproduce;
+mod shared;
 mod stress;
 
 use std::ffi::OsString;
@@ -19,6 +21,8 @@ cargo xtask docs [--check]     draws the pictures of docs/; --check only tells w
 cargo xtask instructions [--accept]
                                what the main kernels and the paper cost, against the accepted counts (needs valgrind);
                                --accept takes the counts as they are
+cargo xtask layers             which crate may know which, and what stays out of the core
+cargo xtask shared             the tests that need the folder shared/ beside the checkout
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                random extreme states against what every result promises: docs/stress.md
 cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
@@ -29,6 +33,8 @@ enum Task {
     Golden { accept: bool },
     Docs { check: bool },
     Instructions { accept: bool },
+    Layers,
+    Shared,
     Stress { arguments: Vec<OsString> },
     Bench,
 }
@@ -39,6 +45,8 @@ fn main() -> ExitCode {
         Ok(Some(Task::Golden { accept })) => golden::run(accept),
         Ok(Some(Task::Docs { check })) => docs::run(check),
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
+        Ok(Some(Task::Layers)) => layers::run(),
+        Ok(Some(Task::Shared)) => shared::run(),
         Ok(Some(Task::Stress { arguments })) => stress::run(&arguments),
         Ok(Some(Task::Bench)) => bench::run(),
         Ok(None) => {
@@ -63,6 +71,8 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             (Value(name), None) if name == "instructions" => {
                 task = Some(Task::Instructions { accept: false });
             }
+            (Value(name), None) if name == "layers" => task = Some(Task::Layers),
+            (Value(name), None) if name == "shared" => task = Some(Task::Shared),
             (Value(name), None) if name == "stress" => {
                 let arguments = parser.raw_args()?.collect();
                 task = Some(Task::Stress { arguments });

@@ -35,6 +35,7 @@ const LOGARITHM: [f64; 7] = [
 /// e^x to one unit in the last place, x taken as -708 below and as 709 above these: 3e-308 and 8e307, and never zero or
 /// infinite.
 #[inline(always)]
+#[must_use]
 pub fn exp(x: f64) -> f64 {
     let (scale, rest) = scale_and_rest(x);
     scale + scale * rest
@@ -42,6 +43,7 @@ pub fn exp(x: f64) -> f64 {
 
 /// e^x - 1, to one unit or two in the last place also around zero; x is taken as -708 below and as 709 above these.
 #[inline(always)]
+#[must_use]
 pub fn exp_m1(x: f64) -> f64 {
     let (scale, rest) = scale_and_rest(x);
     (scale - 1.0) + scale * rest
@@ -68,6 +70,7 @@ fn scale_and_rest(x: f64) -> (f64, f64) {
 
 /// ln x to one unit in the last place, for every x from the smallest normal number up to the largest.
 #[inline(always)]
+#[must_use]
 pub fn ln(x: f64) -> f64 {
     const ROOT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
     const MANTISSA: u64 = 0x000f_ffff_ffff_ffff;
@@ -90,6 +93,7 @@ pub fn ln(x: f64) -> f64 {
 
 /// ln(1 + x), to one unit or two in the last place also around zero, for x > -1.
 #[inline(always)]
+#[must_use]
 pub fn ln_1p(x: f64) -> f64 {
     let sum = 1.0 + x;
     // What the rounding of the sum took away, as the first term of its series.

@@ -14,22 +14,26 @@ pub struct Hertz {
 
 impl Hertz {
     /// A sphere of radius R > 0 \[m\].
+    #[must_use]
     pub fn new(pair: &MaterialPair, radius_m: f64) -> Self {
         debug_assert!(radius_m > 0.0);
         Hertz { composite_modulus_pa: pair.composite_modulus_pa(), radius_m }
     }
 
     /// Force F = (4/3) E* sqrt(R) w^(3/2) \[N\] at the interference w >= 0 \[m\].
+    #[must_use]
     pub fn force_n(&self, interference_m: f64) -> f64 {
         4.0 / 3.0 * self.composite_modulus_pa * interference_m * (self.radius_m * interference_m).sqrt()
     }
 
     /// Force per w^(3/2), (4/3) E* sqrt(R) \[N/m^1.5\].
+    #[must_use]
     pub fn force_per_three_halves(&self) -> f64 {
         4.0 / 3.0 * self.composite_modulus_pa * self.radius_m.sqrt()
     }
 
     /// Contact area A = pi R w \[m^2\] at the interference w >= 0 \[m\].
+    #[must_use]
     pub fn area_m2(&self, interference_m: f64) -> f64 {
         PI * self.radius_m * interference_m
     }

@@ -13,6 +13,7 @@ pub const FITTED_STRENGTH_OVER_MODULUS: f64 = 0.01;
 
 /// How the mean pressure at full plasticity falls as the contact grows, H_G/Sy against a/R.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[non_exhaustive]
 pub enum Hardness {
     /// 2.84 [1 - exp(-0.82 (a/R)^-0.7)] (Jackson & Green 2005).
     #[default]
@@ -29,6 +30,7 @@ impl Hardness {
     pub const ALL: [Hardness; 2] = [Hardness::JacksonGreen2005, Hardness::Cosine];
 
     /// The name users type.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Hardness::JacksonGreen2005 => "2005",
@@ -68,15 +70,20 @@ pub struct JacksonGreen {
     /// C Sy \[Pa\]: the largest pressure at first yield.
     yield_pressure_pa: f64,
     yield_strength_pa: f64,
+    /// Sy/E*.
     strength_over_modulus: f64,
+    /// w_c \[m\].
     critical_interference_m: f64,
+    /// ln(1.9 w_c/R).
     log_onset_over_radius: f64,
+    /// b = 0.14 exp(23 Sy/E*).
     area_exponent: f64,
 }
 
 impl JacksonGreen {
     /// A sphere of radius R > 0 \[m\] and yield strength Sy > 0 \[Pa\]. An infinite strength is a Hertzian sphere.
     #[inline]
+    #[must_use]
     pub fn new(pair: &MaterialPair, radius_m: f64, yield_strength_pa: f64, hardness: Hardness) -> Self {
         debug_assert!(radius_m > 0.0 && yield_strength_pa > 0.0);
         let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
@@ -96,11 +103,13 @@ impl JacksonGreen {
     }
 
     /// Interference at first yield, w_c = (pi C Sy/(2 E*))^2 R \[m\]; infinite for an infinite strength.
+    #[must_use]
     pub fn critical_interference_m(&self) -> f64 {
         self.critical_interference_m
     }
 
     /// Interference from which the law departs from Hertz's, 1.9 w_c \[m\].
+    #[must_use]
     pub fn plastic_onset_m(&self) -> f64 {
         YIELD_INTERFERENCE_RATIO * self.critical_interference_m
     }
@@ -110,6 +119,7 @@ impl JacksonGreen {
     ///
     /// It jumps at 1.9 w_c, downwards for nu > 0.32 or so when Sy is small against E* ([`breaks`](Self::breaks) tells
     /// by how much), and is not capped with the area.
+    #[must_use]
     pub fn force_n(&self, interference_m: f64) -> f64 {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
@@ -144,7 +154,7 @@ impl JacksonGreen {
         }
     }
 
-    /// The same at one, without a branch; `over_strength` is the hardness.
+    /// The same at one interference, without a branch; `over_strength` is H_G/Sy at ln(A/(pi R^2)).
     #[inline(always)]
     fn plastic_force_and_area(&self, interference_m: f64, over_strength: impl Fn(f64) -> f64) -> (f64, f64) {
         let log_ratio = self.log_over_onset(interference_m);
@@ -156,6 +166,7 @@ impl JacksonGreen {
 
     /// Force \[N\] and contact area \[m^2\] at the interference w >= 0 \[m\]: [`force_n`](Self::force_n) and
     /// [`area_m2`](Self::area_m2), which share a logarithm and an exponential.
+    #[must_use]
     pub fn force_and_area(&self, interference_m: f64) -> (f64, f64) {
         let (hertz_area_m2, most_m2) =
             (self.hertz.area_m2(interference_m), PI * self.radius_m * self.radius_m);
@@ -168,6 +179,7 @@ impl JacksonGreen {
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
     /// \[m\], Hertz's below 1.9 w_c, and never more than the sphere's cross-section pi R^2 (Jackson & Jacobs), on
     /// Hertz's branch too. Continuous.
+    #[must_use]
     pub fn area_m2(&self, interference_m: f64) -> f64 {
         let area_m2 = self.hertz.area_m2(interference_m) * self.area_over_hertz(interference_m);
         area_m2.min(PI * self.radius_m * self.radius_m)
@@ -175,6 +187,7 @@ impl JacksonGreen {
 
     /// Whether the contact at this interference lies within the results the law was fitted to:
     /// a/R <= 0.41 and Sy/E* <= 0.01. Hertz's branch, which is no fit, always does.
+    #[must_use]
     pub fn in_fitted_range(&self, interference_m: f64) -> bool {
         self.is_elastic(interference_m)
             || (self.strength_over_modulus <= FITTED_STRENGTH_OVER_MODULUS
@@ -198,12 +211,14 @@ impl JacksonGreen {
     }
 
     /// Interference \[m\] at which the area reaches pi R^2.
+    #[must_use]
     pub fn cap_interference_m(&self) -> f64 {
         self.interference_of_area_share_m(1.0)
     }
 
     /// Interference \[m\] at which the area reaches a share of pi R^2 in (0, 1]: w = share R while Hertzian, else
     /// (w/R)(w'/1.9)^b = share in logarithms.
+    #[must_use]
     pub fn interference_of_area_share_m(&self, share: f64) -> f64 {
         let onset = self.plastic_onset_m();
         if onset >= share * self.radius_m {
@@ -215,6 +230,7 @@ impl JacksonGreen {
     }
 
     /// ln(A/(pi R^2)) at the interference w > 0 \[m\], the cap left aside: positive where the cap holds.
+    #[must_use]
     pub fn log_area_over_cross_section(&self, interference_m: f64) -> f64 {
         let log_growth =
             if self.is_elastic(interference_m) { 0.0 } else { self.log_area_over_hertz(interference_m) };
@@ -253,7 +269,8 @@ impl JacksonGreen {
             .min(1.0)
     }
 
-    /// The force from the onset on; `log_ratio` is ln(w'/1.9).
+    /// The force \[N\] from the onset on, in logarithms: `log_ratio` is ln(w'/1.9), and `over_strength` gives H_G/Sy at
+    /// ln(A/(pi R^2)), which is ln(1.9 w_c/R) + (1 + b) ln(w'/1.9), held at 0.
     #[inline(always)]
     fn plastic_force_n(
         &self,

@@ -1,32 +1,20 @@
-//! Contact laws of one asperity: how much force it carries and how much of it touches.
-//!
-//! ```
-//! use asperity::{ElasticBody, ElasticPlasticSinusoid, MaterialPair};
-//!
-//! let diamond = ElasticBody::new(463e9, 0.2)?;
-//! let pair = MaterialPair::against_rigid(diamond);
-//! let (aspect_ratio, yield_strength_pa) = (0.0463, 1.8e9);
-//! let scale = ElasticPlasticSinusoid::new(&pair, aspect_ratio, yield_strength_pa);
-//! assert!(scale.area_fraction(5.4e9) < 1.0);
-//! assert_eq!(scale.area_fraction(scale.complete_contact_pressure_pa()), 1.0);
-//! # Ok::<(), asperity::AsperityError>(())
-//! ```
+#![doc = include_str!("../README.md")]
 //!
 //! The nouns:
 //! * [`MaterialPair`]: the body that yields and what presses on it; its composite modulus.
-//! * the laws, one file each: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`ElasticSinusoid`]
+//! * the laws: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`ElasticSinusoid`]
 //!   and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an interference, with its mean gap, and
 //!   [`BemSinusoid`], the elastic one by boundary elements.
 //! * [`NixGao`]: the yield strength, growing where the deformation is shallow.
 //! * [`elementary`]: exponentials and logarithms for many arguments at once.
 //! * [`Break`]: where a law bends or jumps, for those who integrate it.
 //!
-//! Not here: populations of asperities, stacks of scales, spectra, units. All quantities are plain `f64` in SI;
-//! the material types check their values once, the laws' arguments carry their range in their documentation.
+//! The material types check their values once; the laws' arguments carry their range in their documentation.
 #![deny(missing_docs)]
 
 mod bem_sinusoid;
 mod breaks;
+mod elastic_plastic_interference;
 mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
 pub mod elementary;
@@ -36,13 +24,14 @@ mod material;
 mod mean_gap;
 mod monotone_cubic;
 mod nix_gao;
-mod plastic_area;
+mod plastic_flow;
+#[cfg(test)]
+mod samples;
+mod yielding_area;
 
 pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;
-pub use elastic_plastic_sinusoid::{
-    ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL, FlowPoint, PlasticFlow, YieldingArea,
-};
+pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
 pub use elastic_sinusoid::ElasticSinusoid;
 pub use hertz::Hertz;
 pub use jackson_green::{
@@ -51,4 +40,6 @@ pub use jackson_green::{
 };
 pub use material::{ElasticBody, MaterialPair};
 pub use nix_gao::NixGao;
+pub use plastic_flow::{FlowPoint, PlasticFlow};
 pub use units::{Bound, OutOfBounds as AsperityError};
+pub use yielding_area::YieldingArea;

@@ -27,11 +27,13 @@ impl ElasticBody {
     }
 
     /// Young's modulus E \[Pa\], above 0.
+    #[must_use]
     pub fn youngs_modulus_pa(&self) -> f64 {
         self.youngs_modulus_pa
     }
 
     /// Poisson's ratio nu, in (-1, 0.5\].
+    #[must_use]
     pub fn poisson_ratio(&self) -> f64 {
         self.poisson_ratio
     }
@@ -57,11 +59,13 @@ pub struct MaterialPair {
 
 impl MaterialPair {
     /// The body against a rigid counterface, which adds nothing to the compliance: E* = E/(1 - nu^2).
+    #[must_use]
     pub fn against_rigid(body: ElasticBody) -> Self {
         Self::with_composite_modulus(body, body.plane_strain_modulus_pa())
     }
 
     /// The body against an elastic counterface: 1/E* = sum (1 - nu^2)/E over both. Only the body yields.
+    #[must_use]
     pub fn against(body: ElasticBody, counterface: ElasticBody) -> Self {
         let (first, second) = (body.plane_strain_modulus_pa(), counterface.plane_strain_modulus_pa());
         Self::with_composite_modulus(body, 1.0 / (1.0 / first + 1.0 / second))
@@ -79,11 +83,13 @@ impl MaterialPair {
     }
 
     /// The body that yields.
+    #[must_use]
     pub fn body(&self) -> ElasticBody {
         self.body
     }
 
     /// Composite modulus E* \[Pa\], finite and above 0 for bodies whose moduli are.
+    #[must_use]
     pub fn composite_modulus_pa(&self) -> f64 {
         self.composite_modulus_pa
     }

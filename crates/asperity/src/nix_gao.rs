@@ -43,21 +43,25 @@ impl NixGao {
     }
 
     /// S0 \[Pa\], the strength at large depth.
+    #[must_use]
     pub fn macroscopic_strength_pa(&self) -> f64 {
         self.macroscopic_strength_pa
     }
 
     /// h* \[m\], where the strength depends on depth.
+    #[must_use]
     pub fn strain_gradient_length_m(&self) -> Option<f64> {
         self.strain_gradient_length_m
     }
 
     /// The bound on the strength \[Pa\], where there is one.
+    #[must_use]
     pub fn cap_pa(&self) -> Option<f64> {
         self.cap_pa
     }
 
     /// The depth \[m\] below which the cap holds, and at which the strength therefore bends.
+    #[must_use]
     pub fn cap_depth_m(&self) -> Option<f64> {
         self.strain_gradient_length_m?;
         self.depth_of_strength_m(self.cap_pa?)
@@ -65,6 +69,7 @@ impl NixGao {
 
     /// The depth \[m\] from which on the strength is at most `strength_pa`: 0 where it is so everywhere, `None` where it
     /// is nowhere.
+    #[must_use]
     pub fn depth_of_strength_m(&self, strength_pa: f64) -> Option<f64> {
         if self.cap_pa.is_some_and(|cap| cap < strength_pa) {
             return Some(0.0);
@@ -79,6 +84,7 @@ impl NixGao {
     /// Strength \[Pa\] at the deformation depth h_p >= 0 \[m\]. Without a cap it grows beyond all bounds as the depth
     /// vanishes: no deformation, no plasticity.
     #[inline]
+    #[must_use]
     pub fn at_depth_pa(&self, depth_m: f64) -> f64 {
         let Some(length_m) = self.strain_gradient_length_m else { return self.macroscopic_strength_pa };
         let grown = self.macroscopic_strength_pa * (1.0 + length_m / depth_m).sqrt();

@@ -425,7 +425,7 @@ pub(crate) struct StatisticalArgs {
     #[arg(long, value_enum, requires = "input")]
     pub given: Option<GivenColumn>,
     /// The law of one asperity
-    #[arg(long, value_parser = one_of::<Model, _>(&Model::ALL), conflicts_with = "input")]
+    #[arg(long, value_parser = one_of::<Model, _>(Model::ALL), conflicts_with = "input")]
     pub model: Option<Model>,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true,
@@ -448,7 +448,7 @@ pub(crate) struct StatisticalArgs {
     #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
     pub tolerance: Tolerance,
     /// What ties the pressure on an elastic sinusoid to its interference: a fit, or boundary-element solutions
-    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(&InterferenceLaw::ALL), default_value = "rostami-jackson")]
+    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL), default_value = "rostami-jackson")]
     pub interference_law: InterferenceLaw,
     /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
     #[arg(long)]

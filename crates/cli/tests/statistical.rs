@@ -115,7 +115,7 @@ fn a_malformed_row_is_refused_and_nothing_is_written() {
     );
     assert!(
         refused("ep-sphere", "sphere")
-            .contains("line 3, column model: \"sphere\" is no statistical model; there are hertz")
+            .contains("line 3, column model: reading the statistical model: 'sphere' is none of hertz")
     );
     assert!(refused("1.8e9", "").contains("line 3, column yield_strength_pa: the cell is empty"));
 }

@@ -1,6 +1,7 @@
 //! The minimum of a function known to have a single one.
 
 /// Where a function with one minimum in [low, high] has it, by golden sections; the upper end of the last of them.
+#[must_use]
 pub fn minimum_in_bracket(low: f64, high: f64, steps: usize, f: impl Fn(f64) -> f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let inside = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];

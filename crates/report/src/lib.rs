@@ -1,4 +1,4 @@
-//! What a study found, in words, SVG and one HTML page.
+#![doc = include_str!("../README.md")]
 
 mod answer_words;
 pub mod explain;

@@ -3,10 +3,9 @@
 use std::f64::consts::FRAC_2_PI;
 
 use serde::{Deserialize, Serialize};
+use units::{Scale, named};
 
-use crate::approximate::approximate;
 use crate::profile::ProfilePsd;
-use units::named;
 
 /// Equivalent noise bandwidth of the Hann window, in bins.
 const HANN_NOISE_BANDWIDTH: f64 = 1.5;
@@ -24,24 +23,6 @@ pub enum AmplitudeDefinition {
 }
 
 named!(AmplitudeDefinition, "amplitude definition", { Eq5 => "eq5", Parseval => "parseval" });
-
-/// One scale of the roughness.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Scale {
-    /// Wavelength lambda in m.
-    pub wavelength_m: f64,
-    /// Amplitude Delta in m.
-    pub amplitude_m: f64,
-}
-
-approximate!(Scale { wavelength_m, amplitude_m });
-
-impl Scale {
-    /// Amplitude over wavelength, B = Delta/lambda.
-    pub fn aspect_ratio(&self) -> f64 {
-        self.amplitude_m / self.wavelength_m
-    }
-}
 
 /// The scales of a spectrum, one for each sample, from long to short.
 ///

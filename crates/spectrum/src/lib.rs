@@ -41,7 +41,7 @@ mod samples;
 mod self_affine_fit;
 mod superpose;
 
-pub use amplitude::{AmplitudeDefinition, Scale, amplitudes};
+pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
@@ -54,4 +54,4 @@ pub use read::{
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
-pub use units::UnknownName;
+pub use units::{Scale, UnknownName};

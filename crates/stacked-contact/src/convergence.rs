@@ -5,6 +5,7 @@ pub const LEAST_WAVELENGTH_RATIO_BELOW: f64 = 3.162_277_660_168_379_5;
 
 /// The end of a curve of area against cutoff.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
 pub struct Convergence {
     /// The longest wavelength \[m\] from which every shorter cutoff stays within the tolerance of the final area.
     pub wavelength_m: f64,
@@ -14,6 +15,7 @@ pub struct Convergence {
 
 impl Convergence {
     /// The wavelength \[m\], where it means convergence.
+    #[must_use]
     pub fn if_converged_m(&self) -> Option<f64> {
         self.converged.then_some(self.wavelength_m)
     }
@@ -22,6 +24,7 @@ impl Convergence {
 /// Where a curve of (wavelength \[m\], area) points, from long to short cutoffs, has come within `tolerance` (relative,
 /// above 0, e.g. 0.01) of its final area, for good. `None` of no points. A choice of this project: the definition in
 /// `docs/models.md`, section 4.
+#[must_use]
 pub fn convergence(curve: &[(f64, f64)], tolerance: f64) -> Option<Convergence> {
     let &(shortest_m, final_area) = curve.last()?;
     let settled = |(_, area): &&(f64, f64)| (area / final_area - 1.0).abs() <= tolerance;

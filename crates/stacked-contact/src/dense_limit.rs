@@ -27,6 +27,7 @@ pub fn largest_full_contact_pressure_pa(
 
 /// The level that sets the real pressure: the one that takes the highest pressure \[Pa\] to come into complete contact,
 /// with the strength it met, and that pressure. Of equals the one of the longest wavelength; `None` without levels.
+#[must_use]
 pub fn setting_level<'l>(model: &StackedModel, levels: &'l [Level]) -> Option<(&'l Level, f64)> {
     let scale = |level: &Level| Scale { wavelength_m: level.wavelength_m, amplitude_m: level.amplitude_m };
     let pressed = levels.iter().map(|level| (scale(level), level.yield_strength_pa));

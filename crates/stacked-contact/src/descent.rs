@@ -1,53 +1,19 @@
-//! The stack itself: Archard (1957); Ciavarella & Demelio (2001); Jackson & Streator (2006).
+//! The way down a stack under one load.
 //!
 //! Level i has the area A_i = A_{i-1} phi(p_i; B_i), and hands the pressure p_{i+1} = p_i/phi_i on. Since pressure
 //! times area is the load, A_i/A_n is the nominal pressure over p_{i+1}: taken from there, it does not gather the
 //! rounding of a product over all levels, and the pressure itself forgets its rounding as it goes.
 //!
 //! The pressure only rises, and a flatter scale takes less of it to come into complete contact. So a scale that is no
-//! steeper than what is flattened already costs a comparison.
+//! steeper than what is known to be flattened already costs a comparison.
 
-use asperity::{ElasticPlasticSinusoid, ElasticSinusoid, YieldingArea};
+use asperity::{ElasticPlasticSinusoid, ElasticSinusoid, NixGao, YieldingArea};
 
 use crate::{Level, Regime, Scale, StackedModel};
 
 /// Aspect ratio over the critical one up to which a steeper scale of the same strength takes more pressure to flatten.
 /// From r = 4600 (nu = -1) to 5200 (nu = 1/2) on it takes less, because the fitted area overshoots.
 const STEEPER_IS_HARDER_TO_FLATTEN_UP_TO: f64 = 4000.0;
-
-/// The levels of a stack under a nominal pressure p > 0 \[Pa\], computed as they are asked for.
-///
-/// The scales come from long to short wavelengths.
-pub fn levels(
-    model: &StackedModel,
-    nominal_pressure_pa: f64,
-    scales: impl IntoIterator<Item = Scale>,
-) -> impl Iterator<Item = Level> {
-    let mut descent = Descent::new(model, nominal_pressure_pa);
-    scales.into_iter().map(move |scale| descent.pass(&mut Step::new(scale)))
-}
-
-/// The levels of a stack under each of the nominal pressures p > 0 \[Pa\], computed as they are asked for: those of the
-/// first scale in the order of the pressures, then those of the second, and so on. The digits are those of [`levels`],
-/// but what the loads have in common is computed once.
-pub fn levels_under_loads(
-    model: &StackedModel,
-    nominal_pressures_pa: &[f64],
-    scales: impl IntoIterator<Item = Scale>,
-) -> impl Iterator<Item = Level> {
-    let mut descents: Vec<Descent> =
-        nominal_pressures_pa.iter().map(|&pressure_pa| Descent::new(model, pressure_pa)).collect();
-    let mut steps = scales.into_iter().map(Step::new);
-    let (mut step, mut load) = (None, descents.len());
-    std::iter::from_fn(move || {
-        if load == descents.len() {
-            (step, load) = (steps.next(), 0);
-        }
-        let level = descents.get_mut(load)?.pass(step.as_mut()?);
-        load += 1;
-        Some(level)
-    })
-}
 
 /// A scale, and what its answers to several loads have in common.
 pub(crate) struct Step {
@@ -69,15 +35,16 @@ pub(crate) struct Descent<'m> {
     nominal_pressure_pa: f64,
     /// Mean pressure \[Pa\] on the contact so far.
     pressure_pa: f64,
-    /// Scales of at most this aspect ratio are in complete contact.
-    flat_up_to: f64,
-    /// p*/B \[Pa\].
+    /// Scales of at most this aspect ratio are known to be in complete contact. Never falls.
+    flattened_up_to: f64,
+    /// p*/B \[Pa\]: this times an aspect ratio flattens it at any strength.
     complete_pressure_over_aspect_ratio_pa: f64,
     /// How deep \[m\] the scale above has been pressed, on which the strength may depend.
     depth_above_m: f64,
 }
 
 impl<'m> Descent<'m> {
+    /// Above the first scale, under a nominal pressure p > 0 \[Pa\].
     pub fn new(model: &'m StackedModel, nominal_pressure_pa: f64) -> Self {
         debug_assert!(nominal_pressure_pa > 0.0);
         let (StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. }) = model;
@@ -87,21 +54,20 @@ impl<'m> Descent<'m> {
             model,
             nominal_pressure_pa,
             pressure_pa: nominal_pressure_pa,
-            // p* is enough at any strength.
-            flat_up_to: nominal_pressure_pa / complete_pressure_over_aspect_ratio_pa,
+            flattened_up_to: nominal_pressure_pa / complete_pressure_over_aspect_ratio_pa,
             complete_pressure_over_aspect_ratio_pa,
             // The first scale has nothing above it: it meets the macroscopic strength.
             depth_above_m: f64::INFINITY,
         }
     }
 
-    /// Whether every scale of at most this aspect ratio is in complete contact.
+    /// Whether every scale of at most this aspect ratio is known to be in complete contact.
     pub fn flattens(&self, aspect_ratio: f64) -> bool {
-        aspect_ratio <= self.flat_up_to
+        aspect_ratio <= self.flattened_up_to
     }
 
-    /// Takes one more scale into account, and tells what is known below it.
-    pub fn pass(&mut self, step: &mut Step) -> Level {
+    /// Presses one more scale, and tells what is known below it.
+    pub fn level_below(&mut self, step: &mut Step) -> Level {
         let pressure_in_pa = self.pressure_pa;
         let (yield_strength_pa, aspect_ratio_over_critical) = match self.model {
             StackedModel::Elastic { .. } => (None, None),
@@ -124,177 +90,66 @@ impl<'m> Descent<'m> {
         }
     }
 
-    /// Passes scales that are all flattened, given the last of them.
-    pub fn pass_flattened(&mut self, last: Scale) {
-        self.depth_above_m = last.amplitude_m;
-    }
-
-    /// Takes one more scale into account.
+    /// Presses one more scale: what it leaves of the area raises the pressure.
     pub fn press(&mut self, step: &mut Step) -> Regime {
         if self.flattens(step.aspect_ratio) {
             self.pass_flattened(step.scale);
             return Regime::Flattened;
         }
-        let pressure_pa = self.pressure_pa;
-        let (area_fraction, yields) = match self.model {
+        let (area_fraction, regime) = match self.model {
             StackedModel::Elastic { pair } => {
-                (ElasticSinusoid::new(pair, step.aspect_ratio).area_fraction(pressure_pa), false)
+                let sinusoid = ElasticSinusoid::new(pair, step.aspect_ratio);
+                (sinusoid.area_fraction(self.pressure_pa), Regime::Elastic)
             }
             StackedModel::ElasticPlastic { pair, strength } => {
                 let strength_pa = strength.at_depth_pa(self.depth_above_m);
                 let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, strength_pa);
-                let area_fraction = if strength.strain_gradient_length_m().is_some() {
-                    let (area_fraction, deformation) = sinusoid.area_and_deformation(pressure_pa);
-                    self.depth_above_m = step.scale.amplitude_m * deformation;
-                    area_fraction
-                } else {
-                    self.press_at_one_strength(&sinusoid, step)
-                };
-                (area_fraction, sinusoid.yields_at(pressure_pa))
+                let yields = sinusoid.yields_at(self.pressure_pa);
+                let area_fraction = self.press_sinusoid(&sinusoid, strength, step);
+                (area_fraction, if yields { Regime::Plastic } else { Regime::Elastic })
             }
         };
         if area_fraction == 1.0 {
             return Regime::Flattened;
         }
-        self.pressure_pa = pressure_pa / area_fraction;
-        self.flatten(self.pressure_pa / self.complete_pressure_over_aspect_ratio_pa);
-        if yields { Regime::Plastic } else { Regime::Elastic }
+        self.pressure_pa /= area_fraction;
+        self.flattened_from(self.pressure_pa / self.complete_pressure_over_aspect_ratio_pa);
+        regime
     }
 
-    fn press_at_one_strength(&mut self, sinusoid: &ElasticPlasticSinusoid, step: &mut Step) -> f64 {
-        let pressure_pa = self.pressure_pa;
-        let area_fraction = if sinusoid.yields_at(pressure_pa) {
-            step.yielding_area.get_or_insert_with(|| sinusoid.yielding_area()).fraction_at(pressure_pa)
+    /// Passes scales that are all flattened, given the last of them: they change nothing but the depth above.
+    pub fn pass_flattened(&mut self, last: Scale) {
+        self.depth_above_m = last.amplitude_m;
+    }
+
+    /// The area fraction of a scale that may yield. Where the strength depends on the depth, that of the scale is kept for
+    /// the next one; where it does not, a scale that is flattened says so of all flatter ones.
+    #[inline]
+    fn press_sinusoid(
+        &mut self,
+        sinusoid: &ElasticPlasticSinusoid,
+        strength: &NixGao,
+        step: &mut Step,
+    ) -> f64 {
+        if strength.strain_gradient_length_m().is_some() {
+            let (area_fraction, deformation) = sinusoid.area_and_deformation(self.pressure_pa);
+            self.depth_above_m = step.scale.amplitude_m * deformation;
+            return area_fraction;
+        }
+        let area_fraction = if sinusoid.yields_at(self.pressure_pa) {
+            step.yielding_area.get_or_insert_with(|| sinusoid.yielding_area()).fraction_at(self.pressure_pa)
         } else {
-            sinusoid.elastic().area_fraction(pressure_pa)
+            sinusoid.elastic().area_fraction(self.pressure_pa)
         };
         let steeper_is_harder = sinusoid.aspect_ratio_over_critical() <= STEEPER_IS_HARDER_TO_FLATTEN_UP_TO;
         if area_fraction == 1.0 && steeper_is_harder {
-            self.flatten(step.aspect_ratio);
+            self.flattened_from(step.aspect_ratio);
         }
         area_fraction
     }
 
-    fn flatten(&mut self, aspect_ratio: f64) {
-        self.flat_up_to = self.flat_up_to.max(aspect_ratio);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use asperity::{ElasticBody, MaterialPair, NixGao};
-
-    fn pair() -> MaterialPair {
-        MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap())
-    }
-
-    /// A self-affine stack: 60 scales, ten per decade, Hurst exponent 0.8 above 100 nm and 0.3 below.
-    fn scales() -> impl Iterator<Item = Scale> + Clone {
-        (0..60).map(|i| {
-            let wavelength_m = 1e-3 * 10f64.powf(-f64::from(i) / 10.0);
-            let hurst_exponent = if wavelength_m > 1e-7 { 0.8 } else { 0.3 };
-            Scale { wavelength_m, amplitude_m: 2e-9 * (wavelength_m / 1e-7).powf(hurst_exponent) }
-        })
-    }
-
-    fn models() -> [StackedModel; 3] {
-        let constant = NixGao::constant(1.8e9).unwrap();
-        let gradient = constant.with_strain_gradient(5e-6).unwrap();
-        [
-            StackedModel::Elastic { pair: pair() },
-            StackedModel::ElasticPlastic { pair: pair(), strength: constant },
-            StackedModel::ElasticPlastic { pair: pair(), strength: gradient },
-        ]
-    }
-
-    #[test]
-    fn load_is_conserved_and_the_area_only_shrinks() {
-        for model in models() {
-            let curve: Vec<Level> = levels(&model, 5.4e6, scales()).collect();
-            assert!(curve.is_sorted_by(|a, b| a.area_fraction >= b.area_fraction));
-            for level in &curve {
-                assert!((level.area_fraction * level.real_pressure_pa / 5.4e6 - 1.0).abs() < 1e-14);
-                assert_eq!(level.regime == Regime::Flattened, level.real_pressure_pa == level.pressure_in_pa);
-            }
-        }
-    }
-
-    #[test]
-    fn cutting_the_stack_short_gives_the_same_levels() {
-        for model in models() {
-            let whole: Vec<Level> = levels(&model, 5.4e5, scales()).collect();
-            let short: Vec<Level> = levels(&model, 5.4e5, scales().take(17)).collect();
-            assert_eq!(whole[..17], short);
-        }
-    }
-
-    #[test]
-    fn loads_taken_together_give_the_digits_of_each_alone() {
-        let loads_pa = [5.4e3, 5.4e5, 5.4e7, 5.4e9, 1e12];
-        for model in models() {
-            let together: Vec<Level> = levels_under_loads(&model, &loads_pa, scales()).collect();
-            for (load, &load_pa) in loads_pa.iter().enumerate() {
-                let of_load = together.iter().skip(load).step_by(loads_pa.len()).copied();
-                assert!(of_load.eq(levels(&model, load_pa, scales())), "{model:?} {load_pa}");
-            }
-            assert_eq!(levels_under_loads(&model, &[], scales()).count(), 0);
-        }
-    }
-
-    #[test]
-    fn only_the_scales_asked_for_are_computed() {
-        let mut drawn = 0;
-        let counted = scales().inspect(|_| drawn += 1);
-        assert_eq!(levels(&models()[1], 5.4e6, counted).take(3).count(), 3);
-        assert_eq!(drawn, 3);
-        let counted = scales().inspect(|_| drawn += 1);
-        assert_eq!(levels_under_loads(&models()[1], &[5.4e6, 5.4e7], counted).take(4).count(), 4);
-        assert_eq!(drawn, 3 + 2);
-    }
-
-    #[test]
-    fn a_pressure_beyond_every_scale_flattens_them_all() {
-        for model in models() {
-            assert!(levels(&model, 1e13, scales()).all(|level| level.regime == Regime::Flattened));
-            assert!(levels(&model, 1e13, scales()).all(|level| level.area_fraction == 1.0));
-        }
-    }
-
-    #[test]
-    fn plastic_flow_enlarges_the_area_and_a_growing_strength_takes_it_back() {
-        let last = |model| levels(&model, 5.4e6, scales()).last().unwrap().area_fraction;
-        let [elastic, plastic, gradient] = models().map(last);
-        assert!(plastic > gradient && gradient >= elastic, "{plastic} > {gradient} >= {elastic}");
-    }
-
-    #[test]
-    fn the_first_scale_has_the_macroscopic_strength_and_the_others_a_higher_one() {
-        let curve: Vec<Level> = levels(&models()[2], 5.4e6, scales()).collect();
-        assert_eq!(curve[0].yield_strength_pa, Some(1.8e9));
-        assert!(curve[1..].iter().all(|level| level.yield_strength_pa > Some(1.8e9)));
-        assert!(levels(&models()[0], 5.4e6, scales()).all(|level| level.yield_strength_pa.is_none()));
-    }
-
-    proptest::proptest! {
-        #[test]
-        fn pressures_scale_with_the_moduli(factor in 1e-3..1e3f64, pressure_pa in 1e3..1e10f64) {
-            let scaled = |factor: f64| {
-                let pair = MaterialPair::against_rigid(ElasticBody::new(463e9 * factor, 0.2).unwrap());
-                let strength = NixGao::constant(1.8e9 * factor).unwrap();
-                let model = StackedModel::ElasticPlastic { pair, strength };
-                levels(&model, pressure_pa * factor, scales()).last().unwrap()
-            };
-            let (one, other) = (scaled(1.0), scaled(factor));
-            proptest::prop_assert!((one.area_fraction / other.area_fraction - 1.0).abs() < 1e-9);
-        }
-
-        #[test]
-        fn the_final_area_grows_with_the_load(pressure_pa in 1e3..1e9f64, factor in 1.01..10.0f64) {
-            for model in models() {
-                let area = |p| levels(&model, p, scales()).last().unwrap().area_fraction;
-                proptest::prop_assert!(area(pressure_pa * factor) > area(pressure_pa) * (1.0 - 1e-3));
-            }
-        }
+    /// Notes that scales of at most this aspect ratio are in complete contact.
+    fn flattened_from(&mut self, aspect_ratio: f64) {
+        self.flattened_up_to = self.flattened_up_to.max(aspect_ratio);
     }
 }

@@ -16,6 +16,7 @@ pub struct FinalLevels<'s> {
 
 /// The last level of a stack.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct FinalLevel {
     /// The level of the scale of the shortest wavelength.
     pub level: Level,
@@ -34,6 +35,7 @@ impl<'s> FinalLevels<'s> {
     }
 
     /// The last level under a nominal pressure p > 0 \[Pa\]; `None` without scales.
+    #[must_use]
     pub fn under(&self, nominal_pressure_pa: f64) -> Option<FinalLevel> {
         let (&last, above) = self.scales.split_last()?;
         let mut descent = Descent::new(&self.model, nominal_pressure_pa);
@@ -45,7 +47,7 @@ impl<'s> FinalLevels<'s> {
         if let Some(&neighbour) = above[visited..].last() {
             descent.pass_flattened(neighbour);
         }
-        let level = descent.pass(&mut Step::new(last));
+        let level = descent.level_below(&mut Step::new(last));
         Some(FinalLevel { level, visited: visited + 1 })
     }
 }

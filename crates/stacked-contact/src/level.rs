@@ -1,24 +1,9 @@
-//! What goes into a stack, one scale of roughness, and what comes out below it.
-
-/// One wavelength of the roughness.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct Scale {
-    /// Wavelength lambda > 0 \[m\].
-    pub wavelength_m: f64,
-    /// Amplitude Delta > 0 \[m\] of the sinusoid that stands for it.
-    pub amplitude_m: f64,
-}
-
-impl Scale {
-    /// Aspect ratio B = Delta/lambda, above 0 (Jackson & Jacobs, section 1.6 of `docs/models.md`).
-    pub fn aspect_ratio(&self) -> f64 {
-        self.amplitude_m / self.wavelength_m
-    }
-}
+//! What comes out below one scale of a stack.
 
 /// What a scale does under the pressure that reaches it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Regime {
     /// It touches in part, without yielding.
     Elastic,
@@ -30,6 +15,7 @@ pub enum Regime {
 
 impl Regime {
     /// The regime's name in tables.
+    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Regime::Elastic => "elastic",
@@ -41,6 +27,7 @@ impl Regime {
 
 /// The contact after one more scale of roughness has been taken into account.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
 pub struct Level {
     /// Wavelength of the scale \[m\].
     pub wavelength_m: f64,

@@ -1,4 +1,4 @@
-//! Files written aside and renamed into place together: each appears whole or not at all.
+#![doc = include_str!("../README.md")]
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

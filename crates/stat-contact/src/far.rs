@@ -7,7 +7,7 @@
 use numerics::{minimum_in_bracket, zero_in_bracket};
 
 use crate::ContactState;
-use crate::asperities::{Asperities, Course, Response};
+use crate::asperities::answers::{Asperities, Course, Response};
 
 /// Depth below the mean plane, in units of sigma_s, from which on asperities are taken at the mean height.
 pub(crate) const FAR: f64 = 1e6;

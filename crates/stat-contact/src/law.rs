@@ -1,9 +1,7 @@
 //! The choice of contact law, and the names by which users choose it.
 
-use std::fmt;
-use std::str::FromStr;
-
 use asperity::{Hardness, NixGao};
+use units::named;
 
 /// How one asperity answers to the flat that presses on it (`docs/models.md`, sections 2 and 3.1).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -33,6 +31,7 @@ pub enum AsperityLaw {
 
 impl AsperityLaw {
     /// The model that this law belongs to.
+    #[must_use]
     pub fn model(&self) -> Model {
         match self {
             AsperityLaw::Hertz => Model::Hertz,
@@ -57,21 +56,16 @@ pub enum Model {
     EpSine,
 }
 
+named!(Model, "statistical model", {
+    Hertz => "hertz",
+    EpSphere => "ep-sphere",
+    ElasticSine => "elastic-sine",
+    EpSine => "ep-sine",
+});
+
 impl Model {
-    /// Every model, in the order of the documentation.
-    pub const ALL: [Model; 4] = [Model::Hertz, Model::EpSphere, Model::ElasticSine, Model::EpSine];
-
-    /// The name users type.
-    pub fn name(self) -> &'static str {
-        match self {
-            Model::Hertz => "hertz",
-            Model::EpSphere => "ep-sphere",
-            Model::ElasticSine => "elastic-sine",
-            Model::EpSine => "ep-sine",
-        }
-    }
-
     /// Whether the model needs a yield strength.
+    #[must_use]
     pub fn is_plastic(self) -> bool {
         matches!(self, Model::EpSphere | Model::EpSine)
     }
@@ -88,68 +82,10 @@ pub enum InterferenceLaw {
     Bem,
 }
 
-impl InterferenceLaw {
-    /// Both laws.
-    pub const ALL: [InterferenceLaw; 2] = [InterferenceLaw::RostamiJackson, InterferenceLaw::Bem];
-
-    /// The name users type.
-    pub fn name(self) -> &'static str {
-        match self {
-            InterferenceLaw::RostamiJackson => "rostami-jackson",
-            InterferenceLaw::Bem => "bem",
-        }
-    }
-}
-
-/// A name that stands for nothing here; its message lists those that do.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{given:?} is no {what}; there are {known}")]
-pub struct UnknownName {
-    given: String,
-    what: &'static str,
-    known: String,
-}
-
-fn find<T: Copy>(
-    all: &[T],
-    name: fn(T) -> &'static str,
-    what: &'static str,
-    given: &str,
-) -> Result<T, UnknownName> {
-    all.iter().copied().find(|&item| name(item) == given).ok_or_else(|| UnknownName {
-        given: given.to_owned(),
-        what,
-        known: all.iter().map(|&item| name(item)).collect::<Vec<_>>().join(", "),
-    })
-}
-
-impl FromStr for Model {
-    type Err = UnknownName;
-
-    fn from_str(given: &str) -> Result<Self, UnknownName> {
-        find(&Model::ALL, Model::name, "statistical model", given)
-    }
-}
-
-impl FromStr for InterferenceLaw {
-    type Err = UnknownName;
-
-    fn from_str(given: &str) -> Result<Self, UnknownName> {
-        find(&InterferenceLaw::ALL, InterferenceLaw::name, "interference law", given)
-    }
-}
-
-impl fmt::Display for Model {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-impl fmt::Display for InterferenceLaw {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
+named!(InterferenceLaw, "interference law", {
+    RostamiJackson => "rostami-jackson",
+    Bem => "bem",
+});
 
 #[cfg(test)]
 mod tests {
@@ -158,14 +94,14 @@ mod tests {
     #[test]
     fn names_are_read_as_they_are_written() {
         for model in Model::ALL {
-            assert_eq!(model.to_string().parse::<Model>().unwrap(), model);
+            assert_eq!(model.to_string().parse::<Model>().as_ref(), Ok(model));
         }
         for law in InterferenceLaw::ALL {
-            assert_eq!(law.to_string().parse::<InterferenceLaw>().unwrap(), law);
+            assert_eq!(law.to_string().parse::<InterferenceLaw>().as_ref(), Ok(law));
         }
         assert_eq!(
             "gauss".parse::<Model>().unwrap_err().to_string(),
-            "\"gauss\" is no statistical model; there are hertz, ep-sphere, elastic-sine, ep-sine"
+            "reading the statistical model: 'gauss' is none of hertz, ep-sphere, elastic-sine, ep-sine"
         );
     }
 }

@@ -27,16 +27,19 @@ impl Population {
     }
 
     /// Summit radius R \[m\], above 0.
+    #[must_use]
     pub fn radius_m(&self) -> f64 {
         self.radius_m
     }
 
     /// Number of asperities per nominal area, eta \[m^-2\], above 0.
+    #[must_use]
     pub fn density_per_m2(&self) -> f64 {
         self.density_per_m2
     }
 
     /// Standard deviation of the asperity heights, sigma_s \[m\], above 0.
+    #[must_use]
     pub fn sigma_s_m(&self) -> f64 {
         self.sigma_s_m
     }

@@ -2,10 +2,13 @@
 
 use approx::{AbsDiffEq, RelativeEq};
 
-use crate::asperities::Response;
+use crate::asperities::answers::Response;
+use crate::gaussian::density::{log_reference_density, reference_density};
+use crate::quadrature::frame::Here;
 
 /// A population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
 pub struct ContactState {
     /// Separation d of the flat from the mean of the asperity heights \[m\]; negative below it. `None` where the pressure
     /// is beyond what the population carries at any separation.
@@ -31,6 +34,28 @@ pub struct ContactState {
 }
 
 impl ContactState {
+    /// The state on a frame at the separation u + rounding, in units of sigma_s, but for what the frame does not know: the
+    /// separation in metres, and the evaluations.
+    pub(crate) fn on_frame(here: &Here<'_, '_>, rounding: f64) -> Self {
+        let &Here { u, sums, .. } = here;
+        let correction = sums.log_pressure_slope() * rounding;
+        let log_density = log_reference_density(u) + correction;
+        let scale = reference_density(u) * (1.0 + correction);
+        let pressure = Product::of(sums.pressure_pa, scale, log_density);
+        let area_fraction = Product::of(sums.area_fraction, scale, log_density);
+        ContactState {
+            separation_m: None,
+            pressure_pa: pressure.value,
+            area_fraction: area_fraction.value.min(1.0),
+            ln_pressure_pa: pressure.logarithm,
+            ln_area_fraction: area_fraction.logarithm.min(0.0),
+            error_estimate: here.relative_error(),
+            evaluations: 0,
+            out_of_range_load_share: here.out_of_range_load_share(),
+            clamped: area_fraction.logarithm > 0.0,
+        }
+    }
+
     /// Every asperity pressed to the interference -d; `neglected` is what that may change, relatively.
     pub(crate) fn without_spread(separation_m: f64, response: &Response, neglected: f64) -> Self {
         ContactState {
@@ -74,6 +99,25 @@ impl ContactState {
         separations
             .max(logarithmic(self.ln_pressure_pa, other.ln_pressure_pa))
             .max(logarithmic(self.ln_area_fraction, other.ln_area_fraction))
+    }
+}
+
+/// An integral with its density, and the logarithm of it.
+struct Product {
+    value: f64,
+    logarithm: f64,
+}
+
+impl Product {
+    /// A positive integral over the reference density, times that, which is given with its logarithm.
+    fn of(sum: f64, density: f64, log_density: f64) -> Self {
+        // Where the density has left the normal doubles, its product with a large number may not have.
+        let value = sum * density;
+        if density.is_normal() && value.is_normal() {
+            return Product { value, logarithm: value.ln() };
+        }
+        let logarithm = sum.ln() + log_density;
+        Product { value: if density.is_normal() { value } else { logarithm.exp() }, logarithm }
     }
 }
 

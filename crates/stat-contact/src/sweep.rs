@@ -1,17 +1,19 @@
 //! Many states of one population.
 
-use asperity::AsperityError;
+use asperity::{AsperityError, Bound};
 
-use crate::contact::Carried;
-use crate::frames::Frames;
-use crate::search::Neighbour;
-use crate::{ContactState, StatisticalContact};
+use crate::ContactState;
+use crate::far::FarBelow;
+use crate::quadrature::frames::Frames;
+use crate::search::problem::{Answer, Found, Neighbour, Search};
 
-/// States of one population under one law, one after the other: what has been evaluated for one serves those after it.
+/// States of one population under one law, one after the other: what has been evaluated for one serves those after it
+/// ([`StatisticalContact::sweep`](crate::StatisticalContact::sweep)).
 ///
-/// Each has the digits that [`StatisticalContact::at_separation`] or [`StatisticalContact::at_pressure`] gives it, in
-/// whatever order they are asked for; its `evaluations` are those that it has added, and do depend on the order. States
-/// in the order of their separations or pressures cost least.
+/// Each has the digits that [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation) or
+/// [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure) gives it, in whatever order they are asked
+/// for; its `evaluations` are those that it has added, and do depend on the order. States in the order of their separations
+/// or pressures cost least.
 ///
 /// ```
 /// use asperity::{ElasticBody, MaterialPair};
@@ -27,38 +29,91 @@ use crate::{ContactState, StatisticalContact};
 /// assert!(heavy.evaluations < light.evaluations);
 /// # Ok::<(), asperity::AsperityError>(())
 /// ```
+#[must_use]
 pub struct Sweep<'a> {
-    contact: &'a StatisticalContact,
     frames: Frames<'a>,
     /// The last state that a search can start from.
     near: Option<Neighbour>,
 }
 
+/// Pressures \[Pa\] that may be asked for.
+const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
+
 impl<'a> Sweep<'a> {
-    pub(crate) fn new(contact: &'a StatisticalContact, frames: Frames<'a>) -> Self {
-        Sweep { contact, frames, near: None }
+    #[inline]
+    pub(crate) fn on(frames: Frames<'a>) -> Self {
+        Sweep { frames, near: None }
+    }
+
+    /// The same with a state to start the next search from, where it has a separation.
+    #[inline]
+    pub(crate) fn starting_at(self, state: Option<&ContactState>) -> Self {
+        let near = state.and_then(|state| state.separation_m).map(|d| d / self.frames.sigma_s_m);
+        Sweep { near: near.map(|u| Neighbour { u, sums: None }), ..self }
     }
 
     /// The state at a separation d \[m\] from the mean of the asperity heights, of either sign.
     ///
     /// # Errors
-    /// Those of [`StatisticalContact::at_separation`].
+    /// Those of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
     pub fn at_separation(&mut self, separation_m: f64) -> Result<ContactState, AsperityError> {
-        let carried = self.contact.carried_at(separation_m, &mut self.frames)?;
-        Ok(self.keep(carried))
+        let separation_m = Bound::Signed.check("separation in m", separation_m)?;
+        if let Some(state) = self.far_below().at_separation(separation_m) {
+            return Ok(state);
+        }
+        let sigma_s_m = self.frames.sigma_s_m;
+        let u = separation_m / sigma_s_m;
+        // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
+        let rounding = (-u).mul_add(sigma_s_m, separation_m) / sigma_s_m;
+        let spent = self.frames.evaluations;
+        let here = self.frames.at(u).at(u);
+        self.near = Some(Neighbour { u, sums: Some(here.sums) });
+        let state = ContactState::on_frame(&here, rounding);
+        let evaluations = self.frames.evaluations - spent;
+        Ok(ContactState { separation_m: Some(separation_m), evaluations, ..state })
     }
 
     /// The state that carries a pressure \[Pa\] over the nominal area.
     ///
     /// # Errors
-    /// Those of [`StatisticalContact::at_pressure`].
+    /// Those of [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure).
     pub fn at_pressure(&mut self, pressure_pa: f64) -> Result<ContactState, AsperityError> {
-        let carried = self.contact.carrying(pressure_pa, self.near, &mut self.frames)?;
-        Ok(self.keep(carried))
+        let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
+        let pressure_pa = PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
+        let asked = |state| ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state };
+        if pressure_pa >= self.frames.asperities.highest_response_pa() {
+            return Ok(ContactState::complete(pressure_pa));
+        }
+        let far_below = self.far_below();
+        // Where the highest pressure is carried far below, no nearer separation carries more.
+        if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
+            return Ok(ContactState::complete(pressure_pa));
+        }
+        if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
+            return Ok(asked(far_below.state(separation_m)));
+        }
+        let (near, spent) = (self.near, self.frames.evaluations);
+        let answer = Search { frames: &mut self.frames, pressure_pa }.largest(near);
+        let Some(Answer { found: Found { cell, u }, missed_by }) = answer else {
+            return Ok(ContactState::complete(pressure_pa));
+        };
+        let evaluations = self.frames.evaluations - spent;
+        let sigma_s_m = self.frames.sigma_s_m;
+        let here = self.frames.of(cell).at(u);
+        self.near = Some(Neighbour { u, sums: Some(here.sums) });
+        let state = ContactState::on_frame(&here, 0.0);
+        let error_estimate = state.error_estimate + missed_by;
+        let separation_m = Some(u * sigma_s_m);
+        Ok(asked(ContactState { separation_m, error_estimate, evaluations, ..state }))
     }
 
-    fn keep(&mut self, Carried { state, near }: Carried) -> ContactState {
-        self.near = near.or(self.near);
-        state
+    /// The pressure \[Pa\] below which every pressure is carried at some separation.
+    pub(crate) fn highest_pressure_pa(&mut self) -> f64 {
+        let far = self.far_below().highest_pressure_pa();
+        far.unwrap_or_else(|| Search { frames: &mut self.frames, pressure_pa: 0.0 }.highest_pressure_pa())
+    }
+
+    fn far_below(&self) -> FarBelow<'a> {
+        FarBelow::new(self.frames.asperities, self.frames.sigma_s_m)
     }
 }

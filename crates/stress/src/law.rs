@@ -144,6 +144,53 @@ impl Response {
         breaks_m
     }
 
+    /// The interferences \[m\] between two others at which the law bends or jumps: those of [`breaks_m`](Self::breaks_m), and of
+    /// a sinusoid with a strain gradient also those where it changes its branch, which it does not announce.
+    pub fn kinks_m(&self, from_m: f64, to_m: f64) -> Vec<f64> {
+        // Ten samples to a decade of nine; two changes between two of them go unseen.
+        const SAMPLES: u32 = 90;
+        const DECADES: f64 = 9.0;
+        const HALVINGS: usize = 60;
+        let mut kinks_m = self.breaks_m();
+        if self.kind != Kind::GradientSine {
+            return kinks_m;
+        }
+        let to_m = to_m.min(self.amplitude_m * (1.0 - f64::EPSILON));
+        let low = (from_m.max(to_m * 10f64.powf(-DECADES))).ln();
+        let sample = |i: u32| low + (to_m.ln() - low) * f64::from(i) / f64::from(SAMPLES);
+        for i in 0..SAMPLES {
+            let (mut before, mut behind) = (sample(i), sample(i + 1));
+            let branch = self.branch(before.exp());
+            if branch == self.branch(behind.exp()) {
+                continue;
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (before + behind);
+                if self.branch(middle.exp()) == branch { before = middle } else { behind = middle }
+            }
+            kinks_m.push(behind.exp());
+        }
+        kinks_m
+    }
+
+    /// Whether a sinusoid yields at an interference, whether its pressure is plastic, whether its area is complete, and whether
+    /// an elastic one would be at the limit of heavy loads alone.
+    fn branch(&self, interference_m: f64) -> [bool; 4] {
+        let ratio = interference_m / self.amplitude_m;
+        let sinusoid = self.sinusoid(interference_m);
+        let pressure_pa = sinusoid.pressure_at_interference_pa(ratio);
+        let elastic_pa = sinusoid.elastic().pressure_at_interference_pa(ratio);
+        let is_plastic = pressure_pa < elastic_pa * (1.0 - 1e-12);
+        let joined_up_to_pa =
+            ElasticSinusoid::JOINED_UP_TO * sinusoid.elastic().complete_contact_pressure_pa();
+        [
+            sinusoid.yields_at(pressure_pa),
+            is_plastic,
+            sinusoid.area_fraction(pressure_pa) >= 1.0,
+            pressure_pa >= joined_up_to_pa,
+        ]
+    }
+
     fn times_density(&self, force_n: f64, area_m2: f64) -> (f64, f64) {
         (self.density_per_m2 * force_n, self.density_per_m2 * area_m2)
     }

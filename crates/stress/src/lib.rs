@@ -1,7 +1,7 @@
 //! Random extreme states by the million, against what every result promises (`docs/stress.md`).
 //!
 //! ```
-//! let tally = stress::run(0..200, 1, |_| ());
+//! let tally = stress::run(stress::Scope::Everything, 0..200, 1, |_| ());
 //! assert_eq!(tally.states["hertz"], 29);
 //! ```
 //!
@@ -34,7 +34,7 @@ pub use law::Response;
 pub use material::{Material, Reach};
 pub use reference_quadrature::{Integrals, integrals};
 pub use report::{summary, write_csv};
-pub use run::run;
+pub use run::{Scope, run};
 pub use stack_case::{StackCase, try_stack};
 pub use statistical::{Kind, Question, StatisticalCase};
 pub use statistical_trial::{Sample, try_state};

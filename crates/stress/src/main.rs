@@ -7,19 +7,22 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lexopt::prelude::*;
+use stress::{Kind, Scope};
 
 const HELP: &str = "\
-cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
+cargo xtask stress [--states N] [--seed S] [--threads T] [--only I] [--law NAME]
 
 N states of the statistical model (10 million), and single asperities and stacks in proportion, drawn from the seed S
-(1), on T threads (all); the result does not depend on T. --only repeats the state number I alone. Written to
-target/stress/report.txt and report.csv.
+(1), on T threads (all); the result does not depend on T. --only repeats the state number I alone, --law those of
+one law, by its name in the report. Written to target/stress/report.txt
+and report.csv.
 ";
 
 struct Arguments {
     states: std::ops::Range<u64>,
     seed: u64,
     threads: usize,
+    scope: Scope,
 }
 
 fn main() -> ExitCode {
@@ -37,7 +40,7 @@ fn main() -> ExitCode {
 }
 
 fn parse() -> Result<Option<Arguments>, lexopt::Error> {
-    let mut arguments = Arguments { states: 0..10_000_000, seed: 1, threads: 0 };
+    let mut arguments = Arguments { states: 0..10_000_000, seed: 1, threads: 0, scope: Scope::Everything };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
@@ -48,11 +51,18 @@ fn parse() -> Result<Option<Arguments>, lexopt::Error> {
             }
             Long("seed") => arguments.seed = parser.value()?.parse()?,
             Long("threads") => arguments.threads = parser.value()?.parse()?,
+            Long("law") => arguments.scope = Scope::Law(parser.value()?.parse_with(law_named)?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
         }
     }
     Ok(Some(arguments))
+}
+
+fn law_named(name: &str) -> Result<Kind, String> {
+    let all = Kind::ALL.map(Kind::name);
+    let place = all.iter().position(|&other| other == name);
+    place.map(|place| Kind::ALL[place]).ok_or_else(|| format!("there are: {}", all.join("; ")))
 }
 
 fn stress(arguments: &Arguments) -> ExitCode {
@@ -61,8 +71,8 @@ fn stress(arguments: &Arguments) -> ExitCode {
     let bar = progress_bar(arguments.states.end - arguments.states.start);
     // A panic is caught and reported with its inputs.
     std::panic::set_hook(Box::new(|_| ()));
-    let tally =
-        pool.install(|| stress::run(arguments.states.clone(), arguments.seed, |states| bar.inc(states)));
+    let Arguments { scope, states, seed, .. } = arguments;
+    let tally = pool.install(|| stress::run(*scope, states.clone(), *seed, |states| bar.inc(states)));
     let _ = std::panic::take_hook();
     bar.finish_and_clear();
     let text = stress::summary(&tally);

@@ -35,7 +35,9 @@ pub fn integrals(response: &Response, separation_m: f64, sigma_s_m: f64) -> Opti
     let log_density = |s: f64| if u > 0.0 { -s * (u + 0.5 * s) } else { -0.5 * (u + s).powi(2) };
     let [from, to] = [low, high].map(f64::cbrt);
     let peak = if u < 0.0 { -u } else { 1.0 / (1.0 + u) };
-    let mut breaks: Vec<f64> = response.breaks_m().iter().map(|at_m| at_m / sigma_s_m).collect();
+    // One between an end of a stretch and the first node there would be seen by no rule.
+    let kinks_m = response.kinks_m(low * sigma_s_m, high * sigma_s_m);
+    let mut breaks: Vec<f64> = kinks_m.iter().map(|at_m| at_m / sigma_s_m).collect();
     breaks.extend([peak, peak + 1.0, peak - 1.0, 0.1 * high]);
     let mut breaks: Vec<f64> = breaks.into_iter().map(f64::cbrt).filter(|v| from < *v && *v < to).collect();
     breaks.sort_by(f64::total_cmp);

@@ -22,15 +22,24 @@ const STACK_SEED: u64 = 0x0073_7461_636b;
 const ASPERITY_EVERY: u64 = 20;
 const STACK_EVERY: u64 = 40;
 
-/// Draws the states of the statistical model with these numbers, and asperities and stacks in proportion, and puts each to
-/// the test, on the threads of the current pool. `done` is called with the number of states in each chunk that is through.
-pub fn run(states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
+/// What a run draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// States of every law of the statistical model, and single asperities and stacks in proportion.
+    Everything,
+    /// Of the same states, those of one law.
+    Law(Kind),
+}
+
+/// Draws the states of the statistical model with these numbers, as far as they are in the scope, and puts each to the
+/// test, on the threads of the current pool. `done` is called with the number of states in each chunk that is through.
+pub fn run(scope: Scope, states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
     (states.start / CHUNK..states.end.div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
             let range = (chunk * CHUNK).max(states.start)..((chunk + 1) * CHUNK).min(states.end);
             let length = range.end - range.start;
-            let tally = try_range(seed, range);
+            let tally = try_range(scope, seed, range);
             done(length);
             tally
         })
@@ -38,28 +47,34 @@ pub fn run(states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
 }
 
 /// A stretch of states; where one of them panics, they are gone through one by one.
-fn try_range(seed: u64, range: Range<u64>) -> Tally {
+fn try_range(scope: Scope, seed: u64, range: Range<u64>) -> Tally {
     let whole = catch_unwind(|| {
         let mut tally = Tally::default();
-        range.clone().for_each(|index| try_one(seed, index, &mut tally, false));
+        range.clone().for_each(|index| try_one(scope, seed, index, &mut tally, false));
         tally
     });
     whole.unwrap_or_else(|_| {
         let mut tally = Tally::default();
-        range.for_each(|index| try_one(seed, index, &mut tally, true));
+        range.for_each(|index| try_one(scope, seed, index, &mut tally, true));
         tally
     })
 }
 
-fn try_one(seed: u64, index: u64, tally: &mut Tally, catch: bool) {
+fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
     let mut draw = Draw::of(seed, index);
     let kind = Kind::ALL[(index % Kind::ALL.len() as u64) as usize];
+    if ![Scope::Everything, Scope::Law(kind)].contains(&scope) {
+        return;
+    }
     // Samples are taken among all kinds: by turns of all of them.
     let sample = Sample::of(index / Kind::ALL.len() as u64);
     let (case, reach) = StatisticalCase::draw(&mut draw, kind);
     one(kind.name(), index, (&case, reach), tally, catch, |trial| {
         try_state(&case, reach, sample, &mut draw, trial)
     });
+    if scope != Scope::Everything {
+        return;
+    }
     if index.is_multiple_of(ASPERITY_EVERY) {
         let (case, reach): (AsperityCase, Reach) =
             AsperityCase::draw(&mut Draw::of(seed ^ ASPERITY_SEED, index));

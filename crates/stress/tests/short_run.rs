@@ -1,11 +1,11 @@
 //! A run short enough for every change; `cargo xtask stress` is the long one.
 
 use rayon::ThreadPoolBuilder;
-use stress::Tally;
+use stress::{Kind, Scope, Tally};
 
 fn run(states: u64, seed: u64, threads: usize) -> Tally {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| stress::run(0..states, seed, |_| ()))
+    pool.install(|| stress::run(Scope::Everything, 0..states, seed, |_| ()))
 }
 
 #[test]
@@ -32,4 +32,16 @@ fn seven_thousand_states_break_nothing() {
 #[test]
 fn the_result_does_not_depend_on_the_threads() {
     assert_eq!(run(2_500, 7, 1), run(2_500, 7, 3));
+}
+
+#[test]
+fn a_run_of_one_law_tries_its_states_alone_and_finds_the_same() {
+    let family = Kind::EpSine.name();
+    let whole = run(1_400, 7, 0);
+    let alone = stress::run(Scope::Law(Kind::EpSine), 0..1_400, 7, |_| ());
+    assert_eq!(alone.states.keys().collect::<Vec<_>>(), [&family]);
+    let of_the_law = |tally: &Tally| -> Vec<_> {
+        tally.records.clone().into_iter().filter(|((of, _), _)| *of == family).collect()
+    };
+    assert_eq!(of_the_law(&alone), of_the_law(&whole));
 }

@@ -1,11 +1,7 @@
 //! A table as columns of one length.
 
-use std::io::{self, Write};
-
 use serde_json::value::RawValue;
 use units::number;
-
-use crate::writer::{Format, TableWriter};
 
 /// Columns of one length.
 #[derive(Debug, Clone, Default)]
@@ -134,16 +130,6 @@ impl Table {
             Cells::Words(_) => 0,
         };
         self.columns().map(|(_, cells)| count(cells)).sum()
-    }
-
-    /// Writes the table; `comments` stand before it as `#` lines where the format has comments.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write(&self, format: Format, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
-        let mut writer = TableWriter::begin(format, comments, out)?;
-        writer.block(self)?;
-        writer.end().map(|_| ())
     }
 }
 

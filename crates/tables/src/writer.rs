@@ -24,6 +24,18 @@ impl Format {
     }
 }
 
+impl Table {
+    /// Writes the table; `comments` stand before it as `#` lines where the format has comments.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, format: Format, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
+        let mut writer = TableWriter::begin(format, comments, out)?;
+        writer.block(self)?;
+        writer.end().map(|_| ())
+    }
+}
+
 /// Writes blocks of rows with the same columns, one under the other.
 pub struct TableWriter<'o> {
     out: &'o mut dyn Write,

@@ -2,6 +2,7 @@
 
 /// The interval a value must lie in.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Bound {
     /// Finite and greater than zero.
     Positive,
@@ -29,6 +30,7 @@ const LARGEST: f64 = 1e30;
 
 impl Bound {
     /// Whether `value` satisfies the bound. NaN and infinities never do.
+    #[must_use]
     pub fn admits(self, value: f64) -> bool {
         value.is_finite()
             && match self {
@@ -82,6 +84,7 @@ fn short(value: f64) -> String {
 /// A quantity outside the range in which it makes sense; its message names quantity, value and bound.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{quantity} is {}; it must be {bound}", short(*.value))]
+#[non_exhaustive]
 pub struct OutOfBounds {
     /// What was being given, with its unit.
     pub quantity: &'static str,

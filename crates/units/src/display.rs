@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 /// A length, e.g. `5.65 nm`.
+#[must_use]
 pub fn length(length_m: f64) -> String {
     length_with(LEAST_DIGITS, length_m)
 }
@@ -44,6 +45,7 @@ fn length_with(digits: usize, length_m: f64) -> String {
 }
 
 /// A pressure, e.g. `5.4 MPa`.
+#[must_use]
 pub fn pressure(pressure_pa: f64) -> String {
     with_prefix(LEAST_DIGITS, pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
 }
@@ -55,6 +57,7 @@ fn with_prefix(digits: usize, value: f64, units: &[(&str, i32)]) -> String {
 }
 
 /// Three significant digits, with an exponent outside 1e-3 to 1e4.
+#[must_use]
 pub fn three_digits(value: f64) -> String {
     significant(LEAST_DIGITS, value)
 }
@@ -70,6 +73,7 @@ fn significant(digits: usize, value: f64) -> String {
 }
 
 /// A power of ten as it is set, e.g. `10⁻³`.
+#[must_use]
 pub fn power_of_ten(power: i32) -> String {
     const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| SUPERSCRIPTS[digit as usize]);
@@ -96,6 +100,7 @@ fn typeset_word(word: &str) -> String {
 }
 
 /// Three significant digits; below a tenth with a power of ten, e.g. `3.33 × 10⁻³`.
+#[must_use]
 pub fn typeset_digits(value: f64) -> String {
     if (1e-3..0.1).contains(&value.abs()) {
         typeset(&format!("{value:.2e}"))
@@ -105,6 +110,7 @@ pub fn typeset_digits(value: f64) -> String {
 }
 
 /// A load as typed; one typed in units of pressure or force also in units of the hardness, e.g. `10 MPa = 3.33 × 10⁻³ H`.
+#[must_use]
 pub fn load_in_full(typed: &str, pressure_pa: f64, hardness_pa: Option<f64>) -> String {
     match hardness_pa.filter(|_| !typed.ends_with('H')) {
         Some(hardness_pa) => format!("{} = {} H", typeset(typed), typeset_digits(pressure_pa / hardness_pa)),

@@ -5,12 +5,12 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use crate::scale::Scale;
+use crate::unit_scale::UnitScale;
 
 /// A unit of length, one of [`LengthUnit::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LengthUnit {
-    scale: Scale,
+    scale: UnitScale,
     name: &'static str,
     ascii: &'static str,
     /// Signs in which case counts, beside the name and its plain form: M is mega, A is ampere.
@@ -72,7 +72,7 @@ impl LengthUnit {
         signs: &'static [&'static str],
         words: &'static [&'static str],
     ) -> Self {
-        Self { scale: Scale::power_of_ten(decimal_exponent), name, ascii, signs, words }
+        Self { scale: UnitScale::power_of_ten(decimal_exponent), name, ascii, signs, words }
     }
 
     /// 254 x 10^`decimal_exponent` m.
@@ -83,7 +83,7 @@ impl LengthUnit {
         signs: &'static [&'static str],
         words: &'static [&'static str],
     ) -> Self {
-        Self { scale: Scale::decimal(254, decimal_exponent), name, ascii, signs, words }
+        Self { scale: UnitScale::decimal(254, decimal_exponent), name, ascii, signs, words }
     }
 
     /// The names that messages offer.
@@ -138,7 +138,7 @@ impl LengthUnit {
 
     /// How much of a metre it is.
     #[must_use]
-    pub const fn scale(self) -> Scale {
+    pub const fn scale(self) -> UnitScale {
         self.scale
     }
 

@@ -8,6 +8,7 @@ pub fn write_number(out: &mut String, value: f64) {
 }
 
 /// `value` as text.
+#[must_use]
 pub fn number(value: f64) -> String {
     let mut text = String::new();
     write_number(&mut text, value);

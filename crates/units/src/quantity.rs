@@ -7,10 +7,11 @@
 use std::str::FromStr;
 
 use crate::length_unit::LengthUnit;
-use crate::scale::Scale;
+use crate::unit_scale::UnitScale;
 
 /// What is wrong with a typed quantity.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum QuantityError {
     /// No number at its start.
     #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
@@ -108,6 +109,7 @@ pub enum Pressure {
 
 impl Pressure {
     /// The pressure \[Pa\], given the hardness \[Pa\] where there is one.
+    #[must_use]
     pub fn pascals(self, hardness_pa: Option<f64>) -> Option<f64> {
         match self {
             Pressure::Pascals(pa) => Some(pa),
@@ -128,7 +130,7 @@ enum Units {
     /// Those of [`LengthUnit`].
     Lengths,
     /// Spellings, the first of which is the name, and sizes.
-    Listed(&'static [(&'static [&'static str], Scale)]),
+    Listed(&'static [(&'static [&'static str], UnitScale)]),
 }
 
 const LENGTH: Kind = Kind { what: "length", units: Units::Lengths, example: "5 um" };
@@ -136,8 +138,8 @@ const LENGTH: Kind = Kind { what: "length", units: Units::Lengths, example: "5 u
 /// 0.45359237 kg x 9.80665 m/s^2 / (25.4 mm)^2, to sixteen digits.
 const PSI: (u64, i32) = (6_894_757_293_168_361, -12);
 
-const fn ten(decimal_exponent: i32) -> Scale {
-    Scale::power_of_ten(decimal_exponent)
+const fn ten(decimal_exponent: i32) -> UnitScale {
+    UnitScale::power_of_ten(decimal_exponent)
 }
 
 const PRESSURE: Kind = Kind {
@@ -150,8 +152,8 @@ const PRESSURE: Kind = Kind {
         (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], ten(6)),
         (&["GPa"], ten(9)),
         (&["TPa"], ten(12)),
-        (&["psi"], Scale::decimal(PSI.0, PSI.1)),
-        (&["ksi"], Scale::decimal(PSI.0, PSI.1 + 3)),
+        (&["psi"], UnitScale::decimal(PSI.0, PSI.1)),
+        (&["ksi"], UnitScale::decimal(PSI.0, PSI.1 + 3)),
     ]),
     example: "5.4 MPa",
 };
@@ -262,7 +264,7 @@ fn split_number(text: &str) -> Option<(&str, &str)> {
 }
 
 /// The value in SI units of what [`split_number`] found.
-fn scaled(number: &str, scale: Scale) -> f64 {
+fn scaled(number: &str, scale: UnitScale) -> f64 {
     scale.read(number).expect("it reads as a number")
 }
 
@@ -317,7 +319,7 @@ impl FromStr for Pressure {
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let (number, unit) = PRESSURE.split(text)?;
         if unit == HARDNESS_UNIT {
-            return Ok(Pressure::Hardnesses(PRESSURE.positive(text, scaled(number, Scale::ONE))?));
+            return Ok(Pressure::Hardnesses(PRESSURE.positive(text, scaled(number, UnitScale::ONE))?));
         }
         Ok(Pressure::Pascals(PRESSURE.parse(text)?))
     }

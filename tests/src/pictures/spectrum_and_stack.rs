@@ -7,7 +7,7 @@ use spectrum::{
     AmplitudeDefinition, AsperityParameters, Convention, Moments, Normalisation, ProfilePsd, Psd,
     ReadOptions, amplitudes, cumulative_moments,
 };
-use stacked_contact::{Level, Scale, StackedModel, levels};
+use stacked_contact::{Level, StackedModel, levels};
 use study::NoFiles;
 use study::surface::Surface;
 
@@ -68,15 +68,9 @@ fn uncd() -> (ProfilePsd, MaterialPair, NixGao) {
     (surface.expect("a spectrum of the program's own").psd, body(463e9, 0.2), strength)
 }
 
-fn scales(psd: &ProfilePsd) -> Vec<Scale> {
-    let of =
-        |scale: spectrum::Scale| Scale { wavelength_m: scale.wavelength_m, amplitude_m: scale.amplitude_m };
-    amplitudes(psd, AmplitudeDefinition::default()).into_iter().map(of).collect()
-}
-
 fn areas(model: &StackedModel, psd: &ProfilePsd) -> Vec<(f64, f64)> {
     let point = |level: Level| (level.wavelength_m, level.area_fraction);
-    levels(model, UNCD_PRESSURE_PA, scales(psd)).map(point).collect()
+    levels(model, UNCD_PRESSURE_PA, amplitudes(psd, AmplitudeDefinition::default())).map(point).collect()
 }
 
 /// The area of the stack against cutoff, over the aspect ratio of each scale.
@@ -84,7 +78,7 @@ pub(super) fn area() -> Picture {
     let (psd, pair, strength) = uncd();
     // The flattest scales would stretch the ordinate to where nothing happens.
     const LEAST_ASPECT_RATIO: f64 = 1e-5;
-    let aspect_ratios = scales(&psd)
+    let aspect_ratios = amplitudes(&psd, AmplitudeDefinition::default())
         .iter()
         .map(|scale| (scale.wavelength_m, scale.aspect_ratio()))
         .filter(|(_, aspect_ratio)| *aspect_ratio > LEAST_ASPECT_RATIO)

@@ -8,7 +8,7 @@ use crate::read::nameless::nameless;
 use crate::read::options::{GivenUnits, ReadOptions};
 use crate::read::series::{ColumnKind, Columns};
 use crate::read::unit::Unit;
-use units::{LengthUnit, Scale};
+use units::{LengthUnit, UnitScale};
 
 /// How the rows of a series are to be read.
 #[derive(Debug)]
@@ -25,13 +25,13 @@ pub(crate) struct Layout {
 pub(crate) struct AbscissaColumn {
     pub(crate) index: usize,
     pub(crate) quantity: Abscissa,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DensityColumn {
     pub(crate) index: usize,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
     pub(crate) convention: Convention,
 }
 
@@ -39,7 +39,7 @@ pub(crate) struct DensityColumn {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ErrorColumn {
     pub(crate) index: usize,
-    pub(crate) scale: Scale,
+    pub(crate) scale: UnitScale,
 }
 
 impl Layout {

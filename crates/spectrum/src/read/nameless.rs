@@ -6,7 +6,7 @@ use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, DensityColumn, ErrorColumn, Layout};
 use crate::read::options::{GivenUnit, GivenUnits, ReadOptions, UnitError};
 use crate::read::series::{ColumnKind, Columns};
-use units::Scale;
+use units::UnitScale;
 
 /// The layout of an abscissa, a spectrum and, in JSON, its standard errors.
 ///
@@ -48,7 +48,7 @@ pub(crate) fn nameless(
             notes.push("the file states no unit of the spectrum, which is read in SI units".to_owned())
         }
     }
-    let scale = |given: Option<GivenUnit>| given.map_or(Scale::ONE, |given| given.unit.scale());
+    let scale = |given: Option<GivenUnit>| given.map_or(UnitScale::ONE, |given| given.unit.scale());
     let density_scale = scale(units.psd);
     Ok(Layout {
         abscissa: AbscissaColumn { index: 0, quantity, scale: scale(units.x) },

@@ -6,7 +6,7 @@ use crate::read::error::{Field, ReadError};
 use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, Layout};
 use crate::read::series::{ColumnKind, Row, Series};
-use units::Scale;
+use units::UnitScale;
 
 /// How far the wavelengths of two columns may differ.
 const AGREEMENT: f64 = 1e-3;
@@ -116,12 +116,12 @@ impl Fields<'_> {
         self.in_range(column.index, column.quantity.wavelength_m(value))
     }
 
-    fn positive(&self, index: usize, scale: Scale) -> Result<f64, ReadError> {
+    fn positive(&self, index: usize, scale: UnitScale) -> Result<f64, ReadError> {
         self.in_range(index, self.number(index, scale)?)
     }
 
     /// The number in a column, in SI units.
-    fn number(&self, index: usize, scale: Scale) -> Result<f64, ReadError> {
+    fn number(&self, index: usize, scale: UnitScale) -> Result<f64, ReadError> {
         let text = self.text(index);
         match scale.read(text) {
             Some(value) => Ok(value),

@@ -2,7 +2,7 @@
 
 use std::num::IntErrorKind;
 
-use units::{LengthUnit, Scale};
+use units::{LengthUnit, UnitScale};
 
 /// A unit that is a power of a unit of length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ impl Unit {
     }
 
     /// How much of the SI unit it is.
-    pub(crate) const fn scale(self) -> Scale {
+    pub(crate) const fn scale(self) -> UnitScale {
         self.length.scale().to_the(self.metre_power)
     }
 
@@ -107,7 +107,8 @@ mod tests {
 
     #[test]
     fn units_are_read_in_every_spelling() {
-        let unit = |metre_power, decimal_exponent| Some((metre_power, Scale::power_of_ten(decimal_exponent)));
+        let unit =
+            |metre_power, decimal_exponent| Some((metre_power, UnitScale::power_of_ten(decimal_exponent)));
         for (text, expected) in [
             ("m", unit(1, 0)),
             ("cm", unit(1, -2)),
@@ -137,8 +138,8 @@ mod tests {
             ("m⁴", unit(4, 0)),
             ("um^4", unit(4, -24)),
             ("microns", unit(1, -6)),
-            ("uin", Some((1, Scale::decimal(254, -10)))),
-            ("inch^3", Some((3, Scale::decimal(16_387_064, -12)))),
+            ("uin", Some((1, UnitScale::decimal(254, -10)))),
+            ("inch^3", Some((3, UnitScale::decimal(16_387_064, -12)))),
         ] {
             let unit = Unit::parse(text).filter(|unit| !unit.angular);
             assert_eq!(unit.map(|unit| (unit.metre_power, unit.scale())), expected, "{text}");

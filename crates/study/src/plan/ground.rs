@@ -210,6 +210,7 @@ impl Plan<'_> {
 fn kept_scales(sampled: &ProfilePsd, kept: &ProfilePsd, definition: AmplitudeDefinition) -> Vec<Scale> {
     let neighbour_m = sampled.wavelengths_m().get(kept.len()).copied();
     let reached = neighbour_m.and_then(|neighbour_m| sampled.truncated_at(neighbour_m));
-    let scales = amplitudes(reached.as_ref().unwrap_or(kept), definition).into_iter().take(kept.len());
-    scales.map(|scale| Scale { wavelength_m: scale.wavelength_m, amplitude_m: scale.amplitude_m }).collect()
+    let mut scales = amplitudes(reached.as_ref().unwrap_or(kept), definition);
+    scales.truncate(kept.len());
+    scales
 }

@@ -1,6 +1,6 @@
 //! A file becomes heights, with what lies beside it.
 
-use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_metadata, read_scans};
+use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_scans};
 use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
 
@@ -9,6 +9,7 @@ use super::request::ScanRequest;
 use crate::files::{Files, file_name};
 
 /// Files that describe the scans beside them.
+#[cfg(feature = "formats")]
 const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
 
 /// The scans of one file.
@@ -38,7 +39,14 @@ pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, T
     Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
 }
 
+/// What a `meta.yml` or `index.json` in the same folder says of a file: nothing where these cannot be read.
+#[cfg(not(feature = "formats"))]
+fn metadata_beside(_: &str, _: &dyn Files) -> Result<Option<MeasurementMetadata>, TopographyError> {
+    Ok(None)
+}
+
 /// What a `meta.yml` or `index.json` in the same folder says of a file, where there is one that names it.
+#[cfg(feature = "formats")]
 fn metadata_beside(path: &str, files: &dyn Files) -> Result<Option<MeasurementMetadata>, TopographyError> {
     let name = file_name(path);
     for beside in METADATA_FILES.into_iter().filter(|beside| *beside != name) {
@@ -54,7 +62,7 @@ fn metadata_beside(path: &str, files: &dyn Files) -> Result<Option<MeasurementMe
         if !text.contains(name) {
             continue;
         }
-        let entries = read_metadata(text.trim_start_matches('\u{feff}'), beside)
+        let entries = scans::read_metadata(text.trim_start_matches('\u{feff}'), beside)
             .map_err(|error| blame(ScanProblem::Format(error)))?;
         if let Some(entry) = entries.into_iter().find(|entry| entry.names_file(name)) {
             return Ok(Some(entry));

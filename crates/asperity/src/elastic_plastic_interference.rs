@@ -1,0 +1,182 @@
+//! The elastic-plastic sinusoid pressed to an interference w: `docs/models.md`, section 2.6.
+//!
+//! The mean gap is g/Delta = (1 - t)^(5/2) both ways: elastically with t = (p/p*)^(1/2), and where plastic flow sets it with
+//! t = x^(A1 x + A2), x = p/p*_ep. So an interference gives t, and each way a pressure, of which the smaller one holds, since
+//! plastic flow can only soften. The elastic one, p* t^2, is explicit; the other one is solved for in ln x, and only where
+//! the elastic one is not seen to be the smaller.
+
+use crate::ElasticPlasticSinusoid;
+use crate::elementary;
+use crate::mean_gap::{GapExponent, power_at};
+
+/// Where a sinusoid that can yield is at an interference.
+struct Pressed {
+    /// The smaller of the elastic and the plastic pressure \[Pa\].
+    pressure_pa: f64,
+    /// That pressure over p*_ep, and the logarithm of the ratio.
+    x: f64,
+    log_x: f64,
+}
+
+impl ElasticPlasticSinusoid {
+    /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and the
+    /// elastic-plastic one, since plastic flow can only soften; p*_ep from w = Delta on.
+    #[must_use]
+    pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
+        self.pressure_at_interference_by_pa(self.gap_exponent(), interference_over_amplitude)
+    }
+
+    /// The same with the exponent of the gap worked out.
+    #[inline]
+    pub(crate) fn pressure_at_interference_by_pa(
+        &self,
+        gap: GapExponent,
+        interference_over_amplitude: f64,
+    ) -> f64 {
+        if interference_over_amplitude >= 1.0 {
+            return self.complete_contact_pressure_pa();
+        }
+        let t = power_at(interference_over_amplitude);
+        if self.can_yield() {
+            self.pressed_to_power(t, gap, self.log_softening()).pressure_pa
+        } else {
+            self.elastic_pressure_pa(t)
+        }
+    }
+
+    /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
+    /// [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) and [`area_fraction`](Self::area_fraction), at
+    /// two thirds of their cost.
+    #[must_use]
+    pub fn pressure_and_area_at_interference(&self, interference_over_amplitude: f64) -> (f64, f64) {
+        if interference_over_amplitude >= 1.0 {
+            return (self.complete_contact_pressure_pa(), 1.0);
+        }
+        self.pressure_and_area_at_power(power_at(interference_over_amplitude))
+    }
+
+    /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
+    #[must_use]
+    pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
+        if !self.can_yield() {
+            let pressure_pa = self.elastic_pressure_pa(t);
+            return (pressure_pa, self.elastic().area_fraction(pressure_pa));
+        }
+        let log_softening = self.log_softening();
+        let Pressed { pressure_pa, x, log_x } = self.pressed_to_power(t, self.gap_exponent(), log_softening);
+        let area_fraction = if !self.yields_at(pressure_pa) {
+            self.elastic().area_fraction(pressure_pa)
+        } else if log_x < 0.0 {
+            self.yielding_area_at(log_softening).fraction(x, log_x)
+        } else {
+            1.0
+        };
+        (pressure_pa, area_fraction)
+    }
+
+    /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
+    /// in the law x^(A1 x + A2) = t, that the elastic pressure would need, over the one that it has.
+    #[inline]
+    #[must_use]
+    pub fn flow_margin_at_interference(&self, interference_over_amplitude: f64) -> f64 {
+        self.flow_margin_at_power(power_at(interference_over_amplitude))
+    }
+
+    /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn flow_margin_at_power(&self, t: f64) -> f64 {
+        let log_t = elementary::ln(t);
+        let log_x = 2.0 * log_t - self.log_softening();
+        let margin = self.gap_exponent().log_power(log_x, elementary::exp(log_x)) - log_t;
+        if !self.can_yield() {
+            -1.0
+        } else if log_x >= 0.0 {
+            1.0
+        } else {
+            margin
+        }
+    }
+
+    /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
+    ///
+    /// There is one: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
+    /// contact, and the difference of the exponents has a single zero between.
+    #[must_use]
+    pub fn flow_onset_pressure_pa(&self) -> Option<f64> {
+        self.can_yield().then(|| {
+            let log_softening = self.log_softening();
+            let log_x = self.gap_exponent().log_x_where_half_power_is(log_softening);
+            self.softened_pressure_pa(log_softening + log_x)
+        })
+    }
+
+    /// The elastic pressure p* t^2 \[Pa\] at t in (0, 1).
+    #[inline(always)]
+    fn elastic_pressure_pa(&self, t: f64) -> f64 {
+        self.elastic().complete_contact_pressure_pa() * t * t
+    }
+
+    /// The smaller of the elastic and the plastic pressure at t in (0, 1), for r > 1, from the exponent of the gap and
+    /// ln(p*_ep/p*).
+    #[inline(always)]
+    fn pressed_to_power(&self, t: f64, gap: GapExponent, log_softening: f64) -> Pressed {
+        let elastic_pa = self.elastic_pressure_pa(t);
+        let log_t = elementary::ln(t);
+        let log_x = 2.0 * log_t - log_softening;
+        // Flow at the elastic pressure would go as deep or less: that pressure is the smaller one.
+        if log_x < 0.0 {
+            let x = elementary::exp(log_x);
+            if gap.log_power(log_x, x) <= log_t {
+                return Pressed { pressure_pa: elastic_pa, x, log_x };
+            }
+        }
+        let log_x = gap.log_x_at_power(log_t);
+        let plastic_pa = self.softened_pressure_pa(log_softening + log_x);
+        Pressed { pressure_pa: elastic_pa.min(plastic_pa), x: elementary::exp(log_x), log_x }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::samples::at_ratio;
+
+    #[test]
+    fn plastic_flow_sets_the_pressure_from_its_onset_on() {
+        for r in [1.001, 1.5, 37.0, 310.0, 1e4] {
+            let law = at_ratio(r);
+            let onset = law.flow_onset_pressure_pa().unwrap();
+            for factor in [0.3, 0.999, 1.001, 1.5] {
+                let pressure = onset * factor;
+                let elastic = law.elastic().deformation_over_amplitude(pressure);
+                let log_x = (pressure / law.complete_contact_pressure_pa()).ln();
+                if log_x >= 0.0 {
+                    continue;
+                }
+                let flow = law.plastic_flow().at_log_pressure(log_x).interference_over_amplitude;
+                assert!((flow > elastic) == (factor > 1.0), "r = {r}, {factor} of the onset");
+                let interference = flow.max(elastic);
+                assert!((law.flow_margin_at_interference(interference) > 0.0) == (factor > 1.0), "r = {r}");
+                let back = law.pressure_at_interference_pa(interference);
+                assert!((back / pressure - 1.0).abs() < 1e-9, "r = {r}, {factor}: {back} {pressure}");
+            }
+        }
+        assert_eq!(at_ratio(0.9).flow_onset_pressure_pa(), None);
+        assert!(at_ratio(0.9).flow_margin_at_interference(0.5) < 0.0);
+    }
+
+    #[test]
+    fn plastic_flow_only_softens_the_sinusoid_pressed_to_an_interference() {
+        for r in [0.9, 1.1, 2.0, 37.0, 300.0] {
+            let law = at_ratio(r);
+            let mut last = 0.0;
+            for exponent in -48..=4 {
+                let interference = 10f64.powf(f64::from(exponent) / 4.0);
+                let pressure = law.pressure_at_interference_pa(interference);
+                assert!(pressure <= law.elastic().pressure_at_interference_pa(interference));
+                assert!(pressure >= last, "r = {r}, w/Delta = {interference}");
+                last = pressure;
+            }
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Which panels a law needs around a separation, and with how many nodes.
+
+use super::builder::{Builder, Quantities, Scratch};
+use super::cell::Cell;
+use super::coordinate::Coordinate;
+use super::panel::{Panel, Variable};
+use super::panels::Panels;
+use super::precision::Precision;
+use super::rules::Rule;
+use super::trapezoid::Trapezoid;
+use crate::asperities::answers::Asperities;
+use crate::asperities::pieces::{Chart, Piece};
+use crate::gaussian::density::log_reference_density;
+use crate::gaussian::window::Window;
+
+/// Law evaluations after which the error is accepted as it is, and reported.
+const MOST_EVALUATIONS: usize = 3000;
+/// Nodes of a rule above which a panel is halved rather than given more.
+const MOST_NODES: usize = 28;
+/// How often a panel is halved before its error is accepted: seven decades down, a kink that no law announced is left alone.
+const MOST_HALVINGS: usize = 24;
+
+/// The panels that serve a cell of separations at a precision: the smooth pieces of the law within the window, refined until
+/// their errors at the centre of the cell are within the tolerance.
+pub(crate) fn for_cell<'a>(
+    asperities: &'a dyn Asperities,
+    sigma_s_m: f64,
+    cell: Cell,
+    precision: Precision,
+    window: &Window,
+    scratch: &mut Scratch,
+) -> Panels<'a> {
+    // Room for nearly all.
+    const NODES: usize = 96;
+    let centre = cell.centre();
+    let coordinate = Coordinate::around(centre, cell.farthest(), precision.digits);
+    let mut panels = Panels::around(centre, asperities, sigma_s_m, NODES);
+    panels.saturation = asperities.saturation().map(|(from_m, at)| (from_m / sigma_s_m, at));
+    let mut builder = Builder { panels, quantities: Quantities::PressureAndArea, scratch };
+    let (low_m, high_m) = (window.low * sigma_s_m, window.high * sigma_s_m);
+    for piece in asperities.pieces(low_m, high_m) {
+        add_piece(&mut builder, piece, window, coordinate, precision.digits);
+    }
+    refine(&mut builder, precision.tolerance);
+    builder.panels
+}
+
+/// The force at a few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so,
+/// and so within the right cell for all but one search in fifty (blind to that one as well, for three in four).
+pub(crate) fn rough<'a>(
+    asperities: &'a dyn Asperities,
+    sigma_s_m: f64,
+    u: f64,
+    precision: Precision,
+    window: &Window,
+    scratch: &mut Scratch,
+) -> Panels<'a> {
+    // Nodes of the rules on the two sides of the strongest break.
+    const NODES_BELOW: usize = 8;
+    const NODES_ABOVE: usize = 5;
+    let coordinate = Coordinate::around(u, u, precision.digits);
+    let panels = Panels::around(u, asperities, sigma_s_m, NODES_BELOW + NODES_ABOVE);
+    let mut builder = Builder { panels, quantities: Quantities::Pressure, scratch };
+    let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
+    let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
+        let ends = [window.low, window.high].map(|s| coordinate.of(s));
+        builder.add_trapezoid(coordinate, ends, Trapezoid::between(ends[0], ends[1], precision.digits));
+        return builder.panels;
+    };
+    let [low, middle, high] = [window.low, kink, window.high].map(|s| coordinate.of(s));
+    builder.add(Variable::Own(coordinate), [low, middle], 0, Rule::of_at_least(NODES_BELOW));
+    builder.panels.saturation = asperities.saturation().map(|(_, response)| (kink, response));
+    if builder.panels.saturation.is_none() {
+        builder.add(Variable::Own(coordinate), [middle, high], 0, Rule::of_at_least(NODES_ABOVE));
+    }
+    builder.panels
+}
+
+/// Adds the part of a piece that lies within the window, under as many nodes as it is likely to need.
+fn add_piece<'a>(
+    builder: &mut Builder<'a, '_>,
+    piece: Piece<'a>,
+    window: &Window,
+    coordinate: Coordinate,
+    digits: f64,
+) {
+    // Over decades the law, and not the density, wants nodes: as many more for nine of ten panels of the UNCD scenes.
+    const RESOLUTION_OVER_DECADES: f64 = 1.4;
+    // Width over depth of a window in which a law without a break is smooth in the interference itself.
+    const NARROW: f64 = 1e-3;
+    let Panels { centre, sigma_s_m, .. } = builder.panels;
+    let low = window.low.max(piece.from_m / sigma_s_m);
+    let high = window.high.min(piece.to_m / sigma_s_m);
+    if low >= high {
+        return;
+    }
+    let whole_window = low == window.low && high == window.high;
+    let (variable, resolution) = match piece.chart {
+        // The law's own coordinate would round the heights to the digits of the interference.
+        Chart::Law(_) if whole_window && high - low < NARROW * low => (Variable::Own(coordinate), 1.0),
+        Chart::Interference => {
+            let coordinate = coordinate.between(low, high);
+            (
+                Variable::Own(coordinate),
+                if coordinate.spans_decades() { RESOLUTION_OVER_DECADES } else { 1.0 },
+            )
+        }
+        Chart::Law(chart) => (Variable::Law(chart), chart.resolution(low == 0.0)),
+    };
+    let ends = [low, high].map(|s| variable.of(s, s * sigma_s_m));
+    let nodes = resolution * nodes_between(low, high, centre, digits);
+    builder.add(variable, ends, 0, Rule::of_at_least(nodes.ceil() as usize));
+}
+
+/// Nodes that a Gauss-Legendre rule needs between two interferences for exp(-digits) of the whole, from how far the exponent
+/// of the density at the centre runs (as its square root, as for a Gaussian), how much there is to be resolved beside it,
+/// and how little of the whole lies there. An undershoot is mended by [`refine`].
+fn nodes_between(low: f64, high: f64, centre: f64, digits: f64) -> f64 {
+    // How much of the run of the exponent counts where the stretch holds its minimum, and where it does not.
+    const RUN_ACROSS_PEAK: f64 = 1.75;
+    const RUN_BESIDE_PEAK: f64 = 0.95;
+    // Digits of a smooth function that a node is worth without the density.
+    const DIGITS_PER_NODE: f64 = 0.85;
+    // By as much the density may have fallen before the stretch is taken for a small part of the whole.
+    const NEGLIGIBLE_FALL: f64 = 3.0;
+    let exponent = |s: f64| log_reference_density(centre) + 0.5 * (centre + s).powi(2);
+    let (at_low, at_high) = (exponent(low), exponent(high));
+    let holds_peak = centre + low < 0.0 && centre + high > 0.0;
+    let (run, least) = if holds_peak {
+        (RUN_ACROSS_PEAK * (at_low + at_high), 0.0)
+    } else {
+        (RUN_BESIDE_PEAK * (at_high - at_low).abs(), at_low.min(at_high))
+    };
+    // Interferences that carry the load: the response grows like their square.
+    let reach = if centre > 1.0 { 1.0 / centre } else { 1.0 - centre.min(0.0) };
+    let log_share = (2.0 * (high / reach).ln()).min(0.0) - (least - NEGLIGIBLE_FALL).max(0.0);
+    let digits = (digits + log_share).max(1.0);
+    let smooth = digits / DIGITS_PER_NODE;
+    0.5 * (digits * run + smooth * smooth).sqrt()
+}
+
+/// Gives more nodes to the panels whose error at the centre is above their share of the tolerance, or halves them.
+fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) {
+    // Few panels err as much as they may: with this share their sum stays about the tolerance.
+    const SHARE: f64 = 0.3;
+    let tolerance = SHARE * tolerance;
+    let totals = builder.panels.sums();
+    let mut place = 0;
+    while let Some(panel) =
+        builder.panels.list.get(place).copied().filter(|_| builder.panels.evaluations < MOST_EVALUATIONS)
+    {
+        let [pressure, area] = builder.panels.errors(&panel);
+        let fine = pressure <= tolerance * totals.pressure_pa && area <= tolerance * totals.area_fraction;
+        match panel.rule {
+            Some(rule) if !fine && panel.halvings < MOST_HALVINGS => {
+                // What takes its place comes last, to be looked at again.
+                builder.panels.list.remove(place);
+                replace(builder, &panel, rule);
+            }
+            _ => place += 1,
+        }
+    }
+}
+
+/// Adds a panel anew with a third more nodes, or, where it has many already, in halves with a quarter less.
+fn replace<'a>(builder: &mut Builder<'a, '_>, panel: &Panel<'a>, rule: &'static Rule) {
+    let &Panel { variable, from, to, halvings, .. } = panel;
+    let nodes = rule.count();
+    if nodes < MOST_NODES {
+        return builder.add(variable, [from, to], halvings, Rule::of_at_least(nodes + nodes / 3 + 1));
+    }
+    let (middle, rule) = (0.5 * (from + to), Rule::of_at_least(nodes * 3 / 4));
+    builder.add(variable, [from, middle], halvings + 1, rule);
+    builder.add(variable, [middle, to], halvings + 1, rule);
+}

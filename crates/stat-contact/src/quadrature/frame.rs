@@ -1,0 +1,163 @@
+//! The integrals at all separations near one.
+
+use super::build;
+use super::builder::Scratch;
+use super::cell::Cell;
+use super::hertz_integrals::HertzIntegrals;
+use super::panels::Panels;
+use super::precision::{Precision, error_estimate};
+use super::sums::Sums;
+use crate::asperities::answers::Asperities;
+use crate::gaussian::window::Window;
+
+/// The integrals prepared around one separation.
+pub(crate) struct Frame<'a> {
+    /// The separation it is built around.
+    pub centre: f64,
+    /// The interferences that count.
+    window: Window,
+    integrals: Integrals<'a>,
+    /// The separation last summed at.
+    u: f64,
+    /// The integrals there, once they have been asked for.
+    sums: Option<Sums>,
+    /// The integrals at the centre, at which every search on the frame begins.
+    sums_at_centre: Option<Sums>,
+}
+
+enum Integrals<'a> {
+    /// No asperity within the window leaves Hertz's law.
+    Closed(HertzIntegrals),
+    Panels(Panels<'a>),
+}
+
+impl<'a> Frame<'a> {
+    /// The one frame that all separations share where every asperity is Hertz's at any interference.
+    pub fn for_every_cell(asperities: &dyn Asperities, sigma_s_m: f64) -> Option<Self> {
+        let window = Window::up_to(f64::INFINITY);
+        let hertz = HertzIntegrals::within(&window, asperities, sigma_s_m)?;
+        Some(Self::new(0.0, window, Integrals::Closed(hertz)))
+    }
+
+    /// The frame that serves a cell of separations at a precision.
+    pub fn for_cell(
+        asperities: &'a dyn Asperities,
+        sigma_s_m: f64,
+        cell: Cell,
+        precision: Precision,
+        scratch: &mut Scratch,
+    ) -> Self {
+        let precision = precision.around(cell.centre());
+        let window = Window::new(cell.nearest(), cell.farthest(), precision.drop);
+        let integrals = match HertzIntegrals::within(&window, asperities, sigma_s_m) {
+            Some(hertz) => Integrals::Closed(hertz),
+            None => {
+                let panels = build::for_cell(asperities, sigma_s_m, cell, precision, &window, scratch);
+                Integrals::Panels(panels)
+            }
+        };
+        Self::new(cell.centre(), window, integrals)
+    }
+
+    /// The pressure around one separation within a percent or so, for a few evaluations; no areas.
+    pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64, scratch: &mut Scratch) -> Self {
+        // Far below the mean plane ln p is flat: its curvature, of the order of 1/u^2, has to be seen.
+        let digits = 10.0 + 2.0 * (-u).max(0.0).ln_1p();
+        let precision = Precision { tolerance: (-digits).exp(), digits, drop: digits };
+        let window = Window::new(u, u, precision.drop);
+        let integrals = match HertzIntegrals::within(&window, asperities, sigma_s_m) {
+            Some(hertz) => Integrals::Closed(hertz),
+            None => Integrals::Panels(build::rough(asperities, sigma_s_m, u, precision, &window, scratch)),
+        };
+        Self::new(u, window, integrals)
+    }
+
+    fn new(centre: f64, window: Window, integrals: Integrals<'a>) -> Self {
+        Frame { centre, window, integrals, u: centre, sums: None, sums_at_centre: None }
+    }
+
+    /// Law evaluations spent.
+    pub fn evaluations(&self) -> usize {
+        match &self.integrals {
+            Integrals::Closed(_) => 0,
+            Integrals::Panels(panels) => panels.evaluations,
+        }
+    }
+
+    /// Whether a separation is near enough to the centre.
+    pub fn serves(&self, u: f64) -> bool {
+        // Beyond the cell, whose half width is half of this, the window cuts off more than it may.
+        const REACH: f64 = 0.2;
+        match &self.integrals {
+            Integrals::Closed(_) => true,
+            Integrals::Panels(_) => {
+                (u - self.centre).abs() < REACH * (1.0 + self.centre.max(0.0)) + 1e-15 * self.centre.abs()
+            }
+        }
+    }
+
+    /// The integrals at a separation near the centre.
+    pub fn sums_at(&mut self, u: f64) -> Sums {
+        if u != self.u {
+            if let Integrals::Panels(panels) = &mut self.integrals {
+                panels.go_to(u);
+            }
+            (self.u, self.sums) = (u, None);
+        }
+        let sums = *self.sums.get_or_insert_with(|| match &self.integrals {
+            Integrals::Closed(hertz) => hertz.sums_at(u),
+            Integrals::Panels(panels) => panels.sums(),
+        });
+        if u == self.centre {
+            self.sums_at_centre = Some(sums);
+        }
+        sums
+    }
+
+    /// The integrals at the centre, for which the frame need not go back there.
+    pub fn sums_at_centre(&mut self) -> Sums {
+        self.sums_at_centre.unwrap_or_else(|| self.sums_at(self.centre))
+    }
+
+    /// Everything that is known at a separation near the centre.
+    pub fn at(&mut self, u: f64) -> Here<'_, 'a> {
+        let sums = self.sums_at(u);
+        Here { frame: self, u, sums }
+    }
+}
+
+/// A frame at a separation near its centre.
+pub(crate) struct Here<'f, 'a> {
+    frame: &'f Frame<'a>,
+    pub u: f64,
+    pub sums: Sums,
+}
+
+impl Here<'_, '_> {
+    /// Estimate of the larger relative error of the two integrals.
+    pub fn relative_error(&self) -> f64 {
+        let Frame { window, integrals, .. } = self.frame;
+        match integrals {
+            Integrals::Closed(hertz) => hertz.relative_error(self.u),
+            Integrals::Panels(panels) => {
+                let saturates = panels.saturation.is_some_and(|(from, _)| from <= window.high);
+                let left_out = window.left_out(self.u, saturates);
+                error_estimate(panels.relative_error(&self.sums) + left_out, self.u)
+            }
+        }
+    }
+
+    /// Share of the load that is carried at interferences for which the law was not fitted.
+    pub fn out_of_range_load_share(&self) -> f64 {
+        let Frame { window, integrals: Integrals::Panels(panels), .. } = self.frame else { return 0.0 };
+        let above_pa = |at_m: f64| if at_m.is_finite() { panels.load_above_pa(at_m) } else { 0.0 };
+        let load_pa: f64 = panels
+            .asperities
+            .out_of_fitted_range(window.high * panels.sigma_s_m)
+            .into_iter()
+            .filter(|(from_m, to_m)| from_m < to_m)
+            .map(|(from_m, to_m)| above_pa(from_m) - above_pa(to_m))
+            .sum();
+        (load_pa / self.sums.pressure_pa).clamp(0.0, 1.0)
+    }
+}

@@ -1,0 +1,137 @@
+//! The frames that searches have built, kept for those that come after.
+//!
+//! A frame depends on its cell alone, so that a state has the same digits on one that is there as on one built for it.
+
+use super::builder::Scratch;
+use super::cell::Cell;
+use super::frame::Frame;
+use super::precision::Precision;
+use super::sums::Sums;
+use crate::asperities::answers::Asperities;
+
+/// Frames kept at most, of a few kilobytes each: all between fifty standard deviations on the far side and ten below.
+const MOST_FRAMES: usize = 150;
+
+/// The frames of a population at a precision, by their cells.
+pub(crate) struct Frames<'a> {
+    pub asperities: &'a dyn Asperities,
+    pub sigma_s_m: f64,
+    pub precision: Precision,
+    /// The one frame of all cells, where they can share it.
+    everywhere: Option<Frame<'a>>,
+    /// The cells in the order of their frames.
+    cells: Vec<Cell>,
+    built: Vec<Frame<'a>>,
+    /// The frame last asked for: the next one to be asked for, as a rule.
+    last: usize,
+    /// The frame that makes room, the oldest one.
+    oldest: usize,
+    /// Law evaluations spent.
+    pub evaluations: usize,
+    scratch: Scratch,
+}
+
+impl<'a> Frames<'a> {
+    /// None yet.
+    pub fn new(asperities: &'a dyn Asperities, sigma_s_m: f64, precision: Precision) -> Self {
+        Frames {
+            asperities,
+            sigma_s_m,
+            precision,
+            everywhere: Frame::for_every_cell(asperities, sigma_s_m),
+            cells: Vec::new(),
+            built: Vec::new(),
+            last: 0,
+            oldest: 0,
+            evaluations: 0,
+            scratch: Scratch::default(),
+        }
+    }
+
+    /// The frame of a cell, built where there is none.
+    pub fn of(&mut self, cell: Cell) -> &mut Frame<'a> {
+        if !self.are_one() && self.cells.get(self.last) != Some(&cell) {
+            self.last =
+                self.cells.iter().position(|&other| other == cell).unwrap_or_else(|| self.build(cell));
+        }
+        match &mut self.everywhere {
+            Some(frame) => frame,
+            None => &mut self.built[self.last],
+        }
+    }
+
+    /// The frame of the cell of a separation.
+    pub fn at(&mut self, u: f64) -> &mut Frame<'a> {
+        if self.are_one() { self.of(Cell::ANY) } else { self.of(Cell::of(u)) }
+    }
+
+    /// Whether all cells share one frame.
+    pub fn are_one(&self) -> bool {
+        self.everywhere.is_some()
+    }
+
+    /// Whether a cell has its frame.
+    pub fn have(&self, cell: Cell) -> bool {
+        self.are_one() || self.cells.contains(&cell)
+    }
+
+    /// The integrals at a separation, on the frame of its cell.
+    pub fn sums_at(&mut self, u: f64) -> Sums {
+        self.at(u).sums_at(u)
+    }
+
+    /// The integrals at a separation as a few nodes around it have them.
+    pub fn rough_sums_at(&mut self, u: f64) -> Sums {
+        if let Some(everywhere) = &mut self.everywhere {
+            return everywhere.sums_at(u);
+        }
+        let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u, &mut self.scratch);
+        self.evaluations += frame.evaluations();
+        frame.sums_at(u)
+    }
+
+    /// Builds a frame, and returns its place.
+    fn build(&mut self, cell: Cell) -> usize {
+        let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision, &mut self.scratch);
+        self.evaluations += frame.evaluations();
+        if self.built.len() < MOST_FRAMES {
+            self.cells.push(cell);
+            self.built.push(frame);
+            return self.built.len() - 1;
+        }
+        let place = self.oldest;
+        self.oldest = (place + 1) % MOST_FRAMES;
+        (self.cells[place], self.built[place]) = (cell, frame);
+        place
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::{ElasticBody, MaterialPair};
+
+    use super::*;
+    use crate::Population;
+    use crate::asperities::elastic_sines::ElasticSines;
+
+    #[test]
+    fn a_frame_is_built_once_until_its_room_is_needed() {
+        let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.3).unwrap());
+        let asperities = ElasticSines::new(&pair, &Population::new(1e-8, 1e13, 1e-9).unwrap());
+        let mut frames = Frames::new(&asperities, 1e-9, Precision::new(1e-6));
+        let first = frames.sums_at(0.0).pressure_pa;
+        let once = frames.evaluations;
+        assert_eq!(frames.sums_at(0.0).pressure_pa, first);
+        assert_eq!(frames.evaluations, once);
+        for place in 1..MOST_FRAMES {
+            frames.sums_at(-0.1 * place as f64);
+        }
+        assert!(frames.have(Cell::of(0.0)));
+        frames.sums_at(-0.1 * MOST_FRAMES as f64);
+        assert!(!frames.have(Cell::of(0.0)));
+        assert_eq!(frames.built.len(), MOST_FRAMES);
+        let before = frames.evaluations;
+        assert_eq!(frames.sums_at(0.0).pressure_pa, first);
+        assert_eq!(frames.evaluations, before + once);
+    }
+}

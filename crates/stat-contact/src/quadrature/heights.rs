@@ -1,0 +1,57 @@
+//! The density of the heights at the nodes of a quadrature.
+
+use asperity::elementary;
+
+use super::coordinate::Coordinate;
+use crate::gaussian::density::log_reference_density;
+
+/// The density of the heights at the separation u, over the reference density, on a frame around another separation.
+pub(crate) struct Density {
+    centre: f64,
+    /// Whether places are heights.
+    pub around_peak: bool,
+    /// u, or how far it is from the centre: what the place of a node lacks of the height at which it meets the flat.
+    pub shift: f64,
+    /// What is left of the exponent beside the part that depends on the node.
+    left: f64,
+}
+
+impl Density {
+    /// At the separation u, on a frame around another one.
+    pub fn new(centre: f64, u: f64) -> Self {
+        let log_reference = log_reference_density(u);
+        if centre > 0.0 {
+            // What the reference density leaves of u^2/2: nothing, unless the cell's neighbour lies across zero.
+            Density { centre, around_peak: false, shift: u, left: 0.5 * u * u + log_reference }
+        } else {
+            Density { centre, around_peak: true, shift: u - centre, left: log_reference }
+        }
+    }
+
+    /// The place of a node at the coordinate v of the interference s: its height at the centre, else its interference.
+    #[inline(always)]
+    pub fn place(&self, coordinate: Coordinate, v: f64, s: f64) -> f64 {
+        match coordinate {
+            _ if !self.around_peak => s,
+            // The coordinate is the height, to the last digit.
+            Coordinate::Height { .. } => v,
+            _ => s + self.centre,
+        }
+    }
+
+    /// The densities of nodes at their places.
+    #[inline]
+    pub fn at(&self, places: &[f64], densities: &mut [f64]) {
+        let Density { shift, left, .. } = *self;
+        if self.around_peak {
+            for (place, density) in places.iter().zip(densities) {
+                let height = place + shift;
+                *density = elementary::exp(-0.5 * height * height - left);
+            }
+        } else {
+            for (place, density) in places.iter().zip(densities) {
+                *density = elementary::exp(-place * (shift + 0.5 * place) - left);
+            }
+        }
+    }
+}

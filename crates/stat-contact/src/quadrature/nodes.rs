@@ -1,0 +1,124 @@
+//! The nodes of a quadrature: a row for each of their quantities, so that several nodes are worked on at once.
+
+use wide::f64x2;
+
+/// Nodes that are added up side by side.
+pub(crate) const LANES: usize = 2;
+
+/// The rows of all panels, one panel after the other.
+pub(crate) struct Nodes {
+    values: Vec<f64>,
+}
+
+/// Where the nodes of a panel are.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Block {
+    at: usize,
+    count: usize,
+}
+
+/// The nodes of a panel, an entry in each row for each of them. Lengths are in units of sigma_s.
+pub(crate) struct Rows<'a> {
+    /// The height u + s at the separation u of the frame where that is not positive, else the interference s.
+    pub places: &'a mut [f64],
+    /// Weight times what the law answers.
+    pub pressures_pa: &'a mut [f64],
+    pub area_fractions: &'a mut [f64],
+    /// The density at the separation last summed at.
+    pub densities: &'a mut [f64],
+}
+
+/// What is added up over the nodes of a panel, in lanes.
+pub(crate) struct Summed<'a> {
+    pub places: &'a [[f64; LANES]],
+    pub pressures_pa: &'a [[f64; LANES]],
+    pub area_fractions: &'a [[f64; LANES]],
+    pub densities: &'a [[f64; LANES]],
+}
+
+impl Nodes {
+    const ROWS: usize = 4;
+
+    /// No nodes yet, and room for some.
+    pub fn with_room_for(count: usize) -> Self {
+        Nodes { values: Vec::with_capacity(Self::ROWS * count) }
+    }
+
+    /// The nodes of one more panel, all zero.
+    pub fn add(&mut self, count: usize) -> Block {
+        let at = self.values.len();
+        self.values.resize(at + Self::ROWS * count.next_multiple_of(LANES), 0.0);
+        Block { at, count }
+    }
+
+    /// Those of a panel.
+    pub fn rows(&mut self, block: Block) -> Rows<'_> {
+        let Block { at, count } = block;
+        let rows = &mut self.values[at..at + Self::ROWS * block.row()];
+        let [places, pressures_pa, area_fractions, densities] = split(rows, block.row());
+        Rows {
+            places: &mut places[..count],
+            pressures_pa: &mut pressures_pa[..count],
+            area_fractions: &mut area_fractions[..count],
+            densities: &mut densities[..count],
+        }
+    }
+
+    /// The same to be added up, with zeros where the lanes outnumber the nodes.
+    pub fn summed(&self, block: Block) -> Summed<'_> {
+        let (places, rest) = self.values[block.at..].split_at(block.row());
+        let (pressures_pa, rest) = rest.split_at(block.row());
+        let (area_fractions, rest) = rest.split_at(block.row());
+        Summed {
+            places: places.as_chunks().0,
+            pressures_pa: pressures_pa.as_chunks().0,
+            area_fractions: area_fractions.as_chunks().0,
+            densities: rest[..block.row()].as_chunks().0,
+        }
+    }
+}
+
+impl Block {
+    /// The length of a row.
+    fn row(self) -> usize {
+        self.count.next_multiple_of(LANES)
+    }
+}
+
+/// As many rows of a length as are wanted.
+pub(crate) fn split<const ROWS: usize>(rows: &mut [f64], length: usize) -> [&mut [f64]; ROWS] {
+    let mut rest = rows;
+    std::array::from_fn(|_| {
+        let (row, others) = std::mem::take(&mut rest).split_at_mut(length);
+        rest = others;
+        row
+    })
+}
+
+/// The sum of the lanes.
+pub(crate) fn total(lanes: f64x2) -> f64 {
+    lanes.to_array().iter().sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_keep_their_nodes_and_an_odd_lane_is_empty() {
+        let mut nodes = Nodes::with_room_for(2);
+        let blocks = [3, 4].map(|count| nodes.add(count));
+        for (block, value) in blocks.into_iter().zip([1.0, 2.0]) {
+            let rows = nodes.rows(block);
+            assert_eq!(rows.area_fractions.len(), block.count);
+            rows.places.fill(value);
+            rows.densities.fill(-value);
+        }
+        let first = nodes.summed(blocks[0]);
+        assert_eq!(first.places, [[1.0, 1.0], [1.0, 0.0]]);
+        assert_eq!(first.densities, [[-1.0, -1.0], [-1.0, 0.0]]);
+        assert_eq!(first.pressures_pa, [[0.0; 2]; 2]);
+        assert_eq!(nodes.summed(blocks[1]).places, [[2.0; 2]; 2]);
+        assert_eq!(total(f64x2::new([1.0, 2.0])), 3.0);
+    }
+}

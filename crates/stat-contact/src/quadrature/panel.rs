@@ -1,0 +1,99 @@
+//! A stretch of a law under one rule.
+
+use asperity::elementary;
+use wide::f64x2;
+
+use super::coordinate::Coordinate;
+use super::nodes::{Block, Summed, total};
+use super::rules::Rule;
+use crate::asperities::pieces::LawChart;
+use crate::gaussian::density::DENSITY_SCALE;
+
+/// The coordinate that a panel is integrated over.
+#[derive(Clone, Copy)]
+pub(crate) enum Variable<'a> {
+    /// The quadrature's own coordinate of the interference.
+    Own(Coordinate),
+    /// One that the law brings.
+    Law(&'a dyn LawChart),
+}
+
+impl Variable<'_> {
+    /// Its value at an interference, given in units of sigma_s and in metres.
+    pub fn of(self, s: f64, interference_m: f64) -> f64 {
+        match self {
+            Variable::Own(coordinate) => coordinate.of(s),
+            Variable::Law(chart) => chart.coordinate(interference_m),
+        }
+    }
+
+    /// Whether it is that of a stretch over decades of the interference.
+    fn spans_decades(self) -> bool {
+        matches!(self, Variable::Own(coordinate) if coordinate.spans_decades())
+    }
+}
+
+/// A stretch of one variable under one rule.
+#[derive(Clone, Copy)]
+pub(crate) struct Panel<'a> {
+    pub variable: Variable<'a>,
+    pub from: f64,
+    pub to: f64,
+    pub halvings: usize,
+    /// None for the trapezoidal rule of rough quadratures, whose error is of no interest.
+    pub rule: Option<&'static Rule>,
+    pub nodes: Block,
+}
+
+impl Panel<'_> {
+    /// Estimated errors of the pressure \[Pa\] and the area fraction that the panel adds, from the values at its nodes.
+    ///
+    /// The rule errs by the Legendre coefficients beyond degree 2n. How those fall from degree n to 2n is judged by how
+    /// they fall from 0 to n/2 and on to n: as fast again and twice as far where they fall geometrically or faster, no
+    /// further than from n/2 to n behind an end-point power, where the fall levels off. It may level off later than n:
+    /// three quarters of it are counted on, and less of the second stretch over decades, where singularities of the law
+    /// that lie closer than those of the density, but are weak, take over late.
+    pub fn errors(&self, values: &Summed<'_>) -> [f64; 2] {
+        const COUNTED_ON: f64 = 0.75;
+        const COUNTED_ON_OVER_DECADES: f64 = 0.3;
+        // The coefficients fall at least by a tenth of a factor e to degree n/2, or else the quotient of falls means nothing.
+        const LEAST_FIRST_FALL: f64 = 0.1;
+        let Some(rule) = self.rule else { return [0.0; 2] };
+        let onward = if self.variable.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
+        let mut wholes = [f64x2::ZERO; 2];
+        let mut coefficients = [[f64x2::ZERO; 4]; 2];
+        for (((pressure_pa, area_fraction), density), probes) in
+            values.pressures_pa.iter().zip(values.area_fractions).zip(values.densities).zip(&rule.probes)
+        {
+            let density = f64x2::new(*density);
+            let values = [pressure_pa, area_fraction].map(|lanes| density * f64x2::new(*lanes));
+            for i in 0..2 {
+                wholes[i] += values[i];
+                for k in 0..4 {
+                    coefficients[i][k] += values[i] * probes[k];
+                }
+            }
+        }
+        [0, 1].map(|i| {
+            let (whole, [a, b, c, d]) = (total(wholes[i]), coefficients[i].map(total));
+            let (middle, high) = (a.abs().max(b.abs()), c.abs().max(d.abs()));
+            if high == 0.0 {
+                return 0.0;
+            }
+            let first_fall = elementary::ln(whole.abs() / middle).max(LEAST_FIRST_FALL);
+            let second_fall = elementary::ln(middle / high).max(0.0);
+            let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
+            DENSITY_SCALE * high * elementary::exp(-COUNTED_ON * second_fall * falls)
+        })
+    }
+
+    /// The sum of weighted values beyond a value of the variable, that is, the integral there of the polynomial through them.
+    pub fn sum_above(&self, weighted_values: impl Iterator<Item = f64>, at: f64) -> f64 {
+        let x = (2.0 * at - self.from - self.to) / (self.to - self.from);
+        match self.rule {
+            _ if x <= -1.0 => weighted_values.sum(),
+            Some(rule) if x < 1.0 => rule.integral_above(x, weighted_values),
+            _ => 0.0,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! A law at the nodes of a quadrature, and its sums against the density of the heights.
+
+use wide::f64x2;
+
+use super::heights::Density;
+use super::nodes::{Nodes, Rows, Summed, total};
+use super::panel::Panel;
+use super::sums::Sums;
+use crate::asperities::answers::{Asperities, Response};
+use crate::gaussian::density::{DENSITY_SCALE, density, tail};
+
+/// Panels with the law at their nodes, and the density there at one separation.
+pub(crate) struct Panels<'a> {
+    pub asperities: &'a dyn Asperities,
+    pub sigma_s_m: f64,
+    /// The separation that they are laid around.
+    pub centre: f64,
+    pub list: Vec<Panel<'a>>,
+    /// With the density at every node at the separation `u`, over the reference density.
+    pub nodes: Nodes,
+    u: f64,
+    /// The interference, in units of sigma_s, from which on the response is this one.
+    pub saturation: Option<(f64, Response)>,
+    /// Law evaluations spent.
+    pub evaluations: usize,
+}
+
+impl<'a> Panels<'a> {
+    /// None yet, around a separation, and room for some nodes.
+    pub fn around(centre: f64, asperities: &'a dyn Asperities, sigma_s_m: f64, nodes: usize) -> Self {
+        Panels {
+            asperities,
+            sigma_s_m,
+            centre,
+            list: Vec::new(),
+            nodes: Nodes::with_room_for(nodes),
+            u: centre,
+            saturation: None,
+            evaluations: 0,
+        }
+    }
+
+    /// Goes to a separation near the centre: from now on the sums are those there.
+    pub fn go_to(&mut self, u: f64) {
+        let density = Density::new(self.centre, u);
+        for panel in &self.list {
+            let Rows { places, densities, .. } = self.nodes.rows(panel.nodes);
+            density.at(places, densities);
+        }
+        self.u = u;
+    }
+
+    /// The integrals.
+    pub fn sums(&self) -> Sums {
+        let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
+        let mut sums = [f64x2::ZERO; 5];
+        for panel in &self.list {
+            let Summed { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
+            for (((place, pressure_pa), area_fraction), density) in
+                places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
+            {
+                let [place, pressure_pa, area_fraction, density] =
+                    [place, pressure_pa, area_fraction, density].map(|lanes| f64x2::new(*lanes));
+                let height = place + shift;
+                let load = density * pressure_pa;
+                let moment = height * load;
+                let second = height * moment;
+                sums[0] += load;
+                sums[1] += moment;
+                sums[2] += second;
+                sums[3] += height * second;
+                sums[4] += density * area_fraction;
+            }
+        }
+        let mut total = sums.map(|lanes| DENSITY_SCALE * total(lanes));
+        if let Some((from, response)) = self.saturation {
+            let share = tail(u, from);
+            let at_edge = density(u, from);
+            total[0] += share * response.pressure_pa;
+            total[1] += at_edge * response.pressure_pa;
+            total[2] += (share + (u + from) * at_edge) * response.pressure_pa;
+            total[3] += ((u + from).powi(2) + 2.0) * at_edge * response.pressure_pa;
+            total[4] += share * response.area_fraction;
+        }
+        let [pressure_pa, first, second, third, area_fraction] = total;
+        Sums::new(pressure_pa, area_fraction, [first, second, third].map(|sum| sum / pressure_pa))
+    }
+
+    /// Estimated errors of the pressure \[Pa\] and the area fraction that a panel adds.
+    pub fn errors(&self, panel: &Panel<'_>) -> [f64; 2] {
+        panel.errors(&self.nodes.summed(panel.nodes))
+    }
+
+    /// Estimate of the larger relative error of the rules in the two integrals.
+    pub fn relative_error(&self, sums: &Sums) -> f64 {
+        let mut errors = [0.0; 2];
+        for panel in &self.list {
+            let [pressure, area] = self.errors(panel);
+            errors[0] += pressure;
+            errors[1] += area;
+        }
+        (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction)
+    }
+
+    /// The part of the pressure \[Pa\], over the reference density, that is carried beyond an interference \[m\].
+    pub fn load_above_pa(&self, interference_m: f64) -> f64 {
+        let s = interference_m / self.sigma_s_m;
+        let panels: f64 = self
+            .list
+            .iter()
+            .map(|panel| {
+                let Summed { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
+                let loads = pressures_pa.as_flattened().iter().zip(densities.as_flattened());
+                let loads = loads.map(|(pressure_pa, density)| density * pressure_pa);
+                panel.sum_above(loads, panel.variable.of(s, interference_m))
+            })
+            .sum();
+        let saturated =
+            self.saturation.map_or(0.0, |(from, response)| tail(self.u, from.max(s)) * response.pressure_pa);
+        panels * DENSITY_SCALE + saturated
+    }
+}

@@ -1,0 +1,59 @@
+//! How fine a quadrature has to be, and how fine it says that it is.
+
+use asperity::elementary;
+
+/// How fine a quadrature has to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Precision {
+    /// Relative error aimed at.
+    pub tolerance: f64,
+    /// -ln of the relative error of a rule.
+    pub digits: f64,
+    /// The density below exp(-drop) of its largest is left out.
+    pub drop: f64,
+}
+
+impl Precision {
+    pub const FINEST: f64 = 1e-13;
+    pub const COARSEST: f64 = 1e-2;
+
+    /// The precision for a relative tolerance, held within what doubles and the rules can do.
+    pub fn new(tolerance: f64) -> Self {
+        let tolerance = tolerance.clamp(Self::FINEST, Self::COARSEST);
+        let digits = -elementary::ln(tolerance);
+        // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
+        Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * elementary::ln(digits) + 2.0 }
+    }
+
+    /// The precision that separations around u need: far below the mean plane ln p goes like ln(-u), and a search has to see
+    /// its slope and its curvature, which are means of heights of the order of 1/u and 1/u^2.
+    pub fn around(self, u: f64) -> Self {
+        // The tolerance over the curvature of ln p.
+        const SHARE: f64 = 0.1;
+        let depth = u.min(0.0);
+        let curvature = SHARE / (depth * depth);
+        if self.tolerance <= curvature { self } else { Self::new(curvature) }
+    }
+}
+
+/// The relative error to state of integrals at the separation u, from that of their rules and of what they leave out.
+pub(crate) fn error_estimate(rules: f64, u: f64) -> f64 {
+    const ROUNDING: f64 = 1e-14;
+    // With it the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty of it.
+    const CAUTION: f64 = 4.0;
+    // Far below the mean plane the interference has no more digits than u.
+    let digits_of_u = 8.0 * f64::EPSILON * (-u).max(0.0);
+    CAUTION * rules + ROUNDING + digits_of_u
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tolerance_is_held_within_reach() {
+        assert_eq!(Precision::new(0.0), Precision::new(1e-13));
+        assert_eq!(Precision::new(7.0), Precision::new(1e-2));
+        assert!(Precision::new(1e-6).drop < Precision::new(1e-12).drop);
+    }
+}

@@ -1,0 +1,82 @@
+//! The Gauss-Legendre rules of panels, and what they tell about their own error.
+
+use std::sync::OnceLock;
+
+use numerics::{GaussLegendre, legendre_integral_above, legendre_polynomials};
+use wide::f64x2;
+
+use super::nodes::LANES;
+
+/// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
+const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
+/// Nodes of the largest rule.
+pub(crate) const MOST: usize = 40;
+
+/// A Gauss-Legendre rule on [-1, 1], and the Legendre polynomials at its nodes.
+pub(crate) struct Rule {
+    pub gauss: GaussLegendre,
+    /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
+    /// values of a function they give its Legendre coefficients. In lanes, zero where those outnumber the nodes.
+    pub probes: Vec<[f64x2; 4]>,
+    /// (2k+1)/2 P_k(x) of every degree k below their number, node by node.
+    polynomials: Vec<f64>,
+}
+
+impl Rule {
+    /// The smallest rule of at least `nodes` nodes, or the largest there is. Computed at its first use.
+    pub fn of_at_least(nodes: usize) -> &'static Rule {
+        static RULES: [OnceLock<Rule>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];
+        let index = SIZES.iter().position(|&size| size >= nodes).unwrap_or(SIZES.len() - 1);
+        RULES[index].get_or_init(|| Rule::new(SIZES[index]))
+    }
+
+    fn new(size: usize) -> Rule {
+        let gauss = GaussLegendre::new(size);
+        let scaled = |x: f64| {
+            let legendre = legendre_polynomials(x, size).into_iter().enumerate();
+            legendre.map(|(k, value)| (k as f64 + 0.5) * value).collect::<Vec<f64>>()
+        };
+        let half = size / 2;
+        let probes = |x: &[f64]| {
+            [half, half - 1, size - 1, size - 2].map(|k| {
+                let mut lanes = [0.0; LANES];
+                lanes.iter_mut().zip(x).for_each(|(lane, &x)| *lane = scaled(x)[k]);
+                f64x2::new(lanes)
+            })
+        };
+        Rule {
+            probes: gauss.nodes().chunks(LANES).map(probes).collect(),
+            polynomials: gauss.nodes().iter().copied().flat_map(scaled).collect(),
+            gauss,
+        }
+    }
+
+    /// The number of its nodes.
+    pub fn count(&self) -> usize {
+        self.gauss.nodes().len()
+    }
+
+    /// The integral from x to 1 of the polynomial with these weighted values at the nodes.
+    pub fn integral_above(&self, x: f64, weighted_values: impl Iterator<Item = f64>) -> f64 {
+        let count = self.count();
+        let mut coefficients = [0.0; MOST];
+        for (row, value) in self.polynomials.chunks_exact(count).zip(weighted_values) {
+            for (sum, polynomial) in coefficients.iter_mut().zip(row) {
+                *sum += value * polynomial;
+            }
+        }
+        legendre_integral_above(x, &coefficients[..count])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rule_of_the_wished_size_or_the_next_larger_is_given() {
+        assert_eq!(Rule::of_at_least(0).count(), 2);
+        assert_eq!(Rule::of_at_least(9).count(), 10);
+        assert_eq!(Rule::of_at_least(1000).count(), 40);
+    }
+}

@@ -1,0 +1,19 @@
+//! One wavelength of the roughness, as spectra give it and stacks take it.
+
+/// A sinusoid that stands for one wavelength of the roughness.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Scale {
+    /// Wavelength lambda > 0 \[m\].
+    pub wavelength_m: f64,
+    /// Amplitude Delta >= 0 \[m\], from the mean line to a crest.
+    pub amplitude_m: f64,
+}
+
+impl Scale {
+    /// Aspect ratio B = Delta/lambda (Jackson & Jacobs, section 1.6 of `docs/models.md`).
+    #[must_use]
+    #[inline]
+    pub fn aspect_ratio(&self) -> f64 {
+        self.amplitude_m / self.wavelength_m
+    }
+}
