@@ -4,12 +4,14 @@ use std::io::{self, Write};
 
 use crate::page::{Report, SceneReport};
 use crate::plot;
+use study::Unobserved;
 use study::answer::Answer;
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{PlanError, Results, Work};
 use study::provenance::provenance;
 use study::result_tables;
 use study::scene::Scene;
+use study::scene::file_names::REPORT_TABLES;
 use study::sensitivity::{self, Sensitivity, counted_sensitivities};
 use tables::{Format, Table};
 
@@ -59,7 +61,7 @@ impl Findings {
     /// [`PlanError`], as of the scene itself.
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
         let answer = Answer::of(scene, results);
-        let (sensitivities, work) = counted_sensitivities(scene, results)?;
+        let (sensitivities, work) = counted_sensitivities(scene, results, &Unobserved)?;
         Ok(Findings { answer, sensitivities, work })
     }
 
@@ -77,9 +79,9 @@ impl Findings {
 
     fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
         [
-            ("report-scales", self.answer.scales_table(&scene.needs)),
-            ("report-decades", self.answer.decades_table(&scene.needs)),
-            ("report-sensitivity", sensitivity::table(&self.sensitivities, &scene.needs)),
+            (REPORT_TABLES[0], self.answer.scales_table(&scene.needs)),
+            (REPORT_TABLES[1], self.answer.decades_table(&scene.needs)),
+            (REPORT_TABLES[2], sensitivity::table(&self.sensitivities, &scene.needs)),
         ]
     }
 }

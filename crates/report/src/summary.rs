@@ -7,8 +7,9 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 use stat_contact::ContactState;
 
-use crate::answer_words;
+use crate::{answer_words, doubt_words};
 use study::answer::{Answer, LoadAnswer};
+use study::doubts::Doubt;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use study::scene::Scene;
 use units::display::{length, pressure, three_digits};
@@ -23,6 +24,13 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
+    }
+    let doubts = Doubt::of_scene(scene, answer);
+    for doubt in &doubts {
+        let _ = writeln!(text, "doubtful: {}", doubt_words::line(doubt));
+    }
+    if !doubts.is_empty() {
+        text.push('\n');
     }
     for choice in scene.choices() {
         let _ = writeln!(text, "{choice}");

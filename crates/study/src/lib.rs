@@ -2,6 +2,7 @@
 
 pub mod answer;
 pub mod asperity_table;
+pub mod doubts;
 pub mod features;
 pub mod figure;
 mod files;

@@ -133,6 +133,12 @@ impl Material {
         }
     }
 
+    /// The yield strength S0 \[Pa\], where there is one.
+    #[must_use]
+    pub fn yield_strength_pa(&self) -> Option<f64> {
+        self.yield_strength?.pascals(None)
+    }
+
     /// The hardness H = 3 S0 \[Pa\], a unit for pressures (Jackson & Jacobs), where there is a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
         Some(HARDNESS_OVER_STRENGTH * self.yield_strength?.pascals(None)?)

@@ -22,7 +22,9 @@ use crate::output::{Place, Stopped};
 use crate::progress::Progress;
 use crate::stderr::say;
 use crate::timings::Timings;
+use report::doubt_words;
 use report::summary::CurveCounts;
+use study::doubts::{Doubt, RealPressures};
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::plan::{Load, LoadRange, Needs, Plan, PlanError, Results, Sampling, Stream};
 use study::provenance::provenance;
@@ -104,6 +106,7 @@ impl Context<'_> {
         let results = compute(&plan).map_err(Failure::input)?;
         timings.lap("computing");
         say_notes(surface.notes.iter().cloned().chain(notes(&results)));
+        say_doubts(Doubt::of_spectrum(&surface.psd));
         self.write(&table(&results, &plan.needs), &provenance(self.typed, &surface, plan.sampling))?;
         timings.lap("writing");
         timings.report(self.shared.timings);
@@ -117,6 +120,7 @@ impl Context<'_> {
         psd: &str,
         reading: &ReadingArgs,
         needs: Needs,
+        hardness_pa: Option<f64>,
         details: bool,
         first_note: impl FnOnce(&Stream<'_>) -> String,
     ) -> Result<(), Failure> {
@@ -128,6 +132,11 @@ impl Context<'_> {
         say_notes(surface.notes.iter().cloned().chain([first_note(&stream)]));
         let several = plan.needs.load_count() > 1;
         let mut counts = CurveCounts::default();
+        say_doubts(Doubt::of_spectrum(&surface.psd));
+        let mut real_pressures = RealPressures::new(hardness_pa);
+        let labels =
+            plan.needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
+        say_doubts(Doubt::of_pressures(plan.needs.pressures().zip(labels), hardness_pa));
         let mut writing = Duration::ZERO;
         let comments = provenance(self.typed, &surface, plan.sampling);
         self.write_blocks(&self.shared.output, &comments, |out| {
@@ -135,6 +144,7 @@ impl Context<'_> {
                 let progress = Progress::towards(stream.rows(curve));
                 stream.parts(curve, &progress, |part| {
                     counts.add(&part.rows);
+                    real_pressures.add_part(curve, &part.rows, &part.pressures_pa);
                     let begun = Instant::now();
                     out.block(&result_tables::part_of_curve(
                         &part.rows,
@@ -147,6 +157,7 @@ impl Context<'_> {
                 })?;
             }
             say_notes(counts.notes());
+            say_doubts(real_pressures.doubts());
             Ok(())
         })?;
         timings.lap_with("computing", "writing", writing);
@@ -247,6 +258,11 @@ fn loads(
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
     ElasticBody::new(modulus.pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
+}
+
+/// Says what physics speaks against.
+fn say_doubts(doubts: impl IntoIterator<Item = Doubt>) {
+    say_notes(doubts.into_iter().map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
 }
 
 /// Says notes on stderr.

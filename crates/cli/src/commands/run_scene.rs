@@ -11,6 +11,7 @@ use crate::timings::Timings;
 use crate::{output, scene_errors};
 use report::explain::explain;
 use report::products::Findings;
+use report::scene_note_words;
 use report::summary::summary;
 use study::answer::Answer;
 use study::plan::PlanError;
@@ -21,6 +22,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let scene = read(&args.scene, context)?;
     timings.lap("reading");
     say_notes(scene.surface.notes.iter().cloned());
+    say_notes(scene.notes.iter().map(scene_note_words::line));
     if args.explain {
         return print(&explain(&scene), context);
     }
@@ -36,7 +38,11 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let written =
         output::write_products(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
     timings.lap("writing");
-    let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    let others = output::other_files(&folder, &written)?;
+    if !others.is_empty() {
+        files += &format!("not of this run, and left there: {}\n", others.join(", "));
+    }
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
     print(&format!("{}{files}", summary(&scene, &results, &answer)), context)?;
     timings.report(context.shared.timings);

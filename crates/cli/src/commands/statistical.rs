@@ -4,12 +4,13 @@ use asperity::{Bound, ElasticBody, MaterialPair, NixGao};
 use stat_contact::{AsperityLaw, ContactState, Model, Population, StatisticalContact};
 
 use super::row_by_row::{self, RowByRow};
-use super::{Context, loads, material, say_notes};
+use super::{Context, loads, material, say_doubts, say_notes};
 use crate::args::{GivenColumn, StatisticalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use report::summary::StateCounts;
 use study::Progress as _;
+use study::doubts::Doubt;
 use study::material::strength;
 use study::plan::{Curve, CurveModel, Cutoffs, Needs, NominalPressure};
 use study::result_tables::STATE_DETAILS;
@@ -35,6 +36,11 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let gradient = args.material.strain_gradient_length.is_some();
     let law =
         material.statistical(model, gradient, hardness, args.interference_law).map_err(Failure::input)?;
+    say_doubts(Doubt::of_material(&material));
+    say_notes(args.tolerance.asked_finer().map(|asked| {
+        let used = number(args.tolerance.value());
+        format!("--tolerance {} is finer than double precision reaches: {used} is used", number(asked))
+    }));
     let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let needs = Needs {
         moments: Some(context.shared.normalisation.unwrap_or_default()),
@@ -49,7 +55,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         tolerance: args.tolerance,
         ..Needs::default()
     };
-    context.curve_to_table(psd, &args.reading, needs, args.details, |_| {
+    context.curve_to_table(psd, &args.reading, needs, material.hardness_pa(), args.details, |_| {
         "the longest wavelength has no asperities yet: its row is empty".to_owned()
     })
 }

@@ -2,6 +2,7 @@
 
 mod tables;
 
+use serde::Serialize;
 use stacked_contact::setting_level;
 
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
@@ -18,7 +19,7 @@ pub const LEAST_DECADES: f64 = 1.0;
 pub const DISAGREEMENT: f64 = 2.0;
 
 /// What a scene found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
     /// For every curve of the scene, for every load, what it ends in; none where the cutoffs leave no asperities.
     pub curves: Vec<Vec<Option<LoadAnswer>>>,
@@ -31,7 +32,7 @@ pub struct Answer {
 }
 
 /// What a curve ends in under one load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadAnswer {
     /// Contact area over nominal area at the shortest wavelength.
     pub area_fraction: f64,
@@ -55,7 +56,7 @@ pub struct LoadAnswer {
 }
 
 /// The scale of a stack that takes the highest pressure to flatten.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SettingScale {
     /// Its wavelength \[m\].
     pub wavelength_m: f64,
@@ -66,7 +67,7 @@ pub struct SettingScale {
 }
 
 /// How far apart the curves of a scene end under one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Disagreement {
     /// The load, by index.
     pub load: usize,

@@ -103,16 +103,13 @@ pub struct Axis {
 const WAVEVECTOR: Axis = Axis { column: "wavevector_rad_per_m", label: "wavevector q (rad/m)" };
 const PSD: &str = "power spectral density C1D (m³)";
 
+/// The name of the figure that is drawn where none is asked for.
+pub const AREA_OF_ALL: &str = "area-fraction";
+
 impl Figure {
     /// The figure drawn where none is asked for: the area of all these curves against cutoff.
     pub fn area_of_all(curves: Vec<usize>) -> Self {
-        Figure {
-            name: "area-fraction".to_owned(),
-            shows: Shows::Area,
-            title: None,
-            curves,
-            sweeps: Vec::new(),
-        }
+        Figure { name: AREA_OF_ALL.to_owned(), shows: Shows::Area, title: None, curves, sweeps: Vec::new() }
     }
 }
 

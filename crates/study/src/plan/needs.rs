@@ -2,7 +2,7 @@
 
 use std::num::NonZeroU32;
 
-use asperity::MaterialPair;
+use asperity::{MaterialPair, NixGao};
 use serde::Deserialize;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stacked_contact::StackedModel;
@@ -53,6 +53,36 @@ pub enum CurveModel {
         /// The law of one asperity.
         law: AsperityLaw,
     },
+}
+
+impl CurveModel {
+    /// The strength of its asperities; elastic models have none.
+    #[must_use]
+    pub fn strength(&self) -> Option<NixGao> {
+        match *self {
+            CurveModel::Stacked(StackedModel::ElasticPlastic { strength, .. }) => Some(strength),
+            CurveModel::Statistical { law: AsperityLaw::EpSphere { strength, .. }, .. }
+            | CurveModel::Statistical { law: AsperityLaw::EpSine { strength }, .. } => Some(strength),
+            _ => None,
+        }
+    }
+
+    /// Whether its strength grows at small depths.
+    #[must_use]
+    pub fn strength_grows(&self) -> bool {
+        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    }
+
+    /// The bodies in contact.
+    #[must_use]
+    pub fn pair(&self) -> MaterialPair {
+        match *self {
+            CurveModel::Stacked(
+                StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. },
+            )
+            | CurveModel::Statistical { pair, .. } => pair,
+        }
+    }
 }
 
 /// A statistical curve against load, at some cutoff.

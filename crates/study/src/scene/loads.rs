@@ -4,7 +4,7 @@ use serde_spanned::Spanned;
 
 use super::error::SceneError;
 use super::raw::{RawLoads, RawQuantity};
-use super::values::{label, quantity};
+use super::values::{label, quantity, value_error};
 use crate::material::Material;
 use crate::plan::{Load, NominalPressure};
 use units::{Area, Force, Pressure};
@@ -52,7 +52,7 @@ pub(super) fn nominal_pressure(
         SceneError::at(raw.span(), message)
     })?;
     NominalPressure::new(pressure_pa)
-        .map_err(|error| SceneError::at(raw.span(), format!("key {key}: {}: {error}", label(raw))))
+        .map_err(|error| value_error(key, &label(raw), raw.span(), format!("{}: {error}", label(raw))))
 }
 
 fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneError> {
@@ -60,6 +60,6 @@ fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneErro
     let Area { m2 } = quantity("loads.nominal_area", area)?;
     let label = format!("{} on {}", label(force), label(area));
     let nominal_pressure = NominalPressure::new(n / m2)
-        .map_err(|error| SceneError::at(force.span(), format!("key loads.force: {label}: {error}")))?;
+        .map_err(|error| value_error("loads.force", &label, force.span(), format!("{label}: {error}")))?;
     Ok(Load { nominal_pressure, label })
 }

@@ -10,6 +10,7 @@ use super::bodies::{resolve_counterface, resolve_material};
 use super::curves::{LawOptions, resolve_curves};
 use super::error::SceneError;
 use super::figures::resolve_figures;
+use super::file_names;
 use super::loads::resolve_loads;
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
@@ -38,8 +39,8 @@ pub struct Overrides {
     pub counterface: Option<ElasticBody>,
 }
 
-pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -> Result<Scene, SceneError> {
-    let options = raw.options;
+pub(super) fn resolve(raw: &RawScene, files: &dyn Files, overrides: &Overrides) -> Result<Scene, SceneError> {
+    let options = &raw.options;
     let strength_cap = match overrides.strength_cap {
         Some(cap) => Some(cap),
         None => optional("options.strength_cap", options.strength_cap.as_ref())?,
@@ -71,6 +72,7 @@ pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -
         }
     };
     let (figures, sweeps) = resolve_figures(&raw.figure, &curves, material.as_ref())?;
+    file_names::check(raw, &curves, &figures)?;
     if curves.is_empty() && figures.is_empty() {
         return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
     }
@@ -85,7 +87,7 @@ pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -
         None => own,
     };
     Ok(Scene {
-        title: raw.title.unwrap_or_else(|| surface.name.clone()),
+        title: raw.title.clone().unwrap_or_else(|| surface.name.clone()),
         surface,
         material,
         sampling: Sampling {
@@ -102,5 +104,6 @@ pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -
             ..Needs::default()
         },
         figures,
+        notes: Vec::new(),
     })
 }

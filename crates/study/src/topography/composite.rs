@@ -17,7 +17,7 @@ const DISAGREEMENT: f64 = 3.0;
 const TELLING_BINS: usize = 3;
 
 /// Two instruments that do not show the same surface.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct InstrumentsDisagree {
     /// The names of the scans.
     pub names: [String; 2],
