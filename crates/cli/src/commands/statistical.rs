@@ -18,6 +18,10 @@ use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::number;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
+    say_notes(args.tolerance.asked_finer().map(|asked| {
+        let used = number(args.tolerance.value());
+        format!("--tolerance {} is finer than double precision reaches: {used} is used", number(asked))
+    }));
     match (&args.psd, &args.input) {
         (Some(psd), _) => over_cutoffs(psd, args, context),
         (None, Some(input)) => {
@@ -37,10 +41,6 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let law =
         material.statistical(model, gradient, hardness, args.interference_law).map_err(Failure::input)?;
     say_doubts(Doubt::of_material(&material));
-    say_notes(args.tolerance.asked_finer().map(|asked| {
-        let used = number(args.tolerance.value());
-        format!("--tolerance {} is finer than double precision reaches: {used} is used", number(asked))
-    }));
     let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let needs = Needs {
         moments: Some(context.shared.normalisation.unwrap_or_default()),
@@ -156,7 +156,13 @@ impl Populations<'_> {
 
     fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
         let separation = || row.optional_number("separation_m", Bound::Finite);
-        let pressure = || row.optional_number("pressure_pa", NominalPressure::BOUND);
+        let pressure = || -> Result<Option<f64>, String> {
+            let pressure_pa = row.optional_number("pressure_pa", Bound::Positive)?;
+            let pressure = pressure_pa.map(NominalPressure::new).transpose();
+            pressure
+                .map(|pressure| pressure.map(NominalPressure::pa))
+                .map_err(|error| format!("column pressure_pa: {error}"))
+        };
         match self.args.given {
             Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {
                 "column separation_m: the cell is empty, and --given separation needs it".to_owned()
