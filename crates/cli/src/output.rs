@@ -206,6 +206,24 @@ pub fn write_products(
     Ok(names)
 }
 
+/// The files of a folder that are none of those just written: they may be of an earlier run.
+///
+/// # Errors
+/// [`Failure::System`] that names the folder.
+pub fn other_files(folder: &Path, written: &[String]) -> Result<Vec<String>, Failure> {
+    let reading = |error: io::Error| Failure::System(format!("reading {}: {error}", folder.display()));
+    let mut others = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(reading)? {
+        let entry = entry.map_err(reading)?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if entry.path().is_file() && !written.contains(&name) {
+            others.push(name);
+        }
+    }
+    others.sort();
+    Ok(others)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

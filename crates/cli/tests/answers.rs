@@ -55,7 +55,7 @@ fn settling_psd(rows: usize, decades: f64) -> String {
 fn a_sensitivity_is_what_the_scene_itself_gives_with_that_option() {
     let own = scene("");
     let results = own.plan().compute().unwrap();
-    let found = sensitivities(&own, &results).unwrap();
+    let found = sensitivities(&own, &results, &study::Unobserved).unwrap();
     let ways = [
         ("normalisation of moments", "as-printed", "normalisation = \"as-printed\""),
         ("amplitude of a scale", "parseval", "amplitude = \"parseval\""),
@@ -90,7 +90,7 @@ fn a_sensitivity_is_what_the_scene_itself_gives_with_that_option() {
 fn a_choice_already_made_that_way_is_no_variation() {
     let scene = scene("[options]\nhardness = \"cosine\"\nstrength_cap = \"21 GPa\"\nscales_per_decade = 10");
     let results = scene.plan().compute().unwrap();
-    let found = sensitivities(&scene, &results).unwrap();
+    let found = sensitivities(&scene, &results, &study::Unobserved).unwrap();
     let settings = |choice: &str| -> Vec<&str> {
         found.iter().filter(|s| s.choice == choice).map(|s| s.setting.as_str()).collect()
     };

@@ -225,7 +225,7 @@ fn an_area_against_cutoff_cannot_be_drawn_of_a_curve_at_one_cutoff() {
     let message = refused(&format!("{none}\n[[figure]]\nname = \"f\"\nshows = \"area\"\n"));
     assert!(message.contains("needs a [[curve]] without cutoffs = \"shortest\""), "{message}");
     let message = refused(&SMALL.replacen("[[curve]]", "[[curve]]\ncutoffs = \"longest\"", 1));
-    assert!(message.contains("unknown variant `longest`, expected `every` or `shortest`"), "{message}");
+    assert!(message.contains("unknown value `longest`; it may be every, shortest"), "{message}");
 }
 
 #[test]
@@ -263,7 +263,7 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     );
     assert!(
         refused("poisson_ratio = 0.2", "poison = 1")
-            .starts_with("error: unknown field `poison`, expected one of ")
+            .starts_with("error: unknown key `poison`, did you mean `poisson_ratio`? the keys here are ")
     );
     assert!(
         refused("poisson_ratio = 0.2", "poisson_ratio = 0.6")
@@ -286,8 +286,8 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     );
     assert!(refused("\"hardening\"", "\"elastic\"").contains("two curves are called \"elastic\""));
     assert!(refused("\"hardening\"", "\"../up\"").contains("becomes the name of a file"));
-    assert!(refused("model = \"elastic\"", "model = \"rigid\"").contains("unknown variant `rigid`"));
-    assert!(refused("[loads]", "[load]").contains("unknown field `load`"));
+    assert!(refused("model = \"elastic\"", "model = \"rigid\"").contains("unknown value `rigid`"));
+    assert!(refused("[loads]", "[load]").contains("unknown key `load`, did you mean `loads`?"));
     assert!(refused("builtin:uncd-measured", "missing.csv").contains(" --> s.toml:4:7"));
     let figure = |figure: &str| refused("[[curve]]", &format!("[[figure]]\n{figure}\n[[curve]]"));
     assert!(
@@ -300,6 +300,31 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     );
     let message = bench.write("s.toml", b"title = \"\xb5m\"").run(&["run", "s.toml"]).refused();
     assert_eq!(message, "error: s.toml, line 1: not UTF-8 text; save the scene as UTF-8\n");
+}
+
+#[test]
+fn f_a_10_files_that_are_not_of_this_run_are_named() {
+    let bench = Bench::new();
+    bench.write("s.toml", SMALL);
+    assert!(!bench.run(&["run", "s.toml"]).ok().contains("not of this run"));
+    bench.write("s.toml", SMALL.replace("\"hardening\"", "\"harder\""));
+    let said = bench.run(&["run", "s.toml"]).ok();
+    assert!(said.ends_with("not of this run, and left there: hardening.csv\n"), "{said}");
+}
+
+#[test]
+fn f_a_18_and_19_idle_keys_and_doubts_are_told_and_the_scene_runs() {
+    let bench = Bench::new();
+    bench.write("s.toml", SMALL.replacen("[[curve]]", "[[curve]]\nstrain_gradient = true", 1));
+    let ran = bench.run(&["run", "s.toml"]);
+    assert!(
+        ran.stderr.contains("note: line 13: curve.strain_gradient has no effect: the model does not yield\n"),
+        "{}",
+        ran.stderr
+    );
+    let doubt = "doubtful: elastic at 54 MPa has a real pressure of 9.42 H, above the hardness H = 5.4 GPa\n";
+    assert!(ran.ok().contains(doubt));
+    assert!(bench.read("s-results/report.html").contains("above the hardness H = 5.4 GPa"));
 }
 
 #[test]

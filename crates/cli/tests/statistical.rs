@@ -317,6 +317,34 @@ fn moments_chain_into_statistical_with_the_constants_given_once() {
 }
 
 #[test]
+fn f_a_11_loads_beyond_what_the_models_take_are_refused_by_every_command() {
+    let bench = Bench::new();
+    let models: [[&str; 4]; 2] = [
+        ["stacked", "builtin:uncd-measured", "--model", "elastic-plastic"],
+        ["statistical", "builtin:uncd-measured", "--model", "hertz"],
+    ];
+    for command in models {
+        let refused =
+            |load: [&str; 2]| bench.run(&[&command[..], &support::DIAMOND[..], &load[..]].concat()).refused();
+        let message = refused(["--pressure", "1e308H"]);
+        assert!(
+            message.contains("nominal pressure in Pa is inf; it must be finite and greater than 0"),
+            "{message}"
+        );
+        let message = refused(["--pressure", "1e70Pa"]);
+        assert!(
+            message.contains("nominal pressure in Pa is 1e70; it must be from 1e-30 to 1e30"),
+            "{message}"
+        );
+        let message = refused(["--pressures", "1e-200Pa:1e200Pa:4"]);
+        assert!(
+            message.contains("nominal pressure in Pa is 1e-200; it must be from 1e-30 to 1e30"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
 fn constants_and_columns_give_the_same_digits() {
     let bench = Bench::new();
     let row = "ep-sphere,463e9,0.2,1.8e9,,2.43843e-06,1.80165e+11,2.11632e-08,,1e6,";
@@ -371,8 +399,20 @@ fn every_bound_of_the_computation_is_held_before_anything_is_written() {
     );
     assert_eq!(refused("1.80165e+11", "1e45"), "column density_per_m2: 1e45 must be from 1e-30 to 1e30\n");
     assert_eq!(refused("5.02477e-08", "1e31"), "column separation_m: 1e31 must be from -1e30 to 1e30\n");
-    assert_eq!(
-        refused("5.02477e-08,,", ",1e61,"),
-        "column pressure_pa: 1e61 must be greater than 0 and at most 1e60\n"
-    );
+    assert_eq!(refused("5.02477e-08,,", ",1e61,"), "column pressure_pa: 1e61 must be from 1e-30 to 1e30\n");
+}
+
+#[test]
+fn f_a_13_and_19_a_tolerance_that_cannot_be_had_and_doubts_are_told() {
+    let bench = Bench::new();
+    let command = ["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressure", "2H"];
+    let ran = bench.run(&[&command[..], &support::DIAMOND[..], &["--tolerance", "1e-300"]].concat());
+    for told in [
+        "note: --tolerance 1e-300 is finer than double precision reaches: 1e-13 is used\n",
+        "note: doubtful: the load 2H is 2 times the hardness H = 5.4 GPa: the body yields as a whole\n",
+        "note: doubtful: hertz at 10800000000 Pa has a real pressure of ",
+    ] {
+        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    }
+    assert_eq!(ran.status, 0);
 }

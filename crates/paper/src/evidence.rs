@@ -72,7 +72,7 @@ impl Evidence {
 
     /// The loads \[Pa\].
     pub(crate) fn loads_pa(&self) -> Vec<f64> {
-        self.scene.needs.loads.iter().map(|load| load.nominal_pressure_pa).collect()
+        self.scene.needs.loads.iter().map(|load| load.nominal_pressure_pa()).collect()
     }
 
     /// The hardness \[Pa\].
@@ -107,7 +107,7 @@ impl Evidence {
         let sweeps = self.scene.needs.sweeps.iter().zip(&self.results.sweeps);
         sweeps
             .filter(|(sweep, _)| sweep.curve == index)
-            .map(|(sweep, states)| (sweep.cutoff_multiple, &sweep.pressures_pa[..], &states[..]))
+            .map(|(sweep, found)| (sweep.cutoff_multiple, &sweep.pressures_pa[..], &found.states[..]))
             .collect()
     }
 

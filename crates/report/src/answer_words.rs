@@ -157,7 +157,7 @@ impl<'a> Group<'a> {
 
     /// The loads in the order in which ranges are told.
     fn load_range(&self, scene: &Scene) -> String {
-        let pressure = |(load, _): &&(usize, &LoadAnswer)| scene.needs.loads[*load].nominal_pressure_pa;
+        let pressure = |(load, _): &&(usize, &LoadAnswer)| scene.needs.loads[*load].nominal_pressure_pa();
         let rising =
             |a: &&(usize, &LoadAnswer), b: &&(usize, &LoadAnswer)| pressure(a).total_cmp(&pressure(b));
         let label = |(load, _): &(usize, &LoadAnswer)| scene.needs.loads[*load].label.as_str();

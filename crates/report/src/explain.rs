@@ -155,7 +155,7 @@ fn repeated_loads(needs: &Needs) -> Vec<(&str, &str)> {
     let mut repeated = Vec::new();
     for (at, load) in needs.loads.iter().enumerate() {
         let before = &needs.loads[..at];
-        let first = before.iter().find(|other| other.nominal_pressure_pa == load.nominal_pressure_pa);
+        let first = before.iter().find(|other| other.nominal_pressure_pa() == load.nominal_pressure_pa());
         repeated.extend(first.map(|first| (load.label.as_str(), first.label.as_str())));
     }
     repeated

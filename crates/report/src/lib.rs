@@ -3,6 +3,7 @@
 mod answer_words;
 pub mod curve_names;
 mod decade;
+pub mod doubt_words;
 pub mod explain;
 pub mod page;
 pub mod plot;
@@ -11,4 +12,5 @@ pub mod reasons;
 pub mod row_notes;
 pub mod scan_words;
 pub mod scans_table;
+pub mod scene_note_words;
 pub mod summary;

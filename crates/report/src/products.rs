@@ -5,17 +5,19 @@ use std::io::{self, Write};
 use crate::curve_names::with_full_names;
 use crate::page::{Report, SceneReport};
 use crate::plot;
+use study::Unobserved;
 use study::answer::Answer;
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::provenance::provenance;
 use study::result_tables;
 use study::scene::Scene;
+use study::scene::file_names::REPORT_TABLES;
 use study::sensitivity::{self, Sensitivity, counted_sensitivities};
 use tables::{Format, Table};
 
+/// The page on everything that a scene found.
 const REPORT: &str = "report.html";
-const REPORT_TABLES: [&str; 3] = ["report-scales", "report-decades", "report-sensitivity"];
 
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
@@ -89,7 +91,7 @@ fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
     }
     let loads = &scene.needs.loads;
     let by_pressure =
-        |a: &usize, b: &usize| loads[*a].nominal_pressure_pa.total_cmp(&loads[*b].nominal_pressure_pa);
+        |a: &usize, b: &usize| loads[*a].nominal_pressure_pa().total_cmp(&loads[*b].nominal_pressure_pa());
     let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
     // Of an area against cutoff the colour is the load.
     let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
@@ -136,7 +138,7 @@ impl Findings {
     /// [`PlanError`], as of the scene itself.
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
         let answer = Answer::of(scene, results);
-        let (sensitivities, work) = counted_sensitivities(scene, results)?;
+        let (sensitivities, work) = counted_sensitivities(scene, results, &Unobserved)?;
         Ok(Findings { answer, sensitivities, work, occasion: Occasion::default() })
     }
 

@@ -6,10 +6,10 @@ use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
-use crate::answer_words;
 use crate::curve_names::in_full;
-use crate::scan_words;
+use crate::{answer_words, doubt_words, scan_words};
 use study::answer::{Answer, LoadAnswer};
+use study::doubts::Doubt;
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use study::rows::StateCounts;
@@ -30,6 +30,13 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
+    }
+    let doubts = Doubt::of_scene(scene, answer);
+    for doubt in &doubts {
+        let _ = writeln!(text, "doubtful: {}", doubt_words::line(doubt));
+    }
+    if !doubts.is_empty() {
+        text.push('\n');
     }
     let material = scene.material.as_ref().map(Material::properties).unwrap_or_default();
     if !material.is_empty() {

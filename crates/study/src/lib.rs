@@ -2,6 +2,7 @@
 
 pub mod answer;
 pub mod choices_in_words;
+pub mod doubts;
 pub mod features;
 pub mod figure;
 mod files;

@@ -1,7 +1,8 @@
 //! The material as given: what a model needs of it is drawn, and missed, only when the model asks.
 
-use asperity::{AsperityError, Bound, ElasticBody, MaterialPair, NixGao};
+use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
 
+use crate::plan::NominalPressure;
 use units::Pressure;
 use units::display::{length, pressure};
 use units::number;
@@ -121,6 +122,12 @@ impl Material {
         }
     }
 
+    /// The yield strength S0 \[Pa\], where there is one.
+    #[must_use]
+    pub fn yield_strength_pa(&self) -> Option<f64> {
+        self.yield_strength?.pascals(None)
+    }
+
     /// The hardness H = 3 S0 \[Pa\], a unit for pressures (Jackson & Jacobs), where there is a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
         self.yield_strength?.pascals(None).map(hardness_pa)
@@ -173,16 +180,16 @@ impl Material {
         properties
     }
 
-    /// A pressure > 0 \[Pa\], in units of the hardness or not.
+    /// A nominal pressure, in units of the hardness or not.
     ///
     /// # Errors
-    /// [`MaterialError::Missing`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is
-    /// not finite and positive.
-    pub fn pascals(&self, pressure: Pressure) -> Result<f64, MaterialError> {
+    /// [`MaterialError::Missing`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is beyond
+    /// [`NominalPressure::BOUND`].
+    pub fn nominal_pressure(&self, pressure: Pressure) -> Result<NominalPressure, MaterialError> {
         let pressure_pa = pressure
             .pascals(self.hardness_pa())
             .ok_or(MaterialError::Missing(NeededFor::PressureInHardnesses))?;
-        Ok(Bound::Positive.check("pressure in Pa", pressure_pa)?)
+        Ok(NominalPressure::new(pressure_pa)?)
     }
 
     /// The strength of the rough body; `strain_gradient` lets it grow at small depths.

@@ -242,6 +242,23 @@ impl CurveModel {
         }
     }
 
+    /// Whether its strength grows at small depths.
+    #[must_use]
+    pub fn strength_grows(&self) -> bool {
+        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    }
+
+    /// The bodies in contact.
+    #[must_use]
+    pub fn pair(&self) -> MaterialPair {
+        match *self {
+            CurveModel::Stacked(
+                StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. },
+            )
+            | CurveModel::Statistical { pair, .. } => pair,
+        }
+    }
+
     /// The same model of another strength; `None` where it never yields.
     #[must_use]
     pub fn with_strength(self, strength: NixGao) -> Option<Self> {

@@ -58,14 +58,15 @@ pub fn fit(results: &Results) -> Table {
 /// A curve against cutoff, block after block, a block per load (and per separation); `details` appends how each row was
 /// found.
 pub fn curve(curve: &CurveResult, loads: &[Load], details: bool) -> Table {
-    part_of_curve(curve, loads, loads.len() > 1, details)
+    let pressures_pa: Vec<f64> = loads.iter().map(Load::nominal_pressure_pa).collect();
+    part_of_curve(curve, &pressures_pa, loads.len() > 1, details)
 }
 
-/// Some blocks of a curve, whose first belongs to the first of `loads`; `several` tells whether the whole curve has more
-/// loads than one.
-pub fn part_of_curve(curve: &CurveResult, loads: &[Load], several: bool, details: bool) -> Table {
+/// Some blocks of a curve, under these nominal pressures \[Pa\]; `several` tells whether the whole curve has more loads than
+/// one.
+pub fn part_of_curve(curve: &CurveResult, pressures_pa: &[f64], several: bool, details: bool) -> Table {
     match curve {
-        CurveResult::Stacked(blocks) => stacked(blocks, loads, several, details),
+        CurveResult::Stacked(blocks) => stacked(blocks, pressures_pa, several, details),
         CurveResult::Statistical(blocks) => statistical(blocks, details),
     }
 }
@@ -104,14 +105,12 @@ pub const STATE_DETAILS: [StateColumn; 5] = [
 ];
 
 /// A stacked curve; which load a row belongs to is told where there are several.
-fn stacked(curve: &[Vec<Level>], loads: &[Load], several: bool, details: bool) -> Table {
+fn stacked(curve: &[Vec<Level>], pressures_pa: &[f64], several: bool, details: bool) -> Table {
     let mut table = Table::default();
     if several {
-        let pressures = curve.iter().zip(loads);
-        table = table.with_numbers(
-            "nominal_pressure_pa",
-            pressures.flat_map(|(levels, load)| std::iter::repeat_n(load.nominal_pressure_pa, levels.len())),
-        );
+        let of_block =
+            |(levels, &pressure_pa): (&Vec<Level>, &f64)| std::iter::repeat_n(pressure_pa, levels.len());
+        table = table.with_numbers("nominal_pressure_pa", curve.iter().zip(pressures_pa).flat_map(of_block));
     }
     let column = |of: fn(&Level) -> f64| curve.iter().flatten().map(of);
     table = table

@@ -61,7 +61,7 @@ impl Cells {
 }
 
 impl Table {
-    /// The column of this name is set, in its place where it exists and else as the last one.
+    /// The column of this name is set: what came in under it is replaced in its place, and else it is the last one.
     pub fn set(&mut self, name: &str, cells: Cells) {
         debug_assert!(self.columns.is_empty() || cells.len() == self.rows());
         match self.columns.iter_mut().find(|(existing, _)| existing == name) {
@@ -70,25 +70,34 @@ impl Table {
         }
     }
 
+    /// Appends a column. A name that is taken gets a number, so that no column of a table takes the place of another.
+    fn append(&mut self, name: &str, cells: Cells) {
+        debug_assert!(self.columns.is_empty() || cells.len() == self.rows());
+        let is_taken = |name: &str| self.columns.iter().any(|(existing, _)| existing == name);
+        let numbered = (2..).map(|number| format!("{name} ({number})"));
+        let name = std::iter::once(name.to_owned()).chain(numbered).find(|name| !is_taken(name));
+        self.columns.extend(name.map(|name| (name, cells)));
+    }
+
     /// The table with a column of numbers appended.
     pub fn with_numbers(
         mut self,
         name: &str,
         values: impl IntoIterator<Item = impl Into<Option<f64>>>,
     ) -> Self {
-        self.set(name, Cells::Numbers(values.into_iter().map(Into::into).collect()));
+        self.append(name, Cells::Numbers(values.into_iter().map(Into::into).collect()));
         self
     }
 
     /// The table with a column of words appended.
     pub fn with_words(mut self, name: &str, words: impl IntoIterator<Item = &'static str>) -> Self {
-        self.set(name, Cells::Words(words.into_iter().collect()));
+        self.append(name, Cells::Words(words.into_iter().collect()));
         self
     }
 
     /// The table with a column of text appended.
     pub fn with_text(mut self, name: &str, texts: impl IntoIterator<Item = String>) -> Self {
-        self.set(name, Cells::Typed(texts.into_iter().map(Cell::Field).collect()));
+        self.append(name, Cells::Typed(texts.into_iter().map(Cell::Field).collect()));
         self
     }
 
@@ -121,5 +130,17 @@ impl Table {
             Cells::Words(_) => 0,
         };
         self.columns().map(|(_, cells)| count(cells)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn f_a_9_a_computed_column_never_takes_the_place_of_another() {
+        let table = Table::default().with_numbers("a", [1.0]).with_numbers("a", [2.0]).with_words("a", ["w"]);
+        let names: Vec<&str> = table.columns().map(|(name, _)| name).collect();
+        assert_eq!(names, ["a", "a (2)", "a (3)"]);
     }
 }

@@ -11,7 +11,7 @@ use crate::{Composite, CompositeOptions, Overlap, TransformError, composite, ove
 const TELLING_BINS: usize = 3;
 
 /// Two instruments that do not show the same surface.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct InstrumentsDisagree {
     /// The names of the scans.
     pub names: [String; 2],

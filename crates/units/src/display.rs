@@ -1,26 +1,64 @@
 //! Lengths and pressures as people read them: three digits and a prefix.
 
+use std::collections::{HashMap, HashSet};
+
 /// A length, e.g. `5.65 nm`.
 #[must_use]
 pub fn length(length_m: f64) -> String {
-    with_prefix(length_m, &[("m", 0), ("mm", -3), ("µm", -6), ("nm", -9), ("pm", -12)])
+    length_with(LEAST_DIGITS, length_m)
+}
+
+/// Lengths \[m\] with three digits each, and with more where that takes to tell different ones apart.
+#[must_use]
+pub fn lengths_apart(lengths_m: &[f64]) -> Vec<String> {
+    let mut digits = vec![LEAST_DIGITS; lengths_m.len()];
+    loop {
+        let told: Vec<String> =
+            digits.iter().zip(lengths_m).map(|(&digits, &length_m)| length_with(digits, length_m)).collect();
+        let mut first_of: HashMap<&str, f64> = HashMap::new();
+        let mut ambiguous: HashSet<&str> = HashSet::new();
+        for (text, &length_m) in told.iter().zip(lengths_m) {
+            if *first_of.entry(text).or_insert(length_m) != length_m {
+                ambiguous.insert(text);
+            }
+        }
+        let mut any_left = false;
+        for (text, digits) in told.iter().zip(&mut digits) {
+            if ambiguous.contains(text.as_str()) && *digits < MOST_DIGITS {
+                *digits += 1;
+                any_left = true;
+            }
+        }
+        if !any_left {
+            return told;
+        }
+    }
+}
+
+/// The digits that numbers are told with where fewer do not have to be.
+const LEAST_DIGITS: usize = 3;
+/// So many digits tell any two doubles apart.
+const MOST_DIGITS: usize = 17;
+
+fn length_with(digits: usize, length_m: f64) -> String {
+    with_prefix(digits, length_m, &[("m", 0), ("mm", -3), ("µm", -6), ("nm", -9), ("pm", -12)])
 }
 
 /// A pressure, e.g. `5.4 MPa`.
 #[must_use]
 pub fn pressure(pressure_pa: f64) -> String {
-    with_prefix(pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
+    with_prefix(LEAST_DIGITS, pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
 }
 
 /// What is zero, or no finite number, has the plain unit.
-fn with_prefix(value: f64, units: &[(&str, i32)]) -> String {
+fn with_prefix(digits: usize, value: f64, units: &[(&str, i32)]) -> String {
     let has_size = value.is_finite() && value != 0.0;
     let fits = |(_, power): &&(&str, i32)| match has_size {
         true => value.abs() >= 0.9995 * 10f64.powi(*power),
         false => *power == 0,
     };
     let (unit, power) = units.iter().find(fits).unwrap_or(&units[units.len() - 1]);
-    format!("{} {unit}", three_digits(value / 10f64.powi(*power)))
+    format!("{} {unit}", significant(digits, value / 10f64.powi(*power)))
 }
 
 /// A number of things, e.g. `1 scale`, `2 scales`; `thing` takes an s.
@@ -33,13 +71,18 @@ pub fn counted(number: usize, thing: &str) -> String {
 /// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
+    significant(LEAST_DIGITS, value)
+}
+
+fn significant(digits: usize, value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return value.to_string();
     }
+    let after_the_first = digits - 1;
     if !(1e-3..1e4).contains(&value.abs()) {
-        return format!("{value:.2e}");
+        return format!("{value:.after_the_first$e}");
     }
-    let decimals = (2 - value.abs().log10().floor() as i32).max(0) as usize;
+    let decimals = (after_the_first as i32 - value.abs().log10().floor() as i32).max(0) as usize;
     let fixed = format!("{value:.decimals$}");
     if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
 }
@@ -111,6 +154,15 @@ mod tests {
     #[test]
     fn one_thing_is_no_things() {
         assert_eq!([0, 1, 2].map(|number| counted(number, "bin")), ["0 bins", "1 bin", "2 bins"]);
+    }
+
+    #[test]
+    fn f_a_9_lengths_that_differ_are_told_apart_and_others_as_ever() {
+        assert_eq!(
+            lengths_apart(&[35e-9, 35.004e-9, 70e-9, 35e-9]),
+            ["35 nm", "35.004 nm", "70 nm", "35 nm"]
+        );
+        assert_eq!(lengths_apart(&[5.65e-9, 1e-6]), ["5.65 nm", "1 µm"]);
     }
 
     #[test]

@@ -26,11 +26,13 @@ use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
+use report::doubt_words;
 use report::summary::CurveCounts;
 use report::{plot, scan_words};
+use study::doubts::{Doubt, RealPressures};
 use study::figure::{Figure, FigureData, Shows};
-use study::material::{GivenMaterial, Material};
-use study::plan::{Load, Needs, Part, Plan, PlanError, Results, Sampling};
+use study::material::{GivenMaterial, Material, MaterialError};
+use study::plan::{Curve, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError, Results, Sampling};
 use study::provenance::provenance;
 use study::result_tables;
 use study::surface::{Surface, SurfaceError};
@@ -38,7 +40,6 @@ use tables::{Format, Table, TableWriter};
 use topography::Severity;
 use units::PressureRange;
 use units::display::length;
-use units::number;
 use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.
@@ -90,6 +91,7 @@ impl Context<'_> {
         timings.lap("computing");
         say_surface(&surface);
         say_notes(notes(&results));
+        say_doubts(Doubt::of_spectrum(&surface.psd));
         let comments = provenance(self.typed, &surface, plan.sampling);
         let mut files = StagedFiles::default();
         if let Some(figure) = &spectrum.figure {
@@ -111,6 +113,7 @@ impl Context<'_> {
         &self,
         spectrum: &Spectrum<'_>,
         needs: Needs,
+        hardness_pa: Option<f64>,
         details: bool,
         first_note: impl FnOnce(&ProfilePsd) -> String,
     ) -> Result<(), Failure> {
@@ -130,30 +133,40 @@ impl Context<'_> {
             self.stage_picture(&mut files, figure.picture, &data, &surface.name, &comments)?;
             drawn = Some(results);
         }
-        let loads = &plan.needs.loads;
+        let several = plan.needs.load_count() > 1;
         let mut counts = CurveCounts::default();
+        say_doubts(Doubt::of_spectrum(&surface.psd));
+        let mut real_pressures = RealPressures::new(hardness_pa);
+        let labels =
+            plan.needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
+        say_doubts(Doubt::of_pressures(plan.needs.pressures().zip(labels), hardness_pa));
         let mut writing = Duration::ZERO;
         self.stage_blocks(&mut files, &self.shared.output, self.wanted(&comments), |out| {
-            let mut write = |part: Part| {
+            let mut write = |curve: &Curve, part: Part| {
                 counts.add(&part.rows);
-                let of_part = &loads[part.first_block.min(loads.len())..];
+                real_pressures.add_part(curve, &part.rows, &part.pressures_pa);
                 let begun = Instant::now();
-                out.block(&result_tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
+                let rows = result_tables::part_of_curve(&part.rows, &part.pressures_pa, several, details);
+                out.block(&rows)?;
                 writing += begun.elapsed();
                 if interruption::is_asked_for() { Err(Failure::Interrupted.into()) } else { Ok(()) }
             };
             match drawn {
                 Some(results) => {
-                    results.curves.into_iter().try_for_each(|rows| write(Part { first_block: 0, rows }))?;
+                    let pressures_pa: Vec<f64> = plan.needs.pressures().map(NominalPressure::pa).collect();
+                    for (curve, rows) in plan.needs.curves.iter().zip(results.curves) {
+                        write(curve, Part { pressures_pa: pressures_pa.clone(), rows })?;
+                    }
                 }
                 None => {
                     for curve in &plan.needs.curves {
                         let progress = Progress::towards(stream.rows(curve));
-                        stream.parts::<Stopped>(curve, &progress, &mut write)?;
+                        stream.parts::<Stopped>(curve, &progress, |part| write(curve, part))?;
                     }
                 }
             }
             say_notes(counts.notes());
+            say_doubts(real_pressures.doubts());
             Ok(())
         })?;
         publish(files)?;
@@ -334,34 +347,28 @@ fn counterface(given: &CounterfaceArgs) -> Result<Option<ElasticBody>, Failure> 
     elastic_body(modulus, "--counterface-poisson-ratio", ratio).map(Some)
 }
 
-/// The loads given by `--pressure`, and behind them those by `--pressures`.
+/// The loads given by `--pressure`, and the ranges behind them by `--pressures`.
 fn loads(
     pressures: &[(Pressure, String)],
     ranges: &[PressureRange],
     material: &Material,
-) -> Result<Vec<Load>, Failure> {
-    let load = |(pressure, label): &(Pressure, String)| {
-        let nominal_pressure_pa = material
-            .pascals(*pressure)
-            .map_err(|error| Failure::Input(format!("--pressure {label}: {error}: add --yield-strength")))?;
-        Ok(Load { nominal_pressure_pa, label: label.clone() })
+) -> Result<(Vec<Load>, Vec<LoadRange>), Failure> {
+    let pascals = |option: &str, pressure| {
+        material.nominal_pressure(pressure).map_err(|error| {
+            let mend = if matches!(error, MaterialError::Missing(_)) { ": add --yield-strength" } else { "" };
+            Failure::Input(format!("{option}: {error}{mend}"))
+        })
     };
-    let mut loads: Vec<Load> = pressures.iter().map(load).collect::<Result<_, Failure>>()?;
-    for range in ranges {
-        // A pressure in H is the only one that may lack something.
-        for end in [range.from, range.to] {
-            material
-                .pascals(end)
-                .map_err(|error| Failure::Input(format!("--pressures: {error}: add --yield-strength")))?;
-        }
-        loads.extend(range.pascals(material.hardness_pa()).into_iter().flatten().map(
-            |nominal_pressure_pa| Load {
-                nominal_pressure_pa,
-                label: format!("{} Pa", number(nominal_pressure_pa)),
-            },
-        ));
-    }
-    Ok(loads)
+    let load = |(pressure, label): &(Pressure, String)| {
+        let nominal_pressure = pascals(&format!("--pressure {label}"), *pressure)?;
+        Ok(Load { nominal_pressure, label: label.clone() })
+    };
+    let range = |range: &PressureRange| {
+        let [from, to] = [range.from, range.to].map(|end| pascals("--pressures", end));
+        Ok(LoadRange::new(from?, to?, range.points))
+    };
+    let loads = pressures.iter().map(load).collect::<Result<_, Failure>>()?;
+    Ok((loads, ranges.iter().map(range).collect::<Result<_, Failure>>()?))
 }
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
@@ -382,6 +389,11 @@ fn say_of_severity(severity: Severity, text: &str) {
         Severity::Note => say(&format!("note: {text}")),
         Severity::Warning => say(&format!("warning: {text}")),
     }
+}
+
+/// Says what physics speaks against.
+fn say_doubts(doubts: impl IntoIterator<Item = Doubt>) {
+    say_notes(doubts.into_iter().map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
 }
 
 /// Says notes on stderr.

@@ -5,7 +5,7 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::{Context, compute, counterface, refuse_idle_cutoff, say_surface};
+use super::{Context, compute, counterface, refuse_idle_cutoff, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -16,6 +16,7 @@ use crate::{output, scene_errors};
 use report::explain::explain;
 use report::products::{self, Findings, Occasion};
 use report::reasons::reasons;
+use report::scene_note_words;
 use report::summary::summary;
 use study::answer::Answer;
 use study::models::{Choice, CurveModel};
@@ -28,6 +29,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let scene = read(args, &folder, context)?;
     timings.lap("reading");
     say_surface(&scene.surface);
+    say_notes(scene.notes.iter().map(scene_note_words::line));
     if args.dry_run {
         return print(&explain(&scene), context);
     }
@@ -53,7 +55,11 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let written =
         output::write_products(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
     timings.lap("writing");
-    let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    let others = output::other_files(&folder, &written)?;
+    if !others.is_empty() {
+        files += &format!("not of this run, and left there: {}\n", others.join(", "));
+    }
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
     print(&format!("{}{files}", summary(&scene, &results, &answer)), context)?;
     timings.report(context.shared.timings);

@@ -1,9 +1,10 @@
 //! `stacked`: contact area against cutoff, scale upon scale.
 
-use super::{Context, Drawn, Spectrum, loads, material, refuse_idle_strength_cap};
+use super::{Context, Drawn, Spectrum, loads, material, refuse_idle_strength_cap, say_doubts};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
 use report::summary::sampling_of;
+use study::doubts::Doubt;
 use study::models::{Choice, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
 
@@ -15,10 +16,13 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
         ..ModelOptions::default()
     };
     let model = args.model.build(&material, &options)?;
+    say_doubts(Doubt::of_material(&material));
+    let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let needs = Needs {
         amplitudes: Some(args.amplitude.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
-        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
+        loads,
+        load_ranges,
         ..Needs::default()
     };
     let spectrum = Spectrum {
@@ -27,7 +31,7 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
         sampling: args.sampling.sampling(),
         figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
     };
-    context.curve_to_table(&spectrum, needs, args.details, |psd| {
+    context.curve_to_table(&spectrum, needs, material.hardness_pa(), args.details, |psd| {
         let sampling = sampling_of(psd);
         format!("{sampling}; the area depends on how densely scales are sampled (--scales-per-decade)")
     })

@@ -1,16 +1,24 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
 use super::row_by_row::{self, Constants};
-use super::{Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap};
+use super::{
+    Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap, say_doubts, say_notes,
+};
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
 use crate::output::Place;
+use study::doubts::Doubt;
 use study::material::{MaterialError, NeededFor, hardness_pa};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
 use study::rows::Populations;
+use units::number;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
+    say_notes(args.tolerance.asked_finer().map(|asked| {
+        let used = number(args.tolerance.value());
+        format!("--tolerance {} is finer than double precision reaches: {used} is used", number(asked))
+    }));
     match (&args.psd, &args.input) {
         (Some(psd), _) => over_cutoffs(psd, args, context),
         (None, Some(input)) => of_rows(input, args, context),
@@ -30,6 +38,8 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let model = args.model.ok_or_else(|| Failure::input("a spectrum needs --model"))?;
     refuse_idle_options(args, model)?;
     let material = material(&args.material)?;
+    say_doubts(Doubt::of_material(&material));
+    let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let needs = Needs {
         moments: Some(args.normalisation.normalisation.unwrap_or_default()),
         curves: vec![Curve {
@@ -37,7 +47,8 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
             model: model.build(&material, &options(args))?,
             cutoffs: Cutoffs::Every,
         }],
-        loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
+        loads,
+        load_ranges,
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),
         tolerance: args.tolerance,
         ..Needs::default()
@@ -48,7 +59,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         sampling: args.sampling.sampling(),
         figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
     };
-    context.curve_to_table(&spectrum, needs, args.details, |_| {
+    context.curve_to_table(&spectrum, needs, material.hardness_pa(), args.details, |_| {
         "the longest wavelength has no asperities yet: its row is empty".to_owned()
     })
 }

@@ -148,7 +148,7 @@ impl SceneReport<'_> {
     fn load(&self, load: usize) -> String {
         load_in_full(
             &self.scene.needs.loads[load].label,
-            self.scene.needs.loads[load].nominal_pressure_pa,
+            self.scene.needs.loads[load].nominal_pressure_pa(),
             self.scene.hardness_pa(),
         )
     }

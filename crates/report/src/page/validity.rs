@@ -4,7 +4,9 @@ use maud::{Markup, html};
 
 use super::key_numbers::percent;
 use super::{SceneReport, Section, per_scene};
+use crate::doubt_words;
 use crate::summary::{beyond_fitted_range, statistical_notes};
+use study::doubts::Doubt;
 use study::plan::CurveResult;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -16,12 +18,17 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if report.scene.needs.curves.is_empty() {
         return None;
     }
+    let doubts = Doubt::of_scene(report.scene, report.answer);
     let warned: Vec<(String, Vec<String>)> = report
         .answers()
         .map(|(curve, _)| (report.curve(curve), warnings(report, curve)))
         .filter(|(_, warnings)| !warnings.is_empty())
         .collect();
     Some(html! {
+        @if !doubts.is_empty() {
+            p { "Physics speaks against some of these numbers:" }
+            ul { @for doubt in &doubts { li { (doubt_words::line(doubt)) "." } } }
+        }
         @if warned.is_empty() { p { "No law was used outside the range it was fitted in." } }
         @else {
             dl.validity {

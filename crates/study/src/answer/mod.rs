@@ -2,6 +2,7 @@
 
 mod tables;
 
+use serde::Serialize;
 use spectrum::Hole;
 use stacked_contact::setting_level;
 
@@ -19,7 +20,7 @@ pub const LEAST_DECADES: f64 = 1.0;
 pub const DISAGREEMENT: f64 = 2.0;
 
 /// What a scene found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
     /// For every curve of the scene, for every load, what it ends in; none where the cutoffs leave no asperities.
     pub curves: Vec<Vec<Option<LoadAnswer>>>,
@@ -32,7 +33,7 @@ pub struct Answer {
 }
 
 /// What a curve ends in under one load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadAnswer {
     /// Contact area over nominal area at the shortest wavelength.
     pub area_fraction: f64,
@@ -56,7 +57,7 @@ pub struct LoadAnswer {
 }
 
 /// The scale of a stack that takes the highest pressure to flatten.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SettingScale {
     /// Its wavelength \[m\].
     pub wavelength_m: f64,
@@ -67,7 +68,7 @@ pub struct SettingScale {
 }
 
 /// How far apart the curves of a scene end under one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Disagreement {
     /// The load, by index.
     pub load: usize,
@@ -94,7 +95,7 @@ impl Answer {
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &crate::plan::Load)| {
-                let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)?;
+                let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
                 Some(answer.of_spectrum_with(scene.surface.holes()))
             };
             needs.loads.iter().enumerate().map(of_load).collect()

@@ -21,7 +21,7 @@ impl Answer {
         let found = |of: fn(&super::LoadAnswer) -> Option<f64>| rows().map(move |(_, _, answer)| of(answer));
         Table::default()
             .with_text("curve", rows().map(|(curve, _, _)| curve.name.clone()))
-            .with_numbers("nominal_pressure_pa", rows().map(|(_, load, _)| load.nominal_pressure_pa))
+            .with_numbers("nominal_pressure_pa", rows().map(|(_, load, _)| load.nominal_pressure_pa()))
             .with_numbers("area_fraction", found(|answer| Some(answer.area_fraction)))
             .with_numbers("real_pressure_pa", found(|answer| Some(answer.real_pressure_pa)))
             .with_numbers("settled_1_percent_m", found(|answer| answer.within_1_percent.if_converged_m()))
@@ -49,7 +49,7 @@ impl Answer {
         };
         Table::default()
             .with_text("curve", rows().map(|(curve, _, _)| curve.name.clone()))
-            .with_numbers("nominal_pressure_pa", rows().map(|(_, load, _)| load.nominal_pressure_pa))
+            .with_numbers("nominal_pressure_pa", rows().map(|(_, load, _)| load.nominal_pressure_pa()))
             .with_numbers("longest_wavelength_m", rows().map(|(_, _, decade)| decade.longest_m))
             .with_numbers("shortest_wavelength_m", rows().map(|(_, _, decade)| decade.shortest_m))
             .with_numbers("share", rows().map(|(_, _, decade)| decade.share))

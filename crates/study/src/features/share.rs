@@ -5,7 +5,7 @@ use spectrum::Hole;
 use super::Point;
 
 /// One decade of wavelengths, between whole powers of ten, and its part in a curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct DecadeShare {
     /// Its longest wavelength \[m\].
     pub longest_m: f64,

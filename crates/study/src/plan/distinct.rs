@@ -3,27 +3,46 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-/// Things sorted into kinds of equals, the kinds in the order of their first appearance.
-pub(super) struct Distinct {
-    /// The first thing of every kind, by index.
-    pub firsts: Vec<usize>,
-    /// The kind of every thing, by index.
-    pub kinds: Vec<usize>,
+/// Things without their repetitions, and where each of them is found.
+pub(super) struct Distinct<T> {
+    /// The things that differ, in the order of their first appearance.
+    pub items: Vec<T>,
+    /// For each of the things, repetitions included, its index among `items`.
+    pub index_of: Vec<usize>,
 }
 
-impl Distinct {
-    /// Things are equal where their keys are.
-    pub fn by<K: Hash + Eq>(keys: impl IntoIterator<Item = K>) -> Self {
+impl<T> Distinct<T> {
+    /// In one pass, for things that can be hashed.
+    pub fn of(things: impl IntoIterator<Item = T>) -> Self
+    where
+        T: Copy + Hash + Eq,
+    {
         let mut known = HashMap::new();
-        let mut firsts = Vec::new();
-        let kind_of = |(at, key)| {
-            *known.entry(key).or_insert_with(|| {
-                firsts.push(at);
-                firsts.len() - 1
+        let mut items = Vec::new();
+        let index_of = |thing| {
+            *known.entry(thing).or_insert_with(|| {
+                items.push(thing);
+                items.len() - 1
             })
         };
-        let kinds = keys.into_iter().enumerate().map(kind_of).collect();
-        Distinct { firsts, kinds }
+        let index_of = things.into_iter().map(index_of).collect();
+        Distinct { items, index_of }
+    }
+
+    /// Each against every other, for few things that can only be compared.
+    pub fn compared(things: impl IntoIterator<Item = T>) -> Self
+    where
+        T: PartialEq,
+    {
+        let mut items: Vec<T> = Vec::new();
+        let index_of = |thing| {
+            items.iter().position(|item| *item == thing).unwrap_or_else(|| {
+                items.push(thing);
+                items.len() - 1
+            })
+        };
+        let index_of = things.into_iter().map(index_of).collect();
+        Distinct { items, index_of }
     }
 }
 
@@ -32,11 +51,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equals_share_a_kind_in_the_order_of_their_first_appearance() {
-        let distinct = Distinct::by(["b", "a", "b", "c", "a"]);
-        assert_eq!(
-            (distinct.firsts.as_slice(), distinct.kinds.as_slice()),
-            (&[0, 1, 3][..], &[0, 1, 0, 2, 1][..])
-        );
+    fn repetitions_lead_to_the_first_of_their_like() {
+        let things = ["b", "a", "b", "c", "a"];
+        for distinct in [Distinct::of(things), Distinct::compared(things)] {
+            assert_eq!(distinct.items, ["b", "a", "c"]);
+            assert_eq!(distinct.index_of, [0, 1, 0, 2, 1]);
+        }
     }
 }

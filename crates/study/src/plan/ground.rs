@@ -8,8 +8,8 @@ use spectrum::{
 };
 use stacked_contact::Scale;
 
-use super::distinct::Distinct;
-use super::{CurveModel, Cutoffs, MOST_SCALES, Plan, PlanError, Results, Work};
+use super::error::MOST_SCALES;
+use super::{CurveModel, Cutoffs, LoadSweep, Plan, PlanError, Results, Work};
 
 /// All that is needed of a spectrum but the curves. A plan of the same spectrum, sampling, normalisation and amplitude can
 /// go on from it.
@@ -19,13 +19,13 @@ pub struct Ground {
     pub(super) moments: Vec<(Moments, Option<AsperityParameters>)>,
     pub(super) scales: Vec<Scale>,
     pub(super) fit: Option<SelfAffineFit>,
-    /// The asperities that each sweep's cutoff leaves.
-    pub(super) sweep_asperities: Vec<Option<AsperityParameters>>,
+    /// The cutoff of each sweep.
+    pub(super) sweep_cutoffs: Vec<Cutoff>,
     pub(super) work: Work,
 }
 
 /// A cutoff, and the asperities that it leaves; none at the longest wavelength.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Cutoff {
     pub wavelength_m: f64,
     pub asperities: Option<AsperityParameters>,
@@ -39,9 +39,27 @@ impl Ground {
             moments: results.moments.clone(),
             scales: results.scales.clone(),
             fit: None,
-            sweep_asperities: Vec::new(),
+            sweep_cutoffs: Vec::new(),
             work: Work::default(),
         }
+    }
+
+    /// The spectrum as sampled.
+    #[must_use]
+    pub fn psd(&self) -> &ProfilePsd {
+        &self.psd
+    }
+
+    /// Moments, and asperity parameters where needed, from the second wavelength on.
+    #[must_use]
+    pub fn moments(&self) -> &[(Moments, Option<AsperityParameters>)] {
+        &self.moments
+    }
+
+    /// Amplitudes, from long to short wavelengths.
+    #[must_use]
+    pub fn scales(&self) -> &[Scale] {
+        &self.scales
     }
 
     /// How many cutoffs there are at which a statistical curve is wanted.
@@ -88,8 +106,8 @@ impl Plan<'_> {
             fitted_samples: fit.as_ref().map_or(0, |fit| fit.points),
             ..Work::default()
         };
-        let sweep_asperities = self.sweep_asperities(&sampled, &moments, &mut work);
-        Ok(Ground { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_asperities, work })
+        let sweep_cutoffs = self.sweep_cutoffs(&sampled, &moments, &mut work);
+        Ok(Ground { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_cutoffs, work })
     }
 
     /// How many scales take part, at most.
@@ -149,30 +167,41 @@ impl Plan<'_> {
         Some(if every { Cutoffs::Every } else { Cutoffs::Shortest })
     }
 
-    /// Sweeps at one cutoff share their asperities, and those at the shortest wavelength that takes part share the curves'.
-    fn sweep_asperities(
+    /// The cutoffs of the sweeps. Those at one cutoff share their asperities, and those at the shortest wavelength that takes
+    /// part share the curves'.
+    fn sweep_cutoffs(
         &self,
         sampled: &ProfilePsd,
         of_curves: &[(Moments, Option<AsperityParameters>)],
         work: &mut Work,
-    ) -> Vec<Option<AsperityParameters>> {
-        let sweeps = &self.needs.sweeps;
+    ) -> Vec<Cutoff> {
         let shortest_m = self.sampling.cutoff_m.unwrap_or(0.0).max(sampled.shortest_wavelength_m());
         let norm = self.needs.moments.unwrap_or_default();
-        let mut at = |cutoff_multiple: f64| match of_curves.last() {
-            Some((_, Some(asperities))) if cutoff_multiple == 1.0 => Some(*asperities),
-            _ => {
-                let moments = cumulative_moments_to(sampled, norm, cutoff_multiple * shortest_m);
-                let asperities = moments.last().and_then(AsperityParameters::from_moments);
-                work.moment_cutoffs += moments.len();
-                work.asperity_cutoffs += usize::from(asperities.is_some());
-                asperities
-            }
+        let mut at = |cutoff_multiple: f64| {
+            let wavelength_m = cutoff_multiple * shortest_m;
+            let asperities = match of_curves.last() {
+                Some((_, Some(asperities))) if cutoff_multiple == 1.0 => Some(*asperities),
+                _ => {
+                    let moments = cumulative_moments_to(sampled, norm, wavelength_m);
+                    let asperities = moments.last().and_then(AsperityParameters::from_moments);
+                    work.moment_cutoffs += moments.len();
+                    work.asperity_cutoffs += usize::from(asperities.is_some());
+                    asperities
+                }
+            };
+            Cutoff { wavelength_m, asperities }
         };
-        let multiples = Distinct::by(sweeps.iter().map(|sweep| sweep.cutoff_multiple.to_bits()));
-        let found: Vec<Option<AsperityParameters>> =
-            multiples.firsts.iter().map(|&sweep| at(sweeps[sweep].cutoff_multiple)).collect();
-        multiples.kinds.iter().map(|&kind| found[kind]).collect()
+        let mut known: Vec<(f64, Cutoff)> = Vec::new();
+        let cutoff = |sweep: &LoadSweep| {
+            let multiple = sweep.cutoff_multiple;
+            if let Some((_, cutoff)) = known.iter().find(|(other, _)| *other == multiple) {
+                return *cutoff;
+            }
+            let cutoff = at(multiple);
+            known.push((multiple, cutoff));
+            cutoff
+        };
+        self.needs.sweeps.iter().map(cutoff).collect()
     }
 }
 

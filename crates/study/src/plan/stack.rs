@@ -2,7 +2,8 @@
 
 use stacked_contact::{FinalLevels, Level, Scale, StackedModel, levels_under_loads};
 
-use super::{Cutoffs, Work};
+use super::run::Run;
+use super::{Cutoffs, PlanError, Work};
 
 /// Loads that go down a stack together share what does not depend on them; more of them share no more.
 const TOGETHER: usize = 8;
@@ -13,22 +14,26 @@ pub(super) fn blocks(
     pressures_pa: &[f64],
     scales: &[Scale],
     cutoffs: Cutoffs,
-) -> (Vec<Vec<Level>>, Work) {
+    run: Run<'_>,
+) -> Result<(Vec<Vec<Level>>, Work), PlanError> {
     let (blocks, stacked_levels) = match cutoffs {
         Cutoffs::Every => {
             let together: Vec<&[f64]> = pressures_pa.chunks(TOGETHER).collect();
-            let blocks =
-                parallel::map(&together, |pressures_pa| blocks_together(model, pressures_pa, scales));
+            let blocks = parallel::try_map(&together, |pressures_pa| {
+                run.go_on().map(|()| blocks_together(model, pressures_pa, scales))
+            })?;
             (blocks.into_iter().flatten().collect(), pressures_pa.len() * scales.len())
         }
         Cutoffs::Shortest => {
             let stack = FinalLevels::new(model, scales);
-            let ends = parallel::map(pressures_pa, |&pressure_pa| stack.under(pressure_pa));
+            let ends = parallel::try_map(pressures_pa, |&pressure_pa| {
+                run.go_on().map(|()| stack.under(pressure_pa))
+            })?;
             let visited = ends.iter().flatten().map(|end| end.visited).sum();
             (ends.iter().map(|end| end.iter().map(|end| end.level).collect()).collect(), visited)
         }
     };
-    (blocks, Work { stacked_levels, ..Work::default() })
+    Ok((blocks, Work { stacked_levels, ..Work::default() }))
 }
 
 fn blocks_together(model: &StackedModel, pressures_pa: &[f64], scales: &[Scale]) -> Vec<Vec<Level>> {

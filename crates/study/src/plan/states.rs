@@ -1,163 +1,117 @@
 //! States of statistical models, in runs: one after the other from its neighbour, run beside run.
 
 use asperity::MaterialPair;
-use parallel::Progress;
-use spectrum::AsperityParameters;
-use stat_contact::{AsperityLaw, ContactState, Population, StatisticalContact};
+use stat_contact::{AsperityLaw, ContactState, StatisticalContact};
 
+use super::condition::{Asperities, Condition};
 use super::ground::Cutoff;
-use super::{CutoffState, PlanError, Tolerance, Work};
+use super::run::Run;
+use super::work::counted;
+use super::{CutoffState, PlanError, Work};
 
-/// The states of a run at most. A run starts with nothing known, which costs some evaluations and no digit.
-const RUN: usize = 256;
-
-/// What a state is asked at.
-#[derive(Clone, Copy)]
-pub(super) enum Given {
-    Pressure(f64),
-    Separation(f64),
-}
-
-impl Given {
-    /// Equal where the states of one population are.
-    pub fn key(self) -> (bool, u64) {
-        match self {
-            Given::Pressure(pressure_pa) => (true, pressure_pa.to_bits()),
-            Given::Separation(separation_m) => (false, separation_m.to_bits()),
-        }
-    }
-}
+/// How many states follow one another at most. Each begins where its neighbour ended; the first of them begins with nothing
+/// known, which costs some evaluations and no digit.
+const IN_A_ROW: usize = 256;
 
 /// A model that is asked for states.
-pub(super) struct Statistical<'a> {
+pub(super) struct Statistical<'r> {
     pub pair: MaterialPair,
     pub law: AsperityLaw,
-    pub tolerance: Tolerance,
-    /// Watches the states, one step each.
-    pub progress: &'a dyn Progress,
+    pub run: Run<'r>,
 }
 
 impl Statistical<'_> {
-    /// A block of rows for everything given, a row for every cutoff.
+    /// A block of rows for every condition, a row for every cutoff.
     pub fn over_cutoffs(
         &self,
         cutoffs: &[Cutoff],
-        givens: &[Given],
+        conditions: &[Condition],
     ) -> Result<(Vec<Vec<CutoffState>>, Work), PlanError> {
-        let run = |given: Given, cutoffs: &[Cutoff]| {
-            let asked = cutoffs.iter().filter_map(|cutoff| Some((cutoff.asperities?, given)));
-            let (states, work) = self.run(asked)?;
-            let mut states = states.into_iter();
-            let row = |cutoff: &Cutoff| CutoffState {
-                wavelength_m: cutoff.wavelength_m,
-                contact: cutoff.asperities.and_then(|asperities| Some((asperities, states.next()?))),
-            };
-            Ok::<_, PlanError>((cutoffs.iter().map(row).collect::<Vec<_>>(), work))
-        };
-        let runs: Vec<&[Cutoff]> = cutoffs.chunks(RUN).collect();
-        let block = |&given: &Given| parallel::try_map(&runs, |cutoffs| run(given, cutoffs)).map(joined);
-        let blocks = parallel::try_map(givens, block)?;
-        let mut work = Work::default();
-        let rows = |(rows, of_block)| {
-            work += of_block;
-            rows
-        };
-        Ok((blocks.into_iter().map(rows).collect(), work))
+        let pieces: Vec<&[Cutoff]> = cutoffs.chunks(IN_A_ROW).collect();
+        let blocks = parallel::try_map(conditions, |&condition| {
+            parallel::try_map(&pieces, |cutoffs| self.rows(cutoffs, condition)).map(joined)
+        })?;
+        Ok(counted(blocks))
     }
 
     /// The states of one population, one for every pressure \[Pa\], which are distinct.
     pub fn over_loads(
         &self,
-        asperities: &AsperityParameters,
+        asperities: Asperities,
         pressures_pa: &[f64],
     ) -> Result<(Vec<ContactState>, Work), PlanError> {
-        let [radius_m, density_per_m2, sigma_s_m] = population(asperities);
-        let population = Population::new(radius_m, density_per_m2, sigma_s_m)?;
-        let contact = StatisticalContact::new(&self.pair, &population, &self.law);
-        let run = |pressures_pa: &[f64]| {
-            let mut sweep = contact.sweep(self.tolerance.value());
+        let contact = StatisticalContact::new(&self.pair, &asperities.population()?, &self.law);
+        let piece = |pressures_pa: &[f64]| {
+            let mut sweep = contact.sweep(self.run.tolerance.value());
             let mut work = Work::default();
             let state = |&pressure_pa: &f64| {
-                self.go_on()?;
+                self.run.go_on()?;
                 let state = sweep.at_pressure(pressure_pa)?;
-                self.progress.advance(1);
-                work.statistical_states += 1;
-                work.law_evaluations += state.evaluations;
+                self.count(&state, &mut work);
                 Ok(state)
             };
             let states = pressures_pa.iter().map(state).collect::<Result<Vec<_>, PlanError>>()?;
             Ok((states, work))
         };
-        let runs: Vec<&[f64]> = pressures_pa.chunks(RUN).collect();
-        parallel::try_map(&runs, |pressures_pa| run(pressures_pa)).map(joined)
+        let pieces: Vec<&[f64]> = pressures_pa.chunks(IN_A_ROW).collect();
+        parallel::try_map(&pieces, |pressures_pa| piece(pressures_pa)).map(joined)
     }
 
-    /// States, each found from the one before it, which saves work. Where a cutoff has left the asperities as they were, so
-    /// is the state.
-    fn run(
-        &self,
-        asked: impl Iterator<Item = (AsperityParameters, Given)>,
-    ) -> Result<(Vec<ContactState>, Work), PlanError> {
-        let mut states: Vec<ContactState> = Vec::with_capacity(asked.size_hint().1.unwrap_or(0));
+    /// The rows of neighbouring cutoffs under one condition, each found from the one before it, which saves work. Where a
+    /// cutoff has left the asperities as they were, so is the state.
+    fn rows(&self, cutoffs: &[Cutoff], condition: Condition) -> Result<(Vec<CutoffState>, Work), PlanError> {
         let mut work = Work::default();
-        let mut before = None;
-        for (asperities, given) in asked {
-            let population = population(&asperities);
-            let question = (population.map(f64::to_bits), given.key());
-            let known = states.last().filter(|_| before == Some(question)).copied();
-            let state = match known {
-                Some(state) => {
+        let mut before: Option<(Asperities, ContactState)> = None;
+        let mut row = |cutoff: &Cutoff| {
+            let Some(parameters) = cutoff.asperities else {
+                return Ok(CutoffState { wavelength_m: cutoff.wavelength_m, contact: None });
+            };
+            let asperities = Asperities::of(&parameters);
+            let state = match before {
+                Some((same, state)) if same == asperities => {
                     work.shared_states += 1;
                     state
                 }
-                None => {
-                    self.go_on()?;
-                    let state = self.state(population, given, states.last())?;
-                    self.progress.advance(1);
-                    work.statistical_states += 1;
-                    work.law_evaluations += state.evaluations;
+                neighbour => {
+                    self.run.go_on()?;
+                    let neighbour = neighbour.map(|(_, state)| state);
+                    let state = self.state(asperities, condition, neighbour.as_ref())?;
+                    self.count(&state, &mut work);
                     state
                 }
             };
-            states.push(state);
-            before = Some(question);
-        }
-        Ok((states, work))
+            before = Some((asperities, state));
+            Ok(CutoffState { wavelength_m: cutoff.wavelength_m, contact: Some((parameters, state)) })
+        };
+        let rows = cutoffs.iter().map(&mut row).collect::<Result<Vec<_>, PlanError>>()?;
+        Ok((rows, work))
     }
 
-    fn go_on(&self) -> Result<(), PlanError> {
-        if self.progress.is_cancelled() { Err(PlanError::Cancelled) } else { Ok(()) }
-    }
-
-    /// `neighbour` saves work and changes no digit.
+    /// A state; `neighbour` saves work and changes no digit.
     fn state(
         &self,
-        [radius_m, density_per_m2, sigma_s_m]: [f64; 3],
-        given: Given,
+        asperities: Asperities,
+        condition: Condition,
         neighbour: Option<&ContactState>,
     ) -> Result<ContactState, PlanError> {
-        let population = Population::new(radius_m, density_per_m2, sigma_s_m)?;
-        let contact = StatisticalContact::new(&self.pair, &population, &self.law);
-        let tolerance = self.tolerance.value();
-        Ok(match given {
-            Given::Pressure(pressure_pa) => contact.at_pressure(pressure_pa, tolerance, neighbour)?,
-            Given::Separation(separation_m) => contact.at_separation(separation_m, tolerance)?,
+        let contact = StatisticalContact::new(&self.pair, &asperities.population()?, &self.law);
+        let tolerance = self.run.tolerance.value();
+        Ok(match condition {
+            Condition::Pressure(pressure_pa) => contact.at_pressure(pressure_pa.0, tolerance, neighbour)?,
+            Condition::Separation(separation_m) => contact.at_separation(separation_m.0, tolerance)?,
         })
     }
-}
 
-/// What a state depends on of the asperities: their radius \[m\], density \[1/m^2\] and height spread \[m\].
-pub(super) fn population(asperities: &AsperityParameters) -> [f64; 3] {
-    [asperities.radius_m, asperities.density_per_m2, asperities.sigma_s_m]
-}
-
-/// The rows of all runs, in their order, and the work of them.
-fn joined<T>(runs: Vec<(Vec<T>, Work)>) -> (Vec<T>, Work) {
-    let mut work = Work::default();
-    let mut all = Vec::with_capacity(runs.iter().map(|(rows, _)| rows.len()).sum());
-    for (rows, of_run) in runs {
-        work += of_run;
-        all.extend(rows);
+    /// Tells whoever watches, and counts, a state that was computed.
+    fn count(&self, state: &ContactState, work: &mut Work) {
+        self.run.state_is_known();
+        work.statistical_states += 1;
+        work.law_evaluations += state.evaluations;
     }
-    (all, work)
+}
+
+/// Pieces of rows one after the other, and the work of all.
+fn joined<T>(pieces: Vec<(Vec<T>, Work)>) -> (Vec<T>, Work) {
+    let (pieces, work) = counted(pieces);
+    (pieces.into_iter().flatten().collect(), work)
 }

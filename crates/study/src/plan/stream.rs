@@ -1,13 +1,14 @@
-//! Curves part by part, so that they need not be held.
+//! Curves part by part, so that neither their rows nor their loads need be held.
 
 use parallel::Progress;
 use spectrum::ProfilePsd;
-use stat_contact::Population;
 
-use super::compute::of_blocks;
+use super::asked::repeated;
+use super::condition::{Asperities, Condition};
 use super::distinct::Distinct;
-use super::states::{Given, Statistical, population};
-use super::{Curve, CurveModel, CurveResult, Ground, Plan, PlanError, stack};
+use super::run::Run;
+use super::states::Statistical;
+use super::{Curve, CurveModel, CurveResult, Cutoffs, Ground, NominalPressure, Plan, PlanError, stack};
 
 /// The rows of a part, about: enough to keep every core busy, and few beside what a spectrum holds.
 const PART: usize = 1 << 14;
@@ -18,11 +19,11 @@ pub struct Stream<'p> {
     ground: Ground,
 }
 
-/// Some rows of a curve.
+/// Some rows of a curve: whole blocks, or a piece of one.
 pub struct Part {
-    /// The load that the first block belongs to, by index; the separations follow the loads.
-    pub first_block: usize,
-    /// Whole blocks, or a piece of one.
+    /// The nominal pressures \[Pa\] of the blocks; those of separations have none.
+    pub pressures_pa: Vec<f64>,
+    /// The rows.
     pub rows: CurveResult,
 }
 
@@ -33,11 +34,8 @@ impl Plan<'_> {
     /// Those of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
         let ground = self.ground()?;
-        for (_, asperities) in &ground.moments {
-            let Some([radius_m, density_per_m2, sigma_s_m]) = asperities.as_ref().map(population) else {
-                continue;
-            };
-            Population::new(radius_m, density_per_m2, sigma_s_m)?;
+        for asperities in ground.moments.iter().filter_map(|(_, asperities)| asperities.as_ref()) {
+            Asperities::of(asperities).population()?;
         }
         Ok(Stream { plan: self, ground })
     }
@@ -45,23 +43,31 @@ impl Plan<'_> {
 
 impl Stream<'_> {
     /// The spectrum as sampled.
+    #[must_use]
     pub fn psd(&self) -> &ProfilePsd {
         &self.ground.psd
     }
 
+    /// What the curves stand on.
+    #[must_use]
+    pub fn ground(&self) -> &Ground {
+        &self.ground
+    }
+
     /// How many rows a curve has, at most.
+    #[must_use]
     pub fn rows(&self, curve: &Curve) -> usize {
+        let needs = &self.plan.needs;
         match curve.model {
-            CurveModel::Stacked(_) => self.ground.scales.len() * self.plan.needs.loads.len(),
+            CurveModel::Stacked(_) => self.ground.scales.len() * needs.load_count(),
             CurveModel::Statistical { .. } => {
-                self.ground.cutoff_count(curve.cutoffs) * self.plan.givens().count()
+                self.ground.cutoff_count(curve.cutoffs) * needs.condition_count()
             }
         }
     }
 
-    /// Computes a curve, and passes its parts on; a step of `progress` is a
-    /// statistical state.
-    /// Equal loads within a part are computed once.
+    /// Computes a curve, and passes its parts on; a step of `progress` is a statistical state. Equal loads within a part are
+    /// computed once.
     ///
     /// # Errors
     /// Those of `each`, and [`PlanError`].
@@ -71,40 +77,63 @@ impl Stream<'_> {
         progress: &dyn Progress,
         mut each: impl FnMut(Part) -> Result<(), E>,
     ) -> Result<(), E> {
+        let run = Run::of(self.plan, progress);
         match curve.model {
             CurveModel::Stacked(model) => {
-                let pressures_pa: Vec<f64> =
-                    self.plan.needs.loads.iter().map(|load| load.nominal_pressure_pa).collect();
                 let scales = &self.ground.scales;
-                for (at, pressures_pa) in in_parts(&pressures_pa, scales.len()) {
-                    let (blocks, _) = stack::blocks(&model, pressures_pa, scales, curve.cutoffs);
-                    each(Part { first_block: at, rows: CurveResult::Stacked(blocks) })?;
-                }
+                let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
+                in_parts(pressures, scales.len(), |pressures_pa| {
+                    let (blocks, _) = stack::blocks(&model, &pressures_pa, scales, curve.cutoffs, run)?;
+                    each(Part { pressures_pa, rows: CurveResult::Stacked(blocks) })
+                })
             }
             CurveModel::Statistical { pair, law } => {
-                let statistical = Statistical { pair, law, tolerance: self.plan.needs.tolerance, progress };
+                let model = Statistical { pair, law, run };
                 let cutoffs = self.ground.cutoff_count(curve.cutoffs);
-                let givens: Vec<Given> = self.plan.givens().collect();
-                for (at, givens) in in_parts(&givens, cutoffs) {
-                    let distinct = Distinct::by(givens.iter().map(|given| given.key()));
-                    let differing: Vec<Given> = distinct.firsts.iter().map(|&first| givens[first]).collect();
-                    // Where there are more cutoffs than a part has rows, one block is given at a time.
-                    for first in (0..cutoffs).step_by(PART) {
-                        let places = first..(first + PART).min(cutoffs);
-                        let cutoffs = self.ground.cutoffs(curve.cutoffs, places);
-                        let (blocks, _) = statistical.over_cutoffs(&cutoffs, &differing)?;
-                        let rows = CurveResult::Statistical(of_blocks(blocks, &distinct.kinds, false));
-                        each(Part { first_block: at, rows })?;
-                    }
-                }
+                in_parts(self.plan.needs.conditions(), cutoffs, |conditions| {
+                    self.statistical_part(&model, curve.cutoffs, &conditions, &mut each)
+                })
             }
+        }
+    }
+
+    /// The rows under some conditions; where there are more cutoffs than a part has rows, and hence one condition, in pieces.
+    fn statistical_part<E: From<PlanError>>(
+        &self,
+        model: &Statistical<'_>,
+        wanted: Cutoffs,
+        conditions: &[Condition],
+        each: &mut impl FnMut(Part) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let distinct = Distinct::of(conditions.iter().copied());
+        let pressure = |condition: &Condition| match condition {
+            Condition::Pressure(pressure_pa) => Some(pressure_pa.0),
+            Condition::Separation(_) => None,
+        };
+        let pressures_pa: Vec<f64> = conditions.iter().filter_map(pressure).collect();
+        let all = self.ground.cutoff_count(wanted);
+        for first in (0..all).step_by(PART) {
+            let cutoffs = self.ground.cutoffs(wanted, first..(first + PART).min(all));
+            let (blocks, _) = model.over_cutoffs(&cutoffs, &distinct.items)?;
+            let rows = CurveResult::Statistical(repeated(blocks, &distinct.index_of, Cutoffs::Every));
+            each(Part { pressures_pa: pressures_pa.clone(), rows })?;
         }
         Ok(())
     }
 }
 
-/// As many blocks of so many rows as make a part, one at least, and the place of the first.
-fn in_parts<T>(blocks: &[T], rows: usize) -> impl Iterator<Item = (usize, &[T])> {
+/// Hands on as many blocks at a time as make a part of so many rows each, one block at least.
+fn in_parts<T, E>(
+    mut blocks: impl Iterator<Item = T>,
+    rows: usize,
+    mut each: impl FnMut(Vec<T>) -> Result<(), E>,
+) -> Result<(), E> {
     let together = (PART / rows.max(1)).max(1);
-    blocks.chunks(together).enumerate().map(move |(at, blocks)| (at * together, blocks))
+    loop {
+        let part: Vec<T> = blocks.by_ref().take(together).collect();
+        if part.is_empty() {
+            return Ok(());
+        }
+        each(part)?;
+    }
 }

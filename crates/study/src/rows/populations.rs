@@ -9,7 +9,7 @@ use units::Pressure;
 use super::{RowByRow, RowsError, RowsNote, StateCounts};
 use crate::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
 use crate::models::{self, Choice, CurveModel, Framework, ModelOptions};
-use crate::plan::Tolerance;
+use crate::plan::{NominalPressure, Tolerance};
 use crate::result_tables::STATE_DETAILS;
 
 /// Which of two filled columns the rows are computed from.
@@ -129,7 +129,7 @@ impl Populations {
         let pressure = || {
             // What is no pressure at all is told so, before what is too large a one.
             row.optional_number("pressure_pa", Bound::Positive)?;
-            row.optional_number("pressure_pa", Sweep::PRESSURE_PA)
+            row.optional_number("pressure_pa", NominalPressure::BOUND)
         };
         match self.given {
             Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {

@@ -21,6 +21,52 @@ pub struct SceneError {
 pub enum SceneProblem {
     /// The text, a key or a value is none that a scene may have.
     Text(String),
+    /// No section of this place has such a key.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The keys there are.
+        known: Vec<String>,
+        /// The one that looks most like it.
+        meant: Option<String>,
+    },
+    /// A choice that is none of those there are.
+    UnknownValue {
+        /// The value.
+        value: String,
+        /// The values there are.
+        known: Vec<String>,
+        /// The one that looks most like it.
+        meant: Option<String>,
+    },
+    /// A value of another kind than its key takes.
+    WrongType {
+        /// What stands there, e.g. `string "a"`.
+        found: String,
+        /// What would be right there, e.g. `a number`.
+        wanted: String,
+    },
+    /// A section lacks a key that it must have.
+    MissingKey {
+        /// The key.
+        key: String,
+    },
+    /// A value that its key does not take.
+    Value {
+        /// The key with its section.
+        key: String,
+        /// The value as it stands there.
+        value: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The files of a curve or figure would replace others.
+    FileNameTaken {
+        /// Its name.
+        name: String,
+        /// The name that it is taken by.
+        by: String,
+    },
     /// A curve needs what the material lacks.
     Material(MaterialError),
     /// The spectrum or the scans cannot be had.
@@ -34,6 +80,17 @@ impl SceneError {
 
     pub(super) fn anywhere(problem: impl Into<SceneProblem>) -> Self {
         SceneError { problem: problem.into(), span: None }
+    }
+
+    /// The key to blame, where one is known.
+    #[must_use]
+    pub fn key(&self) -> Option<&str> {
+        match &self.problem {
+            SceneProblem::UnknownKey { key, .. }
+            | SceneProblem::MissingKey { key }
+            | SceneProblem::Value { key, .. } => Some(key),
+            _ => None,
+        }
     }
 
     /// The line of the scene that it points at, counted from 1.
@@ -63,10 +120,36 @@ impl fmt::Display for SceneProblem {
                 };
                 write!(f, "{error}: add {key} in [material]")
             }
+            SceneProblem::UnknownKey { key, known, meant } => {
+                write!(f, "unknown key `{key}`{} the keys here are {}", hint(meant), known.join(", "))
+            }
+            SceneProblem::UnknownValue { value, known, meant } => {
+                write!(f, "unknown value `{value}`{} it may be {}", hint(meant), known.join(", "))
+            }
+            SceneProblem::WrongType { found, wanted } => write!(f, "{found} stands where {wanted} should"),
+            SceneProblem::MissingKey { key } => write!(f, "the key {key} is missing here"),
+            SceneProblem::Value { key, problem, .. } => write!(f, "key {key}: {problem}"),
+            SceneProblem::FileNameTaken { name, by } if name == by => {
+                write!(
+                    f,
+                    "{name:?} is the name of a file that the program writes itself; choose another name"
+                )
+            }
+            SceneProblem::FileNameTaken { name, by } => {
+                write!(
+                    f,
+                    "{name:?} and {by:?} name the same file on disks where case does not count; rename one"
+                )
+            }
             SceneProblem::Material(error) => error.fmt(f),
             SceneProblem::Surface(error) => error.fmt(f),
         }
     }
+}
+
+/// What was meant, or where nothing was, what parts the clauses.
+fn hint(meant: &Option<String>) -> String {
+    meant.as_ref().map_or_else(|| ";".to_owned(), |meant| format!(", did you mean `{meant}`?"))
 }
 
 impl From<String> for SceneProblem {

@@ -3,13 +3,13 @@
 use serde_spanned::Spanned;
 
 use super::error::SceneError;
+use super::loads::nominal_pressure;
 use super::raw::{RawFigure, RawLoadRange};
-use super::values::{check_file_name, quantity};
+use super::spelling::meant;
+use super::values::check_file_name;
 use crate::figure::{Figure, Shows};
 use crate::material::Material;
-use crate::plan::{Curve, CurveModel, Cutoffs, LoadSweep};
-use units::Pressure;
-use units::log_spaced;
+use crate::plan::{Curve, CurveModel, Cutoffs, LoadRange, LoadSweep, NominalPressure};
 
 /// The figures, and the sweeps over loads that they draw.
 pub(super) fn resolve_figures(
@@ -36,7 +36,7 @@ pub(super) fn resolve_figures(
         if matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) && curves.is_empty() {
             return Err(SceneError::at(spanned.span(), "a figure of the area needs a [[curve]]"));
         }
-        let drawn = match &figure.curves {
+        let mut drawn = match &figure.curves {
             None if figure.shows == Shows::Area => followed(curves),
             None => (0..curves.len()).collect(),
             Some(names) => names
@@ -44,6 +44,7 @@ pub(super) fn resolve_figures(
                 .map(|name| drawn_curve(name, curves, figure.shows))
                 .collect::<Result<Vec<_>, _>>()?,
         };
+        keep_first_of_each(&mut drawn);
         if drawn.is_empty() && matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
             return Err(SceneError::at(
                 spanned.span(),
@@ -70,6 +71,16 @@ pub(super) fn resolve_figures(
     Ok((figures, sweeps))
 }
 
+/// What is asked for twice is drawn once.
+fn keep_first_of_each<T: PartialEq + Copy>(items: &mut Vec<T>) {
+    let mut kept: Vec<T> = Vec::with_capacity(items.len());
+    items.retain(|item| {
+        let is_new = !kept.contains(item);
+        kept.extend(is_new.then_some(*item));
+        is_new
+    });
+}
+
 /// The curves with an area at every cutoff, by index.
 fn followed(curves: &[Curve]) -> Vec<usize> {
     (0..curves.len()).filter(|&curve| curves[curve].cutoffs == Cutoffs::Every).collect()
@@ -90,7 +101,10 @@ fn drawn_curve(name: &Spanned<String>, curves: &[Curve], shows: Shows) -> Result
 fn curve_index(name: &Spanned<String>, curves: &[Curve]) -> Result<usize, SceneError> {
     curves.iter().position(|curve| &curve.name == name.get_ref()).ok_or_else(|| {
         let known: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
-        let message = format!("there is no curve {:?}; the curves are {}", name.get_ref(), known.join(", "));
+        let meant = meant(name.get_ref(), known.iter().copied());
+        let hint = meant.map_or_else(String::new, |meant| format!(", did you mean {meant:?}?"));
+        let message =
+            format!("there is no curve {:?}{hint}; the curves are {}", name.get_ref(), known.join(", "));
         SceneError::at(name.span(), message)
     })
 }
@@ -116,7 +130,8 @@ fn load_sweeps(
         return Err(SceneError::at(spanned.span(), message));
     };
     let pressures_pa = load_range(range.get_ref(), material)?;
-    let multiples = figure.cutoff_multiples.clone().unwrap_or_else(|| vec![1.0]);
+    let mut multiples = figure.cutoff_multiples.clone().unwrap_or_else(|| vec![1.0]);
+    keep_first_of_each(&mut multiples);
     if let Some(wrong) = multiples.iter().find(|multiple| !(multiple.is_finite() && **multiple >= 1.0)) {
         let message = format!(
             "key figure.cutoff_multiples: {wrong} must be finite and at least 1, a multiple of the shortest wavelength"
@@ -136,20 +151,12 @@ fn load_sweeps(
 
 /// Pressures \[Pa\] evenly spaced in their logarithms, both ends included.
 fn load_range(range: &RawLoadRange, material: Option<&Material>) -> Result<Vec<f64>, SceneError> {
-    let end = |key: &str, raw| {
-        let pressure: Pressure = quantity(key, raw)?;
-        pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
-            let message = format!(
-                "key {key}: a pressure in H, three times the yield strength, needs material.yield_strength"
-            );
-            SceneError::at(raw.span(), message)
-        })
-    };
-    let (from_pa, to_pa) = (end("figure.loads.from", &range.from)?, end("figure.loads.to", &range.to)?);
+    let from = nominal_pressure("figure.loads.from", &range.from, material)?;
+    let to = nominal_pressure("figure.loads.to", &range.to, material)?;
     let points = *range.points.get_ref();
     if !(2..=100_000).contains(&points) {
         let message = format!("key figure.loads.points: {points} must be a whole number from 2 to 100000");
         return Err(SceneError::at(range.points.span(), message));
     }
-    Ok(log_spaced(from_pa, to_pa, points))
+    Ok(LoadRange::new(from, to, points).pressures().map(NominalPressure::pa).collect())
 }

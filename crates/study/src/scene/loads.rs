@@ -4,9 +4,9 @@ use serde_spanned::Spanned;
 
 use super::error::SceneError;
 use super::raw::{RawLoads, RawQuantity};
-use super::values::{label, quantity};
+use super::values::{label, quantity, value_error};
 use crate::material::Material;
-use crate::plan::Load;
+use crate::plan::{Load, NominalPressure};
 use units::{Area, Force, Pressure};
 
 pub(super) fn resolve_loads(
@@ -35,16 +35,31 @@ pub(super) fn resolve_loads(
 }
 
 fn pressure_load(raw: &RawQuantity, material: Option<&Material>) -> Result<Load, SceneError> {
-    let pressure: Pressure = quantity("loads.pressures", raw)?;
-    let nominal_pressure_pa = pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
-        let message = "key loads.pressures: a pressure in H, three times the yield strength, needs material.yield_strength";
+    Ok(Load { nominal_pressure: nominal_pressure("loads.pressures", raw, material)?, label: label(raw) })
+}
+
+/// The nominal pressure under a key, in Pa or in H.
+pub(super) fn nominal_pressure(
+    key: &str,
+    raw: &RawQuantity,
+    material: Option<&Material>,
+) -> Result<NominalPressure, SceneError> {
+    let pressure: Pressure = quantity(key, raw)?;
+    let pressure_pa = pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
+        let message = format!(
+            "key {key}: a pressure in H, three times the yield strength, needs material.yield_strength"
+        );
         SceneError::at(raw.span(), message)
     })?;
-    Ok(Load { nominal_pressure_pa, label: label(raw) })
+    NominalPressure::new(pressure_pa)
+        .map_err(|error| value_error(key, &label(raw), raw.span(), format!("{}: {error}", label(raw))))
 }
 
 fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneError> {
     let Force { n } = quantity("loads.force", force)?;
     let Area { m2 } = quantity("loads.nominal_area", area)?;
-    Ok(Load { nominal_pressure_pa: n / m2, label: format!("{} on {}", label(force), label(area)) })
+    let label = format!("{} on {}", label(force), label(area));
+    let nominal_pressure = NominalPressure::new(n / m2)
+        .map_err(|error| value_error("loads.force", &label, force.span(), format!("{label}: {error}")))?;
+    Ok(Load { nominal_pressure, label })
 }

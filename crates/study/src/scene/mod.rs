@@ -6,14 +6,19 @@ mod bodies;
 mod curves;
 mod error;
 mod figures;
+pub mod file_names;
+mod from_toml;
 mod loads;
+mod notes;
 mod raw;
 mod resolve;
+mod spelling;
 mod surfaces;
 mod template;
 mod values;
 
 pub use error::{SceneError, SceneProblem};
+pub use notes::{Idle, SceneNote};
 pub use resolve::Overrides;
 pub use template::Template;
 
@@ -44,6 +49,8 @@ pub struct Scene {
     pub needs: Needs,
     /// The figures to draw.
     pub figures: Vec<Figure>,
+    /// Keys that have no effect.
+    pub notes: Vec<SceneNote>,
 }
 
 impl Scene {
@@ -52,7 +59,9 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] with place, key, value and bound.
     pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
-        resolve::resolve(text, files, overrides)
+        let raw = raw::RawScene::parse(text)?;
+        let scene = resolve::resolve(text, &raw, files, overrides)?;
+        Ok(Scene { notes: notes::notes(text, &scene, overrides), ..scene })
     }
 
     /// A scene that comes with the program.

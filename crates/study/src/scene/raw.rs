@@ -1,12 +1,17 @@
 //! A scene as it may be typed: every key there is.
 
-use serde::Deserialize;
+use std::fmt;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_spanned::Spanned;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 use topography::{Average, Detrend, Window};
 
 use super::error::SceneError;
+use super::from_toml::scene_error;
 use crate::figure::Shows;
 use crate::models::ModelEntry;
 use crate::plan::Cutoffs;
@@ -51,9 +56,13 @@ pub(super) struct RawSurface {
     pub bins_per_decade: Option<Spanned<i64>>,
 }
 
-#[derive(Debug, Deserialize)]
+/// A scan: its file alone, or with what the file does not say.
+#[derive(Debug, Default)]
+pub(super) struct RawScan(pub RawScanKeys);
+
+#[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct RawScan {
+pub(super) struct RawScanKeys {
     pub file: String,
     pub unit: Option<Spanned<String>>,
     pub channel: Option<String>,
@@ -135,9 +144,32 @@ pub(super) struct RawOptions {
     pub tolerance: Option<Spanned<f64>>,
 }
 
+impl<'de> Deserialize<'de> for RawScan {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct FileOrKeys;
+
+        impl<'de> Visitor<'de> for FileOrKeys {
+            type Value = RawScan;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a scan's file or { file = \"...\", ... }")
+            }
+
+            fn visit_str<E: serde::de::Error>(self, file: &str) -> Result<RawScan, E> {
+                Ok(RawScan(RawScanKeys { file: file.to_owned(), ..RawScanKeys::default() }))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawScan, A::Error> {
+                RawScanKeys::deserialize(MapAccessDeserializer::new(keys)).map(RawScan)
+            }
+        }
+
+        deserializer.deserialize_any(FileOrKeys)
+    }
+}
+
 impl RawScene {
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        toml::from_str(text)
-            .map_err(|error| SceneError { problem: error.message().into(), span: error.span() })
+        toml::from_str(text).map_err(|error| scene_error(&error))
     }
 }

@@ -10,6 +10,7 @@ use super::bodies::{resolve_counterface, resolve_material};
 use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
+use super::file_names;
 use super::loads::resolve_loads;
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
@@ -39,9 +40,13 @@ pub struct Overrides {
     pub counterface: Option<ElasticBody>,
 }
 
-pub(super) fn resolve(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Scene, SceneError> {
-    let raw = RawScene::parse(text)?;
-    let options = raw.options;
+pub(super) fn resolve(
+    text: &str,
+    raw: &RawScene,
+    files: &dyn Files,
+    overrides: &Overrides,
+) -> Result<Scene, SceneError> {
+    let options = &raw.options;
     let strength_cap = match overrides.strength_cap {
         Some(cap) => Some(cap),
         None => optional("options.strength_cap", options.strength_cap.as_ref())?,
@@ -74,6 +79,7 @@ pub(super) fn resolve(text: &str, files: &dyn Files, overrides: &Overrides) -> R
         }
     };
     let (figures, sweeps) = resolve_figures(&raw.figure, &curves, material.as_ref())?;
+    file_names::check(raw, &curves, &figures)?;
     if curves.is_empty() && figures.is_empty() {
         return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
     }
@@ -89,7 +95,7 @@ pub(super) fn resolve(text: &str, files: &dyn Files, overrides: &Overrides) -> R
     };
     Ok(Scene {
         text: text.to_owned(),
-        title: raw.title.unwrap_or_else(|| surface.name.clone()),
+        title: raw.title.clone().unwrap_or_else(|| surface.name.clone()),
         surface,
         material,
         sampling: Sampling {
@@ -106,5 +112,6 @@ pub(super) fn resolve(text: &str, files: &dyn Files, overrides: &Overrides) -> R
             ..Needs::default()
         },
         figures,
+        notes: Vec::new(),
     })
 }

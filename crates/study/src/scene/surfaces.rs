@@ -115,7 +115,7 @@ fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surfa
     })
 }
 
-fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
+fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError> {
     let length = |name: &str, raw| -> Result<Option<f64>, SceneError> {
         let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
         Ok(length.map(|length| length.m))

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde_spanned::Spanned;
 
-use super::error::SceneError;
+use super::error::{SceneError, SceneProblem};
 use super::raw::RawQuantity;
 use crate::plan::Tolerance;
 
@@ -25,14 +25,25 @@ pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
         toml::Value::String(text) => text.clone(),
         other => other.to_string(),
     };
-    text.parse().map_err(|error| SceneError::at(raw.span(), format!("key {key}: {error}")))
+    text.parse().map_err(|error| value_error(key, &text, raw.span(), error))
 }
 
 pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(
     key: &str,
     text: &Spanned<String>,
 ) -> Result<T, SceneError> {
-    text.get_ref().parse().map_err(|error| SceneError::at(text.span(), format!("key {key}: {error}")))
+    text.get_ref().parse().map_err(|error| value_error(key, text.get_ref(), text.span(), error))
+}
+
+/// What is wrong with the value of a key, which stands there.
+pub(super) fn value_error(
+    key: &str,
+    value: &str,
+    span: std::ops::Range<usize>,
+    problem: impl std::fmt::Display,
+) -> SceneError {
+    let (key, value, problem) = (key.to_owned(), value.to_owned(), problem.to_string());
+    SceneError::at(span, SceneProblem::Value { key, value, problem })
 }
 
 /// A whole number from 1 on.
@@ -60,5 +71,5 @@ pub(super) fn check_file_name(name: &str, span: std::ops::Range<usize>) -> Resul
 
 pub(super) fn tolerance(raw: &Spanned<f64>) -> Result<Tolerance, SceneError> {
     Tolerance::new(*raw.get_ref())
-        .map_err(|error| SceneError::at(raw.span(), format!("key options.tolerance: {error}")))
+        .map_err(|error| value_error("options.tolerance", &raw.get_ref().to_string(), raw.span(), error))
 }

@@ -1,0 +1,100 @@
+//! Real pressures above what asperities bear.
+
+use super::{Doubt, HighestPressure, MODULUS_OVER_LARGEST_PRESSURE};
+use crate::plan::{Curve, CurveResult, NominalPressure};
+
+/// Gathers the real pressures of curves, which may come part by part.
+pub struct RealPressures {
+    hardness_pa: Option<f64>,
+    above_hardness: Above,
+    above_third_modulus: Above,
+    third_modulus_pa: f64,
+}
+
+/// What was found above one bound.
+#[derive(Default)]
+struct Above {
+    highest: Option<(f64, String, String)>,
+    curves: Vec<String>,
+}
+
+impl RealPressures {
+    /// None yet; the hardness \[Pa\] where there is one.
+    #[must_use]
+    pub fn new(hardness_pa: Option<f64>) -> Self {
+        RealPressures {
+            hardness_pa,
+            above_hardness: Above::default(),
+            above_third_modulus: Above::default(),
+            third_modulus_pa: f64::INFINITY,
+        }
+    }
+
+    /// The real pressure \[Pa\] of a curve under a load of this label.
+    pub fn add(&mut self, curve: &Curve, pressure_pa: f64, label: impl Fn() -> String) {
+        let third_modulus_pa = curve.model.pair().composite_modulus_pa() / MODULUS_OVER_LARGEST_PRESSURE;
+        self.third_modulus_pa = self.third_modulus_pa.min(third_modulus_pa);
+        // A strength that grows at small depths bears more than the hardness of the bulk.
+        let hardness_pa = self.hardness_pa.filter(|_| !curve.model.strength_grows());
+        if hardness_pa.is_some_and(|hardness_pa| pressure_pa > hardness_pa) {
+            self.above_hardness.add(curve, pressure_pa, &label);
+        }
+        if pressure_pa > third_modulus_pa {
+            self.above_third_modulus.add(curve, pressure_pa, &label);
+        }
+    }
+
+    /// The real pressures of a part of a curve, under these nominal pressures \[Pa\] and then at separations.
+    pub fn add_part(&mut self, curve: &Curve, rows: &CurveResult, pressures_pa: &[f64]) {
+        for block in 0..rows.blocks() {
+            let highest_pa = match rows {
+                CurveResult::Stacked(blocks) => {
+                    blocks[block].iter().map(|level| level.real_pressure_pa).fold(0.0, f64::max)
+                }
+                CurveResult::Statistical(blocks) => blocks[block]
+                    .iter()
+                    .filter_map(|row| row.contact)
+                    .map(|(_, state)| (state.ln_pressure_pa - state.ln_area_fraction).exp())
+                    .fold(0.0, f64::max),
+            };
+            let label = || match pressures_pa.get(block).and_then(|&pa| NominalPressure::new(pa).ok()) {
+                Some(pressure) => pressure.label(),
+                None => "a separation".to_owned(),
+            };
+            self.add(curve, highest_pa, label);
+        }
+    }
+
+    /// What is doubtful about them.
+    #[must_use]
+    pub fn doubts(self) -> Vec<Doubt> {
+        let of_hardness = self.above_hardness.highest().zip(self.hardness_pa);
+        let of_hardness =
+            of_hardness.map(|(highest, hardness_pa)| Doubt::RealAboveHardness { highest, hardness_pa });
+        let bound_pa = self.third_modulus_pa;
+        let of_modulus = self.above_third_modulus.highest();
+        let of_modulus = of_modulus.map(|highest| Doubt::RealAboveThirdModulus { highest, bound_pa });
+        of_hardness.into_iter().chain(of_modulus).collect()
+    }
+}
+
+impl Above {
+    fn add(&mut self, curve: &Curve, pressure_pa: f64, label: &impl Fn() -> String) {
+        if self.highest.as_ref().is_none_or(|(highest_pa, ..)| pressure_pa > *highest_pa) {
+            self.highest = Some((pressure_pa, curve.name.clone(), label()));
+        }
+        if !self.curves.contains(&curve.name) {
+            self.curves.push(curve.name.clone());
+        }
+    }
+
+    fn highest(self) -> Option<HighestPressure> {
+        let other_curves = self.curves.len().saturating_sub(1);
+        self.highest.map(|(pressure_pa, curve, load)| HighestPressure {
+            curve,
+            load,
+            pressure_pa,
+            other_curves,
+        })
+    }
+}

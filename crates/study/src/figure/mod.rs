@@ -1,0 +1,185 @@
+//! Figures as data: the series of each, to be drawn, and written as tables.
+
+mod of_results;
+mod table;
+
+use serde::{Deserialize, Serialize};
+use spectrum::Hole;
+
+/// What a figure shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shows {
+    /// The power spectrum.
+    Psd,
+    /// Spectral moments against cutoff, each over its final value.
+    Moments,
+    /// Amplitude against wavelength.
+    Amplitude,
+    /// Aspect ratio against wavelength.
+    AspectRatio,
+    /// Contact area against cutoff.
+    Area,
+    /// Contact area of statistical curves against nominal pressure, at some cutoffs.
+    AreaAgainstLoad,
+}
+
+/// A figure as asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The name of its files.
+    pub name: String,
+    /// What it shows.
+    pub shows: Shows,
+    /// Its title; what it shows, where absent.
+    pub title: Option<String>,
+    /// Which curves it draws, by index.
+    pub curves: Vec<usize>,
+    /// Which sweeps over loads it draws, by index.
+    pub sweeps: Vec<usize>,
+}
+
+/// One line of a figure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Series {
+    /// Its column in the table.
+    pub column: String,
+    /// The curve it belongs to, which its dash pattern stands for.
+    pub curve: String,
+    /// The load or cutoff it is drawn for, as typed, which its colour stands for; empty where it is alone.
+    pub condition: String,
+    /// The same for the legend: a load also in units of the hardness.
+    pub condition_in_full: String,
+    /// Which lines share a colour.
+    pub colour: usize,
+    /// Which lines share a dash pattern; 0 is solid.
+    pub dash: usize,
+    /// Abscissa and ordinate of each point; the abscissas run one way.
+    pub points: Vec<(f64, f64)>,
+}
+
+impl Series {
+    /// A solid line that belongs to no curve: its condition, by which its column goes too, is its colour.
+    pub fn under(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        Series {
+            column: condition.to_owned(),
+            curve: String::new(),
+            condition: condition.to_owned(),
+            condition_in_full: condition.to_owned(),
+            colour,
+            dash: 0,
+            points,
+        }
+    }
+}
+
+/// A figure with its data; all axes are logarithmic.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FigureData {
+    /// The name of its files.
+    pub name: String,
+    /// What it shows.
+    pub shows: Shows,
+    /// Its title.
+    pub title: String,
+    /// The abscissa.
+    pub x: Axis,
+    /// The abscissa's label, with the hardness where pressures are drawn and it is known.
+    pub x_label: String,
+    /// The ordinate's label.
+    pub y_label: &'static str,
+    /// The lines.
+    pub series: Vec<Series>,
+    /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
+    pub gaps: Vec<(f64, f64)>,
+}
+
+/// An abscissa: its column in a table and its label in a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Axis {
+    /// The column.
+    pub column: &'static str,
+    /// The label.
+    pub label: &'static str,
+}
+
+const WAVEVECTOR: Axis = Axis { column: "wavevector_rad_per_m", label: "wavevector q (rad/m)" };
+const PSD: &str = "power spectral density C1D (m³)";
+
+/// The name of the figure that is drawn where none is asked for.
+pub const AREA_OF_ALL: &str = "area-fraction";
+
+impl Figure {
+    /// The figure drawn where none is asked for: the area of all these curves against cutoff.
+    pub fn area_of_all(curves: Vec<usize>) -> Self {
+        Figure { name: AREA_OF_ALL.to_owned(), shows: Shows::Area, title: None, curves, sweeps: Vec::new() }
+    }
+}
+
+/// A figure of spectra.
+pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
+    FigureData {
+        name: name.to_owned(),
+        shows: Shows::Psd,
+        title: PSD.to_owned(),
+        x: WAVEVECTOR,
+        x_label: WAVEVECTOR.label.to_owned(),
+        y_label: PSD,
+        series,
+        gaps: Vec::new(),
+    }
+}
+
+impl FigureData {
+    /// A figure of spectra against wavevectors that leaves these holes open.
+    #[must_use]
+    pub fn with_holes(self, holes: &[Hole]) -> Self {
+        let wavevector = |wavelength_m: f64| std::f64::consts::TAU / wavelength_m;
+        let gaps =
+            holes.iter().map(|hole| (wavevector(hole.longest_m), wavevector(hole.shortest_m))).collect();
+        FigureData { gaps, ..self }
+    }
+
+    /// The points of a line in pieces, none of which crosses a gap. Points inside a gap are interpolated and left out.
+    #[must_use]
+    pub fn pieces(&self, series: &Series) -> Vec<Vec<(f64, f64)>> {
+        // An abscissa at the end of a gap was measured, whatever the rounding.
+        let is_inside = |x: f64| self.gaps.iter().any(|(a, b)| x > a * (1.0 + 1e-9) && x < b * (1.0 - 1e-9));
+        let crosses = |x: f64, y: f64| {
+            let (from, to) = (x.min(y) * (1.0 - 1e-9), x.max(y) * (1.0 + 1e-9));
+            self.gaps.iter().any(|(a, b)| from <= *a && to >= *b)
+        };
+        let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+        for point in series.points.iter().filter(|(x, _)| !is_inside(*x)) {
+            match pieces.last_mut() {
+                Some(piece) if !piece.last().is_some_and(|last| crosses(last.0, point.0)) => {
+                    piece.push(*point)
+                }
+                _ => pieces.push(vec![*point]),
+            }
+        }
+        pieces
+    }
+
+    /// Whether its lines belong to several curves.
+    pub fn compares_curves(&self) -> bool {
+        self.series.iter().any(|series| series.dash > 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn f_a_2_no_line_crosses_a_hole() {
+        let points = vec![(1.0, 0.1), (2.0, 0.2), (4.0, 0.3), (8.0, 0.4), (9.0, 0.5)];
+        let tau = std::f64::consts::TAU;
+        let hole = Hole { longest_m: tau / 2.0, shortest_m: tau / 8.0 };
+        let figure = psd_figure("f", vec![Series::under("c1d_m3", 0, points.clone())]).with_holes(&[hole]);
+        let pieces = figure.pieces(&figure.series[0]);
+        assert_eq!(pieces, [vec![(1.0, 0.1), (2.0, 0.2)], vec![(8.0, 0.4), (9.0, 0.5)]]);
+        let whole = psd_figure("f", vec![Series::under("c1d_m3", 0, points.clone())]);
+        assert_eq!(whole.pieces(&whole.series[0]), [points]);
+    }
+}

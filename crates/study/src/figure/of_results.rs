@@ -1,0 +1,159 @@
+//! The data of figures, out of the results of a plan.
+
+use stacked_contact::Scale;
+use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
+
+use super::{Axis, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
+use crate::plan::{CurveResult, Needs, Results};
+
+const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
+const CUTOFF: Axis = Axis { column: "wavelength_m", label: "shortest wavelength included (m)" };
+const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
+const AREA: &str = "contact area / nominal area";
+
+impl Figure {
+    /// The figure's data, from the results of the plan that asked for it; loads are labelled in units of the hardness
+    /// \[Pa\] as well, where there is one.
+    pub fn data(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> FigureData {
+        let (x, y_label, series) = match self.shows {
+            Shows::Psd => (WAVEVECTOR, PSD, psd_series(results)),
+            Shows::Moments => (CUTOFF, "moment over its final value", moment_series(results)),
+            Shows::Amplitude => (
+                WAVELENGTH,
+                "amplitude Δ (m)",
+                scale_series(results, "amplitude_m", |scale| scale.amplitude_m),
+            ),
+            Shows::AspectRatio => (
+                WAVELENGTH,
+                "aspect ratio B = Δ/λ",
+                scale_series(results, "aspect_ratio", Scale::aspect_ratio),
+            ),
+            Shows::Area => (CUTOFF, AREA, self.area_series(results, needs, hardness_pa)),
+            Shows::AreaAgainstLoad => (PRESSURE, AREA, self.load_series(results, needs)),
+        };
+        let title = self.title.clone().unwrap_or_else(|| y_label.to_owned());
+        let x_label = match hardness_pa.filter(|_| x == PRESSURE) {
+            Some(hardness_pa) => format!("{}; H = {}", x.label, pressure(hardness_pa)),
+            None => x.label.to_owned(),
+        };
+        FigureData {
+            name: self.name.clone(),
+            shows: self.shows,
+            title,
+            x,
+            x_label,
+            y_label,
+            series,
+            gaps: Vec::new(),
+        }
+    }
+
+    fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {
+        let mut series = Vec::new();
+        for (place, &curve) in self.curves.iter().enumerate() {
+            for (colour, load) in needs.loads.iter().enumerate() {
+                let points = results.curves[curve].area_fractions(colour);
+                let line = self.line(&needs.curves[curve].name, &load.label, place, colour, points);
+                series.push(Series {
+                    condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa(), hardness_pa),
+                    ..line
+                });
+            }
+            if let CurveResult::Statistical(_) = results.curves[curve] {
+                for (at, separation_m) in needs.separations_m.iter().enumerate() {
+                    // The blocks of separations follow those of the loads.
+                    let block = needs.loads.len() + at;
+                    let sign = if *separation_m < 0.0 { "-" } else { "" };
+                    let label = format!("separation {sign}{}", length(separation_m.abs()));
+                    let points = results.curves[curve].area_fractions(block);
+                    series.push(self.line(&needs.curves[curve].name, &label, place, block, points));
+                }
+            }
+        }
+        series
+    }
+
+    /// The lines of the sweeps, each under the cutoff of the spectrum that its values are those of.
+    fn load_series(&self, results: &Results, needs: &Needs) -> Vec<Series> {
+        let cutoffs_m: Vec<f64> = self.sweeps.iter().map(|&sweep| results.sweeps[sweep].cutoff_m).collect();
+        let labels = lengths_apart(&cutoffs_m);
+        let mut colours: Vec<f64> = Vec::new();
+        let line = |((&sweep, &cutoff_m), label): ((&usize, &f64), String)| {
+            let (asked, found) = (&needs.sweeps[sweep], &results.sweeps[sweep]);
+            let colour = colours.iter().position(|&other| other == cutoff_m).unwrap_or_else(|| {
+                colours.push(cutoff_m);
+                colours.len() - 1
+            });
+            let place = self.curves.iter().position(|&curve| curve == asked.curve).unwrap_or(0);
+            let areas = found.states.iter().map(|state| state.area_fraction);
+            let points = asked.pressures_pa.iter().copied().zip(areas).collect();
+            let line = self.line(&needs.curves[asked.curve].name, &label, place, colour, points);
+            Series { condition_in_full: format!("cutoff {label}"), ..line }
+        };
+        self.sweeps.iter().zip(&cutoffs_m).zip(labels).map(line).collect()
+    }
+
+    /// The line of one curve under one condition. The first of several curves is the reference that the others are held
+    /// against: dashed.
+    fn line(
+        &self,
+        curve: &str,
+        condition: &str,
+        place: usize,
+        colour: usize,
+        points: Vec<(f64, f64)>,
+    ) -> Series {
+        let dash = if self.curves.len() > 1 { [1, 0].get(place).copied().unwrap_or(place) } else { 0 };
+        Series {
+            column: format!("{curve} at {condition}"),
+            curve: curve.to_owned(),
+            condition: condition.to_owned(),
+            condition_in_full: typeset(condition),
+            colour,
+            dash,
+            points,
+        }
+    }
+}
+
+fn psd_series(results: &Results) -> Vec<Series> {
+    let wavevectors =
+        results.psd.wavelengths_m().iter().map(|wavelength_m| std::f64::consts::TAU / wavelength_m);
+    vec![alone("c1d_m3", wavevectors.zip(results.psd.c1d_m3().iter().copied()).collect())]
+}
+
+fn scale_series(results: &Results, column: &str, of: fn(&Scale) -> f64) -> Vec<Series> {
+    vec![alone(column, results.scales.iter().map(|scale| (scale.wavelength_m, of(scale))).collect())]
+}
+
+fn moment_series(results: &Results) -> Vec<Series> {
+    let moment = |colour, name: &str, of: fn(&spectrum::Moments) -> f64| {
+        let last = results.moments.last().map_or(1.0, |(moments, _)| of(moments));
+        Series {
+            column: format!("{name}_over_final"),
+            curve: String::new(),
+            condition: name.to_owned(),
+            condition_in_full: name.to_owned(),
+            colour,
+            dash: 0,
+            points: results
+                .moments
+                .iter()
+                .map(|(moments, _)| (moments.wavelength_m, of(moments) / last))
+                .collect(),
+        }
+    };
+    vec![moment(0, "m0", |m| m.m0_m2), moment(1, "m2", |m| m.m2), moment(2, "m4", |m| m.m4_per_m2)]
+}
+
+fn alone(column: &str, points: Vec<(f64, f64)>) -> Series {
+    Series {
+        column: column.to_owned(),
+        curve: String::new(),
+        condition: String::new(),
+        condition_in_full: String::new(),
+        colour: 0,
+        dash: 0,
+        points,
+    }
+}

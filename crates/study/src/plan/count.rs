@@ -1,0 +1,55 @@
+//! How much a plan takes, told before it is carried out.
+
+use ordered_float::OrderedFloat;
+
+use super::asked::Asked;
+use super::distinct::Distinct;
+use super::error::MOST_ROWS;
+use super::{CurveModel, Cutoffs, Plan, PlanError};
+
+impl Plan<'_> {
+    /// How many statistical states the plan takes, at most.
+    #[must_use]
+    pub fn statistical_states(&self) -> usize {
+        let asked = Asked::by(&self.needs);
+        let of_model = |(model, cutoffs): (&CurveModel, &Cutoffs)| match (model, cutoffs) {
+            (CurveModel::Stacked(_), _) => 0,
+            (CurveModel::Statistical { .. }, Cutoffs::Every) => {
+                self.most_scales() * asked.conditions.items.len()
+            }
+            (CurveModel::Statistical { .. }, Cutoffs::Shortest) => asked.conditions.items.len(),
+        };
+        let over_cutoffs: usize = asked.models.items.iter().zip(&asked.cutoffs).map(of_model).sum();
+        let over_loads = Distinct::of(self.needs.sweeps.iter().flat_map(|sweep| {
+            let place = (asked.models.index_of[sweep.curve], OrderedFloat(sweep.cutoff_multiple));
+            sweep.pressures_pa.iter().map(move |&pressure_pa| (place, OrderedFloat(pressure_pa)))
+        }));
+        over_cutoffs + over_loads.items.len()
+    }
+
+    /// How many levels of stacks the plan takes, at most.
+    #[must_use]
+    pub fn stacked_levels(&self) -> usize {
+        let asked = Asked::by(&self.needs);
+        let stacks =
+            asked.models.items.iter().filter(|model| matches!(model, CurveModel::Stacked(_))).count();
+        stacks * asked.pressures_pa().len() * self.most_scales()
+    }
+
+    /// Refuses more rows than can be held: scales, loads and curves multiply.
+    pub(super) fn check_size(&self) -> Result<(), PlanError> {
+        let (scales, loads) = (self.most_scales(), self.needs.condition_count());
+        let curves = &self.needs.curves;
+        let rows_of_curve = |cutoffs| match cutoffs {
+            Cutoffs::Every => scales.saturating_mul(loads),
+            Cutoffs::Shortest => loads,
+        };
+        let over_cutoffs = curves.iter().map(|curve| rows_of_curve(curve.cutoffs));
+        let over_loads = self.needs.sweeps.iter().map(|sweep| sweep.pressures_pa.len());
+        let rows = over_cutoffs.chain(over_loads).fold(0usize, usize::saturating_add);
+        if rows > MOST_ROWS {
+            return Err(PlanError::TooManyRows { curves: curves.len(), loads, scales, rows });
+        }
+        Ok(())
+    }
+}

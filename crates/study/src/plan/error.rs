@@ -1,0 +1,62 @@
+//! Why a plan cannot be carried out.
+
+use std::num::NonZeroU32;
+
+use asperity::AsperityError;
+use spectrum::FitError;
+
+/// More scales than any spectrum resolves, and what still fits into memory under a handful of loads.
+pub(super) const MOST_SCALES: usize = 2_000_000;
+
+/// The most rows of curves that are held at once; each takes some 150 bytes.
+pub(super) const MOST_ROWS: usize = 10_000_000;
+
+/// Why a plan cannot be carried out.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// The cutoff leaves nothing.
+    #[error(
+        "the cutoff {cutoff_m:e} m leaves no scale: the longest wavelength is {longest_m:e} m; choose a shorter one"
+    )]
+    NothingLeft {
+        /// The cutoff \[m\].
+        cutoff_m: f64,
+        /// The longest wavelength \[m\].
+        longest_m: f64,
+    },
+    /// The resampled spectrum would be too large.
+    #[error(
+        "{scales_per_decade} scales per decade make {scales:e} scales; at most {MOST_SCALES} are computed, choose fewer"
+    )]
+    TooManyScales {
+        /// The density asked for.
+        scales_per_decade: NonZeroU32,
+        /// The scales it makes.
+        scales: f64,
+    },
+    /// Scales, loads and curves together are more than is held.
+    #[error(
+        "{curves} curves at {loads} loads over {scales} scales make {rows} rows; at most {MOST_ROWS} are held: take fewer \
+         loads, curves or scales per decade, or cutoffs = \"shortest\""
+    )]
+    TooManyRows {
+        /// How many curves there are.
+        curves: usize,
+        /// Under how many loads and separations each.
+        loads: usize,
+        /// Over how many scales, at most.
+        scales: usize,
+        /// The rows that they and the sweeps over loads make, at most.
+        rows: usize,
+    },
+    /// Whoever watches the plan has ended it.
+    #[error("ended before all was computed")]
+    Cancelled,
+    /// The fit has too little to go by.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// A value that no model takes.
+    #[error(transparent)]
+    Value(#[from] AsperityError),
+}

@@ -1,0 +1,29 @@
+//! How a plan is carried out, passed on as one value.
+
+use parallel::Progress;
+
+use super::{Plan, PlanError, Tolerance};
+
+/// Who watches the work and may end it, and how exact its states are.
+#[derive(Clone, Copy)]
+pub(super) struct Run<'r> {
+    progress: &'r dyn Progress,
+    /// The relative tolerance of statistical states.
+    pub tolerance: Tolerance,
+}
+
+impl<'r> Run<'r> {
+    pub fn of(plan: &Plan<'_>, progress: &'r dyn Progress) -> Self {
+        Run { progress, tolerance: plan.needs.tolerance }
+    }
+
+    /// Ends the work here where whoever watches wants it ended.
+    pub fn go_on(self) -> Result<(), PlanError> {
+        if self.progress.is_cancelled() { Err(PlanError::Cancelled) } else { Ok(()) }
+    }
+
+    /// One more statistical state is known.
+    pub fn state_is_known(self) {
+        self.progress.advance(1);
+    }
+}

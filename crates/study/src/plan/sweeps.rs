@@ -1,0 +1,97 @@
+//! Statistical curves against load. Sweeps of one model over one population share their states, among each other and with
+//! the curves against cutoff.
+
+use std::collections::HashMap;
+
+use ordered_float::OrderedFloat;
+use stat_contact::ContactState;
+
+use super::asked::Asked;
+use super::condition::{Asperities, Condition};
+use super::distinct::Distinct;
+use super::ground::Ground;
+use super::run::Run;
+use super::states::Statistical;
+use super::work::counted;
+use super::{CurveModel, CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
+
+/// The states of one model and population, by their pressures \[Pa\].
+type States = HashMap<OrderedFloat<f64>, ContactState>;
+
+/// What sweeps have in common that share their states: the model, by index, and the asperities that their cutoff leaves.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Subject {
+    model: usize,
+    asperities: Option<Asperities>,
+}
+
+/// The states of every sweep.
+pub(super) fn results(
+    needs: &Needs,
+    asked: &Asked,
+    rows_of_models: &[CurveResult],
+    ground: &Ground,
+    run: Run<'_>,
+) -> Result<(Vec<SweepResult>, Work), PlanError> {
+    let of_sweep = |(sweep, cutoff): (&LoadSweep, &super::ground::Cutoff)| Subject {
+        model: asked.models.index_of[sweep.curve],
+        asperities: cutoff.asperities.as_ref().map(Asperities::of),
+    };
+    let subjects = Distinct::of(needs.sweeps.iter().zip(&ground.sweep_cutoffs).map(of_sweep));
+    let places: Vec<usize> = (0..subjects.items.len()).collect();
+    let computed = parallel::try_map(&places, |&place| {
+        let subject = subjects.items[place];
+        let (CurveModel::Statistical { pair, law }, Some(asperities)) =
+            (asked.models.items[subject.model], subject.asperities)
+        else {
+            return Ok((States::new(), Work::default()));
+        };
+        let sweeps = needs.sweeps.iter().zip(&subjects.index_of).filter(|(_, index)| **index == place);
+        let wanted: Vec<f64> = sweeps.flat_map(|(sweep, _)| sweep.pressures_pa.iter().copied()).collect();
+        let known = states_of_curve(asperities, asked, &rows_of_models[subject.model]);
+        completed(known, &wanted, asperities, &Statistical { pair, law, run })
+    })?;
+    let (states, work) = counted(computed);
+    let result = |((sweep, cutoff), &subject): ((&LoadSweep, &super::ground::Cutoff), &usize)| {
+        let state = |&pressure_pa: &f64| states[subject].get(&OrderedFloat(pressure_pa)).copied();
+        SweepResult {
+            cutoff_m: cutoff.wavelength_m,
+            states: sweep.pressures_pa.iter().filter_map(state).collect(),
+        }
+    };
+    let sweeps = needs.sweeps.iter().zip(&ground.sweep_cutoffs).zip(&subjects.index_of);
+    Ok((sweeps.map(result).collect(), work))
+}
+
+/// The known states, and those at the wanted pressures \[Pa\] that are missing among them.
+fn completed(
+    mut states: States,
+    wanted_pa: &[f64],
+    asperities: Asperities,
+    model: &Statistical<'_>,
+) -> Result<(States, Work), PlanError> {
+    let distinct = Distinct::of(wanted_pa.iter().copied().map(OrderedFloat));
+    let missing: Vec<OrderedFloat<f64>> =
+        distinct.items.into_iter().filter(|pressure_pa| !states.contains_key(pressure_pa)).collect();
+    let missing_pa: Vec<f64> = missing.iter().map(|pressure_pa| pressure_pa.0).collect();
+    let (found, mut work) = model.over_loads(asperities, &missing_pa)?;
+    work.shared_states += wanted_pa.len() - missing.len();
+    states.extend(missing.into_iter().zip(found));
+    Ok((states, work))
+}
+
+/// The states that a curve against cutoff has of a population.
+fn states_of_curve(asperities: Asperities, asked: &Asked, curve: &CurveResult) -> States {
+    let CurveResult::Statistical(blocks) = curve else { return States::new() };
+    let known = |(condition, block): (&Condition, &Vec<super::CutoffState>)| {
+        let Condition::Pressure(pressure_pa) = *condition else { return None };
+        // The populations of sweeps are those of the shortest cutoffs, if of any.
+        let of_population = block.iter().rev().filter_map(|row| row.contact);
+        let state = of_population
+            .filter(|(found, _)| Asperities::of(found) == asperities)
+            .map(|(_, state)| state)
+            .next()?;
+        Some((pressure_pa, state))
+    };
+    asked.conditions.items.iter().zip(blocks).filter_map(known).collect()
+}

@@ -1,0 +1,45 @@
+//! The names of curves and figures become those of files, which must not replace one another.
+
+use std::ops::Range;
+
+use super::error::{SceneError, SceneProblem};
+use super::raw::RawScene;
+use crate::figure::{AREA_OF_ALL, Figure};
+use crate::plan::Curve;
+
+/// The name of the report.
+pub const REPORT: &str = "report";
+/// The names of the report's tables: of what curves end in, of what each decade decides, of other choices.
+pub const REPORT_TABLES: [&str; 3] = ["report-scales", "report-decades", "report-sensitivity"];
+
+/// Refuses curves and figures whose files would replace those of another or of the report. Disks differ in whether case
+/// counts, so here it does not.
+pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Result<(), SceneError> {
+    let curve_spans =
+        raw.curve.iter().map(|curve| curve.get_ref().name.as_ref().map_or(curve.span(), |name| name.span()));
+    let curves = curves.iter().map(|curve| curve.name.as_str()).zip(curve_spans);
+    let figure_spans = raw.figure.iter().map(|figure| figure.get_ref().name.span());
+    // Where the scene draws no figure, one is drawn of all curves, which has no place in it.
+    let drawn = figures.iter().map(|figure| figure.name.as_str()).zip(figure_spans);
+    let mut taken: Vec<&str> = REPORT_TABLES.to_vec();
+    taken.push(REPORT);
+    if raw.figure.is_empty() && !figures.is_empty() {
+        taken.push(AREA_OF_ALL);
+    }
+    for (name, span) in curves.chain(drawn) {
+        refuse_taken(name, span, &taken)?;
+        taken.push(name);
+    }
+    Ok(())
+}
+
+fn refuse_taken(name: &str, span: Range<usize>, taken: &[&str]) -> Result<(), SceneError> {
+    let lower = name.to_lowercase();
+    match taken.iter().find(|other| other.to_lowercase() == lower) {
+        Some(other) => {
+            let problem = SceneProblem::FileNameTaken { name: name.to_owned(), by: (*other).to_owned() };
+            Err(SceneError::at(span, problem))
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,203 @@
+//! What a scene holds that has no effect on what is computed: told, and not refused.
+
+use std::ops::Range;
+
+use serde::Serialize;
+use stacked_contact::StackedModel;
+use stat_contact::AsperityLaw;
+use toml::de::{DeTable, DeValue};
+
+use super::{Overrides, Scene};
+use crate::figure::Shows;
+use crate::plan::CurveModel;
+
+/// A key of a scene that has no effect, or not the one that it reads as.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneNote {
+    /// The key with its section, e.g. `curve.strain_gradient`.
+    pub key: String,
+    /// The line that it stands in, counted from 1.
+    pub line: usize,
+    /// The bytes of the scene that it stands in.
+    pub span: Range<usize>,
+    /// Why it has no effect.
+    pub reason: Idle,
+}
+
+/// Why a key of a scene has no effect.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Idle {
+    /// The curve's model does not yield, so that it has no strength.
+    ModelDoesNotYield,
+    /// The curve's model has no choice of an interference law.
+    ModelHasNoInterferenceLaw,
+    /// The figure shows something else.
+    FigureShowsSomethingElse,
+    /// No curve depends on it.
+    NoCurveUsesIt,
+    /// Every curve that depends on it has a setting of its own.
+    EveryCurveHasItsOwn,
+    /// No curve and no figure needs it.
+    NothingNeedsIt,
+    /// The spectrum ends above the cutoff.
+    CutoffBelowData {
+        /// The shortest wavelength of the spectrum \[m\].
+        shortest_m: f64,
+    },
+    /// The tolerance is finer than double precision reaches.
+    ToleranceHeld {
+        /// What is used instead.
+        used: f64,
+    },
+}
+
+/// The notes on a scene, in the order of its sections; what is overridden from outside says nothing about the scene.
+pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<SceneNote> {
+    // What cannot be read again was refused before.
+    let Ok(document) = DeTable::parse(text) else { return Vec::new() };
+    let mut keys = Keys { text, document: document.get_ref(), notes: Vec::new() };
+    curves(&mut keys, scene);
+    loads(&mut keys, scene);
+    figures(&mut keys, scene);
+    cutoffs(&mut keys, scene, overrides);
+    options(&mut keys, scene, overrides);
+    keys.notes
+}
+
+fn curves(keys: &mut Keys<'_>, scene: &Scene) {
+    for (table, curve) in keys.tables("curve").into_iter().zip(&scene.needs.curves) {
+        let (yields, has_interference_law) = match &curve.model {
+            CurveModel::Stacked(model) => (matches!(model, StackedModel::ElasticPlastic { .. }), false),
+            CurveModel::Statistical { law, .. } => (
+                matches!(law, AsperityLaw::EpSphere { .. } | AsperityLaw::EpSine { .. }),
+                matches!(law, AsperityLaw::ElasticSine { .. }),
+            ),
+        };
+        let wants_gradient = matches!(value(table, "strain_gradient"), Some(DeValue::Boolean(true)));
+        if wants_gradient && !yields {
+            keys.note("curve", table, "strain_gradient", Idle::ModelDoesNotYield);
+        }
+        if !has_interference_law {
+            keys.note("curve", table, "interference_law", Idle::ModelHasNoInterferenceLaw);
+        }
+    }
+}
+
+fn loads(keys: &mut Keys<'_>, scene: &Scene) {
+    let Some(table) = keys.section("loads") else { return };
+    if scene.needs.curves.is_empty() {
+        for key in ["pressures", "force", "nominal_area"] {
+            keys.note("loads", table, key, Idle::NoCurveUsesIt);
+        }
+    }
+}
+
+fn figures(keys: &mut Keys<'_>, scene: &Scene) {
+    for (table, figure) in keys.tables("figure").into_iter().zip(&scene.figures) {
+        let idle: &[&str] = match figure.shows {
+            Shows::AreaAgainstLoad => &[],
+            Shows::Area => &["loads", "cutoff_multiples"],
+            Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {
+                &["curves", "loads", "cutoff_multiples"]
+            }
+        };
+        for key in idle {
+            keys.note("figure", table, key, Idle::FigureShowsSomethingElse);
+        }
+    }
+}
+
+fn cutoffs(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let shortest_m = scene.surface.psd.shortest_wavelength_m();
+    let below = scene.sampling.cutoff_m.is_some_and(|cutoff_m| cutoff_m < shortest_m);
+    if let Some(table) = keys.section("cutoffs").filter(|_| below && overrides.cutoff.is_none()) {
+        keys.note("cutoffs", table, "shortest_wavelength", Idle::CutoffBelowData { shortest_m });
+    }
+}
+
+fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let Some(table) = keys.section("options") else { return };
+    let needs = &scene.needs;
+    let laws = || {
+        needs.curves.iter().filter_map(|curve| match &curve.model {
+            CurveModel::Statistical { law, .. } => Some(law),
+            CurveModel::Stacked(_) => None,
+        })
+    };
+    if needs.moments.is_none() && overrides.normalisation.is_none() {
+        keys.note("options", table, "normalisation", Idle::NothingNeedsIt);
+    }
+    if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
+        keys.note("options", table, "amplitude", Idle::NothingNeedsIt);
+    }
+    if overrides.hardness.is_none() && !laws().any(|law| matches!(law, AsperityLaw::EpSphere { .. })) {
+        keys.note("options", table, "hardness", Idle::NoCurveUsesIt);
+    }
+    if overrides.strength_cap.is_none() && !needs.curves.iter().any(|curve| curve.model.strength_grows()) {
+        keys.note("options", table, "strength_cap", Idle::NoCurveUsesIt);
+    }
+    interference_law(keys, table, scene);
+    if laws().next().is_none() {
+        keys.note("options", table, "tolerance", Idle::NoCurveUsesIt);
+    } else if needs.tolerance.asked_finer().is_some() {
+        let used = needs.tolerance.value();
+        keys.note("options", table, "tolerance", Idle::ToleranceHeld { used });
+    }
+}
+
+fn interference_law<'d>(keys: &mut Keys<'d>, options: &'d DeTable<'d>, scene: &Scene) {
+    let tables = keys.tables("curve");
+    let of_sinusoids: Vec<_> = tables
+        .into_iter()
+        .zip(&scene.needs.curves)
+        .filter(|(_, curve)| {
+            matches!(curve.model, CurveModel::Statistical { law: AsperityLaw::ElasticSine { .. }, .. })
+        })
+        .collect();
+    if of_sinusoids.is_empty() {
+        keys.note("options", options, "interference_law", Idle::NoCurveUsesIt);
+    } else if of_sinusoids.iter().all(|(table, _)| value(table, "interference_law").is_some()) {
+        keys.note("options", options, "interference_law", Idle::EveryCurveHasItsOwn);
+    }
+}
+
+/// The keys that stand in a scene, and what there is to note of them.
+struct Keys<'d> {
+    text: &'d str,
+    document: &'d DeTable<'d>,
+    notes: Vec<SceneNote>,
+}
+
+impl<'d> Keys<'d> {
+    fn section(&self, name: &str) -> Option<&'d DeTable<'d>> {
+        match value(self.document, name)? {
+            DeValue::Table(table) => Some(table),
+            _ => None,
+        }
+    }
+
+    /// The tables of an array of them, in order.
+    fn tables(&self, name: &str) -> Vec<&'d DeTable<'d>> {
+        let Some(DeValue::Array(items)) = value(self.document, name) else { return Vec::new() };
+        let table = |item: &'d toml::Spanned<DeValue<'d>>| match item.get_ref() {
+            DeValue::Table(table) => Some(table),
+            _ => None,
+        };
+        items.iter().filter_map(table).collect()
+    }
+
+    /// Notes a key where it stands in its table.
+    fn note(&mut self, section: &str, table: &DeTable<'_>, key: &str, reason: Idle) {
+        let found = table.iter().find(|(name, _)| name.get_ref() == key);
+        let Some((name, value)) = found else { return };
+        let span = name.span().start..value.span().end;
+        let line = 1 + self.text[..span.start].matches('\n').count();
+        self.notes.push(SceneNote { key: format!("{section}.{key}"), line, span, reason });
+    }
+}
+
+fn value<'d>(table: &'d DeTable<'d>, key: &str) -> Option<&'d DeValue<'d>> {
+    table.iter().find(|(name, _)| name.get_ref() == key).map(|(_, value)| value.get_ref())
+}
