@@ -25,7 +25,8 @@ use parsers::{one_of, parse_count, parse_labelled_pressure, parse_place, parse_t
 use study::material::StackedModelName;
 use study::plan::Tolerance;
 use study::scene::Template;
-use study::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
+use study::topography::ScanRequest;
+use topography::{Average, DEFAULT_BINS_PER_DECADE};
 use units::PressureRange;
 use units::{Length, Pressure, SignedLength};
 
@@ -126,11 +127,12 @@ Options of a single file follow it after a colon.
 
 Columns: wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3 (standard error
 where several scans share a bin), measurements; a row per bin from long to
-short. Every other command takes this table. How far each spectrum can be
-believed is said on standard error.
+short. Every other command takes this table. Which wavelengths of each scan are
+used, and what is doubtful, is said on standard error.
 
 Examples:
   truearea psd map.001 trace.asc:unit=nm,shortest=5nm stylus.txt --out psd.csv
+  truearea psd --list scans.csv --out psd.csv
   truearea psd map.001 --areal --out ciso.csv")]
     Psd(ScansArgs),
     /// Fit a self-affine spectrum: Hurst exponent and roll-off
@@ -147,7 +149,7 @@ Example:
     #[command(after_help = "\
 Writes one table per curve, one table and one SVG per figure, and prints a
 summary: area fraction, real pressure, and the wavelength at which the area
-has converged, per load. Options given here count more than the scene's own.
+has settled, per load. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml
@@ -192,8 +194,12 @@ pub(crate) struct ManArgs {
 pub(crate) struct ScansArgs {
     /// The scans, each perhaps with options of its own:
     /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm
-    #[arg(required = true, value_name = "FILE")]
+    #[arg(required_unless_present = "list", value_name = "FILE")]
     pub files: Vec<ScanRequest>,
+    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, all but file optional; files are
+    /// relative to it
+    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    pub list: Option<Place>,
     /// What is subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,

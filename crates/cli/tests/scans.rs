@@ -19,8 +19,10 @@ fn a_composite_is_a_spectrum_that_every_command_takes() {
     let bench = Bench::new();
     bench.write("coarse.txt", line(1024, 20.0)).write("fine.txt", line(1024, 5.0));
     let run = bench.run(&["psd", "coarse.txt:unit=nm", "fine.txt", "--unit", "nm", "--out", "psd.csv"]);
-    assert!(run.stderr.contains("coarse.txt: 10.2 µm to 40"), "{}", run.stderr);
-    assert!(run.stderr.contains("the spectrum holds the variance of the heights to"), "{}", run.stderr);
+    let row = run.stderr.lines().find(|line| line.starts_with("  coarse.txt")).unwrap();
+    let cells: Vec<&str> = row.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+    assert_eq!(cells[..4], ["coarse.txt", "10.2 µm", "40 nm", "2 pixels; no tip radius given"], "{row}");
+    assert_eq!(cells[5..], ["-", "doubtful"], "{row}");
     assert!(run.stderr.contains("coarse.txt over fine.txt: "), "{}", run.stderr);
     run.ok();
     let table = bench.read("psd.csv");
@@ -193,7 +195,7 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
         .collect();
     bench.write("gap.txt", gap.join("\n"));
     let gap = bench.run(&["psd", "gap.txt", "--unit", "nm"]);
-    assert!(gap.stderr.contains("WARNING: a gap of 61 times"), "{}", gap.stderr);
+    assert!(gap.stderr.contains("warning: gap.txt: a gap of 61 times"), "{}", gap.stderr);
     let tenfold = |row: &str| {
         let (x, height) = row.split_once(' ').unwrap();
         format!("{x} {}", 10.0 * height.parse::<f64>().unwrap())
@@ -201,7 +203,7 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
     let b: Vec<String> = line(512, 20.0).lines().map(tenfold).collect();
     bench.write("a.txt", line(512, 5.0)).write("b.txt", b.join("\n"));
     let apart = bench.run(&["psd", "a.txt:unit=nm", "b.txt:unit=nm"]);
-    assert!(apart.stderr.contains("WARNING: a.txt over b.txt"), "{}", apart.stderr);
+    assert!(apart.stderr.contains("warning: a.txt over b.txt"), "{}", apart.stderr);
     // Another program's index.json is none of ours.
     bench.write("index.json", "{\"name\": \"my web page\"}");
     bench.run(&["psd", "a.txt", "--unit", "nm"]).ok();
@@ -215,7 +217,9 @@ fn data_given_twice_are_told() {
     let told: Vec<&str> = run.stderr.lines().filter(|line| line.contains("the same data")).collect();
     assert_eq!(
         told,
-        ["note: WARNING: a.txt and copy.txt are the same data, which counts twice; leave one of them out"]
+        [
+            "warning: a.txt and copy.txt are the same data, which say nothing of each other; leave one of them out"
+        ]
     );
 }
 

@@ -56,7 +56,7 @@ fn a_cutoff_ends_moments_between_samples_and_drops_scales() {
     let message = bench.run(&["amplitude", "builtin:uncd-measured", "--cutoff", "1m"]).refused();
     assert_eq!(
         message,
-        "error: the cutoff 1e0 m leaves no scale: the longest wavelength is 1.49392e-4 m; choose a shorter one\n"
+        "error: the cutoff 1 m leaves no scale: the longest wavelength is 149 µm; choose a shorter one\n"
     );
 }
 

@@ -1,6 +1,7 @@
 //! Measured heights: line scans at even or uneven spacing, and maps.
 
 use thiserror::Error;
+use units::display::length;
 
 /// Heights at even spacing along a line: at least two, all finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +50,8 @@ pub enum ScanError {
     },
     /// A spacing that is no finite length above 0.
     #[error(
-        "building a scan: the {what} is {value} m, it must be finite and above 0; check the size of the scan and its unit"
+        "building a scan: the {what} is {}, it must be finite and above 0; check the size of the scan and its unit",
+        length(*.value)
     )]
     BadSpacing {
         /// Which spacing.

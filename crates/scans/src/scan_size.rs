@@ -1,5 +1,7 @@
 //! The lateral size of a scan, and the scan that it makes of heights.
 
+use units::display::length;
+
 use crate::error::ScanReadError;
 use crate::heights::{HeightMap, Scan, UniformLineScan};
 
@@ -41,8 +43,8 @@ impl ScanSize {
 impl std::fmt::Display for ScanSize {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.y_m {
-            None => write!(f, "{:e} m", self.x_m),
-            Some(y_m) => write!(f, "{:e} m x {y_m:e} m", self.x_m),
+            None => f.write_str(&length(self.x_m)),
+            Some(y_m) => write!(f, "{} x {}", length(self.x_m), length(y_m)),
         }
     }
 }

@@ -95,7 +95,7 @@ fn an_index_beside_a_file_says_what_the_file_does_not() {
         scan.notes,
         [
             "height_scale 2 of the metadata is not applied: the heights have their unit",
-            "the metadata give the size as 4e-3 m, the file as 2e-6 m: the file counts"
+            "the metadata give the size as 4 mm, the file as 2 µm: the file counts"
         ]
     );
 }

@@ -32,6 +32,7 @@ mod amplitude;
 mod approximate;
 mod cholesky;
 mod convention;
+mod hole;
 mod interval;
 mod mccool;
 mod moments;
@@ -44,6 +45,7 @@ mod superpose;
 
 pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
+pub use hole::{HOLE_FACTOR, Hole};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
 pub use profile::ProfilePsd;

@@ -277,7 +277,7 @@ fn repeated_wavelengths_are_refused_with_both_lines() {
     assert_refused(
         "lambda_nm,C1D_m3\n5,2\n2,3\n# comment\n5.0,4\n2,3\n",
         5,
-        "line 5: the wavelength 5e-9 m stands in line 2 already; keep one row for each wavelength, and one series (such \
+        "line 5: the wavelength 5 nm stands in line 2 already; keep one row for each wavelength, and one series (such \
          as '1D PSD along x') in a file",
     );
 }

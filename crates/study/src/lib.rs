@@ -2,10 +2,12 @@
 
 pub mod answer;
 pub mod asperity_table;
+pub mod choices_in_words;
 pub mod features;
 pub mod figure;
 mod files;
 pub mod material;
+mod note;
 pub mod plan;
 pub mod provenance;
 pub mod result_tables;
@@ -15,4 +17,5 @@ pub mod surface;
 pub mod topography;
 
 pub use files::{Files, NoFiles};
+pub use note::Note;
 pub use parallel::{Progress, Unobserved};

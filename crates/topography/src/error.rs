@@ -9,7 +9,7 @@ use units::display::length;
 #[non_exhaustive]
 pub enum TransformError {
     /// A limit of the reliable band that is no finite length above 0.
-    #[error("limiting the band of a scan: the {what} is {value} m, it must be finite and above 0")]
+    #[error("limiting the band of a scan: the {what} is {}, it must be finite and above 0", length(*.value))]
     BadLimit {
         /// Which limit.
         what: &'static str,
@@ -32,6 +32,20 @@ pub enum TransformError {
     /// Heights so large that their squares overflow.
     #[error("taking the reliable part of a spectrum: {0}")]
     Overflow(#[from] PsdError),
+    /// Heights so large that their variance overflows.
+    #[error("transforming heights: their variance is beyond the range of numbers; check their unit")]
+    BeyondNumbers,
+    /// Heights without roughness.
+    #[error(
+        "transforming heights: the scan is flat: after detrending its rms height is {rms_m:e} m, no more than the rounding \
+         of heights up to {largest_m:e} m; check the channel, and export it with more digits"
+    )]
+    Flat {
+        /// Root mean square of the detrended heights in m.
+        rms_m: f64,
+        /// The largest height as read in m.
+        largest_m: f64,
+    },
     /// A composite of one bin, which is no spectrum yet.
     #[error(
         "averaging spectra: all samples lie in one bin about {}, there must be at least 2; take more bins per \

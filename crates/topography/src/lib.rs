@@ -4,15 +4,18 @@
 //! * [`Preparation`]: what is done to the heights of a [`Scan`](scans::Scan) before they are transformed;
 //! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a scan, on the bins of its own length, with the
 //!   [`ReliableBand`] it holds in;
-//! * [`Composite`]: one spectrum from many measurements.
+//! * [`ScanSpectrum`]: a file of heights on its way through all of these by a [`Recipe`], with [`Checks`];
+//! * [`Composite`] and [`CompositeSpectrum`]: one spectrum from many measurements, with every [`Remark`] there is to make.
 //!
-//! What it does not do: it opens no paths, prints nothing, and runs on one thread; maps come in blocks of rows for callers
-//! that have more.
+//! What it does not do: it opens no paths, prints nothing, and runs on one thread unless the feature `parallel` is on, with
+//! the same digits on any number of them.
 
 mod areal;
 mod band;
 mod bins;
+mod checks;
 mod composite;
+mod composite_spectrum;
 mod derivatives;
 mod detrend;
 mod error;
@@ -24,7 +27,10 @@ mod overlap;
 mod piecewise;
 mod preparation;
 mod radial;
+mod recipe;
+mod remark;
 mod rms;
+mod scan_spectrum;
 mod segment;
 mod sums;
 mod tip;
@@ -33,7 +39,9 @@ mod window;
 pub use areal::{ArealRows, ArealSums, ArealTransform, areal_spectrum};
 pub use band::{BandLimits, ReliableBand};
 pub use bins::{BinMean, log_binned};
+pub use checks::Checks;
 pub use composite::{Composite, CompositeBin, CompositeOptions, composite};
+pub use composite_spectrum::{CompositeSpectrum, InstrumentsDisagree};
 pub use derivatives::{Boundary, real_space_derivatives, real_space_derivatives_across};
 pub use detrend::Detrend;
 pub use error::TransformError;
@@ -45,7 +53,12 @@ pub use overlap::{Overlap, overlaps};
 pub use piecewise::{nonuniform_line_spectrum, nonuniform_line_spectrum_to};
 pub use preparation::Preparation;
 pub use radial::{ArealSpectrum, RadialBin};
+pub use recipe::{Average, DEFAULT_BINS_PER_DECADE, Recipe};
+pub use remark::{
+    BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
+};
 pub use rms::RmsDerivatives;
+pub use scan_spectrum::ScanSpectrum;
 pub use tip::tip_cutoff_m;
 pub use window::Window;
 

@@ -27,6 +27,7 @@ use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
 use report::plot;
+use report::scan_words;
 use report::summary::CurveCounts;
 use study::figure::{Figure, FigureData, Shows};
 use study::material::{GivenMaterial, Material};
@@ -35,6 +36,7 @@ use study::provenance::provenance;
 use study::result_tables;
 use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table, TableWriter};
+use topography::Severity;
 use units::PressureRange;
 use units::display::length;
 use units::number;
@@ -87,7 +89,8 @@ impl Context<'_> {
         let plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
         let results = compute(&plan)?;
         timings.lap("computing");
-        say_notes(surface.notes.iter().cloned().chain(notes(&results)));
+        say_surface(&surface);
+        say_notes(notes(&results));
         let comments = provenance(self.typed, &surface, plan.sampling);
         let mut files = StagedFiles::default();
         if let Some(figure) = &spectrum.figure {
@@ -117,7 +120,8 @@ impl Context<'_> {
         timings.lap("reading");
         let plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
         let stream = plan.stream()?;
-        say_notes(surface.notes.iter().cloned().chain([first_note(stream.psd())]));
+        say_surface(&surface);
+        say_notes([first_note(stream.psd())]);
         let comments = provenance(self.typed, &surface, plan.sampling);
         let mut files = StagedFiles::default();
         let mut drawn = None;
@@ -363,6 +367,22 @@ fn loads(
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
     ElasticBody::new(modulus.pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
+}
+
+/// Says on stderr what a reader has to know about a spectrum.
+fn say_surface(surface: &Surface) {
+    for note in &surface.notes {
+        say_of_severity(note.severity(), &scan_words::note(note));
+    }
+}
+
+/// Says a note or a warning on stderr, and of checks that were passed nothing.
+fn say_of_severity(severity: Severity, text: &str) {
+    match severity {
+        Severity::Passed => {}
+        Severity::Note => say(&format!("note: {text}")),
+        Severity::Warning => say(&format!("warning: {text}")),
+    }
 }
 
 /// Says notes on stderr.

@@ -1,14 +1,20 @@
 //! `psd`: from scans to their composite spectrum.
 
-use super::{Context, say_notes};
+use super::{Context, say_notes, say_of_severity};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
-use crate::files::Folder;
+use crate::files::{Folder, open_table};
 use crate::output::{Place, publish};
+use crate::stderr::say;
+use crate::targets::Targets;
 use crate::timings::Timings;
+use report::scan_words;
+use report::scans_table::scans_table;
+use scans::ScanOption;
 use staging::StagedFiles;
 use study::provenance::program;
-use study::topography::{CompositeSpectrum, Recipe, ScanRequest, areal_spectrum};
+use study::topography::{CompositeOfFiles, ScanRequest, TopographyError, areal_spectrum, requests_of_list};
+use topography::{Recipe, Remark};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
     refuse_two_outputs(args, context)?;
@@ -19,11 +25,11 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         bins_per_decade: args.bins_per_decade,
         tip_radius_m: args.tip_radius.map(|radius| radius.m),
     };
-    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.with_common_options(file)).collect();
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
     let targets = context
         .targets(args.figure.as_ref())?
         .with("--out", args.out.as_ref().unwrap_or(&Place::Standard))?;
+    let requests = requests(args, &targets)?;
     let folder = Folder::current(targets);
     if args.areal {
         let [request] = &requests[..] else {
@@ -32,7 +38,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
                 requests.len()
             )));
         };
-        let found = areal_spectrum(request, &folder, &recipe).map_err(Failure::input)?;
+        let found = areal_spectrum(request, &folder, &recipe).map_err(refused)?;
         say_notes(found.notes);
         let mut files = StagedFiles::default();
         let comments = [program(context.typed), found.provenance];
@@ -40,15 +46,21 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         return publish(files);
     }
     let mut timings = Timings::start();
-    let found = CompositeSpectrum::of_files(&requests, &folder, &recipe).map_err(Failure::input)?;
+    let found = CompositeOfFiles::read(&requests, &folder, &recipe).map_err(refused)?;
     timings.lap("reading and transforming");
-    say_notes(found.notes());
+    say_lines(&scans_table(&found.spectrum));
+    let remarks = found.spectrum.remarks();
+    for remark in &remarks {
+        say_of_severity(remark.severity(), &scan_words::remark(remark));
+    }
     let mut comments = vec![program(context.typed)];
     comments.extend(found.provenance());
+    let holes = remarks.iter().filter(|remark| matches!(remark, Remark::Holes(_)));
+    comments.extend(holes.map(scan_words::remark));
     let table = if args.per_scan { found.series_table() } else { found.table() };
     let mut files = StagedFiles::default();
     if let Some(picture) = &args.figure {
-        let subject = format!("{} scans", found.scans.len());
+        let subject = format!("{} scans", found.spectrum.scans.len());
         context.stage_picture(&mut files, picture, &found.figure("psd"), &subject, &comments)?;
     }
     // Later commands tell from them what the composite is made of.
@@ -57,6 +69,47 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())
+}
+
+/// The scans that were typed, and behind them those of the list; what is said for all counts where they say nothing.
+fn requests(args: &ScansArgs, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
+    let listed = args.list.as_ref().map_or_else(|| Ok(Vec::new()), |list| listed(list, targets))?;
+    Ok(args.files.iter().chain(&listed).map(|file| args.with_common_options(file)).collect())
+}
+
+/// The scans of a list, their files relative to it.
+fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
+    targets.spare_place(list)?;
+    let table = open_table(list)?.whole()?;
+    let requests = requests_of_list(&list.to_string(), &table).map_err(Failure::input)?;
+    let folder = match list {
+        Place::Standard => None,
+        Place::File(path) => path.parent(),
+    };
+    let beside = |request: ScanRequest| match folder {
+        None => request,
+        Some(folder) => {
+            ScanRequest { path: folder.join(&request.path).to_string_lossy().into_owned(), ..request }
+        }
+    };
+    Ok(requests.into_iter().map(beside).collect())
+}
+
+/// What is wrong with scans, with the option that mends it where one does.
+fn refused(error: TopographyError) -> Failure {
+    let flag = |option| match option {
+        ScanOption::Unit => Some("--unit"),
+        ScanOption::Size => Some("--size"),
+        ScanOption::Channel => Some("--channel"),
+        _ => None,
+    };
+    let mend = error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, flag));
+    Failure::Input(format!("{error}{mend}"))
+}
+
+/// Says text of several lines on stderr.
+fn say_lines(text: &str) {
+    text.lines().for_each(say);
 }
 
 /// Refuses two places for one table.

@@ -1,8 +1,11 @@
 //! `run`: everything a scene asks for.
 
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
-use super::{Context, compute, counterface, refuse_idle_cutoff, say_notes};
+use chrono::{DateTime, Utc};
+
+use super::{Context, compute, counterface, refuse_idle_cutoff, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -11,7 +14,7 @@ use crate::targets::Targets;
 use crate::timings::Timings;
 use crate::{output, scene_errors};
 use report::explain::explain;
-use report::products::{self, Findings};
+use report::products::{self, Findings, Occasion};
 use report::reasons::reasons;
 use report::summary::summary;
 use stacked_contact::StackedModel;
@@ -25,7 +28,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
     let scene = read(args, &folder, context)?;
     timings.lap("reading");
-    say_notes(scene.surface.notes.iter().cloned());
+    say_surface(&scene.surface);
     if args.dry_run {
         return print(&explain(&scene), context);
     }
@@ -41,7 +44,10 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     let findings = match args.no_report {
         true => None,
-        false => Some(Findings::of(&scene, &results).map_err(blame)?),
+        false => {
+            let found = Findings::of(&scene, &results).map_err(blame)?;
+            Some(found.on(Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) }))
+        }
     };
     timings.lap("judging");
     make_folder("--out", &folder)?;
@@ -63,16 +69,10 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files && folder.is_file() {
         make_folder("--out", folder)?;
     }
+    targets.spare_place(&args.scene)?;
     let (name, files) = match &args.scene {
-        Place::Standard => {
-            targets.spare_standard_input().map_err(|error| Failure::reading("standard input", &error))?;
-            ("standard input".to_owned(), Folder::current(targets))
-        }
-        Place::File(path) => {
-            let name = path.display().to_string();
-            targets.spare(path).map_err(|error| Failure::reading(&name, &error))?;
-            (name, Folder::of(path, targets))
-        }
+        Place::Standard => ("standard input".to_owned(), Folder::current(targets)),
+        Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
     };
     let bytes = args.scene.read()?;
     let text = utf8(&bytes, &name, "scene")?;
@@ -83,9 +83,7 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         for name in products::file_names(&scene, !args.no_report, context.shared.format) {
             results = results.with_file("--out", &folder.join(name))?;
         }
-        if let Place::File(path) = &args.scene {
-            results.spare(path).map_err(|error| Failure::reading(&name, &error))?;
-        }
+        results.spare_place(&args.scene)?;
         files.spare_from(&results)?;
     }
     refuse_idle_options(args, &scene)?;
@@ -136,6 +134,11 @@ fn has_growing_strength(model: &CurveModel) -> bool {
         } => strength.strain_gradient_length_m().is_some(),
         _ => false,
     }
+}
+
+/// The date and time of day, in universal time.
+fn now() -> String {
+    DateTime::<Utc>::from(SystemTime::now()).format("%Y-%m-%d %H:%M UTC").to_string()
 }
 
 fn default_folder(scene: &Place) -> PathBuf {

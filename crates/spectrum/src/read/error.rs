@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 use units::LengthUnit;
+use units::display::length;
 
 use crate::convention::Convention;
 use crate::read::json::JsonError;
@@ -266,8 +267,9 @@ pub enum ReadError {
     },
     /// The same wavelength twice.
     #[error(
-        "line {line}: the wavelength {wavelength_m:e} m stands in line {first_line} already; keep one row for each \
-         wavelength, and one series (such as '1D PSD along x') in a file"
+        "line {line}: the wavelength {} stands in line {first_line} already; keep one row for each \
+         wavelength, and one series (such as '1D PSD along x') in a file",
+        length(*.wavelength_m)
     )]
     RepeatedWavelength {
         /// Line of the repetition.

@@ -1,11 +1,11 @@
 //! The two-dimensional spectrum of a map.
 
-use scans::{HeightMap, Scan};
-use topography::{ArealRows, ArealSpectrum, ArealSums, ArealTransform, Preparation, ReliableBand};
+use scans::Scan;
+use topography::{RadialBin, Recipe, ReliableBand};
 
 use super::error::{ScanProblem, TopographyError};
 use super::load::{Loaded, load};
-use super::request::{Recipe, ScanRequest};
+use super::request::ScanRequest;
 use crate::files::Files;
 use tables::Table;
 
@@ -38,12 +38,12 @@ pub fn areal_spectrum(
         return Err(refused(ScanProblem::LineHasNoArea));
     };
     let preparation = recipe.preparation(file.is_periodic);
-    let band = ReliableBand::of(&file.scan, request.limits(file, recipe)).map_err(transform)?;
-    let spectrum = transformed(map, preparation);
+    let band = ReliableBand::of(&file.scan, recipe.limits(request.limits(), file)).map_err(transform)?;
+    let spectrum = topography::areal_spectrum(map, preparation);
     let shown = spectrum.ciso(&band).map_err(transform)?;
     let modes = |wavelength_m: &f64| {
         let q = std::f64::consts::TAU / wavelength_m;
-        let near = |bin: &&topography::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
+        let near = |bin: &&RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
         spectrum.bins().iter().find(near).map(|bin| bin.modes as f64)
     };
     let wavelengths_m = shown.wavelengths_m();
@@ -57,13 +57,4 @@ pub fn areal_spectrum(
         request.path, file.format, preparation.detrend, preparation.window
     );
     Ok(AreaSpectrum { table, provenance, notes: file.notes.clone() })
-}
-
-/// The spectrum of a map, on all threads, with the same digits on any number of them.
-fn transformed(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
-    let transform = ArealTransform::new(map, preparation);
-    let rows: Vec<ArealRows> = parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
-    let sums: Vec<ArealSums> =
-        parallel::map_indices(transform.column_blocks(), |block| transform.columns(&rows, block));
-    transform.spectrum(&rows, &sums)
 }
