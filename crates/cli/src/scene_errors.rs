@@ -8,13 +8,12 @@ use study::surface::SurfaceError;
 
 /// The message with file, line, and the line itself; that it is an error is said where it is reported.
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
-    let mend = match &error.problem {
+    let message = match &error.problem {
         SceneProblem::Surface(SurfaceError::Scan { .. }) => {
-            "; give it in scans = [...] instead of psd".to_owned()
+            format!("{error}; give it in scans = [...] instead of psd")
         }
-        _ => mended(error),
+        _ => format!("{error}{}", mended(error)),
     };
-    let message = format!("{error}{mend}");
     let title = Level::ERROR.primary_title(&message);
     let group = match &error.span {
         Some(span) => title.element(

@@ -219,9 +219,7 @@ impl<'a> Group<'a> {
     fn deciding(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
-            let ends = decade::name(decade.longest_m, decade.shortest_m, psd);
-            let name = if decade.measured { ends } else { format!("{ends}, which was not measured") };
-            Some((name, decade.share))
+            Some((decade::name(decade, psd), decade.share))
         };
         let mut decades: Vec<(String, Vec<usize>, Vec<f64>)> = Vec::new();
         for (load, answer) in &self.answers {

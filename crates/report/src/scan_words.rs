@@ -63,13 +63,15 @@ pub fn remark(told: &Remark) -> String {
             } else {
                 String::new()
             };
-            format!(
-                "{first} over {second}: {} in the mean of {bins} shared {} from {} to {}{doubt}",
-                three_digits(*ratio),
-                if *bins == 1 { "bin" } else { "bins" },
-                length(*longest_m),
-                length(*shortest_m)
-            )
+            let shared = match bins {
+                1 => format!("in the one bin they share, at {}", length(*longest_m)),
+                _ => format!(
+                    "in the mean of {bins} shared bins from {} to {}",
+                    length(*longest_m),
+                    length(*shortest_m)
+                ),
+            };
+            format!("{first} over {second}: {} {shared}{doubt}", three_digits(*ratio))
         }
         Remark::Holes(found) => holes(found),
     }

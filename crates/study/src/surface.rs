@@ -90,10 +90,10 @@ pub struct Surface {
     pub notes: Vec<Note>,
     /// The scans it is the composite of, where it is not given as a spectrum.
     pub made_from: Option<CompositeOfFiles>,
-    /// See [`Surface::holes`].
-    holes: Vec<Hole>,
     /// The files that it was read from; those of scans are told in the remarks.
     pub sources: Vec<SourceFile>,
+    /// See [`Surface::holes`].
+    holes: Vec<Hole>,
 }
 
 impl Surface {

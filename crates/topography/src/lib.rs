@@ -12,6 +12,7 @@
 
 mod areal;
 mod band;
+mod band_end;
 mod bins;
 mod checks;
 mod composite;
@@ -22,6 +23,7 @@ mod error;
 mod fundamental;
 mod line;
 mod lines;
+mod map_spectrum;
 mod of_any_scan;
 mod overlap;
 mod piecewise;
@@ -48,6 +50,7 @@ pub use error::TransformError;
 pub use fundamental::fundamental_kept;
 pub use line::{DerivativeOf, LineSpectrum};
 pub use lines::{LineSums, MapLines, map_line_spectrum, uniform_line_spectrum};
+pub use map_spectrum::MapSpectrum;
 pub use of_any_scan::line_spectrum;
 pub use overlap::{Overlap, overlaps};
 pub use piecewise::{nonuniform_line_spectrum, nonuniform_line_spectrum_to};

@@ -1,8 +1,9 @@
 //! Heights become a spectrum, limited to the band that shows the surface.
 
-use scans::{Probe, Scan, ScanFile, ScanFormat};
+use scans::{Scan, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
 
+use crate::band_end::{band_of, tip_remark};
 use crate::checks::Checks;
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark, Severity};
@@ -45,13 +46,11 @@ impl ScanSpectrum {
     /// [`TransformError`] for limits that are no lengths, heights that are flat or beyond numbers, and a band without a bin.
     pub fn of(file: ScanFile, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let limits = recipe.limits(given, &file);
-        let band = ReliableBand::of(&file.scan, limits)?;
+        let (band, band_end) = band_of(&file, given, recipe)?;
         let spectrum = line_spectrum(&file.scan, preparation);
         refuse_flat(&file.scan, &spectrum)?;
         let reliable = spectrum.profile(&band)?;
         let checks = Checks::of(&file.scan, &spectrum, preparation, file.is_periodic);
-        let band_end = band_end(&band, limits, given, may_have_a_tip(&file));
         Ok(ScanSpectrum {
             name: file.name,
             format: file.format,
@@ -73,9 +72,7 @@ impl ScanSpectrum {
         let (longest_m, shortest_m) =
             (self.reliable.longest_wavelength_m(), self.reliable.shortest_wavelength_m());
         remarks.push(ScanRemark::Band { longest_m, shortest_m, end: self.band_end });
-        if self.band_end == BandEnd::PixelsWithoutTip {
-            remarks.push(ScanRemark::TipUnknown { shortest_m: self.band.shortest_m });
-        }
+        remarks.extend(tip_remark(&self.band, self.band_end));
         remarks.extend(self.checks.remarks());
         remarks
     }
@@ -101,22 +98,4 @@ fn refuse_flat(scan: &Scan, spectrum: &LineSpectrum) -> Result<(), TransformErro
     let largest_m = heights_m.iter().fold(0.0, |largest: f64, height_m| largest.max(height_m.abs()));
     let rms_m = variance_m2.sqrt();
     if rms_m > ROUNDING * largest_m { Ok(()) } else { Err(TransformError::Flat { rms_m, largest_m }) }
-}
-
-/// Which of the limits of a band is the longest.
-fn band_end(band: &ReliableBand, limits: BandLimits, given: BandLimits, may_have_a_tip: bool) -> BandEnd {
-    let ends = |limit_m: Option<f64>| limit_m.is_some_and(|limit_m| limit_m == band.shortest_m);
-    match limits.tip_radius_m {
-        Some(radius_m) if ends(band.tip_m) => BandEnd::Tip { radius_m },
-        _ if ends(given.shortest_m) => BandEnd::Given,
-        _ if ends(band.user_m) => BandEnd::Resolution,
-        None if limits.shortest_m.is_none() && may_have_a_tip => BandEnd::PixelsWithoutTip,
-        _ => BandEnd::Pixels,
-    }
-}
-
-/// Whether a tip may have touched the surface: not of a microscope, nor of heights that repeat themselves, which were
-/// computed.
-fn may_have_a_tip(file: &ScanFile) -> bool {
-    file.probe != Some(Probe::Microscope) && !file.is_periodic
 }

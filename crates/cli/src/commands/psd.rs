@@ -1,6 +1,6 @@
 //! `psd`: from scans to their composite spectrum.
 
-use super::{Context, say_notes, say_of_severity};
+use super::{Context, say_of_severity};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::{Folder, open_table};
@@ -39,7 +39,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
             )));
         };
         let found = areal_spectrum(request, &folder, &recipe).map_err(refused)?;
-        say_notes(found.notes);
+        say_remarks(&found.remarks);
         let mut files = StagedFiles::default();
         let comments = [program(context.typed), found.provenance];
         context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&found.table)?))?;
@@ -50,9 +50,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
     let remarks = found.spectrum.remarks();
-    for remark in &remarks {
-        say_of_severity(remark.severity(), &scan_words::remark(remark));
-    }
+    say_remarks(&remarks);
     let mut comments = vec![program(context.typed)];
     comments.extend(found.provenance());
     let holes = remarks.iter().filter(|remark| matches!(remark, Remark::Holes(_)));
@@ -105,6 +103,13 @@ fn refused(error: TopographyError) -> Failure {
     };
     let mend = error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, flag));
     Failure::Input(format!("{error}{mend}"))
+}
+
+/// Says what there is to say of scans, a line each.
+fn say_remarks(remarks: &[Remark]) {
+    for remark in remarks {
+        say_of_severity(remark.severity(), &scan_words::remark(remark));
+    }
 }
 
 /// Says text of several lines on stderr.

@@ -38,10 +38,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
             @for decade in &decades {
-                th scope="col" {
-                    (decade::name(decade.longest_m, decade.shortest_m, psd))
-                    @if !decade.measured { " (not measured)" }
-                }
+                th scope="col" { (decade::name(decade, psd)) }
             }
         }
     };

@@ -150,18 +150,18 @@ impl LoadAnswer {
         })
     }
 
+    /// Where the area has settled within a tolerance \[m\], one of the two above; `None` where the spectrum cannot tell.
+    #[must_use]
+    pub fn settled_at_m(&self, within: Convergence) -> Option<f64> {
+        within.if_converged_m().filter(|_| self.settled)
+    }
+
     /// The same answer for a spectrum with these holes, in which decades were not measured.
     fn of_spectrum_with(mut self, holes: &[Hole]) -> Self {
         for decade in &mut self.decades {
             *decade = decade.of_spectrum_with(holes);
         }
         self
-    }
-
-    /// Where the area has settled within a tolerance \[m\], one of the two above; `None` where the spectrum cannot tell.
-    #[must_use]
-    pub fn settled_at_m(&self, within: Convergence) -> Option<f64> {
-        within.if_converged_m().filter(|_| self.settled)
     }
 
     /// The decade of wavelengths that decides most.
