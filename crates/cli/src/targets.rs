@@ -61,6 +61,18 @@ impl Targets {
         Ok(self)
     }
 
+    /// Refuses a place that is about to be read and that a target would replace.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the place, the option and its file.
+    pub fn spare_place(&self, input: &Place) -> Result<(), Failure> {
+        let (name, spared) = match input {
+            Place::Standard => ("standard input".to_owned(), self.spare_standard_input()),
+            Place::File(path) => (path.display().to_string(), self.spare(path)),
+        };
+        spared.map_err(|error| Failure::reading(&name, &error))
+    }
+
     /// Refuses a file that is about to be read and that a target would replace.
     ///
     /// # Errors

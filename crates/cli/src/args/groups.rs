@@ -87,7 +87,8 @@ impl SamplingArgs {
 /// How moments are normalised.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct NormalisationArg {
-    /// Normalisation of the moments: 1/pi, which keeps the variance, or 1 as printed in Eq. (1) of Jackson & Jacobs
+    /// Normalisation of the moments: parseval, 1/pi, which keeps the variance, or as-printed, the 1 of Jackson & Jacobs,
+    /// Eq. (1)
     #[arg(long, value_parser = one_of::<Normalisation, _>(Normalisation::ALL))]
     pub normalisation: Option<Normalisation>,
 }
@@ -95,7 +96,7 @@ pub(crate) struct NormalisationArg {
 /// What the amplitude of a scale is.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct AmplitudeArg {
-    /// Amplitude of a scale: Eq. (5) of Jackson & Jacobs, or the band amplitude that keeps the variance
+    /// Amplitude of a scale: eq5, Eq. (5) of Jackson & Jacobs, or parseval, the band amplitude that keeps the variance
     #[arg(long, value_parser = one_of::<AmplitudeDefinition, _>(AmplitudeDefinition::ALL))]
     pub amplitude: Option<AmplitudeDefinition>,
 }
@@ -103,7 +104,8 @@ pub(crate) struct AmplitudeArg {
 /// Which form the hardness of a sphere has.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct HardnessArg {
-    /// Hardness of the sphere in the model ep-sphere: Jackson & Green 2005, or its cosine form
+    /// Hardness of the sphere in the model ep-sphere: 2005, that of Jackson & Green 2005, or cosine, the cosine form
+    /// 2.84 - 0.92 [1 - cos(pi a/R)]
     #[arg(long, value_parser = hardness())]
     pub hardness: Option<Hardness>,
 }
@@ -111,7 +113,7 @@ pub(crate) struct HardnessArg {
 /// Where a growing strength ends.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct StrengthCapArg {
-    /// Upper limit of a yield strength that grows at small depths
+    /// Upper limit of the depth-dependent yield strength
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub strength_cap: Option<Pressure>,
 }

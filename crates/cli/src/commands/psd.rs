@@ -1,7 +1,5 @@
 //! `psd`: from scans to their composite spectrum.
 
-use std::path::Path;
-
 use super::{Context, say_of_severity};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
@@ -79,18 +77,18 @@ fn requests(args: &ScansArgs, targets: &Targets) -> Result<Vec<ScanRequest>, Fai
 
 /// The scans of a list, their files relative to it.
 fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
-    let folder = match list {
-        Place::Standard => Path::new(""),
-        Place::File(path) => {
-            targets.spare(path).map_err(|error| Failure::reading(&list.to_string(), &error))?;
-            path.parent().unwrap_or(Path::new(""))
-        }
-    };
+    targets.spare_place(list)?;
     let table = open_table(list)?.whole()?;
     let requests = requests_of_list(&list.to_string(), &table).map_err(Failure::input)?;
-    let beside = |request: ScanRequest| ScanRequest {
-        path: folder.join(&request.path).to_string_lossy().into_owned(),
-        ..request
+    let folder = match list {
+        Place::Standard => None,
+        Place::File(path) => path.parent(),
+    };
+    let beside = |request: ScanRequest| match folder {
+        None => request,
+        Some(folder) => {
+            ScanRequest { path: folder.join(&request.path).to_string_lossy().into_owned(), ..request }
+        }
     };
     Ok(requests.into_iter().map(beside).collect())
 }

@@ -74,16 +74,10 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files && folder.is_file() {
         make_folder("--out", folder)?;
     }
+    targets.spare_place(&args.scene)?;
     let (name, files) = match &args.scene {
-        Place::Standard => {
-            targets.spare_standard_input().map_err(|error| Failure::reading("standard input", &error))?;
-            ("standard input".to_owned(), Folder::current(targets))
-        }
-        Place::File(path) => {
-            let name = path.display().to_string();
-            targets.spare(path).map_err(|error| Failure::reading(&name, &error))?;
-            (name, Folder::of(path, targets))
-        }
+        Place::Standard => ("standard input".to_owned(), Folder::current(targets)),
+        Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
     };
     let bytes = args.scene.read()?;
     let text = utf8(&bytes, &name, "scene")?;
@@ -94,9 +88,7 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         for name in products::file_names(&scene, !args.no_report, context.shared.format) {
             results = results.with_file("--out", &folder.join(name))?;
         }
-        if let Place::File(path) = &args.scene {
-            results.spare(path).map_err(|error| Failure::reading(&name, &error))?;
-        }
+        results.spare_place(&args.scene)?;
         files.spare_from(&results)?;
     }
     refuse_idle_options(args, &scene)?;
