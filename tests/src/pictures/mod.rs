@@ -6,11 +6,14 @@
 //! assert!(tests::pictures::path(picture.name).ends_with("docs/pictures/strength.svg"));
 //! ```
 
+mod same_picture;
 mod sinusoid;
 mod spectrum_and_stack;
 mod sphere;
 mod statistical;
 mod strength;
+
+pub use same_picture::is_same_picture;
 
 use std::path::PathBuf;
 
@@ -60,7 +63,8 @@ pub fn path(name: &str) -> PathBuf {
 pub fn stale() -> Vec<String> {
     let drawn = pictures();
     let differs = |picture: &&Picture| {
-        !std::fs::read_to_string(path(picture.name)).is_ok_and(|committed| committed == picture.svg)
+        !std::fs::read_to_string(path(picture.name))
+            .is_ok_and(|committed| is_same_picture(&committed, &picture.svg))
     };
     let mut stale: Vec<String> =
         drawn.iter().filter(differs).map(|picture| picture.name.to_owned()).collect();

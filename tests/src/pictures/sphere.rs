@@ -29,7 +29,7 @@ pub(super) fn force_and_area() -> Picture {
             dashed("Hertz", 0, area(&|w| hertz.area_m2(w))),
             dashed("Jackson & Green", 1, force(&|w| published.force_n(w))),
             dashed("Jackson & Green", 1, area(&|w| published.area_m2(w))),
-            dashed("cosine hardness", 3, force(&|w| cosine.force_n(w))),
+            dashed("cosine form of the hardness", 3, force(&|w| cosine.force_n(w))),
         ],
     )
 }
@@ -38,7 +38,7 @@ pub(super) fn force_and_area() -> Picture {
 pub(super) fn mean_pressure() -> Picture {
     let mut series = Vec::new();
     for (dash, hardness, name) in
-        [(0, Hardness::JacksonGreen2005, "hardness 2005"), (1, Hardness::Cosine, "hardness cosine")]
+        [(0, Hardness::JacksonGreen2005, "Jackson & Green 2005"), (1, Hardness::Cosine, "cosine form")]
     {
         for (colour, poisson_ratio) in [0.0, 0.3, 0.5].into_iter().enumerate() {
             let pair = body(210e9, poisson_ratio);
