@@ -46,7 +46,7 @@ fn curves_of(prefix: &str, figure: &FigureData) -> Vec<GoldenCurve> {
     for series in &figure.series {
         let name = match series.curve.as_str() {
             "" => prefix.to_owned(),
-            curve => format!("{prefix}__{}", curve.replace(", ", "-").replace(' ', "-")),
+            curve => format!("{prefix}__{}", curve.replace(' ', "-")),
         };
         match curves.iter_mut().find(|known| known.name == name) {
             Some(known) => known.data.series.push(series.clone()),

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use study::NoFiles;
 use study::scene::{Overrides, Scene};
 use study::surface::Surface;
-use study::topography::{CompositeSpectrum, Recipe, ScanRequest};
+use study::topography::{CompositeOfFiles, ScanRequest};
 use tests::shared_file;
+use topography::{CompositeSpectrum, Recipe};
 
 const SCANS: [&str; 7] = [
     "uncd_scans/uncd_stylus_300um_5mar_3_k0HpKJt.txt:shortest=2.07um",
@@ -20,7 +21,7 @@ const SCANS: [&str; 7] = [
 
 fn composite() -> CompositeSpectrum {
     let requests: Vec<ScanRequest> = SCANS.iter().map(|scan| scan.parse().unwrap()).collect();
-    CompositeSpectrum::of_files(&requests, &files(), &Recipe::default()).unwrap()
+    CompositeOfFiles::read(&requests, &files(), &Recipe::default()).unwrap().spectrum
 }
 
 /// The scans, and what lies beside them.

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use paper::{Evidence, Verdict};
 use report::page::{self, Report};
-use report::products::{self, Findings};
+use report::products::{self, Findings, Occasion};
 use staging::{StagedFiles, write_file};
 use study::scene::Template;
 use tables::Format;
@@ -54,6 +54,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
             })
             .collect(),
         ledger: Some(&checked),
+        occasion: &Occasion::default(),
         repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
     };
     let page = folder.join("report.html");

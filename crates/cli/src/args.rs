@@ -1,24 +1,33 @@
 //! What may be typed on the command line.
 
+mod groups;
+mod misplaced;
+mod parsers;
+
+pub(crate) use groups::{
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
+    ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+};
+pub(crate) use misplaced::{behind_the_command, foreign_option};
+
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
-use asperity::Hardness;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
 use scans::LengthUnit;
-use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use stat_contact::InterferenceLaw;
 use topography::{Detrend, Window};
 
 use crate::output::Place;
-use study::models::{self, Framework, ModelEntry};
+use crate::picture::Picture;
+use parsers::{model_of, one_of, parse_count, parse_labelled_pressure, parse_place, parse_tolerance};
+use study::models::{Framework, ModelEntry};
 use study::plan::Tolerance;
 use study::rows::GivenColumn;
 use study::scene::Template;
-use study::topography::{Average, DEFAULT_BINS_PER_DECADE, ScanRequest};
-use tables::Format;
+use study::topography::ScanRequest;
+use topography::{Average, DEFAULT_BINS_PER_DECADE};
 use units::PressureRange;
 use units::{Length, Modulus, Pressure, SignedLength};
 
@@ -63,7 +72,7 @@ first row has no interval yet: its cells are empty.
 
 Example:
   truearea moments psd.csv --output moments.csv")]
-    Moments(PsdArgs),
+    Moments(MomentsArgs),
     /// Amplitude and aspect ratio of every scale
     #[command(after_help = "\
 Columns: wavelength_m, amplitude_m, aspect_ratio; a row per wavelength from
@@ -71,7 +80,7 @@ long to short.
 
 Example:
   truearea amplitude psd.csv --amplitude parseval")]
-    Amplitude(PsdArgs),
+    Amplitude(AmplitudeArgs),
     /// Contact area against cutoff by the stacked multiscale model
     #[command(after_help = "\
 Columns: wavelength_m, amplitude_m, area_fraction, real_pressure_pa (the mean
@@ -122,11 +131,12 @@ Options of a single file follow it after a colon.
 
 Columns: wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3 (standard error
 where several scans share a bin), measurements; a row per bin from long to
-short. Every other command takes this table. How far each spectrum can be
-believed is said on standard error.
+short. Every other command takes this table. Which wavelengths of each scan are
+used, and what is doubtful, is said on standard error.
 
 Examples:
   truearea psd map.001 trace.asc:unit=nm,shortest=5nm stylus.txt --out psd.csv
+  truearea psd --list scans.csv --out psd.csv
   truearea psd map.001 --areal --out ciso.csv")]
     Psd(ScansArgs),
     /// Fit a self-affine spectrum: Hurst exponent and roll-off
@@ -143,7 +153,7 @@ Example:
     #[command(after_help = "\
 Writes one table per curve, one table and one SVG per figure, and prints a
 summary: area fraction, real pressure, and the wavelength at which the area
-has converged, per load. Options given here count more than the scene's own.
+has settled, per load. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml
@@ -183,99 +193,17 @@ pub(crate) struct ManArgs {
     pub out: PathBuf,
 }
 
-/// Options named once for every command.
-#[derive(Debug, Clone, ClapArgs)]
-#[command(next_help_heading = "Options for every command")]
-pub(crate) struct SharedArgs {
-    /// Format of tables written
-    #[arg(long, value_parser = one_of::<Format, _>(Format::ALL), default_value_t, global = true)]
-    pub format: Format,
-    /// Where the table goes, or the text of `run` and `scene`: a path, or - for standard output
-    #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
-    pub output: Place,
-    /// Normalisation of the moments: 1/pi, which keeps the variance, or 1 as printed in Eq. (1)
-    #[arg(long, value_parser = one_of::<Normalisation, _>(Normalisation::ALL), global = true)]
-    pub normalisation: Option<Normalisation>,
-    /// Amplitude of a scale: Eq. (5), or the band amplitude that keeps the variance
-    #[arg(long, value_parser = one_of::<AmplitudeDefinition, _>(AmplitudeDefinition::ALL), global = true)]
-    pub amplitude: Option<AmplitudeDefinition>,
-    /// Resample the spectrum to N scales per decade; the stacked area depends on it
-    #[arg(long, value_name = "N", value_parser = parse_count, allow_hyphen_values = true, global = true)]
-    pub scales_per_decade: Option<NonZeroU32>,
-    /// Hardness of the sphere in `statistical --model ep-sphere`: Jackson & Green 2005, or its cosine form
-    #[arg(long, value_parser = hardness(), global = true)]
-    pub hardness: Option<Hardness>,
-    /// Bound of a strength that grows at small depths
-    #[arg(long, value_name = "P", allow_hyphen_values = true, global = true)]
-    pub strength_cap: Option<Pressure>,
-    /// Leave out the scales below this wavelength
-    #[arg(long, value_name = "L", allow_hyphen_values = true, global = true)]
-    pub cutoff: Option<Length>,
-    /// Young's modulus of the counterface, rigid where not given
-    #[arg(
-        long,
-        value_name = "P",
-        allow_hyphen_values = true,
-        requires = "counterface_poisson_ratio",
-        global = true
-    )]
-    pub counterface_youngs_modulus: Option<Modulus>,
-    /// Poisson's ratio of the counterface
-    #[arg(
-        long,
-        value_name = "NU",
-        allow_hyphen_values = true,
-        requires = "counterface_youngs_modulus",
-        global = true
-    )]
-    pub counterface_poisson_ratio: Option<f64>,
-    /// Say on standard error how long reading, computing and writing took
-    #[arg(long, global = true)]
-    pub timings: bool,
-}
-
-/// A spectrum and how to read it.
-#[derive(Debug, Clone, ClapArgs)]
-pub(crate) struct PsdArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
-    pub psd: String,
-    #[command(flatten)]
-    pub reading: ReadingArgs,
-}
-
-/// What the header of a spectrum may leave open.
-#[derive(Debug, Clone, ClapArgs)]
-pub(crate) struct ReadingArgs {
-    /// The column that holds the spectrum, where several could
-    #[arg(long, value_name = "NAME")]
-    pub column: Option<String>,
-    /// What the first column of a text without header is
-    #[arg(long, value_parser = one_of::<Abscissa, _>(Abscissa::ALL))]
-    pub x: Option<Abscissa>,
-    /// The convention of the spectrum, where the header does not tell
-    #[arg(long, value_parser = one_of::<Convention, _>(Convention::ALL))]
-    pub convention: Option<Convention>,
-    /// The series to read, of files that hold several, e.g. '1D PSD along y'
-    #[arg(long, value_name = "NAME")]
-    pub series: Option<String>,
-    /// The subject whose series is read, of files that hold several
-    #[arg(long, value_name = "NAME")]
-    pub subject: Option<String>,
-    /// Unit of the abscissa where the file states none, e.g. 1/um
-    #[arg(long, value_name = "UNIT")]
-    pub x_unit: Option<String>,
-    /// Unit of the spectrum where the file states none, e.g. um^3
-    #[arg(long, value_name = "UNIT")]
-    pub psd_unit: Option<String>,
-}
-
 /// Scans and how their spectra are made.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct ScansArgs {
     /// The scans, each perhaps with options of its own:
     /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm
-    #[arg(required = true, value_name = "FILE")]
+    #[arg(required_unless_present = "list", value_name = "FILE")]
     pub files: Vec<ScanRequest>,
+    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, all but file optional; files are
+    /// relative to it
+    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    pub list: Option<Place>,
     /// What is subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
@@ -308,10 +236,10 @@ pub(crate) struct ScansArgs {
     #[arg(long)]
     pub per_scan: bool,
     /// Draw the spectra and their composite
-    #[arg(long, value_name = "FILE.svg")]
-    pub figure: Option<PathBuf>,
+    #[arg(long, value_name = "FILE.svg|FILE.png")]
+    pub figure: Option<Picture>,
     /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
-    #[arg(long, conflicts_with_all = ["per_scan", "figure"])]
+    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average"])]
     pub areal: bool,
 }
 
@@ -325,23 +253,6 @@ impl ScansArgs {
             ..file.clone()
         }
     }
-}
-
-/// A material: the rough body.
-#[derive(Debug, Clone, ClapArgs)]
-pub(crate) struct MaterialArgs {
-    /// Young's modulus of the rough body; every model needs it
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub youngs_modulus: Option<Modulus>,
-    /// Poisson's ratio of the rough body, in (-1, 0.5]; every model needs it
-    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
-    pub poisson_ratio: Option<f64>,
-    /// Yield strength of the rough body; elastic models do without
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub yield_strength: Option<Pressure>,
-    /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)
-    #[arg(long, value_name = "L", allow_hyphen_values = true)]
-    pub strain_gradient_length: Option<Length>,
 }
 
 #[derive(Debug, ClapArgs)]
@@ -399,6 +310,32 @@ pub(crate) struct TableArgs {
     /// Yield strength of every row, in place of the column yield_strength_pa
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub yield_strength: Option<Pressure>,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct MomentsArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub figure: FigureArg,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct AmplitudeArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
+    #[command(flatten)]
+    pub figure: FigureArg,
 }
 
 #[derive(Debug, ClapArgs)]
@@ -417,10 +354,31 @@ pub(crate) struct StackedArgs {
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]
     pub material: MaterialArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
     /// Append the columns pressure_in_pa and yield_strength_pa
     #[arg(long)]
     pub details: bool,
+    #[command(flatten)]
+    pub figure: FigureArg,
 }
+
+/// Options of `statistical` that mean nothing without a spectrum.
+const OF_SPECTRA: [&str; 11] = [
+    "column",
+    "x",
+    "convention",
+    "series",
+    "subject",
+    "x_unit",
+    "psd_unit",
+    "scales_per_decade",
+    "cutoff",
+    "normalisation",
+    "figure",
+];
 
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
@@ -432,7 +390,7 @@ pub(crate) struct StatisticalArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of populations instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA)]
     pub input: Option<Place>,
     /// Which column of the table is the input where both are filled; the other is recomputed
     #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input")]
@@ -459,18 +417,29 @@ pub(crate) struct StatisticalArgs {
     /// Relative tolerance of pressure and area, in (0, 0.01]; a looser one costs less
     #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
     pub tolerance: Tolerance,
-    /// What ties the pressure on an elastic sinusoid to its interference: a fit, or boundary-element solutions
-    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL), default_value = "rostami-jackson")]
-    pub interference_law: InterferenceLaw,
+    /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
+    /// boundary-element solutions
+    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
+    pub interference_law: Option<InterferenceLaw>,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub hardness: HardnessArg,
     /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
     #[arg(long)]
     pub details: bool,
+    #[command(flatten)]
+    pub figure: FigureArg,
 }
 
 #[derive(Debug, ClapArgs)]
 pub(crate) struct FitArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
     /// The longest wavelength to fit; the spectrum's own where not given
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub from: Option<Length>,
@@ -490,46 +459,23 @@ pub(crate) struct RunArgs {
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
-    /// Print what the scene needs and what is skipped, and stop there
-    #[arg(long)]
+    /// Print what the scene needs and what is skipped, and stop there, with nothing computed
+    #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
+    pub dry_run: bool,
+    /// Print what --dry-run prints, and behind it why every number is what it is: which scale and which law set it, and
+    /// which remarks there are on it; no file is written
+    #[arg(long, conflicts_with_all = ["no_report", "out"])]
     pub explain: bool,
-}
-
-fn parse_place(text: &str) -> Result<Place, std::convert::Infallible> {
-    Ok(Place::from(text))
-}
-
-fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), units::QuantityError> {
-    Ok((text.parse()?, text.trim().to_owned()))
-}
-
-fn parse_count(text: &str) -> Result<NonZeroU32, String> {
-    text.parse().map_err(|_| format!("'{text}' must be a whole number from 1 to {}", u32::MAX))
-}
-
-fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
-    let tolerance = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
-    Tolerance::new(tolerance).map_err(|error| error.to_string())
-}
-
-fn hardness() -> impl TypedValueParser<Value = Hardness> {
-    PossibleValuesParser::new(Hardness::ALL.map(Hardness::name)).try_map(|name| {
-        Hardness::ALL.into_iter().find(|hardness| hardness.name() == name).ok_or("an unknown hardness")
-    })
-}
-
-/// A parser of the names of a framework's models.
-fn model_of(framework: Framework) -> impl TypedValueParser<Value = &'static ModelEntry> {
-    PossibleValuesParser::new(models::of_framework(framework).map(|entry| entry.name))
-        .try_map(move |name| models::named(framework, &name))
-}
-
-/// A parser of the names that `values` display as.
-fn one_of<T, E>(values: &'static [T]) -> impl TypedValueParser<Value = T>
-where
-    T: std::fmt::Display + std::str::FromStr<Err = E> + Clone + Send + Sync + 'static,
-    E: std::error::Error + Send + Sync + 'static,
-{
-    PossibleValuesParser::new(values.iter().map(|value| clap::builder::PossibleValue::new(value.to_string())))
-        .try_map(|name| name.parse::<T>())
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
+    #[command(flatten)]
+    pub hardness: HardnessArg,
+    #[command(flatten)]
+    pub strength_cap: StrengthCapArg,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
 }

@@ -3,9 +3,13 @@
 use std::process::ExitCode;
 
 use staging::PublishError;
+use study::plan::PlanError;
 use tables::{Refusal, TableError};
 
 use crate::stderr::say;
+
+/// The exit status of a program that was asked to end: 128, and 2 for Ctrl-C.
+pub const INTERRUPTED: u8 = 130;
 
 /// Why a command ends without its result.
 #[derive(Debug)]
@@ -16,6 +20,8 @@ pub enum Failure {
     System(String),
     /// The reader of stdout is gone, which ends a pipeline quietly. Exit status 0.
     ClosedPipe,
+    /// Somebody asked the program to end before its result was there. Exit status 130, as shells have it.
+    Interrupted,
 }
 
 impl From<TableError> for Failure {
@@ -26,7 +32,19 @@ impl From<TableError> for Failure {
 
 impl From<PublishError> for Failure {
     fn from(error: PublishError) -> Self {
-        Failure::writing(&error.path.display().to_string(), &error.error)
+        match error.not_restored[..] {
+            [] => Failure::writing(&error.path.display().to_string(), &error.error),
+            _ => Failure::System(error.to_string()),
+        }
+    }
+}
+
+impl From<PlanError> for Failure {
+    fn from(error: PlanError) -> Self {
+        match error {
+            PlanError::Cancelled => Failure::Interrupted,
+            error => Failure::input(error),
+        }
     }
 }
 
@@ -60,6 +78,7 @@ impl Failure {
         let (message, status) = match self {
             Failure::Input(message) => (message, 2),
             Failure::System(message) => (message, 1),
+            Failure::Interrupted => ("ended before the result was there".to_owned(), INTERRUPTED),
             Failure::ClosedPipe => return ExitCode::SUCCESS,
         };
         say(&format!("error: {message}"));

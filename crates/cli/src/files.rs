@@ -3,44 +3,70 @@
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use study::Files;
 use tables::{TableError, TableSource};
 use tempfile::SpooledTempFile;
 
+use crate::failure::Failure;
 use crate::output::Place;
+use crate::targets::Targets;
 
 /// What comes from a stream and is read more than once is held up to this many bytes, and beyond in a temporary file.
 const MOST_BYTES_HELD: usize = 1 << 24;
 
-/// Files by their paths relative to a folder; `-` is standard input.
-pub struct Folder(pub PathBuf);
+/// Files by their paths relative to a folder, none of which a result may replace; `-` is standard input.
+pub(crate) struct Folder {
+    path: PathBuf,
+    targets: Targets,
+    read: Mutex<Vec<PathBuf>>,
+}
 
 impl Folder {
     /// The folder that the program was called in.
-    pub fn current() -> Self {
-        Folder(PathBuf::new())
+    pub fn current(targets: Targets) -> Self {
+        Folder { path: PathBuf::new(), targets, read: Mutex::default() }
     }
 
     /// The folder of a file.
-    pub fn of(file: &Path) -> Self {
-        Folder(file.parent().unwrap_or(Path::new("")).to_owned())
+    pub fn of(file: &Path, targets: Targets) -> Self {
+        Folder { path: file.parent().unwrap_or(Path::new("")).to_owned(), ..Folder::current(targets) }
+    }
+
+    /// Refuses further results that would replace what has been read.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the file read and the result.
+    pub fn spare_from(self, results: &Targets) -> Result<(), Failure> {
+        let read = self.read.into_inner().unwrap_or_else(PoisonError::into_inner);
+        read.iter().try_for_each(|path| {
+            results.spare(path).map_err(|error| Failure::reading(&path.display().to_string(), &error))
+        })
+    }
+
+    fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
+        self.targets.spare(path)?;
+        let bytes = std::fs::read(path)?;
+        self.read.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
+        Ok(bytes)
     }
 }
 
 impl Files for Folder {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
         if Place::from(name) == Place::Standard {
+            self.targets.spare_standard_input()?;
             let mut bytes = Vec::new();
             io::stdin().lock().read_to_end(&mut bytes)?;
             return Ok(bytes);
         }
-        std::fs::read(self.0.join(name))
+        self.bytes(&self.path.join(name))
     }
 
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
-        let beside = self.0.join(name).with_file_name(sibling);
-        if beside.is_file() { std::fs::read(beside).map(Some) } else { Ok(None) }
+        let beside = self.path.join(name).with_file_name(sibling);
+        if beside.is_file() { self.bytes(&beside).map(Some) } else { Ok(None) }
     }
 }
 

@@ -7,14 +7,15 @@ pub mod args;
 mod commands;
 pub mod failure;
 mod files;
+mod interruption;
 mod material_errors;
 pub mod output;
+mod picture;
 mod progress;
 mod scene_errors;
 mod stderr;
+mod targets;
 mod timings;
-
-pub use files::Folder;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -22,14 +23,23 @@ use std::process::ExitCode;
 use clap::Parser;
 
 /// Runs the program on its command line, the program's name first, and yields its exit status: 0, 2 for bad input, 1
-/// for what could not be written.
+/// for what could not be written, 130 where it was asked to end.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    interruption::listen();
     let args: Vec<OsString> = args.into_iter().collect();
     let typed: Vec<String> = args.iter().skip(1).map(|arg| arg.to_string_lossy().into_owned()).collect();
-    match args::Args::try_parse_from(&args) {
-        Ok(parsed) => commands::run(parsed, &typed.join(" "))
-            .map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS),
+    let line = args::behind_the_command(args);
+    match args::Args::try_parse_from(&line) {
+        Ok(parsed) => match commands::run(parsed, &typed.join(" ")) {
+            Ok(()) => ExitCode::SUCCESS,
+            // Whoever ends a program often ends its input as well, which is no fault of the input.
+            Err(_) if interruption::is_asked_for() => failure::Failure::Interrupted.report(),
+            Err(failure) => failure.report(),
+        },
         Err(error) => {
+            if let Some(message) = args::foreign_option(&error, &line) {
+                return failure::Failure::Input(message).report();
+            }
             // Help and the version are no errors; a closed pipe is nobody's concern here.
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))

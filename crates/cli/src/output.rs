@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use staging::StagedFiles;
 
 use crate::failure::Failure;
+use crate::interruption;
 use report::products::{self, Findings};
 use study::plan::{PlanError, Results};
 use study::scene::Scene;
@@ -58,10 +59,24 @@ impl Place {
     /// Writes there; a file is replaced only once `write` has succeeded.
     ///
     /// # Errors
-    /// [`Failure::System`] that names the place; [`Failure::ClosedPipe`] where nobody reads stdout any more; what else
-    /// stopped `write`.
+    /// Those of [`stage`](Self::stage) and [`publish`].
     pub fn write<E: Into<Stopped>>(
         &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(), Failure> {
+        let mut files = StagedFiles::default();
+        self.stage(&mut files, write)?;
+        publish(files)
+    }
+
+    /// Writes a file aside, to be published with others; standard output gets it at once.
+    ///
+    /// # Errors
+    /// [`Failure::System`] that names the place; [`Failure::ClosedPipe`] where nobody reads stdout any more; what else
+    /// stopped `write`.
+    pub fn stage<E: Into<Stopped>>(
+        &self,
+        files: &mut StagedFiles,
         write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
     ) -> Result<(), Failure> {
         match self {
@@ -69,13 +84,20 @@ impl Place {
                 let mut stdout = BufWriter::new(io::stdout().lock());
                 written(write, &mut stdout).map_err(|stopped| stopped.writing("standard output"))
             }
-            Place::File(path) => {
-                let mut files = StagedFiles::default();
-                stage(&mut files, path, write)?;
-                Ok(files.publish()?)
-            }
+            Place::File(path) => stage(files, path, write),
         }
     }
+}
+
+/// Puts every staged file into its place, or none.
+///
+/// # Errors
+/// [`Failure::System`] that names the path; [`Failure::Interrupted`] where the program has been asked to end.
+pub fn publish(files: StagedFiles) -> Result<(), Failure> {
+    if interruption::is_asked_for() {
+        return Err(Failure::Interrupted);
+    }
+    Ok(files.publish()?)
 }
 
 /// Why something was not written.
@@ -107,7 +129,7 @@ impl From<TableError> for Stopped {
 
 impl From<PlanError> for Stopped {
     fn from(error: PlanError) -> Self {
-        Stopped::Failed(Failure::input(error))
+        Stopped::Failed(error.into())
     }
 }
 
@@ -151,6 +173,20 @@ pub fn utf8<'b>(bytes: &'b [u8], source: &str, what: &str) -> Result<&'b str, Fa
     Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
+/// Makes the folder that `option` names, where there is none.
+///
+/// # Errors
+/// [`Failure::Input`] where a file has its name; [`Failure::System`] that names the folder.
+pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
+    if folder.is_file() {
+        return Err(Failure::Input(format!(
+            "{option} {}: results go into a folder, and this is a file; name a folder",
+            folder.display()
+        )));
+    }
+    std::fs::create_dir_all(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
+}
+
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
 ///
 /// # Errors
@@ -162,13 +198,11 @@ pub fn write_products(
     format: Format,
     folder: &Path,
 ) -> Result<Vec<String>, Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
     let mut files = StagedFiles::default();
     let names = products::each_file(scene, results, findings, format, |name, content| {
         stage(&mut files, &folder.join(name), |out| content(out))
     })?;
-    files.publish()?;
+    publish(files)?;
     Ok(names)
 }
 

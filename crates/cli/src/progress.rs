@@ -6,6 +6,8 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::interruption;
+
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Shows what is done, from any thread.
@@ -42,6 +44,10 @@ impl study::Progress for Progress {
         if self.begun.elapsed() > PATIENCE {
             self.bar.set_position(done);
         }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        interruption::is_asked_for()
     }
 }
 

@@ -161,3 +161,49 @@ fn no_report_is_written_where_none_is_wanted() {
     bench.write("ring.csv", ring()).write("s.toml", STEEL).run(&["run", "s.toml", "--no-report"]).ok();
     assert!(!bench.path("s-results/report.html").exists());
 }
+
+#[test]
+fn a_report_can_be_made_again_from_itself() {
+    let bench = Bench::new();
+    let scene = STEEL
+        .replace("[loads]", "[counterface]\nyoungs_modulus = \"380 GPa\"\npoisson_ratio = 0.22\n[loads]");
+    let page = report(&bench, &scene);
+    let tree = parsed(&page);
+    let text = |name: &str| -> Vec<&str> {
+        let nodes = tree.descendants().filter(|node| node.has_tag_name(name));
+        nodes.flat_map(|node| node.descendants()).filter_map(|node| node.text()).collect()
+    };
+    assert!(text("pre").iter().any(|typed| *typed == scene.trim_end()), "{:?}", text("pre"));
+    let section: String = text("section").concat();
+    for said in
+        ["380 GPa", "0.22", concat!("truearea ", env!("CARGO_PKG_VERSION")), "truearea run s.toml", " UTC"]
+    {
+        assert!(section.contains(said), "{said}");
+    }
+    let hash =
+        text("code").into_iter().find(|code| code.len() == 64).expect("the hash of the spectrum's file");
+    assert!(hash.bytes().all(|digit| digit.is_ascii_hexdigit()));
+    bench.write("ring.csv", ring().replace("ground", "Ground") + "\n");
+    bench.run(&["run", "s.toml"]).ok();
+    assert!(!bench.read("s-results/report.html").contains(hash), "another file, another hash");
+}
+
+#[test]
+fn a_report_opens_with_a_figure_of_the_answer_and_shows_the_spectrum_always() {
+    let bench = Bench::new();
+    let page = report(&bench, STEEL.split("[[figure]]").next().unwrap());
+    let tree = parsed(&page);
+    let captions: Vec<String> = tree
+        .descendants()
+        .filter(|node| node.has_tag_name("figcaption"))
+        .map(|node| node.descendants().filter_map(|node| node.text()).collect())
+        .collect();
+    assert_eq!(captions.len(), 2, "{captions:?}");
+    assert!(captions[0].starts_with("Contact area / nominal area"), "{captions:?}");
+    assert!(captions[1].starts_with("Power spectral density"), "{captions:?}");
+    let answer = page.find("<figure>").unwrap();
+    assert!(answer < page.find("id=\"key-numbers\"").unwrap());
+    let only_loads = STEEL.replace("shows = \"area\"\n", "shows = \"aspect-ratio\"\n");
+    let page = report(&bench, &only_loads);
+    assert_eq!(page.matches("<figcaption>").count(), 5, "the answer's figure besides the scene's own four");
+}

@@ -19,8 +19,10 @@ fn a_composite_is_a_spectrum_that_every_command_takes() {
     let bench = Bench::new();
     bench.write("coarse.txt", line(1024, 20.0)).write("fine.txt", line(1024, 5.0));
     let run = bench.run(&["psd", "coarse.txt:unit=nm", "fine.txt", "--unit", "nm", "--out", "psd.csv"]);
-    assert!(run.stderr.contains("coarse.txt: 10.2 µm to 40"), "{}", run.stderr);
-    assert!(run.stderr.contains("the spectrum holds the variance of the heights to"), "{}", run.stderr);
+    let row = run.stderr.lines().find(|line| line.starts_with("  coarse.txt")).unwrap();
+    let cells: Vec<&str> = row.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+    assert_eq!(cells[..4], ["coarse.txt", "10.2 µm", "40 nm", "2 pixels; no tip radius given"], "{row}");
+    assert_eq!(cells[5..], ["-", "doubtful"], "{row}");
     assert!(run.stderr.contains("coarse.txt over fine.txt: "), "{}", run.stderr);
     run.ok();
     let table = bench.read("psd.csv");
@@ -49,7 +51,7 @@ fn a_periodic_sinusoid_has_its_variance() {
     bench.write("sine.txt", (0..256).map(heights).collect::<Vec<_>>().join("\n"));
     let args = ["psd", "sine.txt", "--unit", "nm", "--detrend", "mean", "--window", "none", "--per-scan"];
     let table = bench.run(&args).ok();
-    assert!(table.starts_with("series,wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3\nsine.txt,"));
+    assert!(table.contains("\nseries,wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3\nsine.txt,"));
     // sigma^2 = (1/pi) C dq of the one bin, dq = 2 pi/L.
     let highest = numbers(&table, "C1D_m3").into_iter().fold(0.0, f64::max);
     assert!((highest * 2.0 / 640e-9 / 4.5e-18 - 1.0).abs() < 1e-9, "{highest:e}");
@@ -83,8 +85,11 @@ fn what_is_given_fills_gaps_and_overrules_nothing() {
     let heights: Vec<String> =
         line(256, 5.0).lines().map(|row| row.split(' ').nth(1).unwrap().to_owned()).collect();
     bench.write("column.txt", heights.join("\n"));
+    // The first line is the call.
+    let below_call = |table: String| table.split_once('\n').unwrap().1.to_owned();
     let of_column = bench.run(&["psd", "column.txt:unit=nm,size=1280nm"]).ok();
-    assert_eq!(of_column, bench.run(&["psd", "column.txt", "--unit", "nm", "--size", "1.28um"]).ok());
+    let by_options = bench.run(&["psd", "column.txt", "--unit", "nm", "--size", "1.28um"]).ok();
+    assert_eq!(below_call(of_column), below_call(by_options));
     bench.write("half.txt", format!("x_um h\n{}", line(256, 0.005)));
     bench.write("whole.txt", line(256, 5.0));
     let (half, whole) = (
@@ -166,8 +171,8 @@ fn options_that_say_nothing_about_scans_are_refused() {
     let refused = |more: &[&str]| bench.run(&[&["psd", "a.txt", "--unit", "nm"], more].concat()).refused();
     assert_eq!(
         refused(&["--cutoff", "1um"]),
-        "error: --cutoff has no bearing on the spectrum of scans; leave it out, and give it to the command that takes the \
-         spectrum\n"
+        "error: --cutoff has no bearing on `psd`: it is an option of `moments`, `amplitude`, `stacked`, `statistical`, `fit` \
+         and `run`; leave it out\n"
     );
     assert_eq!(
         refused(&["--out", "a.csv", "--output", "b.csv"]),
@@ -190,7 +195,7 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
         .collect();
     bench.write("gap.txt", gap.join("\n"));
     let gap = bench.run(&["psd", "gap.txt", "--unit", "nm"]);
-    assert!(gap.stderr.contains("WARNING: a gap of 61 times"), "{}", gap.stderr);
+    assert!(gap.stderr.contains("warning: gap.txt: a gap of 61 times"), "{}", gap.stderr);
     let tenfold = |row: &str| {
         let (x, height) = row.split_once(' ').unwrap();
         format!("{x} {}", 10.0 * height.parse::<f64>().unwrap())
@@ -198,7 +203,7 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
     let b: Vec<String> = line(512, 20.0).lines().map(tenfold).collect();
     bench.write("a.txt", line(512, 5.0)).write("b.txt", b.join("\n"));
     let apart = bench.run(&["psd", "a.txt:unit=nm", "b.txt:unit=nm"]);
-    assert!(apart.stderr.contains("WARNING: a.txt over b.txt"), "{}", apart.stderr);
+    assert!(apart.stderr.contains("warning: a.txt over b.txt"), "{}", apart.stderr);
     // Another program's index.json is none of ours.
     bench.write("index.json", "{\"name\": \"my web page\"}");
     bench.run(&["psd", "a.txt", "--unit", "nm"]).ok();
@@ -212,7 +217,9 @@ fn data_given_twice_are_told() {
     let told: Vec<&str> = run.stderr.lines().filter(|line| line.contains("the same data")).collect();
     assert_eq!(
         told,
-        ["note: WARNING: a.txt and copy.txt are the same data, which counts twice; leave one of them out"]
+        [
+            "warning: a.txt and copy.txt are the same data, which say nothing of each other; leave one of them out"
+        ]
     );
 }
 

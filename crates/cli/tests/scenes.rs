@@ -29,7 +29,7 @@ fn every_template_reads_and_the_shipped_scenes_run_from_any_folder() {
     for name in ["uncd-measured", "uncd-reconstructed"] {
         let scene = bench.run(&["scene", name]).ok();
         let summary = bench.run_with_input(&["run", "-", "--out", name], &scene).ok();
-        assert!(summary.contains("elastic-plastic-strain-gradient\n  nominal pressure"), "{summary}");
+        assert!(summary.contains("elastic-plastic-strain-gradient: Archard stack, elastic-plastic (Jackson-Streator), strain gradient\n  nominal pressure"), "{summary}");
         for figure in ["1", "2", "3a", "3b", "4", "7"] {
             let svg = bench.read(&format!("{name}/figure-{figure}.svg"));
             assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
@@ -107,14 +107,14 @@ fn paths_are_relative_to_the_scene() {
 #[test]
 fn explaining_computes_and_writes_nothing() {
     let bench = Bench::new();
-    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--explain"]).ok();
+    let explanation = bench.write("s.toml", SMALL).run(&["run", "s.toml", "--dry-run"]).ok();
     assert_eq!(
         explanation,
         "small\n  \
          spectrum  builtin:uncd-measured: 46 wavelengths from 149 µm to 3.5 nm, 9.72 per decade\n  \
          skipped   resampling: options.scales_per_decade is not set\n  \
          skipped   moments and asperity parameters: no curve and no figure uses them\n  \
-         needed    amplitudes, eq5 (the stacked curves)\n  \
+         needed    amplitudes, eq5: Eq. (5) of Jackson & Jacobs (the stacked curves)\n  \
          needed    stacked curve elastic at 2 loads\n  \
          needed    stacked curve hardening at 2 loads\n  \
          skipped   statistical model: no curve asks for it\n  \
@@ -127,6 +127,26 @@ fn explaining_computes_and_writes_nothing() {
 }
 
 #[test]
+fn an_explanation_gives_the_reasons_behind_every_number_and_writes_nothing() {
+    let bench = Bench::new();
+    let scene = SMALL.replacen("[[curve]]", "[[curve]]\nmodel = \"hertz\"\n[[curve]]", 1);
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    assert_eq!(bench.files(), ["s.toml"]);
+    let plan = bench.run(&["run", "s.toml", "--dry-run"]).ok();
+    let reasons = explanation.strip_prefix(&plan).unwrap();
+    for words in [
+        "\nelastic: Archard stack, elastic (Jackson-Streator)\n  1e-3 H: area fraction ",
+        "\n  54 MPa: area fraction ",
+        "\n    the scale of 45.6 nm sets it (aspect ratio 0.027): it takes ",
+        "\nhertz: Greenwood-Williamson (Hertz)\n",
+        "\n    the asperities that the cutoff 3.5 nm leaves set it: radius ",
+        " decide most, more than any other decade: ",
+    ] {
+        assert!(format!("\n{reasons}").contains(words), "{words}\n{reasons}");
+    }
+}
+
+#[test]
 fn explaining_tells_what_is_the_same() {
     let bench = Bench::new();
     let scene = "title = \"t\"\n[surface]\npsd = \"builtin:uncd-measured\"\n\
@@ -136,12 +156,12 @@ fn explaining_tells_what_is_the_same() {
                  [[curve]]\nmodel = \"hertz\"\nname = \"again\"\ncutoffs = \"shortest\"\n\
                  [[figure]]\nname = \"f\"\nshows = \"area-against-load\"\n\
                  loads = { from = \"1 MPa\", to = \"1 GPa\", points = 4 }\n";
-    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--explain"]).ok();
+    let explanation = bench.write("s.toml", scene).run(&["run", "s.toml", "--dry-run"]).ok();
     let told: Vec<&str> = explanation.lines().skip(3).map(str::trim).collect();
     assert_eq!(
         told,
         [
-            "needed    moments for every cutoff, parseval (asperities at the shortest alone)",
+            "needed    moments for every cutoff, parseval: 1/π, which keeps the variance (asperities at the shortest alone)",
             "skipped   amplitudes: no curve and no figure uses them",
             "skipped   stacked model: no curve asks for it",
             "needed    statistical curve hertz at 2 loads, the shortest cutoff alone",
@@ -165,9 +185,12 @@ fn a_curve_may_be_wanted_at_the_shortest_cutoff_alone() {
     bench.write("whole.toml", &whole).write("alone.toml", &alone);
     bench.run(&["run", "whole.toml"]).ok();
     let said = bench.run(&["run", "alone.toml"]).ok().split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("elastic: 1.06e-4 to 0.00106 of the nominal area touches"), "{said}");
+    assert!(
+        said.contains("elastic (Jackson-Streator): 1.06e-4 to 0.00106 of the nominal area touches"),
+        "{said}"
+    );
     assert!(said.contains("At the shortest wavelength alone: where it settles was not asked for."), "{said}");
-    assert!(!said.contains("cannot tell") && !said.contains("not converged"), "{said}");
+    assert!(!said.contains("cannot tell") && !said.contains("not settled"), "{said}");
     for curve in ["elastic", "hardening", "ep-sphere"] {
         let [whole, alone] =
             ["whole", "alone"].map(|scene| bench.read(&format!("{scene}-results/{curve}.csv")));

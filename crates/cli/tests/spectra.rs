@@ -56,7 +56,7 @@ fn a_cutoff_ends_moments_between_samples_and_drops_scales() {
     let message = bench.run(&["amplitude", "builtin:uncd-measured", "--cutoff", "1m"]).refused();
     assert_eq!(
         message,
-        "error: the cutoff 1e0 m leaves no scale: the longest wavelength is 1.49392e-4 m; choose a shorter one\n"
+        "error: the cutoff 1 m leaves no scale: the longest wavelength is 149 µm; choose a shorter one\n"
     );
 }
 
@@ -131,7 +131,13 @@ fn an_elastic_counterface_softens_the_contact() {
     let soft = area(&["--counterface-youngs-modulus", "210GPa", "--counterface-poisson-ratio", "0.3"]);
     assert!(soft > area(&[]));
     let message = bench
-        .run(&["amplitude", "builtin:uncd-measured", "--counterface-youngs-modulus", "210GPa"])
+        .run(
+            &[
+                &["stacked", "builtin:uncd-measured", "--model", "elastic", "--pressure", "1MPa"][..],
+                &["--counterface-youngs-modulus", "210GPa"],
+            ]
+            .concat(),
+        )
         .refused();
     assert!(message.contains("--counterface-poisson-ratio"), "{message}");
 }
@@ -204,6 +210,9 @@ fn quantities_need_units_and_good_values() {
         refused("--poisson-ratio", "0.51"),
         "error: --poisson-ratio: Poisson's ratio is 0.51; it must be greater than -1 and at most 0.5\n"
     );
-    assert!(refused("--strength-cap", "1GPa").contains("must be finite and at least 1.8e9"));
+    let cap = ["--strength-cap", "1GPa", "--strain-gradient-length", "5um"];
+    let args = ["stacked", "builtin:uncd-measured", "--model", "elastic-plastic", "--pressure", "1MPa"];
+    let message = bench.run(&[&args[..], &DIAMOND, &cap].concat()).refused();
+    assert!(message.contains("must be finite and at least 1.8e9"), "{message}");
     assert!(refused("--strain-gradient-length", "5").contains("'5' has no unit; a length needs one of m"));
 }

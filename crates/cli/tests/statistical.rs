@@ -172,7 +172,7 @@ fn a_table_of_many_blocks_is_read_and_written_in_its_order() {
     let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
     let input = format!("# made up\n{}# at its end\n", table(&rows));
     bench.write("in.csv", &input);
-    let ran = bench.run(&["statistical", "--input", "in.csv", "--output", "out.csv"]);
+    let ran = bench.run(&["statistical", "--input", "in.csv", "--output", "out.csv", "--provenance"]);
     assert!(
         ran.stderr.starts_with("note: in.csv, line 10002: 10000000000000 Pa is beyond"),
         "{}",
@@ -180,7 +180,7 @@ fn a_table_of_many_blocks_is_read_and_written_in_its_order() {
     );
     ran.ok();
     let out = bench.read("out.csv");
-    let comments = "# truearea 0.1.0: statistical --input in.csv --output out.csv\n# made up\n# at its end\n";
+    let comments = "# truearea 0.1.0: statistical --input in.csv --output out.csv --provenance\n# made up\n# at its end\n";
     assert!(out.starts_with(&format!("{comments}{HEADER}\n")), "{}", &out[..300]);
     assert_eq!(out.lines().filter(|line| line.starts_with("model")).count(), 1);
     let pressures = column(&out, "pressure_pa");

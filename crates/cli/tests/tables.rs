@@ -76,14 +76,27 @@ fn the_output_may_be_the_input_and_keeps_its_comments() {
     let args = ["asperity", "sphere", "--input", "t.csv", "--output", "t.csv"];
     assert_eq!(bench.run(&args).ok(), "");
     let once = bench.read("t.csv");
-    assert!(
-        once.starts_with(
-            "# truearea 0.1.0: asperity sphere --input t.csv --output t.csv\n# measured by hand\n"
-        )
-    );
+    assert!(once.starts_with("# measured by hand\nyoungs_modulus_pa,"), "{once}");
     bench.run(&args).ok();
     assert_eq!(bench.read("t.csv"), once);
     assert_eq!(bench.files(), ["t.csv"]);
+    bench.run(&[&args[..], &["--provenance"]].concat()).ok();
+    let call = "# truearea 0.1.0: asperity sphere --input t.csv --output t.csv --provenance\n";
+    assert_eq!(bench.read("t.csv"), format!("{call}{once}"));
+}
+
+#[test]
+fn provenance_is_the_same_in_files_and_pipes_and_off_unless_asked_for() {
+    let bench = Bench::new();
+    let args = ["amplitude", "builtin:uncd-measured"];
+    let plain = bench.run(&args).ok();
+    assert!(plain.starts_with("wavelength_m,"), "{plain}");
+    bench.run(&[&args[..], &["--output", "t.csv"]].concat()).ok();
+    assert_eq!(bench.read("t.csv"), plain);
+    let told = bench.run(&[&args[..], &["--provenance"]].concat()).ok();
+    let lines =
+        "# truearea 0.1.0: amplitude builtin:uncd-measured --provenance\n# spectrum: builtin:uncd-measured\n";
+    assert!(told.starts_with(lines) && told.ends_with(&plain), "{told}");
 }
 
 #[test]
@@ -92,7 +105,7 @@ fn bom_crlf_quotes_and_blank_lines_are_read() {
     let plain = bench.run_with_input(&["asperity", "sphere"], SPHERES).ok();
     let dressed =
         format!("\u{feff}# c\r\n{}\r\n", SPHERES.replace('\n', "\r\n").replace("0.2799", "\"0.2799\""));
-    assert_eq!(bench.run_with_input(&["asperity", "sphere"], &dressed).ok(), plain);
+    assert_eq!(bench.run_with_input(&["asperity", "sphere"], &dressed).ok(), format!("# c\n{plain}"));
 }
 
 #[test]

@@ -1,12 +1,4 @@
-//! Maps over independent items, on one thread or, with the feature `threads`, on all of them: the one place that knows
-//! of a pool of threads; and how long work is watched and ended.
-//!
-//! Results come in the order of the items, and nothing is added up here, so that no digit depends on the number of threads.
-//!
-//! ```
-//! assert_eq!(parallel::map(&[1, 2, 3], |n| n * n), [1, 4, 9]);
-//! assert_eq!(parallel::try_map(&["1", "two"], |text| text.parse::<u8>()).map_err(|_| "no number"), Err("no number"));
-//! ```
+#![doc = include_str!("../README.md")]
 
 mod progress;
 

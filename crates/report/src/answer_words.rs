@@ -1,33 +1,35 @@
 //! The answer in plain words.
 
+use crate::curve_names::in_full;
+use crate::decade;
+use spectrum::ProfilePsd;
 use study::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use study::plan::Results;
 use study::scene::Scene;
-use study::topography::InstrumentsDisagree;
-use units::display::{length, pressure, three_digits};
+use topography::InstrumentsDisagree;
+use units::display::{counted, length, pressure, three_digits};
 
 /// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.
-pub(crate) fn sentences(answer: &Answer, scene: &Scene) -> Vec<String> {
+pub(crate) fn sentences(answer: &Answer, scene: &Scene, results: &Results) -> Vec<String> {
     let mut sentences = Vec::new();
     for (curve, answers) in scene.needs.curves.iter().zip(&answer.curves) {
+        let name = in_full(curve);
         let complete = |answer: &LoadAnswer| answer.area_fraction == 1.0;
-        let settled = Group::of(scene, answers, |answer| answer.settled && !complete(answer));
+        let settled = Group::of(answers, |answer| answer.settled && !complete(answer));
         if !settled.is_empty() {
-            sentences.push(format!("{}: {}", curve.name, settled.found(scene)));
+            sentences.push(format!("{name}: {}", settled.found(scene, &results.psd)));
         }
-        let flattened = Group::of(scene, answers, |answer| answer.settled && complete(answer));
+        let flattened = Group::of(answers, |answer| answer.settled && complete(answer));
         if !flattened.is_empty() {
             sentences.push(format!(
-                "{}: everything touches {}: no scale of the roughness stays open.",
-                curve.name,
+                "{name}: everything touches {}: no scale of the roughness stays open.",
                 flattened.loads_text(scene)
             ));
         }
-        let ends = Group::of(scene, answers, |answer| !answer.followed);
+        let ends = Group::of(answers, |answer| !answer.followed);
         if !ends.is_empty() {
             sentences.push(format!(
-                "{}: {} At the shortest wavelength alone: where it settles was not asked for.",
-                curve.name,
+                "{name}: {} At the shortest wavelength alone: where it settles was not asked for.",
                 ends.touching(scene)
             ));
         }
@@ -44,9 +46,9 @@ pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) ->
     }
     if let Some(scales) = answer.too_few_scales {
         return vec![format!(
-            "This spectrum cannot tell how much touches, nor which scales decide it: it has {scales} {} from {} to {}; \
+            "This spectrum cannot tell how much touches, nor which scales decide it: it has {} from {} to {}; \
              at least {LEAST_SCALES} over {LEAST_DECADES} decade are needed. The tables hold what its scales alone give.",
-            if scales == 1 { "scale" } else { "scales" },
+            counted(scales, "scale"),
             length(longest_m),
             length(shortest_m)
         )];
@@ -64,23 +66,26 @@ pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) ->
         )];
     }
     // Curves that fail in the same way share a sentence.
-    let mut failing: Vec<(String, Vec<&str>)> = Vec::new();
+    let mut failing: Vec<(String, Vec<String>)> = Vec::new();
     for (curve, answers) in scene.needs.curves.iter().zip(&answer.curves) {
-        let open = Group::of(scene, answers, |answer| answer.followed && !answer.settled);
+        let open = Group::of(answers, |answer| answer.followed && !answer.settled);
         if open.is_empty() {
             continue;
         }
         let loads = open.loads_text(scene);
         match failing.iter_mut().find(|(others, _)| *others == loads) {
-            Some((_, names)) => names.push(&curve.name),
-            None => failing.push((loads, vec![&curve.name])),
+            Some((_, names)) => names.push(in_full(curve)),
+            None => failing.push((loads, vec![in_full(curve)])),
         }
     }
-    let sentence = |(loads, names): (String, Vec<&str>)| {
+    let sentence = |(loads, names): (String, Vec<String>)| {
+        let models = match names.len() {
+            all if all == scene.needs.curves.len() && all > 2 => "any of the models".to_owned(),
+            _ => listed(&names.iter().map(String::as_str).collect::<Vec<_>>()),
+        };
         format!(
-            "This spectrum cannot tell how much touches by {} {loads}: it ends at {} before the area has settled (within \
+            "This spectrum cannot tell how much touches by {models} {loads}: it ends at {} before the area has settled (within \
              1 %, with half a decade of spectrum below). The tables hold the area at that cutoff.",
-            listed(&names),
             length(shortest_m)
         )
     };
@@ -99,13 +104,16 @@ pub(crate) fn disagreements(answer: &Answer, scene: &Scene) -> Vec<String> {
             None => told.push((found.least, found.most, vec![found])),
         }
     }
-    let name = |curve: usize| &scene.needs.curves[curve].name;
+    let name = |curve: usize| in_full(&scene.needs.curves[curve]);
     let sentence = |(least, most, all): (usize, usize, Vec<&Disagreement>)| {
         let loads: Vec<usize> = all.iter().map(|found| found.load).collect();
         let ratios = range(all.iter().map(|found| found.ratio), three_digits);
         let parting: Vec<f64> = all.iter().filter_map(|found| found.parting_wavelength_m).collect();
         let parting = if parting.len() == all.len() {
-            format!("; they part by a factor of {DISAGREEMENT} at {}", range(parting.into_iter(), length))
+            format!(
+                "; they differ by more than {DISAGREEMENT}x for cutoffs below {}",
+                range(parting.into_iter(), length)
+            )
         } else {
             String::new()
         };
@@ -122,20 +130,17 @@ pub(crate) fn disagreements(answer: &Answer, scene: &Scene) -> Vec<String> {
 /// The loads under which a curve does the same.
 struct Group<'a> {
     answers: Vec<(usize, &'a LoadAnswer)>,
-    longest_m: f64,
-    shortest_m: f64,
 }
 
 impl<'a> Group<'a> {
-    fn of(scene: &Scene, answers: &'a [Option<LoadAnswer>], belongs: impl Fn(&LoadAnswer) -> bool) -> Self {
+    fn of(answers: &'a [Option<LoadAnswer>], belongs: impl Fn(&LoadAnswer) -> bool) -> Self {
         let answers = answers
             .iter()
             .enumerate()
             .filter_map(|(load, answer)| Some((load, answer.as_ref()?)))
             .filter(|(_, answer)| belongs(answer))
             .collect();
-        let psd = &scene.surface.psd;
-        Group { answers, longest_m: psd.longest_wavelength_m(), shortest_m: psd.shortest_wavelength_m() }
+        Group { answers }
     }
 
     fn is_empty(&self) -> bool {
@@ -180,7 +185,7 @@ impl<'a> Group<'a> {
     }
 
     /// Area, real pressure, where it settles, and which scales decide it.
-    fn found(&self, scene: &Scene) -> String {
+    fn found(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let mut text = self.touching(scene);
         text += &format!(
             " The area has settled within 1 % at {}",
@@ -194,27 +199,29 @@ impl<'a> Group<'a> {
         } else {
             ", but not within 0.1 %.".to_owned()
         };
-        text += &self.deciding(scene);
-        let setting: Vec<f64> =
-            self.answers.iter().filter_map(|(_, answer)| Some(answer.setting?.wavelength_m)).collect();
-        if setting.len() == self.answers.len() {
-            text += &format!(" The scale at {} sets the real pressure.", range(setting.into_iter(), length));
-        }
+        text += &self.deciding(scene, psd);
+        text += &self.by_construction().unwrap_or_default();
         text
     }
 
+    /// Why a stack settles whatever the surface: that it does so is no mark of trust.
+    fn by_construction(&self) -> Option<String> {
+        let setting: Vec<_> = self.answers.iter().map(|(_, answer)| answer.setting).collect::<Option<_>>()?;
+        Some(format!(
+            " A stack settles by construction: its pressure cannot exceed {}, at which the scale at {}, which sets the real \
+             pressure, is in complete contact.",
+            range(setting.iter().map(|scale| scale.full_contact_pressure_pa), pressure),
+            range(setting.iter().map(|scale| scale.wavelength_m), length)
+        ))
+    }
+
     /// Which decades decide most, for every load the same one or one each.
-    fn deciding(&self, scene: &Scene) -> String {
+    fn deciding(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
-            Some((
-                format!(
-                    "{} to {}",
-                    length(decade.longest_m.min(self.longest_m)),
-                    length(decade.shortest_m.max(self.shortest_m))
-                ),
-                decade.share,
-            ))
+            let ends = decade::name(decade.longest_m, decade.shortest_m, psd);
+            let name = if decade.measured { ends } else { format!("{ends}, which was not measured") };
+            Some((name, decade.share))
         };
         let mut decades: Vec<(String, Vec<usize>, Vec<f64>)> = Vec::new();
         for (load, answer) in &self.answers {
@@ -255,12 +262,13 @@ fn at_loads(scene: &Scene, loads: &[usize]) -> String {
     }
 }
 
-/// `a`, `a and b`, `a, b and c`.
+/// `a`, `a and b`, `a, b and c`; semicolons part names that hold commas.
 fn listed(names: &[&str]) -> String {
+    let comma = if names.iter().any(|name| name.contains(',')) { "; " } else { ", " };
     match names {
         [] => String::new(),
         [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [first @ .., last] => format!("{} and {last}", first.join(comma)),
     }
 }
 
@@ -280,6 +288,7 @@ mod tests {
     fn names_are_listed_and_ranges_told_once() {
         assert_eq!(listed(&["a", "b", "c"]), "a, b and c");
         assert_eq!(listed(&["a", "b"]), "a and b");
+        assert_eq!(listed(&["a, b", "c", "d"]), "a, b; c and d");
         assert_eq!(range([2.0, 1.0, 3.0].into_iter(), three_digits), "1 to 3");
         assert_eq!(range([2.0, 2.0001].into_iter(), three_digits), "2");
     }

@@ -1,6 +1,7 @@
 //! What a scene needs, what of it is the same, and what is skipped, told before anything is computed.
 
 use crate::summary::aligned;
+use study::choices_in_words;
 use study::figure::Shows;
 use study::plan::{Curve, CurveModel, Cutoffs, Needs, scales_per_decade};
 use study::scene::Scene;
@@ -35,7 +36,11 @@ pub fn explain(scene: &Scene) -> String {
     row(
         if_needed(needs.moments.is_some()),
         match needs.moments {
-            Some(norm) => format!("moments for every cutoff, {norm} ({})", users_of_moments(scene)),
+            Some(norm) => format!(
+                "moments for every cutoff, {norm}: {} ({})",
+                choices_in_words::normalisation(norm),
+                users_of_moments(scene)
+            ),
             None => "moments and asperity parameters: no curve and no figure uses them".to_owned(),
         },
     );
@@ -44,11 +49,17 @@ pub fn explain(scene: &Scene) -> String {
         match needs.amplitudes {
             Some(definition) if !needs.curves.iter().any(|curve| is_stacked(&curve.model)) => {
                 format!(
-                    "amplitudes, {definition} ({})",
+                    "amplitudes, {definition}: {} ({})",
+                    choices_in_words::amplitude(definition),
                     figures(scene, &[Shows::Amplitude, Shows::AspectRatio])
                 )
             }
-            Some(definition) => format!("amplitudes, {definition} (the stacked curves)"),
+            Some(definition) => {
+                format!(
+                    "amplitudes, {definition}: {} (the stacked curves)",
+                    choices_in_words::amplitude(definition)
+                )
+            }
             None => "amplitudes: no curve and no figure uses them".to_owned(),
         },
     );

@@ -2,16 +2,20 @@
 
 use std::io::{self, Write};
 
+use crate::curve_names::with_full_names;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use study::answer::Answer;
 use study::figure::{Figure, FigureData, Shows};
-use study::plan::{PlanError, Results, Work};
+use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::provenance::provenance;
 use study::result_tables;
 use study::scene::Scene;
 use study::sensitivity::{self, Sensitivity, counted_sensitivities};
 use tables::{Format, Table};
+
+const REPORT: &str = "report.html";
+const REPORT_TABLES: [&str; 3] = ["report-scales", "report-decades", "report-sensitivity"];
 
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
@@ -26,14 +30,76 @@ pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String
 
 fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
     let data = figure.data(results, &scene.needs, scene.hardness_pa());
-    match (&scene.surface.made_from, figure.shows) {
-        (Some(scans), Shows::Psd) => scans.beneath(data),
-        _ => data,
+    if figure.shows != Shows::Psd {
+        return data;
+    }
+    let data = data.with_holes(scene.surface.holes());
+    match &scene.surface.made_from {
+        Some(scans) => scans.beneath(data),
+        None => data,
     }
 }
 
+/// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
+/// does not ask for them, then the others.
+fn reported_figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
+    let mut own = scene.figures.clone();
+    let mut first = Vec::new();
+    let followed: Vec<usize> = (0..scene.needs.curves.len())
+        .filter(|&at| scene.needs.curves[at].cutoffs == Cutoffs::Every)
+        .collect();
+    let shows_all = |figure: &Figure| {
+        figure.shows == Shows::Area && followed.iter().all(|curve| figure.curves.contains(curve))
+    };
+    if !followed.is_empty() {
+        first.push(match own.iter().position(shows_all) {
+            Some(at) => own.remove(at),
+            None => Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) },
+        });
+    }
+    first.push(match own.iter().position(|figure| figure.shows == Shows::Psd) {
+        Some(at) => own.remove(at),
+        None => Figure {
+            name: SPECTRUM_NAME.to_owned(),
+            shows: Shows::Psd,
+            title: None,
+            curves: Vec::new(),
+            sweeps: Vec::new(),
+        },
+    });
+    let of = |figure: &Figure| {
+        let data = data(scene, results, figure);
+        let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
+        with_full_names(legible, &scene.needs.curves)
+    };
+    first.iter().chain(&own).map(of).collect()
+}
+
+/// Names that no figure of a scene can have, since they begin with no letter.
+const ANSWER_NAME: &str = "_answer";
+const SPECTRUM_NAME: &str = "_spectrum";
+
+/// More lines than this are not told apart.
+const MOST_LINES: usize = 12;
+
+/// The figure under the smallest and the largest load alone, where all of its lines would be too many.
+fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
+    if figure.series.len() <= MOST_LINES {
+        return figure;
+    }
+    let loads = &scene.needs.loads;
+    let by_pressure =
+        |a: &usize, b: &usize| loads[*a].nominal_pressure_pa.total_cmp(&loads[*b].nominal_pressure_pa);
+    let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
+    // Of an area against cutoff the colour is the load.
+    let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
+    let title = format!("{}, under the smallest and the largest load", figure.title);
+    FigureData { series, title, ..figure }
+}
+
 fn drawn(scene: &Scene, figure: &FigureData) -> String {
-    plot::svg(figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
+    let figure = with_full_names(figure.clone(), &scene.needs.curves);
+    plot::svg(&figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
 }
 
 fn origin(scene: &Scene, what: &str) -> Vec<String> {
@@ -42,14 +108,25 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
     lines
 }
 
+/// How and when a front end came to carry a scene out, which nothing below it knows.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Occasion {
+    /// The date, as it is to be printed.
+    pub date: Option<String>,
+    /// What was asked, e.g. the command as typed.
+    pub asked: Option<String>,
+}
+
 /// What a report says besides the curves and figures of a scene.
 pub struct Findings {
     /// The answer.
     pub answer: Answer,
-    /// What rests on which choice.
+    /// How much each choice of modelling moves the areas.
     pub sensitivities: Vec<Sensitivity>,
     /// How much was computed for that.
     pub work: Work,
+    /// How and when the scene was carried out, where that is told.
+    pub occasion: Occasion,
 }
 
 impl Findings {
@@ -60,7 +137,13 @@ impl Findings {
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
         let answer = Answer::of(scene, results);
         let (sensitivities, work) = counted_sensitivities(scene, results)?;
-        Ok(Findings { answer, sensitivities, work })
+        Ok(Findings { answer, sensitivities, work, occasion: Occasion::default() })
+    }
+
+    /// The same, carried out on this occasion.
+    #[must_use]
+    pub fn on(self, occasion: Occasion) -> Self {
+        Findings { occasion, ..self }
     }
 
     /// The part of a report that they make.
@@ -71,17 +154,34 @@ impl Findings {
             results,
             answer: &self.answer,
             sensitivities: &self.sensitivities,
-            figures: figures(scene, results),
+            figures: reported_figures(scene, results),
         }
     }
 
     fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
+        let [scales, decades, sensitivity] = REPORT_TABLES;
         [
-            ("report-scales", self.answer.scales_table(&scene.needs)),
-            ("report-decades", self.answer.decades_table(&scene.needs)),
-            ("report-sensitivity", sensitivity::table(&self.sensitivities, &scene.needs)),
+            (scales, self.answer.scales_table(&scene.needs)),
+            (decades, self.answer.decades_table(&scene.needs)),
+            (sensitivity, sensitivity::table(&self.sensitivities, &scene.needs)),
         ]
     }
+}
+
+/// The names of the files that a scene may have, for whoever looks before they are made; `reported` with those of the
+/// report, of which a table without rows is not written.
+#[must_use]
+pub fn file_names(scene: &Scene, reported: bool, format: Format) -> Vec<String> {
+    let table = |name: &str| format!("{name}.{}", format.extension());
+    let mut names: Vec<String> = scene.needs.curves.iter().map(|curve| table(&curve.name)).collect();
+    if reported {
+        names.extend(REPORT_TABLES.map(table));
+        names.push(REPORT.to_owned());
+    }
+    for figure in &scene.figures {
+        names.extend([table(&figure.name), format!("{}.svg", figure.name)]);
+    }
+    names
 }
 
 /// What puts the bytes of one file anywhere.
@@ -126,11 +226,12 @@ pub fn each_file<E>(
             title: &scene.title,
             scenes: vec![findings.report(&scene.title, scene, results)],
             ledger: None,
-            repeat: "truearea run with the scene; the tables beside this page hold every number of its figures.",
+            repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
+            occasion: &findings.occasion,
         };
-        names.push("report.html".to_owned());
+        names.push(REPORT.to_owned());
         let html = report.html();
-        file("report.html", &|out| out.write_all(html.as_bytes()))?;
+        file(REPORT, &|out| out.write_all(html.as_bytes()))?;
     }
     Ok(names)
 }

@@ -1,4 +1,4 @@
-//! What a scene found, for people: the answer in plain words, then area, real pressure and convergence per load.
+//! What a scene found, for people: the answer in plain words, then area, real pressure and where the area settles, per load.
 
 use std::fmt::Write;
 
@@ -7,24 +7,36 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::answer_words;
+use crate::curve_names::in_full;
+use crate::scan_words;
 use study::answer::{Answer, LoadAnswer};
+use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use study::rows::StateCounts;
 use study::scene::Scene;
-use units::display::{length, pressure, three_digits};
+use units::display::{counted, length, pressure, three_digits};
 
 /// The summary of a scene's results.
 pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
-    let mut text = format!("{}\n{}\n\n", scene.title, sampling(results));
+    let mut text = format!("{}\n{}\n", scene.title, sampling(results));
+    for warning in scan_words::warnings(&scene.surface) {
+        let _ = writeln!(text, "Warning: {warning}");
+    }
+    text.push('\n');
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
-    let mut paragraphs = answer_words::sentences(answer, scene);
+    let mut paragraphs = answer_words::sentences(answer, scene, results);
     paragraphs.extend(answer_words::shortcomings(answer, scene, results));
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
     }
-    for choice in scene.choices() {
+    let material = scene.material.as_ref().map(Material::properties).unwrap_or_default();
+    if !material.is_empty() {
+        let told: Vec<String> = material.iter().map(|(name, value)| format!("{name} {value}")).collect();
+        let _ = writeln!(text, "{}", textwrap::fill(&told.join(", "), &columns));
+    }
+    for choice in scene.model_choices() {
         let _ = writeln!(text, "{choice}");
     }
     for ((curve, result), loads) in scene.needs.curves.iter().zip(&results.curves).zip(&answer.curves) {
@@ -64,8 +76,8 @@ fn curve_summary(
             "nominal pressure",
             "area fraction",
             "real pressure",
-            "converged within 1 % at",
-            "converged within 0.1 % at",
+            "settled within 1 % at",
+            "settled within 0.1 % at",
         ]
         .map(str::to_owned)
         .to_vec(),
@@ -80,11 +92,11 @@ fn curve_summary(
             load.label.clone(),
             three_digits(answer.area_fraction),
             real_pressure,
-            converged(answer, answer.within_1_percent),
-            converged(answer, answer.within_01_percent),
+            settled(answer, answer.within_1_percent),
+            settled(answer, answer.within_01_percent),
         ]);
     }
-    let mut text = format!("{}\n{}", curve.name, aligned(&rows));
+    let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
     match (&curve.model, result) {
         (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
             text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
@@ -92,6 +104,12 @@ fn curve_summary(
         (_, result) => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
     }
     text
+}
+
+/// The name of a curve's table, and what it is.
+fn heading(curve: &Curve) -> String {
+    let full = in_full(curve);
+    if full.starts_with(&curve.name) { full } else { format!("{}: {full}", curve.name) }
 }
 
 fn stacked_remarks(
@@ -103,10 +121,10 @@ fn stacked_remarks(
     let mut text = beyond_fitted_range(levels).map_or(String::new(), |beyond| format!("  {beyond}\n"));
     if let Some(limit_pa) = largest_full_contact_pressure_pa(model, results.scales.iter().copied()) {
         let in_hardnesses = hardness_pa
-            .map_or(String::new(), |hardness_pa| format!(" = {} H", three_digits(limit_pa / hardness_pa)));
+            .map_or(String::new(), |hardness_pa| format!(" ({} H)", three_digits(limit_pa / hardness_pa)));
         let _ = writeln!(
             text,
-            "  limit of dense sampling: area = load / {}{in_hardnesses}, at most the nominal area",
+            "  for dense sampling the real pressure tends to {}{in_hardnesses}, or to the nominal one where that is higher",
             pressure(limit_pa)
         );
     }
@@ -118,6 +136,19 @@ pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
     notes_of_curve(&counts.states)
+}
+
+/// What there is to say of one block of a curve.
+pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
+    let mut counts = CurveCounts::default();
+    match result {
+        CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
+        CurveResult::Statistical(blocks) => {
+            let contacts = blocks[block].iter().filter_map(|row| row.contact.as_ref());
+            counts.states.add(contacts.map(|(_, state)| state));
+        }
+    }
+    counts.notes()
 }
 
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
@@ -153,7 +184,7 @@ impl CurveCounts {
 }
 
 fn notes_of_curve(counts: &StateCounts) -> Vec<String> {
-    let what = "are beyond complete contact of every asperity: area fraction 1, no separation";
+    let what = "beyond complete contact of every asperity, area fraction 1, no separation";
     of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
 }
 
@@ -162,18 +193,18 @@ pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
     let clamped = of_states(
         counts.clamped,
         counts,
-        "have more contact area than there is nominal area, held at an area fraction of 1",
+        "more contact area than there is nominal area, held at an area fraction of 1",
     );
     let out_of_range = of_states(
         counts.out_of_range,
         counts,
-        "carry most of their load on asperities outside the range their law was fitted in",
+        "most of the load on asperities outside the range their law was fitted in",
     );
     clamped.into_iter().chain(out_of_range).collect()
 }
 
 fn of_states(found: usize, counts: &StateCounts, what: &str) -> Option<String> {
-    (found > 0).then(|| format!("{found} of {} states {what}", counts.all))
+    (found > 0).then(|| format!("{found} of {}: {what}", counted(counts.all, "state")))
 }
 
 /// How many levels lie beyond what their law is trusted for.
@@ -195,18 +226,19 @@ impl LevelCounts {
         let LevelCounts { all, beyond } = self;
         (*beyond > 0).then(|| {
             format!(
-                "{beyond} of {all} levels have B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the \
-                 elastic-plastic sinusoid is trusted for"
+                "{beyond} of {}: B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the elastic-plastic \
+                 sinusoid is trusted for",
+                counted(*all, "level")
             )
         })
     }
 }
 
-fn converged(answer: &LoadAnswer, found: Convergence) -> String {
-    match (answer.followed, found.if_converged_m()) {
+fn settled(answer: &LoadAnswer, found: Convergence) -> String {
+    match (answer.followed, answer.settled_at_m(found)) {
         (false, _) => "not asked for".to_owned(),
         (true, Some(wavelength_m)) => length(wavelength_m),
-        (true, None) => "not converged".to_owned(),
+        (true, None) => "not settled".to_owned(),
     }
 }
 

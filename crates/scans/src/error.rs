@@ -95,10 +95,7 @@ pub enum ScanReadError {
         channels: Vec<String>,
     },
     /// Lengths or heights without a unit.
-    #[error(
-        "reading {format}: the file does not say the unit of {what}; say it with --unit ({})",
-        LengthUnit::accepted()
-    )]
+    #[error("reading {format}: the file does not say the unit of {what}")]
     NoUnit {
         /// Format of the file.
         format: ScanFormat,
@@ -106,7 +103,7 @@ pub enum ScanReadError {
         what: &'static str,
     },
     /// A unit given by option to a format that fixes its own.
-    #[error("reading {format}: the format fixes the unit of lengths and heights; leave out --unit '{unit}'")]
+    #[error("reading {format}: the format fixes the unit of lengths and heights, and '{unit}' is asked for")]
     UnitIsFixed {
         /// Format of the file.
         format: ScanFormat,
@@ -114,12 +111,20 @@ pub enum ScanReadError {
         unit: LengthUnit,
     },
     /// Heights without a lateral size.
-    #[error("reading {format}: the file does not say {what}; say it with --size")]
+    #[error("reading {format}: the file does not say {what}")]
     NoSize {
         /// Format of the file.
         format: ScanFormat,
         /// What is unknown.
         what: &'static str,
+    },
+    /// A size asked for where every point has its position.
+    #[error("reading {format}, {place}: a line at uneven spacing has its own size, and another is asked for")]
+    SizeIsFixed {
+        /// Format of the file.
+        format: ScanFormat,
+        /// Where it says so.
+        place: Place,
     },
     /// Bytes that are no text.
     #[error(
@@ -310,6 +315,50 @@ pub enum ScanReadError {
     /// Heights and spacings that make no scan.
     #[error(transparent)]
     Scan(#[from] ScanError),
+}
+
+impl ScanReadError {
+    /// What the caller can do about it with an option, where that is all there is to it.
+    #[must_use]
+    pub fn mend(&self) -> Option<Mend> {
+        match self {
+            Self::NoUnit { .. } => Some(Mend::Give(ScanOption::Unit)),
+            Self::NoSize { .. } => Some(Mend::Give(ScanOption::Size)),
+            Self::NoChannel { format, channels, .. } if !channels.is_empty() => {
+                Some(Mend::Give(match format {
+                    ScanFormat::Container => ScanOption::Measurement,
+                    _ => ScanOption::Channel,
+                }))
+            }
+            Self::UnitIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Unit)),
+            Self::SizeIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Size)),
+            Self::Measurement { source, .. } => source.mend(),
+            _ => None,
+        }
+    }
+}
+
+/// A way out of an error; front ends know what the option is called there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mend {
+    /// Give what the file does not tell.
+    Give(ScanOption),
+    /// Leave out what the file tells itself.
+    LeaveOut(ScanOption),
+}
+
+/// A field of [`ScanOptions`](crate::ScanOptions).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ScanOption {
+    /// The unit of lengths and heights.
+    Unit,
+    /// The lateral size.
+    Size,
+    /// The channel of a file.
+    Channel,
+    /// The measurement of a container.
+    Measurement,
 }
 
 /// A place in a file.

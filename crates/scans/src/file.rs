@@ -1,16 +1,17 @@
-//! A file of scans: recognised, read, and joined with what is said about it elsewhere.
+//! A scan as read, joined with what is said about it elsewhere.
 
-use crate::error::ScanReadError;
-use crate::format::{Magic, ScanFormat};
+use crate::format::ScanFormat;
 use crate::heights::Scan;
-use crate::options::{ScanOptions, ScanSize};
-use crate::{nanoscope, netcdf, text};
+use crate::metadata::Probe;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 
 /// How far the size in the metadata may lie from that of the file before a note says so.
 const SIZE_AGREEMENT: f64 = 1e-4;
 
 /// A scan with what its file says about it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ScanFile {
     /// Name of the measurement where metadata give one, else that of the file.
     pub name: String,
@@ -24,6 +25,8 @@ pub struct ScanFile {
     pub channels: Vec<String>,
     /// Whether the heights repeat themselves beyond the scan.
     pub is_periodic: bool,
+    /// Whether the instrument has a tip, where the file says so or the format is that of instruments with one.
+    pub probe: Option<Probe>,
     /// Radius of the tip of the instrument, in m, above 0.
     pub tip_radius_m: Option<f64>,
     /// Smallest length that the instrument resolves, in m, above 0.
@@ -38,6 +41,7 @@ pub(crate) struct Reading {
     pub(crate) channel: Option<String>,
     pub(crate) channels: Vec<String>,
     pub(crate) is_periodic: Option<bool>,
+    pub(crate) probe: Option<Probe>,
     pub(crate) tip_radius_m: Option<f64>,
     pub(crate) resolution_m: Option<f64>,
     pub(crate) notes: Vec<String>,
@@ -50,6 +54,7 @@ impl Reading {
             channel: None,
             channels: Vec::new(),
             is_periodic: None,
+            probe: None,
             tip_radius_m: None,
             resolution_m: None,
             notes,
@@ -57,74 +62,8 @@ impl Reading {
     }
 }
 
-/// Reads the scan in a file, or those in a container.
-///
-/// The format is told by the content: text (profiles `x h`, one column of heights, points `x y h`, matrices; decimal
-/// commas where unambiguous), Nanoscope files with binary data, NetCDF-3 as contact.engineering writes it, X3P, and the
-/// containers of contact.engineering. `name` is the name of the file, for messages. Memory is bounded by a small
-/// multiple of the file, or of what a ZIP file unpacks to.
-///
-/// ```
-/// use scans::{Scan, ScanOptions, read_scans};
-///
-/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let options = ScanOptions { unit: Some("µm".parse()?), ..ScanOptions::default() };
-/// let scans = read_scans(b"0.0 0.125\n0.5 0.25\n1.0 0.125\n", "stylus.txt", &options)?;
-/// let Scan::UniformLine(line) = &scans[0].scan else { panic!("evenly spaced") };
-/// assert_eq!((line.spacing_m(), line.heights_m()[1]), (0.5e-6, 0.25e-6));
-/// # Ok(())
-/// # }
-/// ```
-///
-/// # Errors
-/// [`ScanReadError`], with the place in the file, the value and the bound, for the first thing that is wrong.
-pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec<ScanFile>, ScanReadError> {
-    #[cfg(feature = "container")]
-    if Magic::of(bytes) == Magic::Zip {
-        let mut archive = crate::archive::Archive::open(bytes, options.unpacked_bound())?;
-        if let Some(index) = crate::container::index_path(&archive) {
-            return crate::container::read(&mut archive, &index, options);
-        }
-    }
-    Ok(vec![read_one(bytes, name, options)?])
-}
-
-/// Reads a file with one scan: anything but a container.
-pub(crate) fn read_one(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
-    let (format, reading) = match Magic::of(bytes) {
-        Magic::Text => (ScanFormat::Text, text::read(bytes, options)?),
-        Magic::Nanoscope => (ScanFormat::Nanoscope, nanoscope::read(bytes, options)?),
-        Magic::NetCdf => (ScanFormat::NetCdf, netcdf::read(bytes, options)?),
-        Magic::Zip => (ScanFormat::X3p, read_zip(bytes, name, options)?),
-        Magic::Foreign(hint) => return Err(unknown(bytes, name, hint)),
-    };
-    Ok(joined(format, reading, name, options))
-}
-
-#[cfg(feature = "x3p")]
-fn read_zip(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Reading, ScanReadError> {
-    let mut archive = crate::archive::Archive::open(bytes, options.unpacked_bound())?;
-    if crate::x3p::is_x3p(&archive) {
-        return crate::x3p::read(&mut archive, options);
-    }
-    let hint = ": this ZIP file holds neither an X3P ('main.xml') nor a container ('meta.yml' or 'index.json'); unpack it";
-    Err(unknown(bytes, name, hint))
-}
-
-#[cfg(not(feature = "x3p"))]
-fn read_zip(bytes: &[u8], name: &str, _: &ScanOptions) -> Result<Reading, ScanReadError> {
-    Err(unknown(bytes, name, ": this is a ZIP file, perhaps X3P, which this build does not read"))
-}
-
-fn unknown(bytes: &[u8], name: &str, hint: &'static str) -> ScanReadError {
-    let start = match bytes {
-        [] => "nothing (it is empty)".to_owned(),
-        _ => format!("'{}'", bytes[..bytes.len().min(16)].escape_ascii()),
-    };
-    ScanReadError::UnknownFormat { name: name.to_owned(), start, hint }
-}
-
-fn joined(format: ScanFormat, reading: Reading, name: &str, options: &ScanOptions) -> ScanFile {
+/// What a file says, completed by its metadata.
+pub(crate) fn joined(format: ScanFormat, reading: Reading, name: &str, options: &ScanOptions) -> ScanFile {
     let metadata = options.metadata.as_ref();
     let mut notes = reading.notes;
     if options.size.is_none() {
@@ -140,6 +79,7 @@ fn joined(format: ScanFormat, reading: Reading, name: &str, options: &ScanOption
             .is_periodic
             .or(metadata.and_then(|metadata| metadata.is_periodic))
             .unwrap_or(false),
+        probe: reading.probe.or(metadata.and_then(|metadata| metadata.probe)),
         tip_radius_m: reading.tip_radius_m.or(metadata.and_then(|metadata| metadata.tip_radius_m)),
         resolution_m: reading.resolution_m.or(metadata.and_then(|metadata| metadata.resolution_m)),
         notes,

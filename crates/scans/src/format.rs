@@ -18,6 +18,23 @@ pub enum ScanFormat {
     Container,
 }
 
+impl ScanFormat {
+    /// The format of a binary file, told by its beginning and, of a ZIP file, by the names of what is in it; `None` for text,
+    /// which may be anything, and for what no reader knows. Whether it can be read is [`read_scans`](crate::read_scans)'s to
+    /// say.
+    #[must_use]
+    pub fn of(bytes: &[u8]) -> Option<Self> {
+        let names = |name: &str| bytes.windows(name.len()).any(|part| part == name.as_bytes());
+        match Magic::of(bytes) {
+            Magic::Nanoscope => Some(Self::Nanoscope),
+            Magic::NetCdf => Some(Self::NetCdf),
+            Magic::Zip if names("main.xml") => Some(Self::X3p),
+            Magic::Zip if names("meta.yml") || names("index.json") => Some(Self::Container),
+            Magic::Zip | Magic::Text | Magic::Foreign(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for ScanFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -27,6 +44,28 @@ impl fmt::Display for ScanFormat {
             Self::X3p => "X3P",
             Self::Container => "container",
         })
+    }
+}
+
+impl ScanFormat {
+    /// The format that the first bytes of a file show beyond doubt, for whoever takes a scan for something else; none for
+    /// text, which may hold anything, and for a ZIP file without the names that a scan has in it, such as a workbook.
+    #[must_use]
+    pub fn of_binary(bytes: &[u8]) -> Option<Self> {
+        match Magic::of(bytes) {
+            Magic::Nanoscope => Some(Self::Nanoscope),
+            Magic::NetCdf => Some(Self::NetCdf),
+            Magic::Zip => {
+                // Names stand in a ZIP file as they are.
+                let holds = |name: &[u8]| bytes.windows(name.len()).any(|found| found == name);
+                let containers = [b"meta.yml".as_slice(), b"index.json"];
+                match containers.into_iter().any(holds) {
+                    true => Some(Self::Container),
+                    false => holds(b"main.xml").then_some(Self::X3p),
+                }
+            }
+            Magic::Text | Magic::Foreign(_) => None,
+        }
     }
 }
 

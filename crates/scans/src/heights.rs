@@ -1,6 +1,7 @@
 //! Measured heights: line scans at even or uneven spacing, and maps.
 
 use thiserror::Error;
+use units::display::length;
 
 /// Heights at even spacing along a line: at least two, all finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +50,8 @@ pub enum ScanError {
     },
     /// A spacing that is no finite length above 0.
     #[error(
-        "building a scan: the {what} is {value} m, it must be finite and above 0; check the size of the scan and its unit"
+        "building a scan: the {what} is {}, it must be finite and above 0; check the size of the scan and its unit",
+        length(*.value)
     )]
     BadSpacing {
         /// Which spacing.
@@ -208,6 +210,22 @@ impl HeightMap {
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
     }
+
+    /// The same map with x and y exchanged: its rows run across those of this one.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        Self {
+            columns: self.rows(),
+            spacing_x_m: self.spacing_y_m,
+            spacing_y_m: self.spacing_x_m,
+            heights_m: transposed(&self.heights_m, self.columns),
+        }
+    }
+}
+
+/// The columns of rows of so many values, one after the other.
+pub(crate) fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
+    (0..columns).flat_map(|column| values.iter().skip(column).step_by(columns).copied()).collect()
 }
 
 fn refuse_few(what: &'static str, found: usize) -> Result<(), ScanError> {

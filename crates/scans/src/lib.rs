@@ -8,6 +8,7 @@
 //!
 //! What it does not do: it opens no paths, prints nothing, and does not detrend, filter or fill anything.
 
+mod choice_of_size;
 mod choice_of_units;
 mod error;
 mod file;
@@ -17,7 +18,9 @@ mod metadata;
 mod nanoscope;
 mod netcdf;
 mod options;
-mod size;
+mod read;
+mod scan_size;
+mod single;
 mod text;
 
 #[cfg(any(feature = "x3p", feature = "container"))]
@@ -29,10 +32,17 @@ mod x3p;
 
 #[cfg(feature = "container")]
 pub use container::read_metadata;
-pub use error::{Place, ScanReadError};
-pub use file::{ScanFile, read_scans};
+pub use error::{Mend, Place, ScanOption, ScanReadError};
+pub use file::ScanFile;
 pub use format::ScanFormat;
 pub use heights::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
-pub use metadata::MeasurementMetadata;
-pub use options::{ScanOptions, ScanSize};
+pub use metadata::{MeasurementMetadata, Probe};
+pub use options::ScanOptions;
+pub use read::read_scans;
+pub use scan_size::ScanSize;
 pub use units::LengthUnit;
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

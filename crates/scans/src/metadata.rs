@@ -1,7 +1,17 @@
 //! What a container says about one measurement.
 
-use crate::options::ScanSize;
+use crate::scan_size::ScanSize;
 use units::LengthUnit;
+
+/// What an instrument feels the surface with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Probe {
+    /// A tip of finite radius: stylus instruments, atomic force microscopes.
+    Tip,
+    /// None that has a radius: optical and electron microscopes.
+    Microscope,
+}
 
 /// The entry of a measurement in the `meta.yml` or `index.json` of a container.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,6 +35,8 @@ pub struct MeasurementMetadata {
     pub is_periodic: Option<bool>,
     /// Which of the images of an instrument's file was chosen, counted from 0.
     pub data_source: Option<usize>,
+    /// Whether the instrument has a tip.
+    pub probe: Option<Probe>,
     /// Radius of the tip of the instrument, in m, above 0.
     pub tip_radius_m: Option<f64>,
     /// Smallest length that the instrument resolves, in m, above 0.
@@ -48,6 +60,15 @@ impl MeasurementMetadata {
 /// The last part of a path, with either separator.
 pub(crate) fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// Whether the instrument of an entry has a tip, by its `type`; none where it is not given.
+pub(crate) fn probe(entry: &serde_json::Value) -> Option<Probe> {
+    match entry.get("instrument")?.get("type")?.as_str()? {
+        "contact-based" => Some(Probe::Tip),
+        "microscope-based" => Some(Probe::Microscope),
+        _ => None,
+    }
 }
 
 /// A length among the parameters of an instrument, `instrument.parameters.<name>` with `value` and `unit`; none where

@@ -1,6 +1,7 @@
 //! What a caller may say about a scan.
 
 use crate::metadata::MeasurementMetadata;
+use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
 /// What the caller knows about a scan.
@@ -29,15 +30,6 @@ pub struct ScanOptions {
     pub metadata: Option<MeasurementMetadata>,
     /// Most bytes that a ZIP file may unpack to; 1 GiB if none is given.
     pub max_unpacked_bytes: Option<u64>,
-}
-
-/// Size of a scan: that of its period, so many spacings as there are points.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScanSize {
-    /// Along a line or the rows of a map, in m, above 0.
-    pub x_m: f64,
-    /// Across the rows of a map, in m, above 0; without it points are as far apart as along x.
-    pub y_m: Option<f64>,
 }
 
 impl ScanOptions {

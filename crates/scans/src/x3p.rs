@@ -3,13 +3,16 @@
 use roxmltree::{Document, Node, ParsingOptions};
 
 use crate::archive::{Archive, leads_outside};
+use crate::choice_of_size;
+use crate::choice_of_size::refuse_size;
 use crate::choice_of_units::{own_scale_note, refuse_unit};
 use crate::error::{Place, ScanReadError};
 use crate::file::Reading;
 use crate::format::ScanFormat;
 use crate::heights::{NonuniformLineScan, Scan};
-use crate::options::{ScanOptions, ScanSize};
-use crate::size::refuse_size;
+use crate::metadata::Probe;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 
 const FORMAT: ScanFormat = ScanFormat::X3p;
 const INDEX: &str = "main.xml";
@@ -38,6 +41,7 @@ struct Description {
     z: Coordinate,
     data: String,
     valid: Option<String>,
+    probe: Option<Probe>,
 }
 
 /// How raw numbers become lengths in m.
@@ -66,16 +70,16 @@ pub(crate) fn read(archive: &mut Archive, options: &ScanOptions) -> Result<Readi
     let Some(spacing_x_m) = description.spacing_x_m else {
         refuse_size(FORMAT, Place::Element("Record1/Axes/CX".to_owned()), options)?;
         let line = NonuniformLineScan::new(positions_m, heights_m)?;
-        return Ok(Reading::new(Scan::NonuniformLine(line), notes));
+        return Ok(Reading { probe: description.probe, ..Reading::new(Scan::NonuniformLine(line), notes) });
     };
     let y_m = description.is_map.then_some(description.spacing_y_m * rows as f64);
     let stated = ScanSize { x_m: spacing_x_m * columns as f64, y_m };
-    let size = ScanSize::of(options, Some(stated), &mut notes).unwrap_or(stated);
+    let size = choice_of_size::size(options, Some(stated), &mut notes).unwrap_or(stated);
     let scan = match description.is_map {
         true => size.map(columns, heights_m, &mut notes)?,
         false => size.line(heights_m)?,
     };
-    Ok(Reading::new(scan, notes))
+    Ok(Reading { probe: description.probe, ..Reading::new(scan, notes) })
 }
 
 fn describe(index: &[u8]) -> Result<Description, ScanReadError> {
@@ -140,7 +144,17 @@ fn describe(index: &[u8]) -> Result<Description, ScanReadError> {
             .filter(|link| !link.text().is_empty())
             .map(|l| l.path_inside())
             .transpose()?,
+        probe: probe(&root),
     })
+}
+
+/// What the surface was felt with; none where the file does not say, or says that it was computed.
+fn probe(root: &Element) -> Option<Probe> {
+    match root.child("Record2").ok()?.child("ProbingSystem").ok()?.child("Type").ok()?.text() {
+        "Contacting" => Some(Probe::Tip),
+        "NonContacting" => Some(Probe::Microscope),
+        _ => None,
+    }
 }
 
 impl Description {

@@ -74,7 +74,7 @@ fn nanoscope_headers_that_lie() {
     let unit = refusal(&bytes, &in_unit("nm"));
     assert_eq!(
         unit,
-        "reading Nanoscope: the format fixes the unit of lengths and heights; leave out --unit 'nm'"
+        "reading Nanoscope: the format fixes the unit of lengths and heights, and 'nm' is asked for"
     );
     let lies = replaced(&bytes, "lines: 4\r\n\\Scan", "lines: 9\r\n\\Scan");
     assert!(refusal(&lies, &none()).contains("at least the 108 bytes of 6 x 9 points of 2 bytes"));
@@ -177,6 +177,21 @@ fn netcdf_gaps_scales_and_records() {
     });
     // Values run along y first: the sixth is the second point of the second column.
     assert!(refusal(&masked.to_bytes(), &none()).contains("the height of row 2, column 2 is undefined"));
+    masked.variables.last_mut().unwrap().dimensions = vec![1, 0];
+    assert!(refusal(&masked.to_bytes(), &none()).contains(
+        "the list of dimensions of 'mask' is y: 4, x: 6, it must be that of 'heights', x: 6, y: 4; write both over the same"
+    ));
+
+    // What the library writes where nobody has is no height, unless an attribute says that another value is none.
+    for kind in [Kind::F32, Kind::F64] {
+        let mut unwritten = NetCdf::map(2, kind, 6, &map);
+        unwritten.variables[0].values[5] = 9.969_209_968_386_869e36;
+        assert!(
+            refusal(&unwritten.to_bytes(), &none()).contains("the height of row 2, column 2 is undefined")
+        );
+        unwritten.variables[0].attributes.push(("_FillValue", Attribute::Number(-1.0)));
+        assert!(heights_m(&read_one(&unwritten.to_bytes(), &none()).unwrap().scan)[7] > 1e30);
+    }
 
     let mut filled = NetCdf::map(2, Kind::I16, 6, &map);
     filled.variables[0].values = (0..24).map(f64::from).collect();

@@ -3,9 +3,10 @@
 
 mod support;
 
-use scans::{ScanFormat, ScanOptions, ScanReadError, read_metadata, read_scans};
+use scans::{Probe, ScanFormat, ScanOptions, ScanReadError, read_metadata, read_scans};
 use support::nanoscope::NanoscopeFile;
 use support::netcdf::{Kind, NetCdf};
+use support::x3p::X3p;
 use support::zip_file::zipped;
 use support::{assert_close, heights_m, read_one, refusal, self_affine_map, spacings_m};
 
@@ -26,6 +27,7 @@ surfaces:
     unit: nm
     instrument:
       name: scope
+      type: contact-based
       parameters:
         tip_radius: {value: 26.0, unit: nm}
         resolution: {value: 0.01, unit: µm}
@@ -93,7 +95,7 @@ fn an_index_beside_a_file_says_what_the_file_does_not() {
         scan.notes,
         [
             "height_scale 2 of the metadata is not applied: the heights have their unit",
-            "the metadata give the size as 4e-3 m, the file as 2e-6 m: the file counts"
+            "the metadata give the size as 4 mm, the file as 2 µm: the file counts"
         ]
     );
 }
@@ -188,4 +190,28 @@ fn paths_that_lead_outside_are_refused() {
     let options = ScanOptions { measurement: Some("stylus".to_owned()), ..ScanOptions::default() };
     let message = read_scans(&archive, "container.zip", &options).unwrap_err().to_string();
     assert!(message.contains("the path '../stylus.txt' leads out of it"), "{message}");
+}
+
+#[test]
+fn instruments_tell_whether_they_have_a_tip() {
+    let of = |kind: &str| {
+        let yaml = format!("surfaces:\n- topographies:\n  - name: a\n    instrument: {kind}\n");
+        read_metadata(&yaml, "meta.yml").unwrap()[0].probe
+    };
+    assert_eq!(of("{type: microscope-based}"), Some(Probe::Microscope));
+    assert_eq!(of("{type: contact-based}"), Some(Probe::Tip));
+    assert_eq!(of("{type: undefined}"), None);
+    assert_eq!(of("{name: scope}"), None);
+    let map = self_affine_map(6, 4);
+    let probe = |bytes: &[u8]| read_one(bytes, &ScanOptions::default()).unwrap().probe;
+    assert_eq!(probe(&NanoscopeFile::new(6, 4, &map).to_bytes()), Some(Probe::Tip));
+    assert_eq!(probe(&NetCdf::map(2, Kind::F64, 6, &map).to_bytes()), None);
+    let x3p = X3p::surface('D', 6, &map);
+    assert_eq!(probe(&x3p.to_bytes()), None);
+    let optical = x3p.main_xml().replace(
+        "<Record3>",
+        "<Record2><ProbingSystem><Type>NonContacting</Type></ProbingSystem></Record2><Record3>",
+    );
+    let files = [("main.xml", optical.as_bytes()), ("bindata/data.bin", &x3p.data())];
+    assert_eq!(probe(&zipped(&files)), Some(Probe::Microscope));
 }

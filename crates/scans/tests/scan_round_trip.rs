@@ -6,6 +6,7 @@ use scans::{Scan, ScanFormat, ScanOptions};
 use support::nanoscope::{Image, NanoscopeFile};
 use support::netcdf::{Kind, NetCdf};
 use support::x3p::{SPACING_M, X3p};
+use support::zip_file::zipped;
 use support::{
     assert_close, gwyddion_matrix, heights_m, in_unit, read_one, self_affine_line, self_affine_map,
     spacings_m, text_rows,
@@ -53,6 +54,23 @@ fn text_maps() {
     let points = read_one(text_rows((0..map.len()).map(point)).as_bytes(), &in_unit("um")).unwrap();
     assert_close(heights_m(&points.scan), &map, TEXT_RESOLUTION_M);
     assert_close(&[spacings_m(&points.scan).0, spacings_m(&points.scan).1], &[0.1e-6, 0.3e-6], 1e-15);
+}
+
+#[test]
+fn formats_are_told_without_reading() {
+    let map = self_affine_map(COLUMNS, ROWS);
+    for (bytes, format) in [
+        (NanoscopeFile::new(COLUMNS, ROWS, &map).to_bytes(), Some(ScanFormat::Nanoscope)),
+        (NetCdf::map(2, Kind::F64, COLUMNS, &map).to_bytes(), Some(ScanFormat::NetCdf)),
+        (X3p::surface('D', COLUMNS, &map).to_bytes(), Some(ScanFormat::X3p)),
+        (zipped(&[("folder/meta.yml", b"surfaces: []")]), Some(ScanFormat::Container)),
+        (zipped(&[("xl/workbook.xml", b"")]), None),
+        (b"0 1\n1 2\n".to_vec(), None),
+        (b"\x89PNG\r\n\x1a\n".to_vec(), None),
+        (Vec::new(), None),
+    ] {
+        assert_eq!(ScanFormat::of(&bytes), format);
+    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Real scans, where they are at hand: sizes and heights as SurfaceTopography 1.27.1 reads them.
+//! Real scans of the shared folder beside the checkout: sizes and heights as SurfaceTopography 1.27.1 reads them.
 //!
 //! "Demo UNCD data", L. Pastewka, CC BY 4.0 (`uncd_scans`), and test files of SurfaceTopography, MIT (`afm_tem_mit`).
 
@@ -10,13 +10,9 @@ use scans::{Scan, ScanFile, ScanOptions, read_metadata};
 use support::{heights_m, in_unit, read_one, spacings_m};
 
 /// The samples lie beside the project, not in it.
-fn sample(path: &str) -> Option<Vec<u8>> {
+fn sample(path: &str) -> Vec<u8> {
     let folder: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let bytes = std::fs::read(folder.join(path)).ok();
-    if bytes.is_none() {
-        eprintln!("skipped: {path} is not beside the project");
-    }
-    bytes
+    std::fs::read(folder.join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
 fn close(found: f64, expected: f64) -> bool {
@@ -56,6 +52,7 @@ fn assert_map(scan: &ScanFile, expected: &Expected) {
 }
 
 #[test]
+#[ignore = "needs the shared folder"]
 fn images_of_an_atomic_force_microscope() {
     let retrace = ScanOptions { channel: Some("Height (Retrace)".to_owned()), ..ScanOptions::default() };
     let (uncd, di_1, di_6) =
@@ -107,7 +104,7 @@ fn images_of_an_atomic_force_microscope() {
             },
         ),
     ] {
-        let Some(bytes) = sample(path) else { continue };
+        let bytes = sample(path);
         let scan = read_one(&bytes, &options).unwrap();
         assert_eq!(scan.channels, ["Height (Trace)", "Height (Retrace)"]);
         assert!(scan.notes.is_empty());
@@ -116,6 +113,7 @@ fn images_of_an_atomic_force_microscope() {
 }
 
 #[test]
+#[ignore = "needs the shared folder"]
 fn traces_and_a_stylus_line() {
     for (path, unit, is_uniform, points, length_m, rms_m, range_m) in [
         (
@@ -147,7 +145,7 @@ fn traces_and_a_stylus_line() {
         ),
         ("afm_tem_mit/xy-1.txt", "nm", false, 132, 187.190431e-9, 3.1268353808541145e-09, 1.3305203e-08),
     ] {
-        let Some(bytes) = sample(path) else { continue };
+        let bytes = sample(path);
         let scan = read_one(&bytes, &in_unit(unit)).unwrap().scan;
         let found_m = match &scan {
             Scan::UniformLine(line) if is_uniform => line.length_m(),
@@ -161,15 +159,16 @@ fn traces_and_a_stylus_line() {
 }
 
 #[test]
+#[ignore = "needs the shared folder"]
 #[cfg(feature = "container")]
 fn the_metadata_beside_them() {
-    let Some(text) = sample("uncd_scans/meta.yml") else { return };
+    let text = sample("uncd_scans/meta.yml");
     let entries = read_metadata(&String::from_utf8(text).unwrap(), "meta.yml").unwrap();
     assert_eq!(entries.len(), 3);
     for entry in entries {
         let path = format!("uncd_scans/{}", entry.original.as_deref().unwrap());
         let options = ScanOptions { metadata: Some(entry.clone()), ..ScanOptions::default() };
-        let scan = read_one(&sample(&path).unwrap(), &options).unwrap();
+        let scan = read_one(&sample(&path), &options).unwrap();
         assert_eq!(scan.name, entry.name);
         if path.ends_with(".001") {
             // The factor from counts to nm, which the file has in its header: applied twice it would give 3 nm.

@@ -11,6 +11,10 @@
 //!
 //! At the last sample C1D is zero and Ciso infinite, so the results end one sample earlier.
 
+use std::sync::LazyLock;
+
+use numerics::GaussLegendre;
+
 use std::f64::consts::{PI, TAU};
 
 use crate::interval::ln_ratio;
@@ -71,7 +75,7 @@ struct Panel {
     /// From a q below this, the panel is no wider in ln p than its distance.
     nearest_far: f64,
     /// p and f(p) dp of the Gauss rule in ln p, for every q that far below the panel.
-    nodes: [(f64, f64); 2 * HALF],
+    nodes: [(f64, f64); NODES],
 }
 
 impl Panel {
@@ -119,28 +123,15 @@ impl Panel {
     }
 }
 
-const HALF: usize = 8;
+/// Nodes of the rule on a panel: no more than 16 are needed for the twelve digits that tests hold.
+const NODES: usize = 16;
 
-/// Positive nodes and weights of the Gauss-Legendre rule with 16 nodes (Abramowitz & Stegun, table 25.4).
-const GAUSS: [(f64, f64); HALF] = [
-    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
-    (0.281_603_550_779_258_9, 0.182_603_415_044_923_6),
-    (0.458_016_777_657_227_4, 0.169_156_519_395_002_54),
-    (0.617_876_244_402_643_7, 0.149_595_988_816_576_73),
-    (0.755_404_408_355_003, 0.124_628_971_255_533_87),
-    (0.865_631_202_387_831_7, 0.095_158_511_682_492_78),
-    (0.944_575_023_073_232_6, 0.062_253_523_938_647_89),
-    (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
-];
+static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(NODES));
 
 /// The nodes and weights of the rule between two bounds.
-fn gauss_nodes(from: f64, to: f64) -> [(f64, f64); 2 * HALF] {
-    let (middle, half_width) = (0.5 * (from + to), 0.5 * (to - from));
-    std::array::from_fn(|i| {
-        let (node, weight) = GAUSS[i / 2];
-        let signed = if i % 2 == 0 { -node } else { node };
-        (middle + half_width * signed, half_width * weight)
-    })
+fn gauss_nodes(from: f64, to: f64) -> [(f64, f64); NODES] {
+    let mut nodes = RULE.over(from, to);
+    std::array::from_fn(|_| nodes.next().expect("the rule has as many nodes"))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The conventions in which power spectra are published, and the exact factors between them.
 
 use std::f64::consts::PI;
+use units::display::{length, three_digits};
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -67,10 +68,10 @@ pub enum ConversionError {
     /// An Abel integral that is no spectrum: a C1D that rises with the wavevector belongs to no isotropic surface,
     /// and numbers near the limits of doubles overflow.
     #[error(
-        "converting a spectrum from {from} (m^{}) to {to} (m^{}): at the wavelength {wavelength_m:e} m the Abel \
-         integral is {value:e}, it must be finite and above 0; smooth the spectrum, or cut it where it stops falling \
+        "converting a spectrum from {from} (m^{}) to {to} (m^{}): at the wavelength {} the Abel \
+         integral is {}, it must be finite and above 0; smooth the spectrum, or cut it where it stops falling \
          with the wavevector",
-        from.metre_power(), to.metre_power()
+        from.metre_power(), to.metre_power(), length(*.wavelength_m), three_digits(*.value)
     )]
     NotPositive {
         /// The convention of the data.

@@ -30,7 +30,9 @@
 mod abel;
 mod amplitude;
 mod approximate;
+mod cholesky;
 mod convention;
+mod hole;
 mod interval;
 mod mccool;
 mod moments;
@@ -43,15 +45,21 @@ mod superpose;
 
 pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
+pub use hole::{HOLE_FACTOR, Hole};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{
-    Abscissa, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName, UnitError,
-    WorkbookError, read_psd, series_names,
+    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName,
+    UnitError, WorkbookError, is_psd, read_psd, series_names,
 };
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
 pub use units::{Scale, UnknownName};
+
+/// The example of the page runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,6 +1,7 @@
 //! What samples of a spectrum must be.
 
 use thiserror::Error;
+use units::display::length;
 
 /// Samples that make no power spectrum. Rows are counted from 1 in the order given.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -25,7 +26,8 @@ pub enum PsdError {
     },
     /// A wavelength that does not lie below the one before it.
     #[error(
-        "building a spectrum: the wavelength in row {row} is {wavelength_m} m; they must fall from row to row"
+        "building a spectrum: the wavelength in row {row} is {}; they must fall from row to row",
+        length(*.wavelength_m)
     )]
     OutOfOrder {
         /// Row.
@@ -34,7 +36,7 @@ pub enum PsdError {
         wavelength_m: f64,
     },
     /// A wavelength that is no finite number above 0.
-    #[error("building a spectrum: the wavelength in row {row} is {value} m, it must be finite and above 0")]
+    #[error("building a spectrum: the wavelength in row {row} is {}, it must be finite and above 0", length(*.value))]
     BadWavelength {
         /// Row.
         row: usize,
@@ -51,7 +53,8 @@ pub enum PsdError {
     },
     /// The same wavelength twice.
     #[error(
-        "building a spectrum: the wavelength {wavelength_m} m stands in it twice; keep one value for each"
+        "building a spectrum: the wavelength {} stands in it twice; keep one value for each",
+        length(*.wavelength_m)
     )]
     RepeatedWavelength {
         /// The wavelength in m.

@@ -2,17 +2,17 @@
 
 use std::ops::RangeBounds;
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::storage::Owned;
-use nalgebra::{DVector, Dyn, Matrix3, OMatrix, U3, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::cholesky::Cholesky;
 use crate::interval::ln_ratio;
 use crate::profile::ProfilePsd;
 
-/// Roll-offs tried as the start of the iteration, spread evenly over the logarithm of the band.
+/// Roll-offs tried first, spread evenly over the logarithm of the band.
 const STARTS: usize = 24;
+/// Width in ln q_r, relative to the band, at which the search ends: its minimum is flat to half the digits.
+const SEARCH_WIDTH: f64 = 1e-8;
 /// Deviations in ln C1D below this are rounding, whatever the statistics say.
 const ROUNDING: f64 = 1e-12;
 /// Advantage in the Bayesian information criterion that counts as strong evidence: Kass & Raftery (1995), J.
@@ -103,19 +103,16 @@ fn with_rolloff(samples: &LogSamples, power_law: &Line) -> Option<SelfAffineFit>
     if samples.len() < 3 {
         return None;
     }
-    let start = (0..STARTS)
-        .map(|start| RollOffProblem::starting_at(samples, (start as f64 + 0.5) / STARTS as f64))
-        .min_by(|a, b| a.sum_of_squares().total_cmp(&b.sum_of_squares()))?;
-    let best = LevenbergMarquardt::new().minimize(start).0.polished();
+    let best = RollOffFit::nearest(samples)?.polished();
     let sum_of_squares = best.sum_of_squares();
     if !best.is_inside_band() || !samples.prefers(sum_of_squares, power_law.sum_of_squares) {
         return None;
     }
     let inverse = best.inverse_normal()?;
     let error = |parameter: usize| {
-        samples.variance(sum_of_squares, 3).map(|s2| (s2 * inverse[(parameter, parameter)]).sqrt())
+        samples.variance(sum_of_squares, 3).map(|s2| (s2 * inverse[parameter][parameter]).sqrt())
     };
-    let [ln_plateau, exponent, ln_q_r] = best.parameters.into();
+    let [ln_plateau, exponent, ln_q_r] = best.parameters;
     let plateau_m3 = samples.reference_m3 * ln_plateau.exp();
     let wavelength_m = samples.longest_m * (-ln_q_r).exp();
     Some(SelfAffineFit {
@@ -207,47 +204,52 @@ impl Line {
     }
 }
 
-/// The model with a roll-off at its current parameters: ln C_0, H + 1/2, ln q_r, all relative to the first
-/// sample.
-struct RollOffProblem<'s> {
+/// The model with a roll-off: ln C_0, H + 1/2, ln q_r, all relative to the first sample.
+struct RollOffFit<'s> {
     samples: &'s LogSamples,
-    parameters: Vector3<f64>,
+    parameters: [f64; 3],
 }
 
-impl<'s> RollOffProblem<'s> {
-    /// Starts with a roll-off at a fraction of the band, where the other two parameters follow from a
-    /// straight line.
-    fn starting_at(samples: &'s LogSamples, fraction: f64) -> Self {
-        let ln_q_r = fraction * samples.extent();
+impl<'s> RollOffFit<'s> {
+    /// The least-squares fit, to half its digits; none where the sum of squares falls on well beyond an end of the band.
+    ///
+    /// For a given roll-off the other two parameters follow from a straight line, so that the search is one of a single
+    /// variable (variable projection: Golub & Pereyra (1973), SIAM J. Numer. Anal. 10:413).
+    fn nearest(samples: &'s LogSamples) -> Option<Self> {
+        let at = |start: usize| (start as f64 - 1.5) / STARTS as f64 * samples.extent();
+        // Two on either side lie outside the band, so that a minimum right inside its end has neighbours.
+        let sums: Vec<f64> =
+            (0..STARTS + 4).map(|start| Self::at(samples, at(start)).sum_of_squares()).collect();
+        let least = (0..sums.len()).min_by(|&a, &b| sums[a].total_cmp(&sums[b]))?;
+        let (before, after) = (least.checked_sub(1)?, least + 1);
+        if after == sums.len() {
+            return None;
+        }
+        let width = SEARCH_WIDTH * samples.extent();
+        let ln_q_r = least_between(at(before), at(after), width, |x| Self::at(samples, x).sum_of_squares());
+        Some(Self::at(samples, ln_q_r))
+    }
+
+    /// The best fit with a given roll-off.
+    fn at(samples: &'s LogSamples, ln_q_r: f64) -> Self {
         let fall: Vec<f64> = samples.ln_q.iter().map(|ln_q| fall(ln_q - ln_q_r)).collect();
         let line = Line::through(&fall, &samples.ln_c);
-        Self { samples, parameters: Vector3::new(line.intercept, -line.slope, ln_q_r) }
+        Self { samples, parameters: [line.intercept, -line.slope, ln_q_r] }
     }
 
-    fn residual_vector(&self) -> DVector<f64> {
-        let [ln_plateau, exponent, ln_q_r] = self.parameters.into();
-        let samples = self.samples.ln_q.iter().zip(&self.samples.ln_c);
-        DVector::from_iterator(
-            self.samples.len(),
-            samples.map(|(ln_q, ln_c)| ln_plateau - exponent * fall(ln_q - ln_q_r) - ln_c),
-        )
-    }
-
-    fn jacobian_matrix(&self) -> OMatrix<f64, Dyn, U3> {
-        let [_, exponent, ln_q_r] = self.parameters.into();
-        OMatrix::<f64, Dyn, U3>::from_fn(self.samples.len(), |row, column| {
-            let from_rolloff = self.samples.ln_q[row] - ln_q_r;
-            match column {
-                0 => 1.0,
-                1 => -fall(from_rolloff),
-                _ => exponent * fall_slope(from_rolloff),
-            }
+    /// Each sample's residual and the derivatives of it by the parameters.
+    fn rows(&self) -> impl Iterator<Item = (f64, [f64; 3])> {
+        let [ln_plateau, exponent, ln_q_r] = self.parameters;
+        self.samples.ln_q.iter().zip(&self.samples.ln_c).map(move |(ln_q, ln_c)| {
+            let from_rolloff = ln_q - ln_q_r;
+            let fall = fall(from_rolloff);
+            (ln_plateau - exponent * fall - ln_c, [1.0, -fall, exponent * fall_slope(from_rolloff)])
         })
     }
 
-    /// Sum of the squared residuals; infinite where the iteration has left the finite numbers.
+    /// Sum of the squared residuals; infinite where it is no number.
     fn sum_of_squares(&self) -> f64 {
-        let sum = self.residual_vector().norm_squared();
+        let sum: f64 = self.rows().map(|(residual, _)| residual * residual).sum();
         if sum.is_finite() { sum } else { f64::INFINITY }
     }
 
@@ -259,49 +261,56 @@ impl<'s> RollOffProblem<'s> {
     /// squares is too flat, half of them all.
     fn polished(mut self) -> Self {
         let mut longest = LARGEST_POLISH;
-        while let Some(step) = self.gauss_newton_step().filter(|step| step.norm() < longest) {
-            self.parameters -= step;
-            longest = 0.5 * step.norm();
+        let norm = |step: &[f64; 3]| step.iter().map(|part| part * part).sum::<f64>().sqrt();
+        while let Some(step) = self.gauss_newton_step().filter(|step| norm(step) < longest) {
+            self.parameters = std::array::from_fn(|i| self.parameters[i] - step[i]);
+            longest = 0.5 * norm(&step);
         }
         self
     }
 
-    fn gauss_newton_step(&self) -> Option<Vector3<f64>> {
-        Some(self.inverse_normal()? * self.jacobian_matrix().tr_mul(&self.residual_vector()))
+    fn gauss_newton_step(&self) -> Option<[f64; 3]> {
+        let inverse = self.inverse_normal()?;
+        let mut gradient = [0.0; 3];
+        for (residual, derivatives) in self.rows() {
+            (0..3).for_each(|i| gradient[i] += derivatives[i] * residual);
+        }
+        Some(inverse.map(|row| row.iter().zip(gradient).map(|(a, b)| a * b).sum()))
     }
 
     /// (J^T J)^-1; none where the matrix is singular to working precision.
-    fn inverse_normal(&self) -> Option<Matrix3<f64>> {
-        let jacobian = self.jacobian_matrix();
-        let normal: Matrix3<f64> = jacobian.tr_mul(&jacobian);
-        let norms = normal.diagonal().map(f64::sqrt);
-        let scales = norms * norms.transpose();
-        let factor = normal.component_div(&scales).cholesky()?;
-        let is_regular = factor.l_dirty().diagonal().min() >= SMALLEST_PIVOT;
-        is_regular.then(|| factor.inverse().component_div(&scales))
+    fn inverse_normal(&self) -> Option<[[f64; 3]; 3]> {
+        let mut normal = [[0.0; 3]; 3];
+        for (_, derivatives) in self.rows() {
+            (0..3).for_each(|i| (0..3).for_each(|j| normal[i][j] += derivatives[i] * derivatives[j]));
+        }
+        let norms: [f64; 3] = std::array::from_fn(|i| normal[i][i].sqrt());
+        let scaled = |matrix: [[f64; 3]; 3]| -> [[f64; 3]; 3] {
+            std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / (norms[i] * norms[j])))
+        };
+        let factor =
+            Cholesky::of(scaled(normal)).filter(|factor| factor.smallest_pivot() >= SMALLEST_PIVOT)?;
+        Some(scaled(factor.inverse()))
     }
 }
 
-impl LeastSquaresProblem<f64, Dyn, U3> for RollOffProblem<'_> {
-    type ParameterStorage = Owned<f64, U3>;
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, U3>;
-
-    fn set_params(&mut self, parameters: &Vector3<f64>) {
-        self.parameters = *parameters;
+/// Where a function is least between two arguments around its minimum, by golden sections of their interval down to `width`.
+fn least_between(mut from: f64, mut to: f64, width: f64, function: impl Fn(f64) -> f64) -> f64 {
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut left, mut right) = (to - golden * (to - from), from + golden * (to - from));
+    let (mut of_left, mut of_right) = (function(left), function(right));
+    while to - from > width {
+        if of_left <= of_right {
+            (to, right, of_right) = (right, left, of_left);
+            left = to - golden * (to - from);
+            of_left = function(left);
+        } else {
+            (from, left, of_left) = (left, right, of_right);
+            right = from + golden * (to - from);
+            of_right = function(right);
+        }
     }
-
-    fn params(&self) -> Vector3<f64> {
-        self.parameters
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        Some(self.residual_vector())
-    }
-
-    fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U3>> {
-        Some(self.jacobian_matrix())
-    }
+    0.5 * (from + to)
 }
 
 /// ln(1 + (q/q_r)^2) from ln(q/q_r), without overflow.

@@ -60,7 +60,8 @@ fn files_that_are_no_utf8_text_are_refused() {
     assert_refused(
         b"CDF\x02\0\0",
         1,
-        "line 1: byte 5 of the file is 0x00, which is not UTF-8 text; save the spectrum as CSV or text in UTF-8",
+        "line 1: byte 5 of the file is 0x00, which is binary, perhaps a scan, and no spectrum as text; save the spectrum as \
+         CSV or text in UTF-8",
     );
 }
 
@@ -173,15 +174,15 @@ fn units_that_are_unknown_or_of_another_dimension_are_refused() {
     assert_refused(
         "lambda_m,C1D_m4\n1,2\n2,3\n",
         1,
-        "line 1: column 'C1D_m4' is in 'm4', but the spectrum (c1d) is read in m^3, cm^3, mm^3, um^3, nm^3, pm^3, \
-         angstrom^3; rename the column",
+        "line 1: column 'C1D_m4' is in 'm4', but the spectrum (c1d) is read in m^3, cm^3, mm^3, um^3, nm^3, \
+         angstrom^3, pm^3, km^3, inch^3, uin^3; rename the column",
     );
     assert_refused_with(
         &ReadOptions { convention: Some(Convention::Persson), ..column("power_m3") },
         "lambda_m,power_m3\n1,2\n2,3\n",
         1,
         "line 1: column 'power_m3' is in 'm^3', but the spectrum (persson) is read in m^4, cm^4, mm^4, um^4, nm^4, \
-         pm^4, angstrom^4; rename the column",
+         angstrom^4, pm^4, km^4, inch^4, uin^4; rename the column",
     );
 }
 
@@ -276,7 +277,7 @@ fn repeated_wavelengths_are_refused_with_both_lines() {
     assert_refused(
         "lambda_nm,C1D_m3\n5,2\n2,3\n# comment\n5.0,4\n2,3\n",
         5,
-        "line 5: the wavelength 5e-9 m stands in line 2 already; keep one row for each wavelength, and one series (such \
+        "line 5: the wavelength 5 nm stands in line 2 already; keep one row for each wavelength, and one series (such \
          as '1D PSD along x') in a file",
     );
 }

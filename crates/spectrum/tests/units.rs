@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use spectrum::{Abscissa, Convention, PsdFile, ReadOptions, read_psd, series_names};
+use spectrum::{Abscissa, Convention, PsdFile, ReadOptions, is_psd, read_psd, series_names};
 
 fn units(x: &str, psd: &str) -> ReadOptions {
     ReadOptions {
@@ -247,4 +247,53 @@ fn json_that_is_no_series_is_refused() {
         Some(2),
         "line 2: column 'x[2]' is 'b', which is no number; write it like 1.5e-9, with a point, or remove the row",
     );
+}
+
+const ROWS: &str = "[{\"lambda_nm\": 4, \"C1D_m3\": 5e-28, \"C1D_se_m3\": 1e-29},\n {\"lambda_nm\": 2, \"C1D_m3\": 3e-28},\n \
+                    {\"C1D_m3\": \"2e-28\", \"lambda_nm\": 1, \"C1D_se_m3\": null, \"remark\": \"last\"}]";
+
+#[test]
+fn json_holds_rows_as_well() {
+    let file = read(ROWS, &ReadOptions::default());
+    assert_eq!(file.psd.wavelengths_m(), [4e-9, 2e-9, 1e-9]);
+    assert_eq!(file.psd.values(), [5e-28, 3e-28, 2e-28]);
+    assert_eq!(file.psd.standard_errors(), Some(&[Some(1e-29), None, None][..]));
+    let usual = ReadOptions::default();
+    assert_refused(
+        &ROWS.replace("\"lambda_nm\": 1,", "\"lambda_nm\": null,"),
+        &usual,
+        Some(3),
+        "line 3: column 'lambda_nm' is empty, it must be a number above 0; fill it or remove the row",
+    );
+    assert_refused(
+        &ROWS.replace("3e-28", "-3e-28"),
+        &usual,
+        Some(2),
+        "line 2: column 'C1D_m3' is '-3e-28', it must be finite and above 0; correct it or remove the row",
+    );
+    assert!(
+        read_psd(ROWS.replace("lambda_nm", "width").as_bytes(), &usual)
+            .unwrap_err()
+            .to_string()
+            .contains("'width'")
+    );
+}
+
+#[test]
+fn a_spectrum_is_told_from_other_files() {
+    let is_spectrum = |text: &str| is_psd(text.as_bytes());
+    assert!(is_spectrum(ROWS));
+    assert!(is_spectrum(JSON));
+    assert!(is_spectrum("lambda_m,C1D_m3\n1,-2\n"));
+    for text in [
+        BARE,
+        "",
+        "x [mm];h [um]\n0;1\n1;2\n",
+        "[{\"x\": 1, \"y\": 2}]",
+        "[1, 2]",
+        "{\"a\": 1}",
+        "CDF\u{2}\0",
+    ] {
+        assert!(!is_spectrum(text), "{text}");
+    }
 }

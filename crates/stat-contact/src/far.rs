@@ -12,6 +12,9 @@ use crate::asperities::answers::{Asperities, Course, Response};
 /// Depth below the mean plane, in units of sigma_s, from which on asperities are taken at the mean height.
 pub(crate) const FAR: f64 = 1e6;
 
+/// Golden sections of a bracket: 0.618^90 of any is below rounding.
+const STEPS: usize = 90;
+
 /// A population without spread.
 pub(crate) struct FarBelow<'a> {
     asperities: &'a dyn Asperities,
@@ -31,6 +34,7 @@ impl<'a> FarBelow<'a> {
     /// The state at a separation far below. What the spread would change is seen by comparing three heights: next to
     /// nothing where the law is smooth, up to a share of a kink or a jump beside one.
     pub fn state(&self, separation_m: f64) -> ContactState {
+        // Standard deviations that hold nearly all heights.
         const REACH: f64 = 3.0;
         let [low, mean, high] = [-REACH, 0.0, REACH]
             .map(|shift| self.asperities.at_interference(shift.mul_add(self.sigma_s_m, -separation_m)));
@@ -64,7 +68,6 @@ impl<'a> FarBelow<'a> {
 
     /// The interference \[m\] of the maximum before a dip of the force, where it is a far one.
     fn top_before_dip_m(&self) -> Option<f64> {
-        const STEPS: usize = 90;
         let [from_m, to_m] = self.asperities.dip_m()?;
         let low = from_m.max(FAR * self.sigma_s_m).ln();
         (low < to_m.ln())
@@ -73,6 +76,7 @@ impl<'a> FarBelow<'a> {
 
     /// An interference \[m\] at which no pressure is missing; `None` where the pressure is never reached.
     fn deep_enough_m(&self, missing: impl Fn(f64) -> f64) -> Option<f64> {
+        // Three decades at a time; eighty strides exhaust the doubles.
         const STRIDE: f64 = 1e3;
         const MOST_STRIDES: i32 = 80;
         (1..MOST_STRIDES)
@@ -88,7 +92,6 @@ impl<'a> FarBelow<'a> {
     /// The interference \[m\] of the highest response, where it is a far one: between the nearest far one and that of
     /// which it is known to fall, by golden sections.
     fn peak_m(&self) -> Option<f64> {
-        const STEPS: usize = 90;
         let (low, high) = ((FAR * self.sigma_s_m).ln(), self.asperities.falls_from_m()?.ln());
         (low < high).then(|| minimum_in_bracket(low, high, STEPS, |log_m| -self.log_response(log_m)).exp())
     }

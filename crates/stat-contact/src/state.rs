@@ -58,14 +58,18 @@ impl ContactState {
 
     /// Every asperity pressed to the interference -d; `neglected` is what that may change, relatively.
     pub(crate) fn without_spread(separation_m: f64, response: &Response, neglected: f64) -> Self {
+        // The share 1/u^2 of the response that the spread would change, from the depth on at which it is left out.
+        const ROUNDING: f64 = 1e-12;
+        // At the mean height and beside it.
+        const EVALUATIONS: usize = 3;
         ContactState {
             separation_m: Some(separation_m),
             pressure_pa: response.pressure_pa,
             area_fraction: response.area_fraction.min(1.0),
             ln_pressure_pa: response.pressure_pa.ln(),
             ln_area_fraction: response.area_fraction.ln().min(0.0),
-            error_estimate: 1e-12 + neglected,
-            evaluations: 3,
+            error_estimate: ROUNDING + neglected,
+            evaluations: EVALUATIONS,
             out_of_range_load_share: 0.0,
             clamped: response.area_fraction > 1.0,
         }

@@ -5,7 +5,7 @@ use asperity::{AsperityError, Bound};
 use crate::ContactState;
 use crate::far::FarBelow;
 use crate::quadrature::frames::Frames;
-use crate::search::problem::{Found, Neighbour, Search};
+use crate::search::problem::{Answer, Found, Neighbour, Search};
 
 /// States of one population under one law, one after the other: what has been evaluated for one serves those after it
 /// ([`StatisticalContact::sweep`](crate::StatisticalContact::sweep)).
@@ -96,10 +96,10 @@ impl<'a> Sweep<'a> {
             return Ok(asked(far_below.state(separation_m)));
         }
         let (near, spent) = (self.near, self.frames.evaluations);
-        let mut search = Search { frames: &mut self.frames, pressure_pa };
-        let Some(found) = search.largest(near) else { return Ok(ContactState::complete(pressure_pa)) };
-        let missed_by = search.missed_by(found);
-        let Found { cell, u } = found;
+        let answer = Search { frames: &mut self.frames, pressure_pa }.largest(near);
+        let Some(Answer { found: Found { cell, u }, missed_by }) = answer else {
+            return Ok(ContactState::complete(pressure_pa));
+        };
         let evaluations = self.frames.evaluations - spent;
         let sigma_s_m = self.frames.sigma_s_m;
         let here = self.frames.of(cell).at(u);

@@ -2,22 +2,14 @@
 
 mod support;
 
-use std::io::Write;
 use std::path::Path;
 
 use support::Row;
 
 fn rows() -> Vec<Row> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/reference/statistical.csv");
-    match std::fs::read_to_string(&path) {
-        Ok(text) => support::rows(text.split_once('\n').expect("a header").1).collect(),
-        Err(_) => {
-            // Written past the test harness, which keeps the output of passing tests to itself.
-            let absent = "shared/reference/statistical.csv is absent beside the checkout: not compared here";
-            let _ = writeln!(std::io::stderr(), "{absent}");
-            Vec::new()
-        }
-    }
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    support::rows(text.split_once('\n').expect("a header").1).collect()
 }
 
 fn deviation(computed: f64, reference: f64) -> f64 {
@@ -25,6 +17,7 @@ fn deviation(computed: f64, reference: f64) -> f64 {
 }
 
 #[test]
+#[ignore = "needs the shared folder"]
 fn estimated_errors_bound_the_true_ones_at_every_tolerance() {
     for row in rows() {
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
@@ -39,6 +32,7 @@ fn estimated_errors_bound_the_true_ones_at_every_tolerance() {
 }
 
 #[test]
+#[ignore = "needs the shared folder"]
 fn separation_and_area_are_found_from_the_pressure_from_any_start() {
     for row in rows() {
         let starts = [None, Some(-40.0), Some(-1.0), Some(0.5), Some(6.0), Some(55.0)];
@@ -58,6 +52,7 @@ fn separation_and_area_are_found_from_the_pressure_from_any_start() {
 }
 
 #[test]
+#[ignore = "needs the shared folder"]
 fn a_looser_tolerance_costs_less() {
     let rows = rows();
     let cost = |tolerance: f64| -> usize {

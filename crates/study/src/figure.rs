@@ -1,8 +1,9 @@
 //! Figures as data: the series of each, drawn by `plot` and written as tables.
 
+use spectrum::Hole;
 use stacked_contact::Scale;
 
-use crate::plan::{Needs, Results};
+use crate::plan::{CurveResult, Needs, Results};
 use tables::Table;
 use units::display::{length, load_in_full, pressure, typeset};
 
@@ -90,6 +91,8 @@ pub struct FigureData {
     pub y_label: &'static str,
     /// The lines.
     pub series: Vec<Series>,
+    /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
+    pub gaps: Vec<(f64, f64)>,
 }
 
 /// An abscissa: its column in a table and its label in a picture.
@@ -144,7 +147,16 @@ impl Figure {
             Some(hardness_pa) => format!("{}; H = {}", x.label, pressure(hardness_pa)),
             None => x.label.to_owned(),
         };
-        FigureData { name: self.name.clone(), shows: self.shows, title, x, x_label, y_label, series }
+        FigureData {
+            name: self.name.clone(),
+            shows: self.shows,
+            title,
+            x,
+            x_label,
+            y_label,
+            series,
+            gaps: Vec::new(),
+        }
     }
 
     fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {
@@ -157,6 +169,16 @@ impl Figure {
                     condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa, hardness_pa),
                     ..line
                 });
+            }
+            if let CurveResult::Statistical(_) = results.curves[curve] {
+                for (at, separation_m) in needs.separations_m.iter().enumerate() {
+                    // The blocks of separations follow those of the loads.
+                    let block = needs.loads.len() + at;
+                    let sign = if *separation_m < 0.0 { "-" } else { "" };
+                    let label = format!("separation {sign}{}", length(separation_m.abs()));
+                    let points = results.curves[curve].area_fractions(block);
+                    series.push(self.line(&needs.curves[curve].name, &label, place, block, points));
+                }
             }
         }
         series
@@ -195,7 +217,7 @@ impl Figure {
         let dash = if self.curves.len() > 1 { [1, 0].get(place).copied().unwrap_or(place) } else { 0 };
         Series {
             column: format!("{curve} at {condition}"),
-            curve: curve.replace("-strain-gradient", ", strain gradient"),
+            curve: curve.to_owned(),
             condition: condition.to_owned(),
             condition_in_full: typeset(condition),
             colour,
@@ -215,6 +237,7 @@ pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
         x_label: WAVEVECTOR.label.to_owned(),
         y_label: PSD,
         series,
+        gaps: Vec::new(),
     }
 }
 
@@ -261,6 +284,36 @@ fn alone(column: &str, points: Vec<(f64, f64)>) -> Series {
 }
 
 impl FigureData {
+    /// A figure of spectra against wavevectors that leaves these holes open.
+    #[must_use]
+    pub fn with_holes(self, holes: &[Hole]) -> Self {
+        let wavevector = |wavelength_m: f64| std::f64::consts::TAU / wavelength_m;
+        let gaps =
+            holes.iter().map(|hole| (wavevector(hole.longest_m), wavevector(hole.shortest_m))).collect();
+        FigureData { gaps, ..self }
+    }
+
+    /// The points of a line in pieces, none of which crosses a gap. Points inside a gap are interpolated and left out.
+    #[must_use]
+    pub fn pieces(&self, series: &Series) -> Vec<Vec<(f64, f64)>> {
+        // An abscissa at the end of a gap was measured, whatever the rounding.
+        let is_inside = |x: f64| self.gaps.iter().any(|(a, b)| x > a * (1.0 + 1e-9) && x < b * (1.0 - 1e-9));
+        let crosses = |x: f64, y: f64| {
+            let (from, to) = (x.min(y) * (1.0 - 1e-9), x.max(y) * (1.0 + 1e-9));
+            self.gaps.iter().any(|(a, b)| from <= *a && to >= *b)
+        };
+        let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+        for point in series.points.iter().filter(|(x, _)| !is_inside(*x)) {
+            match pieces.last_mut() {
+                Some(piece) if !piece.last().is_some_and(|last| crosses(last.0, point.0)) => {
+                    piece.push(*point)
+                }
+                _ => pieces.push(vec![*point]),
+            }
+        }
+        pieces
+    }
+
     /// Whether its lines belong to several curves.
     pub fn compares_curves(&self) -> bool {
         self.series.iter().any(|series| series.dash > 0)
@@ -298,6 +351,18 @@ mod tests {
     use tables::Cells;
 
     #[test]
+    fn f_a_2_no_line_crosses_a_hole() {
+        let points = vec![(1.0, 0.1), (2.0, 0.2), (4.0, 0.3), (8.0, 0.4), (9.0, 0.5)];
+        let tau = std::f64::consts::TAU;
+        let hole = Hole { longest_m: tau / 2.0, shortest_m: tau / 8.0 };
+        let figure = psd_figure("f", vec![alone("c1d_m3", points.clone())]).with_holes(&[hole]);
+        let pieces = figure.pieces(&figure.series[0]);
+        assert_eq!(pieces, [vec![(1.0, 0.1), (2.0, 0.2)], vec![(8.0, 0.4), (9.0, 0.5)]]);
+        let whole = psd_figure("f", vec![alone("c1d_m3", points.clone())]);
+        assert_eq!(whole.pieces(&whole.series[0]), [points]);
+    }
+
+    #[test]
     fn lines_of_different_abscissas_share_a_table() {
         let figure = FigureData {
             name: "f".to_owned(),
@@ -310,6 +375,7 @@ mod tests {
                 alone("a", vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
                 alone("b", vec![(2.0, 0.5), (0.5, 0.4)]),
             ],
+            gaps: Vec::new(),
         };
         let table = figure.table();
         let column = |name: &str| match table.column(name) {

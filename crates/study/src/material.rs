@@ -14,6 +14,8 @@ const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 pub struct Material {
     /// The rough body and its counterface.
     pub pair: MaterialPair,
+    /// The counterface, where it is not rigid.
+    counterface: Option<ElasticBody>,
     /// The strength S0; not needed by elastic models.
     yield_strength: Option<Pressure>,
     /// The cap of its growth.
@@ -112,6 +114,7 @@ impl Material {
         };
         Material {
             pair,
+            counterface: given.counterface,
             yield_strength: given.yield_strength,
             strength_cap: given.strength_cap,
             strain_gradient_length_m: given.strain_gradient_length_m,
@@ -149,13 +152,21 @@ impl Material {
         let mut properties = vec![
             ("Young’s modulus E", pressure(body.youngs_modulus_pa())),
             ("Poisson’s ratio ν", number(body.poisson_ratio())),
-            ("composite modulus E*, with the counterface", pressure(self.pair.composite_modulus_pa())),
         ];
+        match self.counterface {
+            Some(counterface) => properties.extend([
+                ("Young’s modulus of the counterface", pressure(counterface.youngs_modulus_pa())),
+                ("Poisson’s ratio of the counterface", number(counterface.poisson_ratio())),
+            ]),
+            None => properties.push(("counterface", "rigid".to_owned())),
+        }
+        properties
+            .push(("composite modulus E*, with the counterface", pressure(self.pair.composite_modulus_pa())));
         let strength_pa = self.yield_strength.and_then(|strength| strength.pascals(None));
         let cap_pa = self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()));
         properties.extend(strength_pa.map(|strength_pa| ("yield strength S₀", pressure(strength_pa))));
         properties.extend(self.hardness_pa().map(|hardness_pa| ("hardness H = 3 S₀", pressure(hardness_pa))));
-        properties.extend(cap_pa.map(|cap_pa| ("cap of the strength", pressure(cap_pa))));
+        properties.extend(cap_pa.map(|cap_pa| ("upper limit of the yield strength", pressure(cap_pa))));
         properties.extend(
             self.strain_gradient_length_m.map(|length_m| ("strain-gradient length h*", length(length_m))),
         );

@@ -1,4 +1,4 @@
-//! What rests on what: how much each open choice moves the areas that a scene ends in.
+//! Sensitivity to modelling choices: how much each open choice moves the areas that a scene ends in.
 
 use std::num::NonZeroU32;
 
@@ -7,6 +7,7 @@ use parallel::Unobserved;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 
+use crate::choices_in_words;
 use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
 use crate::scene::Scene;
 use tables::Table;
@@ -22,6 +23,8 @@ pub struct Sensitivity {
     pub choice: &'static str,
     /// The other way, e.g. `as-printed`.
     pub setting: String,
+    /// The same for people, e.g. `1, as printed in Eq. (1) of Jackson & Jacobs`.
+    pub setting_in_words: String,
     /// The areas that depend on it.
     pub rows: Vec<Moved>,
 }
@@ -106,8 +109,9 @@ pub fn counted_sensitivities(
             let found = FinalAreas::new(models, &found.curves);
             varied.rows(scene, &own, |model, load| found.of(model, load))
         };
-        let (choice, setting) = (varied.variation.choice(), varied.variation.setting());
-        sensitivities.push(Sensitivity { choice, setting, rows });
+        let variation = varied.variation;
+        let (choice, setting) = (variation.choice(), variation.setting());
+        sensitivities.push(Sensitivity { choice, setting, setting_in_words: variation.in_words(), rows });
     }
     Ok((sensitivities, work))
 }
@@ -228,6 +232,16 @@ impl Variation {
             Variation::Interference(interference) => interference.to_string(),
             Variation::StrengthCap(None) => "none".to_owned(),
             Variation::StrengthCap(Some(cap_pa)) => format!("E/10 = {}", pressure(*cap_pa)),
+        }
+    }
+
+    fn in_words(&self) -> String {
+        match self {
+            Variation::Normalisation(choice) => choices_in_words::normalisation(*choice).to_owned(),
+            Variation::Amplitude(choice) => choices_in_words::amplitude(*choice).to_owned(),
+            Variation::Hardness(choice) => choices_in_words::hardness(*choice).to_owned(),
+            Variation::Interference(choice) => choices_in_words::interference(*choice).to_owned(),
+            Variation::ScalesPerDecade(_) | Variation::StrengthCap(_) => self.setting(),
         }
     }
 

@@ -2,11 +2,14 @@
 
 use std::io;
 
-use spectrum::{ConversionError, ProfilePsd, PsdFile, ReadError, ReadOptions, read_psd, superpose};
-use units::display::length;
+use scans::ScanFormat;
+use sha2::{Digest, Sha256};
+use spectrum::{ConversionError, Hole, ProfilePsd, PsdFile, ReadError, ReadOptions, read_psd, superpose};
+use topography::Recipe;
 
 use crate::files::Files;
-use crate::topography::{CompositeSpectrum, Recipe, ScanRequest, TopographyError};
+use crate::note::Note;
+use crate::topography::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
 
 /// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
 /// and licence stand in their comments.
@@ -15,9 +18,8 @@ pub const BUILTIN: [(&str, &str); 2] = [
     ("builtin:uncd-reconstructed", include_str!("../../../data/uncd_psd_reconstructed.csv")),
 ];
 
-/// What is said wherever the second of them is used.
-const RECONSTRUCTION: (&str, &str) =
-    ("builtin:uncd-reconstructed", "this spectrum is a reconstruction, not the published one");
+/// The one of them that is a reconstruction.
+const RECONSTRUCTION: &str = "builtin:uncd-reconstructed";
 
 /// Why there is no spectrum to work with.
 #[derive(Debug, thiserror::Error)]
@@ -45,6 +47,14 @@ pub enum SurfaceError {
         /// Why.
         error: ReadError,
     },
+    /// The file holds heights.
+    #[error("{name}: this is a scan ({format}), not its spectrum")]
+    Scan {
+        /// The file.
+        name: String,
+        /// The format of the scan.
+        format: ScanFormat,
+    },
     /// The spectrum is of a convention that cannot become that of a profile.
     #[error("{name}: {error}")]
     Conversion {
@@ -58,6 +68,15 @@ pub enum SurfaceError {
     Scans(#[from] TopographyError),
 }
 
+/// A file that a surface was read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Its name, as given.
+    pub name: String,
+    /// The SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
+}
+
 /// A spectrum ready to be worked with.
 #[derive(Debug, Clone)]
 pub struct Surface {
@@ -67,10 +86,14 @@ pub struct Surface {
     pub psd: ProfilePsd,
     /// The comment lines of the file: origin, licence, what it is.
     pub remarks: Vec<String>,
-    /// What reading took for granted.
-    pub notes: Vec<String>,
+    /// What reading took for granted, and what is doubtful.
+    pub notes: Vec<Note>,
     /// The scans it is the composite of, where it is not given as a spectrum.
-    pub made_from: Option<CompositeSpectrum>,
+    pub made_from: Option<CompositeOfFiles>,
+    /// See [`Surface::holes`].
+    holes: Vec<Hole>,
+    /// The files that it was read from; those of scans are told in the remarks.
+    pub sources: Vec<SourceFile>,
 }
 
 impl Surface {
@@ -88,13 +111,28 @@ impl Surface {
         } else {
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
         };
-        let PsdFile { psd, comments, mut notes } = read_psd(&bytes[..], options)
-            .map_err(|error| SurfaceError::Spectrum { name: name.to_owned(), error })?;
+        let PsdFile { psd, comments, notes } =
+            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of_binary(&bytes) {
+                Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
+                None => SurfaceError::Spectrum { name: name.to_owned(), error },
+            })?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.to_owned(), error })?;
-        if name == RECONSTRUCTION.0 {
-            notes.push(RECONSTRUCTION.1.to_owned());
+        let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
+        if name == RECONSTRUCTION {
+            notes.push(Note::Reconstruction);
         }
-        Ok(Surface { name: name.to_owned(), psd, remarks: comments, notes, made_from: None })
+        let holes = psd.holes();
+        notes.extend((!holes.is_empty()).then(|| Note::Holes(holes.clone())));
+        let source = SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) };
+        Ok(Surface {
+            name: name.to_owned(),
+            psd,
+            remarks: comments,
+            notes,
+            made_from: None,
+            sources: vec![source],
+            holes,
+        })
     }
 
     /// The composite spectrum of scans.
@@ -106,45 +144,63 @@ impl Surface {
         files: &dyn Files,
         recipe: &Recipe,
     ) -> Result<Self, SurfaceError> {
-        let scans = CompositeSpectrum::of_files(requests, files, recipe)?;
+        let scans = CompositeOfFiles::read(requests, files, recipe)?;
         let names: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();
         let name = names.join(" + ");
-        let psd = scans.psd()?;
+        let psd = scans
+            .spectrum
+            .psd()
+            .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
-        Ok(Surface { name, psd, remarks: scans.provenance(), notes: scans.notes(), made_from: Some(scans) })
+        let notes = scans.spectrum.remarks().into_iter().map(Note::Scans).collect();
+        let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());
+        Ok(Surface { name, psd, remarks, notes, made_from: Some(scans), sources: Vec::new(), holes })
+    }
+
+    /// Wavelengths that were not measured, from long to short: where neighbouring samples of the spectrum are a factor of
+    /// [`spectrum::HOLE_FACTOR`] or more apart; of two surfaces, those of either.
+    #[must_use]
+    pub fn holes(&self) -> &[Hole] {
+        &self.holes
     }
 
     /// The sum of two surfaces that know nothing of each other: their spectra add where both have one, and elsewhere the
     /// one that does stands alone.
     pub fn against(self, other: Surface) -> Self {
         let sum = superpose(&self.psd, &other.psd);
-        let shared = match sum.shared_m {
-            Some([longest_m, shortest_m]) => format!(
-                "both surfaces have a spectrum from {} to {}, where the two add; elsewhere one stands alone",
-                length(longest_m),
-                length(shortest_m)
-            ),
-            None => "the two spectra share no wavelength: each stands alone on its own".to_owned(),
+        let mut holes = [self.holes.clone(), other.holes.clone(), sum.psd.holes()].concat();
+        holes.sort_by(|a, b| b.longest_m.total_cmp(&a.longest_m));
+        holes.dedup();
+        let mut notes: Vec<Note> = [&self, &other].into_iter().flat_map(Surface::named_notes).collect();
+        let apart: Vec<Hole> =
+            sum.psd.holes().into_iter().filter(|hole| !self.has(hole) && !other.has(hole)).collect();
+        notes.extend((!apart.is_empty()).then_some(Note::Holes(apart)));
+        notes.push(Note::Superposition { shared_m: sum.shared_m });
+        let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
+        let name = format!("{} against {}", self.name, other.name);
+        let sources = [self.sources, other.sources].concat();
+        Surface { name, psd: sum.psd, remarks, notes, made_from: None, sources, holes }
+    }
+
+    fn has(&self, hole: &Hole) -> bool {
+        self.holes.contains(hole)
+    }
+
+    /// Its notes with its name. What is said of scans has their names already.
+    fn named_notes(&self) -> Vec<Note> {
+        let named = |note: &Note| match note {
+            Note::Scans(_) => note.clone(),
+            _ => Note::OfSurface { name: self.name.clone(), note: Box::new(note.clone()) },
         };
-        let of_each = |what: fn(&Surface) -> &Vec<String>| -> Vec<String> {
-            // What is said of scans begins with their names.
-            let prefixed = |surface: &Surface| -> Vec<String> {
-                let named = |line: &String| match surface.made_from {
-                    Some(_) => line.clone(),
-                    None => format!("{}: {line}", surface.name),
-                };
-                what(surface).iter().map(named).collect()
-            };
-            [prefixed(&self), prefixed(&other)].concat()
+        self.notes.iter().map(named).collect()
+    }
+
+    /// Its remarks with its name, but for those that name scans.
+    fn named_remarks(&self) -> Vec<String> {
+        let named = |line: &String| match self.made_from {
+            Some(_) => line.clone(),
+            None => format!("{}: {line}", self.name),
         };
-        let mut notes = of_each(|surface| &surface.notes);
-        notes.push(shared);
-        Surface {
-            name: format!("{} against {}", self.name, other.name),
-            psd: sum.psd,
-            remarks: of_each(|surface| &surface.remarks),
-            notes,
-            made_from: None,
-        }
+        self.remarks.iter().map(named).collect()
     }
 }

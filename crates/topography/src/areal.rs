@@ -6,9 +6,9 @@ use std::sync::Arc;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
-use crate::Preparation;
 use crate::detrend::Trend;
 use crate::lines::{BLOCK_ROWS, RowTransform, rows_of_block};
+use crate::preparation::Preparation;
 use crate::radial::{ArealSpectrum, RadialBin};
 use crate::sums::Spread;
 use scans::HeightMap;
@@ -16,14 +16,14 @@ use scans::HeightMap;
 /// Columns transformed together: a line of the cache for each row, and the block stays in the cache.
 const BLOCK_COLUMNS: usize = 16;
 
-/// The two-dimensional spectrum of a map, averaged over directions.
+/// The two-dimensional spectrum of a map, averaged over directions; with the feature `parallel` on all threads.
 ///
 /// Takes as much memory as the map in addition to it.
 pub fn areal_spectrum(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
     let transform = ArealTransform::new(map, preparation);
-    let rows: Vec<ArealRows> = (0..transform.row_blocks()).map(|block| transform.rows(block)).collect();
+    let rows: Vec<ArealRows> = parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
     let sums: Vec<ArealSums> =
-        (0..transform.column_blocks()).map(|block| transform.columns(&rows, block)).collect();
+        parallel::map_indices(transform.column_blocks(), |block| transform.columns(&rows, block));
     transform.spectrum(&rows, &sums)
 }
 

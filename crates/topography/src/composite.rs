@@ -49,7 +49,8 @@ pub struct CompositeBin {
     pub c1d_m3: f64,
     /// How many measurements it is the mean of, at least 1.
     pub measurements: usize,
-    /// Standard error of the mean in m^3 from the scatter of the measurements; `None` for a single one.
+    /// Standard error of the mean in m^3 from the scatter of the measurements; `None` for a single one. The same data given
+    /// twice scatter like one measurement.
     pub standard_error_m3: Option<f64>,
 }
 
@@ -60,7 +61,7 @@ pub struct CompositeBin {
 /// [`LineSpectrum::profile`]: crate::LineSpectrum::profile
 ///
 /// # Errors
-/// [`TransformError::NoMeasurements`].
+/// [`TransformError::NoMeasurements`], [`TransformError::SingleBin`] where all samples share one.
 pub fn composite(
     measurements: &[ProfilePsd],
     options: &CompositeOptions,
@@ -68,22 +69,37 @@ pub fn composite(
     if measurements.is_empty() {
         return Err(TransformError::NoMeasurements);
     }
-    let mut gathered: BTreeMap<i64, (Vec<f64>, Vec<f64>)> = BTreeMap::new();
-    for measurement in measurements {
+    let mut gathered: BTreeMap<i64, Gathered> = BTreeMap::new();
+    for (at, measurement) in measurements.iter().enumerate() {
+        let is_repeated = measurements[..at].contains(measurement);
         for bin in log_bins(measurement, options.bins_per_decade, options.inside) {
-            let (wavelengths_m, values_m3) = gathered.entry(bin.index).or_default();
-            wavelengths_m.push(bin.wavelength_m);
-            values_m3.push(bin.c1d_m3);
+            let gathered = gathered.entry(bin.index).or_default();
+            gathered.wavelengths_m.push(bin.wavelength_m);
+            gathered.values_m3.push(bin.c1d_m3);
+            gathered.distinct_m3.extend((!is_repeated).then_some(bin.c1d_m3));
         }
     }
-    let bin = |(index, (wavelengths_m, values_m3)): (i64, (Vec<f64>, Vec<f64>))| CompositeBin {
+    let bin = |(index, gathered): (i64, Gathered)| CompositeBin {
         centre_m: centre_m(index, options.bins_per_decade),
-        wavelength_m: BinMean::Geometric.of(&wavelengths_m),
-        c1d_m3: options.across.of(&values_m3),
-        measurements: values_m3.len(),
-        standard_error_m3: options.across.standard_error(&values_m3),
+        wavelength_m: BinMean::Geometric.of(&gathered.wavelengths_m),
+        c1d_m3: options.across.of(&gathered.values_m3),
+        measurements: gathered.values_m3.len(),
+        standard_error_m3: options.across.standard_error(&gathered.distinct_m3),
     };
-    Ok(Composite { bins: gathered.into_iter().map(bin).collect() })
+    let bins: Vec<CompositeBin> = gathered.into_iter().map(bin).collect();
+    match bins[..] {
+        [CompositeBin { centre_m, .. }] => Err(TransformError::SingleBin { centre_m }),
+        _ => Ok(Composite { bins }),
+    }
+}
+
+/// What the measurements say of a bin.
+#[derive(Default)]
+struct Gathered {
+    wavelengths_m: Vec<f64>,
+    values_m3: Vec<f64>,
+    /// The values without those of measurements that repeat an earlier one.
+    distinct_m3: Vec<f64>,
 }
 
 impl Composite {

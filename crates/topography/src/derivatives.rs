@@ -1,20 +1,10 @@
 //! Slopes and curvatures from the heights themselves, to hold against those from the spectrum.
 
-use serde::Serialize;
-
 use crate::detrend::{Detrend, Trend};
 use crate::piecewise::fitted_slope;
+use crate::rms::RmsDerivatives;
 use crate::sums::{dot, sum_of};
 use scans::{NonuniformLineScan, Scan};
-
-/// Root mean square slope and curvature along scan lines.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct RmsDerivatives {
-    /// Root mean square slope.
-    pub slope: f64,
-    /// Root mean square second derivative in 1/m; `None` for a line of two points.
-    pub curvature_per_m: Option<f64>,
-}
 
 /// Whether the heights continue at the other end of the scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -49,6 +39,20 @@ pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary)
         }
         Scan::NonuniformLine(line) => of_uneven(line, detrend),
     }
+}
+
+/// The same across the rows of a map, as if it had been scanned along y; `None` for a line.
+///
+/// Drift from row to row and steps between them show here and not along the rows, so that the two may differ on an isotropic
+/// surface. [`Detrend::Line`] takes a straight line off each column.
+#[must_use]
+pub fn real_space_derivatives_across(
+    scan: &Scan,
+    detrend: Detrend,
+    boundary: Boundary,
+) -> Option<RmsDerivatives> {
+    let Scan::Map(map) = scan else { return None };
+    Some(real_space_derivatives(&Scan::Map(map.turned()), detrend, boundary))
 }
 
 fn of_rows(

@@ -2,13 +2,14 @@
 
 use spectrum::PsdError;
 use thiserror::Error;
+use units::display::length;
 
 /// A request no spectrum can be made from.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TransformError {
     /// A limit of the reliable band that is no finite length above 0.
-    #[error("limiting the band of a scan: the {what} is {value} m, it must be finite and above 0")]
+    #[error("limiting the band of a scan: the {what} is {}, it must be finite and above 0", length(*.value))]
     BadLimit {
         /// Which limit.
         what: &'static str,
@@ -17,9 +18,10 @@ pub enum TransformError {
     },
     /// No bin between the flagged ones and the shortest reliable wavelength.
     #[error(
-        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {shortest_m} m, the \
-         shortest reliable wavelength, and {longest_m} m, the longest; take a longer scan, or a smaller tip radius or \
-         limit"
+        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between {}, the \
+         shortest reliable wavelength, and {}, the longest; take a longer scan, or a smaller tip radius or \
+         limit",
+        length(*.shortest_m), length(*.longest_m)
     )]
     NothingReliable {
         /// Shortest reliable wavelength in m.
@@ -30,6 +32,30 @@ pub enum TransformError {
     /// Heights so large that their squares overflow.
     #[error("taking the reliable part of a spectrum: {0}")]
     Overflow(#[from] PsdError),
+    /// Heights so large that their variance overflows.
+    #[error("transforming heights: their variance is beyond the range of numbers; check their unit")]
+    BeyondNumbers,
+    /// Heights without roughness.
+    #[error(
+        "transforming heights: the scan is flat: after detrending its rms height is {rms_m:e} m, no more than the rounding \
+         of heights up to {largest_m:e} m; check the channel, and export it with more digits"
+    )]
+    Flat {
+        /// Root mean square of the detrended heights in m.
+        rms_m: f64,
+        /// The largest height as read in m.
+        largest_m: f64,
+    },
+    /// A composite of one bin, which is no spectrum yet.
+    #[error(
+        "averaging spectra: all samples lie in one bin about {}, there must be at least 2; take more bins per \
+         decade, or a longer scan, or a smaller tip radius or limit",
+        length(*.centre_m)
+    )]
+    SingleBin {
+        /// Wavelength in m of the centre of the bin.
+        centre_m: f64,
+    },
     /// A composite of nothing.
     #[error("averaging spectra: the number of measurements is 0, it must be at least 1")]
     NoMeasurements,

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use crate::band::ReliableBand;
-use crate::derivatives::RmsDerivatives;
 use crate::error::TransformError;
+use crate::rms::RmsDerivatives;
 use crate::sums::dot;
 use spectrum::ProfilePsd;
 

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
-use crate::Preparation;
 use crate::detrend::Trend;
 use crate::line::LineSpectrum;
+use crate::preparation::Preparation;
 use crate::sums::Spread;
 use scans::{HeightMap, UniformLineScan};
 
@@ -25,10 +25,10 @@ pub fn uniform_line_spectrum(scan: &UniformLineScan, preparation: Preparation) -
     LineSpectrum::of_even_spacing(scan.spacing_m(), heights_m.len(), 1, power_m2, variance_m2, flagged_bins)
 }
 
-/// The mean of the spectra C1D of the rows of a map, one row after the other.
+/// The mean of the spectra C1D of the rows of a map; with the feature `parallel` on all threads.
 pub fn map_line_spectrum(map: &HeightMap, preparation: Preparation) -> LineSpectrum {
     let lines = MapLines::new(map, preparation);
-    let sums: Vec<LineSums> = (0..lines.blocks()).map(|block| lines.block(block)).collect();
+    let sums: Vec<LineSums> = parallel::map_indices(lines.blocks(), |block| lines.block(block));
     lines.spectrum(&sums)
 }
 

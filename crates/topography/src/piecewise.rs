@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use rustfft::num_complex::Complex;
 
-use crate::Preparation;
 use crate::detrend::Detrend;
 use crate::line::LineSpectrum;
+use crate::preparation::Preparation;
 use crate::segment::{mean_over_unit, sinc_and_derivative};
 use crate::sums::sum_of;
 use crate::window::Window;

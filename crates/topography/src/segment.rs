@@ -1,5 +1,9 @@
 //! Integrals over one straight segment of a profile.
 
+use std::sync::LazyLock;
+
+use numerics::GaussLegendre;
+
 /// sin(a)/a and its derivative, for a >= 0, both to rounding.
 ///
 /// The transform of a segment of length s, mean height m and rise r about its middle is
@@ -21,32 +25,17 @@ pub(crate) fn sinc_and_derivative(a: f64) -> (f64, f64) {
     (sinc, -a / 3.0 * derivative)
 }
 
-/// Nodes and weights of Gauss and Legendre's rule of six points on 0..1.
-const NODES: [f64; 6] = [
-    0.033_765_242_898_423_99,
-    0.169_395_306_766_867_74,
-    0.380_690_406_958_401_55,
-    0.619_309_593_041_598_4,
-    0.830_604_693_233_132_3,
-    0.966_234_757_101_576,
-];
-const WEIGHTS: [f64; 6] = [
-    0.085_662_246_189_585_17,
-    0.180_380_786_524_069_3,
-    0.233_956_967_286_345_52,
-    0.233_956_967_286_345_52,
-    0.180_380_786_524_069_3,
-    0.085_662_246_189_585_17,
-];
+static SIX_POINTS: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(6));
 
 /// The mean of a function over 0..1 by parts of equal width: exact for polynomials up to the eleventh degree, and to
 /// rounding for products of quadratics with cos(2 theta) where a part spans at most half a radian of theta.
 pub(crate) fn mean_over_unit(parts: usize, function: impl Fn(f64) -> f64) -> f64 {
     let width = 1.0 / parts as f64;
     let part = |part: usize| -> f64 {
-        NODES.iter().zip(WEIGHTS).map(|(node, weight)| weight * function((part as f64 + node) * width)).sum()
+        let (from, to) = (part as f64 * width, (part as f64 + 1.0) * width);
+        SIX_POINTS.over(from, to).map(|(node, weight)| weight * function(node)).sum()
     };
-    width * (0..parts).map(part).sum::<f64>()
+    (0..parts).map(part).sum()
 }
 
 #[cfg(test)]

@@ -33,19 +33,11 @@ pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
     while passing_m > spacing_m {
         let next_m = (passing_m * 2f64.powf(-1.0 / STEPS_PER_OCTAVE)).max(spacing_m);
         if fails(next_m) {
-            return Some(2.0 * bisect(next_m, passing_m, fails));
+            return Some(2.0 * numerics::bisect(next_m, passing_m, TOLERANCE, |step_m| !fails(step_m)));
         }
         passing_m = next_m;
     }
     None
-}
-
-fn bisect(mut failing_m: f64, mut passing_m: f64, fails: impl Fn(f64) -> bool) -> f64 {
-    while passing_m - failing_m > TOLERANCE * passing_m {
-        let middle_m = 0.5 * (failing_m + passing_m);
-        if fails(middle_m) { failing_m = middle_m } else { passing_m = middle_m }
-    }
-    passing_m
 }
 
 enum Lines<'a> {

@@ -11,7 +11,7 @@ use scans::{HeightMap, Scan, UniformLineScan};
 use topography::{
     BandLimits, BinMean, Boundary, DerivativeOf, Detrend, MapLines, Preparation, ReliableBand,
     TransformError, Window, fundamental_kept, line_spectrum, log_binned, map_line_spectrum,
-    real_space_derivatives, uniform_line_spectrum,
+    real_space_derivatives, real_space_derivatives_across, uniform_line_spectrum,
 };
 use transform_support::{Random, periodic_profile_m, self_affine_c1d_m3};
 
@@ -211,6 +211,26 @@ fn a_flat_surface_has_no_spectrum() {
     assert_eq!((spectrum.variance_m2(), spectrum.parseval_share()), (0.0, 1.0));
     let band = ReliableBand::of(&scan, BandLimits::default()).unwrap();
     assert!(matches!(spectrum.profile(&band), Err(TransformError::NothingReliable { .. })));
+}
+
+#[test]
+fn slopes_across_a_map_are_those_of_the_map_turned() {
+    // h = 3 x + 0.1 cos along y: after the plane is gone, nothing is left along x.
+    let (columns, rows) = (8, 64);
+    let wave_m = |row: usize| 0.1e-9 * (std::f64::consts::TAU * row as f64 / 16.0).cos();
+    let heights_m =
+        (0..rows).flat_map(|row| (0..columns).map(move |x| 3e-9 * x as f64 + wave_m(row))).collect();
+    let map = HeightMap::new(columns, 1e-9, 2e-9, heights_m).unwrap();
+    let scan = Scan::Map(map.clone());
+    let across = real_space_derivatives_across(&scan, Detrend::Plane, Boundary::Periodic).unwrap();
+    let along = real_space_derivatives(&scan, Detrend::Plane, Boundary::Open);
+    // (2 sin(pi/16)/a) a_0/sqrt(2)
+    let slope = 2.0 * (std::f64::consts::PI / 16.0).sin() / 2e-9 * 0.1e-9 / 2f64.sqrt();
+    assert!(along.slope < 1e-12 && (across.slope / slope - 1.0).abs() < 1e-2, "{along:?} {across:?}");
+    assert_eq!(map.turned().turned(), map);
+    assert_eq!((map.turned().columns(), map.turned().spacing_x_m()), (rows, 2e-9));
+    let line = Scan::UniformLine(UniformLineScan::new(1e-9, vec![0.0, 1.0]).unwrap());
+    assert_eq!(real_space_derivatives_across(&line, Detrend::Mean, Boundary::Open), None);
 }
 
 proptest! {

@@ -12,15 +12,30 @@ pub fn pressure(pressure_pa: f64) -> String {
     with_prefix(pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
 }
 
+/// What is zero, or no finite number, has the plain unit.
 fn with_prefix(value: f64, units: &[(&str, i32)]) -> String {
-    let fits = |(_, power): &&(&str, i32)| value >= 0.9995 * 10f64.powi(*power);
+    let has_size = value.is_finite() && value != 0.0;
+    let fits = |(_, power): &&(&str, i32)| match has_size {
+        true => value.abs() >= 0.9995 * 10f64.powi(*power),
+        false => *power == 0,
+    };
     let (unit, power) = units.iter().find(fits).unwrap_or(&units[units.len() - 1]);
     format!("{} {unit}", three_digits(value / 10f64.powi(*power)))
 }
 
-/// Three significant digits, with an exponent outside 1e-3 to 1e4.
+/// A number of things, e.g. `1 scale`, `2 scales`; `thing` takes an s.
+#[must_use]
+pub fn counted(number: usize, thing: &str) -> String {
+    let s = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{s}")
+}
+
+/// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
     if !(1e-3..1e4).contains(&value.abs()) {
         return format!("{value:.2e}");
     }
@@ -88,6 +103,14 @@ mod tests {
         assert_eq!(pressure(5.4e6), "5.4 MPa");
         assert_eq!(pressure(1.234e-5), "1.23e-5 Pa");
         assert_eq!(three_digits(123456.0), "1.23e5");
+        assert_eq!(length(0.000008226666666666667), "8.23 µm");
+        assert_eq!([length(0.0), length(-2e-9), length(f64::NAN)], ["0 m", "-2 nm", "NaN m"]);
+        assert_eq!([pressure(0.0), three_digits(0.0)], ["0 Pa", "0"]);
+    }
+
+    #[test]
+    fn one_thing_is_no_things() {
+        assert_eq!([0, 1, 2].map(|number| counted(number, "bin")), ["0 bins", "1 bin", "2 bins"]);
     }
 
     #[test]

@@ -40,7 +40,7 @@ impl LengthUnit {
     /// The nanometre.
     pub const NANOMETRE: Self = Self::decimal(-9, "nm", "nm", &[], &["nanometer", "nanometre"]);
     /// The angstrom, with the letter or the sign of its own.
-    pub const ANGSTROM: Self = Self::decimal(-10, "\u{c5}", "angstrom", &["\u{212b}"], &["ångström"]);
+    pub const ANGSTROM: Self = Self::decimal(-10, "\u{c5}", "angstrom", &["\u{212b}"], &["ångström", "å"]);
     /// The picometre.
     pub const PICOMETRE: Self = Self::decimal(-12, "pm", "pm", &[], &["picometer", "picometre"]);
     /// The kilometre.

@@ -110,6 +110,7 @@ fn picture(
         x_label: x_label.to_owned(),
         y_label,
         series,
+        gaps: Vec::new(),
     };
     let provenance = ["drawn by `cargo xtask docs` from the laws of the program; do not edit".to_owned()];
     Picture { name, svg: plot::svg(&figure, subject, &provenance) }

@@ -9,12 +9,12 @@ use clap_mangen::roff::{Roff, roman};
 use super::Context;
 use crate::args::{Args, ManArgs};
 use crate::failure::Failure;
-use crate::output::stage;
+use crate::output::{make_folder, publish, stage};
 use staging::StagedFiles;
 
 pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> {
-    std::fs::create_dir_all(&args.out)
-        .map_err(|error| Failure::writing(&args.out.display().to_string(), &error))?;
+    context.targets(None)?;
+    make_folder("--out", &args.out)?;
     let mut program = Args::command().disable_help_subcommand(true);
     program.build();
     let mut files = StagedFiles::default();
@@ -24,7 +24,7 @@ pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> 
         stage(&mut files, &args.out.join(page.man.get_filename()), |out| page.write(out))?;
         names.push(page.man.get_filename());
     }
-    files.publish()?;
+    publish(files)?;
     let said = format!("{} pages in {}: {}\n", names.len(), args.out.display(), names.join(", "));
     context.shared.output.write(|out| out.write_all(said.as_bytes()))
 }

@@ -13,34 +13,46 @@ mod statistical;
 use std::time::{Duration, Instant};
 
 use asperity::ElasticBody;
-use spectrum::ReadOptions;
+use spectrum::{ProfilePsd, ReadOptions};
+use staging::StagedFiles;
 
-use crate::args::{Args, Command, MaterialArgs, ReadingArgs, SharedArgs};
+use crate::args::{Args, Command, CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Place, Stopped};
+use crate::interruption;
+use crate::output::{Place, Stopped, publish, stage};
+use crate::picture::Picture;
 use crate::progress::Progress;
 use crate::stderr::say;
+use crate::targets::Targets;
 use crate::timings::Timings;
 use report::summary::CurveCounts;
+use report::{plot, scan_words};
+use study::figure::{Figure, FigureData, Shows};
 use study::material::{GivenMaterial, Material};
-use study::plan::{Load, Needs, Plan, PlanError, Results, Sampling, Stream};
+use study::plan::{Load, Needs, Part, Plan, PlanError, Results, Sampling};
 use study::provenance::provenance;
 use study::result_tables;
-use study::scene::Overrides;
-use study::surface::Surface;
-use tables::{Table, TableWriter};
+use study::surface::{Surface, SurfaceError};
+use tables::{Format, Table, TableWriter};
+use topography::Severity;
 use units::PressureRange;
+use units::display::length;
 use units::number;
 use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
     let context = Context { shared: args.shared, typed };
+    if context.shared.provenance && context.shared.format == Format::Json {
+        return Err(Failure::input(
+            "--provenance writes comment lines, which JSON does not have; leave it out, or take --format csv",
+        ));
+    }
     match args.command {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
-        Command::Moments(psd) => spectrum_tables::moments(&psd, &context),
-        Command::Amplitude(psd) => spectrum_tables::amplitude(&psd, &context),
+        Command::Moments(args) => spectrum_tables::moments(&args, &context),
+        Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
         Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
@@ -49,6 +61,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),
         Command::Scene { template } => {
+            context.targets(None)?;
             context.shared.output.write(|out| out.write_all(template.text().as_bytes()))
         }
     }
@@ -61,116 +74,156 @@ struct Context<'a> {
 }
 
 impl Context<'_> {
-    fn sampling(&self) -> Sampling {
-        Sampling {
-            scales_per_decade: self.shared.scales_per_decade,
-            cutoff_m: self.shared.cutoff.map(|cutoff| cutoff.m),
-        }
-    }
-
-    fn counterface(&self) -> Result<Option<ElasticBody>, Failure> {
-        let (Some(modulus), Some(ratio)) =
-            (self.shared.counterface_youngs_modulus, self.shared.counterface_poisson_ratio)
-        else {
-            return Ok(None);
-        };
-        elastic_body(modulus, "--counterface-poisson-ratio", ratio).map(Some)
-    }
-
-    fn overrides(&self) -> Result<Overrides, Failure> {
-        Ok(Overrides {
-            normalisation: self.shared.normalisation,
-            amplitude: self.shared.amplitude,
-            scales_per_decade: self.shared.scales_per_decade,
-            hardness: self.shared.hardness,
-            strength_cap: self.shared.strength_cap,
-            cutoff: self.shared.cutoff,
-            counterface: self.counterface()?,
-        })
-    }
-
     /// Reads the spectrum, computes what is needed of it, and writes the table made from that.
     fn spectrum_to_table(
         &self,
-        psd: &str,
-        reading: &ReadingArgs,
+        spectrum: &Spectrum<'_>,
         needs: Needs,
-        table: impl FnOnce(&Results, &Needs) -> Table,
+        table: impl FnOnce(&Results) -> Table,
         notes: impl FnOnce(&Results) -> Vec<String>,
     ) -> Result<(), Failure> {
         let mut timings = Timings::start();
-        let surface = load(psd, reading)?;
+        let surface = self.load(spectrum)?;
         timings.lap("reading");
-        let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
-        let results = compute(&plan).map_err(Failure::input)?;
+        let plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
+        let results = compute(&plan)?;
         timings.lap("computing");
-        say_notes(surface.notes.iter().cloned().chain(notes(&results)));
-        self.write(&table(&results, &plan.needs), &provenance(self.typed, &surface, plan.sampling))?;
+        say_surface(&surface);
+        say_notes(notes(&results));
+        let comments = provenance(self.typed, &surface, plan.sampling);
+        let mut files = StagedFiles::default();
+        if let Some(figure) = &spectrum.figure {
+            let data = figure.of.data(&results, &plan.needs, figure.hardness_pa);
+            self.stage_picture(&mut files, figure.picture, &data, &surface.name, &comments)?;
+        }
+        self.stage_blocks(&mut files, &self.shared.output, self.wanted(&comments), |out| {
+            Ok(out.block(&table(&results))?)
+        })?;
+        publish(files)?;
         timings.lap("writing");
         timings.report(self.shared.timings);
         Ok(())
     }
 
-    /// Reads the spectrum, and writes the one curve that is needed of it part by part as it is computed; `first_note` is
-    /// said before all that is found.
+    /// Reads the spectrum, and writes the one curve that is needed of it part by part as it is computed, or at once where it
+    /// is drawn as well; `first_note` is said before all that is found.
     fn curve_to_table(
         &self,
-        psd: &str,
-        reading: &ReadingArgs,
+        spectrum: &Spectrum<'_>,
         needs: Needs,
         details: bool,
-        first_note: impl FnOnce(&Stream<'_>) -> String,
+        first_note: impl FnOnce(&ProfilePsd) -> String,
     ) -> Result<(), Failure> {
         let mut timings = Timings::start();
-        let surface = load(psd, reading)?;
+        let surface = self.load(spectrum)?;
         timings.lap("reading");
-        let plan = Plan { psd: &surface.psd, sampling: self.sampling(), needs };
-        let stream = plan.stream().map_err(Failure::input)?;
-        say_notes(surface.notes.iter().cloned().chain([first_note(&stream)]));
+        let plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
+        let stream = plan.stream()?;
+        say_surface(&surface);
+        say_notes([first_note(stream.psd())]);
+        let comments = provenance(self.typed, &surface, plan.sampling);
+        let mut files = StagedFiles::default();
+        let mut drawn = None;
+        if let Some(figure) = &spectrum.figure {
+            let results = compute(&plan)?;
+            let data = figure.of.data(&results, &plan.needs, figure.hardness_pa);
+            self.stage_picture(&mut files, figure.picture, &data, &surface.name, &comments)?;
+            drawn = Some(results);
+        }
         let loads = &plan.needs.loads;
         let mut counts = CurveCounts::default();
         let mut writing = Duration::ZERO;
-        let comments = provenance(self.typed, &surface, plan.sampling);
-        self.write_blocks(&self.shared.output, &comments, |out| {
-            for curve in &plan.needs.curves {
-                let progress = Progress::towards(stream.rows(curve));
-                stream.parts(curve, &progress, |part| {
-                    counts.add(&part.rows);
-                    let of_part = &loads[part.first_block.min(loads.len())..];
-                    let begun = Instant::now();
-                    out.block(&result_tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
-                    writing += begun.elapsed();
-                    Ok::<(), Stopped>(())
-                })?;
+        self.stage_blocks(&mut files, &self.shared.output, self.wanted(&comments), |out| {
+            let mut write = |part: Part| {
+                counts.add(&part.rows);
+                let of_part = &loads[part.first_block.min(loads.len())..];
+                let begun = Instant::now();
+                out.block(&result_tables::part_of_curve(&part.rows, of_part, loads.len() > 1, details))?;
+                writing += begun.elapsed();
+                if interruption::is_asked_for() { Err(Failure::Interrupted.into()) } else { Ok(()) }
+            };
+            match drawn {
+                Some(results) => {
+                    results.curves.into_iter().try_for_each(|rows| write(Part { first_block: 0, rows }))?;
+                }
+                None => {
+                    for curve in &plan.needs.curves {
+                        let progress = Progress::towards(stream.rows(curve));
+                        stream.parts::<Stopped>(curve, &progress, &mut write)?;
+                    }
+                }
             }
             say_notes(counts.notes());
             Ok(())
         })?;
+        publish(files)?;
         timings.lap_with("computing", "writing", writing);
         timings.report(self.shared.timings);
         Ok(())
     }
 
-    fn write(&self, table: &Table, comments: &[String]) -> Result<(), Failure> {
-        self.write_to(&self.shared.output, table, comments)
+    fn load(&self, spectrum: &Spectrum<'_>) -> Result<Surface, Failure> {
+        let reading = spectrum.reading;
+        let options = ReadOptions {
+            column: reading.column.clone(),
+            x: reading.x,
+            convention: reading.convention,
+            series: reading.series.clone(),
+            subject: reading.subject.clone(),
+            x_unit: reading.x_unit.clone(),
+            psd_unit: reading.psd_unit.clone(),
+        };
+        let targets = self.targets(spectrum.figure.as_ref().map(|figure| figure.picture))?;
+        let surface =
+            Surface::load(spectrum.psd, &Folder::current(targets), &options).map_err(
+                |error| match error {
+                    SurfaceError::Scan { ref name, .. } => {
+                        Failure::Input(format!("{error}; use `truearea psd {name}`"))
+                    }
+                    error => Failure::input(error),
+                },
+            )?;
+        refuse_idle_cutoff(spectrum.sampling.cutoff_m, &surface)?;
+        Ok(surface)
     }
 
-    fn write_to(&self, output: &Place, table: &Table, comments: &[String]) -> Result<(), Failure> {
-        self.write_blocks(output, comments, |out| Ok(out.block(table)?))
+    /// The files that results go to.
+    fn targets(&self, picture: Option<&Picture>) -> Result<Targets, Failure> {
+        let targets = Targets::default().with("--output", &self.shared.output)?;
+        match picture {
+            Some(picture) => targets.with_file("--figure", &picture.path),
+            None => Ok(targets),
+        }
     }
 
-    /// Writes a table block by block; what is written to a file carries its provenance, stdout carries the table alone.
-    fn write_blocks(
+    fn stage_picture(
         &self,
+        files: &mut StagedFiles,
+        picture: &Picture,
+        figure: &FigureData,
+        subject: &str,
+        comments: &[String],
+    ) -> Result<(), Failure> {
+        let bytes = picture
+            .bytes(plot::svg(figure, subject, comments))
+            .map_err(|error| Failure::System(error.to_string()))?;
+        stage(files, &picture.path, |out| out.write_all(&bytes))
+    }
+
+    /// Lines that tell where a table comes from, if they are asked for.
+    fn wanted<'c>(&self, provenance: &'c [String]) -> &'c [String] {
+        if self.shared.provenance { provenance } else { &[] }
+    }
+
+    /// Writes a table block by block, comment lines first.
+    fn stage_blocks(
+        &self,
+        files: &mut StagedFiles,
         output: &Place,
         comments: &[String],
         write: impl FnOnce(&mut TableWriter<'_>) -> Result<(), Stopped>,
     ) -> Result<(), Failure> {
-        let comments = match output {
-            Place::Standard => &[],
-            Place::File(_) => comments,
-        };
-        output.write(|out| {
+        output.stage(files, |out| {
             let mut writer = TableWriter::begin(self.shared.format, comments, out)?;
             write(&mut writer)?;
             let unrepresentable = writer.end()?;
@@ -184,38 +237,101 @@ impl Context<'_> {
     }
 }
 
+/// A spectrum as a command is given it, and what is drawn of its results.
+struct Spectrum<'a> {
+    psd: &'a str,
+    reading: &'a ReadingArgs,
+    sampling: Sampling,
+    figure: Option<Drawn<'a>>,
+}
+
+/// A figure of results, and the file that it goes to.
+struct Drawn<'a> {
+    of: Figure,
+    picture: &'a Picture,
+    hardness_pa: Option<f64>,
+}
+
+impl<'a> Drawn<'a> {
+    /// More lines than these nobody tells apart.
+    const MOST_LINES: usize = 24;
+
+    /// Moments or amplitudes against wavelength.
+    fn against_wavelength(shows: Shows, figure: &'a FigureArg) -> Option<Self> {
+        let of = Figure { shows, ..Figure::area_of_all(Vec::new()) };
+        figure.figure.as_ref().map(|picture| Drawn { of, picture, hardness_pa: None })
+    }
+
+    /// The area of the one curve against cutoff, a line for each load and separation.
+    fn area(figure: &'a FigureArg, needs: &Needs, hardness_pa: Option<f64>) -> Result<Option<Self>, Failure> {
+        let Some(picture) = &figure.figure else { return Ok(None) };
+        let lines = needs.loads.len() + needs.separations_m.len();
+        if lines > Self::MOST_LINES {
+            return Err(Failure::Input(format!(
+                "--figure draws a line for each pressure and separation, and {lines} are given; give at most {}",
+                Self::MOST_LINES
+            )));
+        }
+        Ok(Some(Drawn { of: Figure::area_of_all(vec![0]), picture, hardness_pa }))
+    }
+}
+
 /// Carries a plan out, with a progress bar where it takes long.
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
     let progress = Progress::towards(plan.statistical_states());
     plan.compute_observed(&progress)
 }
 
-fn load(psd: &str, reading: &ReadingArgs) -> Result<Surface, Failure> {
-    let options = ReadOptions {
-        column: reading.column.clone(),
-        x: reading.x,
-        convention: reading.convention,
-        series: reading.series.clone(),
-        subject: reading.subject.clone(),
-        x_unit: reading.x_unit.clone(),
-        psd_unit: reading.psd_unit.clone(),
-    };
-    Surface::load(psd, &Folder::current(), &options).map_err(Failure::input)
+/// Refuses a cutoff below all data.
+fn refuse_idle_cutoff(cutoff_m: Option<f64>, surface: &Surface) -> Result<(), Failure> {
+    let shortest_m = surface.psd.shortest_wavelength_m();
+    match cutoff_m {
+        Some(cutoff_m) if cutoff_m < shortest_m => Err(Failure::Input(format!(
+            "--cutoff {} leaves nothing out: the shortest wavelength of {} is {}; leave it out, or choose a longer one",
+            length(cutoff_m),
+            surface.name,
+            length(shortest_m)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a limit of the strength where no strength grows.
+fn refuse_idle_strength_cap(given: &MaterialArgs, model: &str, yields: bool) -> Result<(), Failure> {
+    match (given.strength_cap.strength_cap, given.strain_gradient_length) {
+        (None, _) => Ok(()),
+        (Some(_), Some(_)) if yields => Ok(()),
+        (Some(_), None) if yields => Err(Failure::input(
+            "--strength-cap limits a strength that grows at small depths, and without --strain-gradient-length none does; \
+             leave it out, or give that length",
+        )),
+        (Some(_), _) => Err(Failure::Input(format!(
+            "--strength-cap has no bearing on --model {model}, which does not yield; leave it out"
+        ))),
+    }
 }
 
 /// The rough body and its counterface, as given on the command line.
-fn material(given: &MaterialArgs, context: &Context<'_>) -> Result<Material, Failure> {
+fn material(given: &MaterialArgs) -> Result<Material, Failure> {
     let missing = |flag: &str| Failure::Input(format!("{flag} is needed: every model is at least elastic"));
     let modulus = given.youngs_modulus.ok_or_else(|| missing("--youngs-modulus"))?;
     let poisson_ratio = given.poisson_ratio.ok_or_else(|| missing("--poisson-ratio"))?;
     let body = elastic_body(modulus, "--poisson-ratio", poisson_ratio)?;
     Ok(Material::new(GivenMaterial {
         body,
-        counterface: context.counterface()?,
+        counterface: counterface(&given.counterface)?,
         yield_strength: given.yield_strength,
-        strength_cap: context.shared.strength_cap,
+        strength_cap: given.strength_cap.strength_cap,
         strain_gradient_length_m: given.strain_gradient_length.map(|length| length.m),
     }))
+}
+
+fn counterface(given: &CounterfaceArgs) -> Result<Option<ElasticBody>, Failure> {
+    let (Some(modulus), Some(ratio)) = (given.counterface_youngs_modulus, given.counterface_poisson_ratio)
+    else {
+        return Ok(None);
+    };
+    elastic_body(modulus, "--counterface-poisson-ratio", ratio).map(Some)
 }
 
 /// The loads given by `--pressure`, and behind them those by `--pressures`.
@@ -250,6 +366,22 @@ fn loads(
 
 fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
     ElasticBody::new(modulus.pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
+}
+
+/// Says on stderr what a reader has to know about a spectrum.
+fn say_surface(surface: &Surface) {
+    for note in &surface.notes {
+        say_of_severity(note.severity(), &scan_words::note(note));
+    }
+}
+
+/// Says a note or a warning on stderr, and of checks that were passed nothing.
+fn say_of_severity(severity: Severity, text: &str) {
+    match severity {
+        Severity::Passed => {}
+        Severity::Note => say(&format!("note: {text}")),
+        Severity::Warning => say(&format!("warning: {text}")),
+    }
 }
 
 /// Says notes on stderr.

@@ -1,7 +1,7 @@
 //! `asperity`: the contact law of one asperity, row by row of a table.
 
-use super::Context;
 use super::row_by_row::{self, Constants};
+use super::{Context, counterface};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
 use study::rows::Asperities;
@@ -16,5 +16,10 @@ pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failur
     let mut constants = Constants::default();
     constants.add_elastic(args.youngs_modulus, args.poisson_ratio)?;
     constants.add_strength(args.yield_strength)?;
-    row_by_row::run(&args.input, &constants, &mut Asperities::new(law, context.counterface()?), context)
+    row_by_row::run(
+        &args.input,
+        &constants,
+        &mut Asperities::new(law, counterface(&args.counterface)?),
+        context,
+    )
 }

@@ -3,9 +3,11 @@
 use super::{Context, elastic_body, say_notes};
 use crate::failure::Failure;
 use crate::files::open_table;
-use crate::output::{Place, Stopped};
+use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
 use report::row_notes;
+use staging::StagedFiles;
+use study::Progress as _;
 use study::material::MaterialError;
 use study::provenance::program;
 use study::rows::{RowByRow, RowsNote};
@@ -62,6 +64,8 @@ pub(super) fn run(
     rows: &mut dyn RowByRow,
     context: &Context<'_>,
 ) -> Result<(), Failure> {
+    // A table may be extended in its own place.
+    context.targets(None)?;
     let mut source = open_table(input)?;
     for (option, column, text) in &constants.0 {
         source
@@ -77,15 +81,22 @@ pub(super) fn run(
     })?;
     refusal.into_result()?;
     let progress = Progress::towards(count);
-    let mut comments = vec![program(context.typed)];
+    let mut comments = context.wanted(&[program(context.typed)]).to_vec();
+    // What somebody else has written above the table belongs to it.
     comments.append(&mut source.comments);
     let say = |notes: Vec<RowsNote>| progress.aside(|| say_notes(notes.iter().flat_map(row_notes::told)));
-    context.write_blocks(&context.shared.output, &comments, |out| {
+    let mut files = StagedFiles::default();
+    context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {
-            say(rows.fill_in(&mut block, &progress).map_err(Failure::input)?);
+            let filled = rows.fill_in(&mut block, &progress);
+            if progress.is_cancelled() {
+                return Err(Failure::Interrupted.into());
+            }
+            say(filled.map_err(Failure::input)?);
             Ok::<(), Stopped>(out.block(&block.table)?)
         })?;
         say(rows.notes());
         Ok(())
-    })
+    })?;
+    publish(files)
 }

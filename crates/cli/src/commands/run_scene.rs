@@ -1,38 +1,56 @@
 //! `run`: everything a scene asks for.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
-use super::{Context, compute, say_notes};
+use chrono::{DateTime, Utc};
+
+use super::{Context, compute, counterface, refuse_idle_cutoff, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Place, utf8};
+use crate::output::{Place, make_folder, utf8};
+use crate::targets::Targets;
 use crate::timings::Timings;
 use crate::{output, scene_errors};
 use report::explain::explain;
-use report::products::Findings;
+use report::products::{self, Findings, Occasion};
+use report::reasons::reasons;
 use report::summary::summary;
+use stacked_contact::StackedModel;
+use stat_contact::AsperityLaw;
 use study::answer::Answer;
-use study::plan::PlanError;
-use study::scene::Scene;
+use study::plan::{CurveModel, PlanError};
+use study::scene::{Overrides, Scene};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
-    let scene = read(&args.scene, context)?;
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
+    let scene = read(args, &folder, context)?;
     timings.lap("reading");
-    say_notes(scene.surface.notes.iter().cloned());
-    if args.explain {
+    say_surface(&scene.surface);
+    if args.dry_run {
         return print(&explain(&scene), context);
     }
-    let blame = |error: &PlanError| Failure::Input(format!("{}: {error}", args.scene));
-    let results = compute(&scene.plan()).map_err(|error| blame(&error))?;
+    let blame = |error: PlanError| match error {
+        PlanError::Cancelled => Failure::Interrupted,
+        error => Failure::Input(format!("{}: {error}", args.scene)),
+    };
+    let results = compute(&scene.plan()).map_err(blame)?;
     timings.lap("computing");
+    if args.explain {
+        let answer = Answer::of(&scene, &results);
+        return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
+    }
     let findings = match args.no_report {
         true => None,
-        false => Some(Findings::of(&scene, &results).map_err(|error| blame(&error))?),
+        false => {
+            let found = Findings::of(&scene, &results).map_err(blame)?;
+            Some(found.on(Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) }))
+        }
     };
     timings.lap("judging");
-    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
+    make_folder("--out", &folder)?;
     let written =
         output::write_products(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
     timings.lap("writing");
@@ -43,15 +61,92 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     Ok(())
 }
 
-fn read(place: &Place, context: &Context<'_>) -> Result<Scene, Failure> {
-    let (name, files) = match place {
-        Place::Standard => ("standard input".to_owned(), Folder::current()),
-        Place::File(path) => (path.display().to_string(), Folder::of(path)),
+/// Reads the scene and its files, and refuses what is wrong with the call: results that would replace one of them, and
+/// options that say nothing.
+fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
+    let targets = context.targets(None)?;
+    let writes_files = !args.dry_run && !args.explain;
+    if writes_files && folder.is_file() {
+        make_folder("--out", folder)?;
+    }
+    let (name, files) = match &args.scene {
+        Place::Standard => {
+            targets.spare_standard_input().map_err(|error| Failure::reading("standard input", &error))?;
+            ("standard input".to_owned(), Folder::current(targets))
+        }
+        Place::File(path) => {
+            let name = path.display().to_string();
+            targets.spare(path).map_err(|error| Failure::reading(&name, &error))?;
+            (name, Folder::of(path, targets))
+        }
     };
-    let bytes = place.read()?;
+    let bytes = args.scene.read()?;
     let text = utf8(&bytes, &name, "scene")?;
-    Scene::parse(text, &files, &context.overrides()?)
-        .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))
+    let scene = Scene::parse(text, &files, &overrides(args)?)
+        .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))?;
+    if writes_files && folder.is_dir() {
+        let mut results = Targets::default();
+        for name in products::file_names(&scene, !args.no_report, context.shared.format) {
+            results = results.with_file("--out", &folder.join(name))?;
+        }
+        if let Place::File(path) = &args.scene {
+            results.spare(path).map_err(|error| Failure::reading(&name, &error))?;
+        }
+        files.spare_from(&results)?;
+    }
+    refuse_idle_options(args, &scene)?;
+    Ok(scene)
+}
+
+fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
+    Ok(Overrides {
+        normalisation: args.normalisation.normalisation,
+        amplitude: args.amplitude.amplitude,
+        scales_per_decade: args.sampling.scales_per_decade,
+        hardness: args.hardness.hardness,
+        strength_cap: args.strength_cap.strength_cap,
+        cutoff: args.sampling.cutoff,
+        counterface: counterface(&args.counterface)?,
+    })
+}
+
+/// Refuses options that nothing in the scene has a use for.
+fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
+    refuse_idle_cutoff(args.sampling.cutoff.map(|cutoff| cutoff.m), &scene.surface)?;
+    let any_curve = |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
+    let idle = [
+        ("--normalisation", args.normalisation.normalisation.is_some(), scene.needs.moments.is_some()),
+        ("--amplitude", args.amplitude.amplitude.is_some(), scene.needs.amplitudes.is_some()),
+        ("--hardness", args.hardness.hardness.is_some(), any_curve(has_spheres_that_yield)),
+        ("--strength-cap", args.strength_cap.strength_cap.is_some(), any_curve(has_growing_strength)),
+    ];
+    match idle.iter().find(|(_, given, used)| *given && !used) {
+        None => Ok(()),
+        Some((option, ..)) => Err(Failure::Input(format!(
+            "{option} has no bearing on {}: none of its curves and figures depends on it; leave it out",
+            args.scene
+        ))),
+    }
+}
+
+fn has_spheres_that_yield(model: &CurveModel) -> bool {
+    matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSphere { .. }, .. })
+}
+
+fn has_growing_strength(model: &CurveModel) -> bool {
+    match model {
+        CurveModel::Stacked(StackedModel::ElasticPlastic { strength, .. })
+        | CurveModel::Statistical {
+            law: AsperityLaw::EpSphere { strength, .. } | AsperityLaw::EpSine { strength },
+            ..
+        } => strength.strain_gradient_length_m().is_some(),
+        _ => false,
+    }
+}
+
+/// The date and time of day, in universal time.
+fn now() -> String {
+    DateTime::<Utc>::from(SystemTime::now()).format("%Y-%m-%d %H:%M UTC").to_string()
 }
 
 fn default_folder(scene: &Place) -> PathBuf {

@@ -1,23 +1,24 @@
 //! `moments`, `amplitude` and `fit`: what a spectrum alone tells.
 
-use super::Context;
-use crate::args::{FitArgs, PsdArgs};
+use super::{Context, Drawn, Spectrum};
+use crate::args::{AmplitudeArgs, FitArgs, MomentsArgs};
 use crate::failure::Failure;
+use study::figure::Shows;
 use study::plan::{Needs, Results};
 use study::result_tables;
 use units::display::length;
 use units::number;
 
-pub(super) fn moments(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let normalisation = context.shared.normalisation.unwrap_or_default();
+pub(super) fn moments(args: &MomentsArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let normalisation = args.normalisation.normalisation.unwrap_or_default();
     let needs = Needs { moments: Some(normalisation), asperities: true, ..Needs::default() };
-    context.spectrum_to_table(
-        &psd.psd,
-        &psd.reading,
-        needs,
-        |results, _| result_tables::moments(results),
-        not_gaussian,
-    )
+    let spectrum = Spectrum {
+        psd: &args.psd.psd,
+        reading: &args.psd.reading,
+        sampling: args.sampling.sampling(),
+        figure: Drawn::against_wavelength(Shows::Moments, &args.figure),
+    };
+    context.spectrum_to_table(&spectrum, needs, result_tables::moments, not_gaussian)
 }
 
 /// Where the surface cannot be a Gaussian isotropic one, for which McCool's parameters are derived.
@@ -43,15 +44,15 @@ fn not_gaussian(results: &Results) -> Vec<String> {
     )]
 }
 
-pub(super) fn amplitude(psd: &PsdArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let needs = Needs { amplitudes: Some(context.shared.amplitude.unwrap_or_default()), ..Needs::default() };
-    context.spectrum_to_table(
-        &psd.psd,
-        &psd.reading,
-        needs,
-        |results, _| result_tables::amplitude(results),
-        |_| Vec::new(),
-    )
+pub(super) fn amplitude(args: &AmplitudeArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let needs = Needs { amplitudes: Some(args.amplitude.amplitude.unwrap_or_default()), ..Needs::default() };
+    let spectrum = Spectrum {
+        psd: &args.psd.psd,
+        reading: &args.psd.reading,
+        sampling: args.sampling.sampling(),
+        figure: Drawn::against_wavelength(Shows::Amplitude, &args.figure),
+    };
+    context.spectrum_to_table(&spectrum, needs, result_tables::amplitude, |_| Vec::new())
 }
 
 pub(super) fn fit(args: &FitArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -64,13 +65,13 @@ pub(super) fn fit(args: &FitArgs, context: &Context<'_>) -> Result<(), Failure> 
         (None, None) => (0.0, f64::INFINITY),
     };
     let needs = Needs { fit_band_m: Some(band), ..Needs::default() };
-    context.spectrum_to_table(
-        &args.psd.psd,
-        &args.psd.reading,
-        needs,
-        |results, _| result_tables::fit(results),
-        fit_notes,
-    )
+    let spectrum = Spectrum {
+        psd: &args.psd.psd,
+        reading: &args.psd.reading,
+        sampling: args.sampling.sampling(),
+        figure: None,
+    };
+    context.spectrum_to_table(&spectrum, needs, result_tables::fit, fit_notes)
 }
 
 fn fit_notes(results: &Results) -> Vec<String> {

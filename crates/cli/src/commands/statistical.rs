@@ -1,12 +1,12 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
 use super::row_by_row::{self, Constants};
-use super::{Context, loads, material};
+use super::{Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap};
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
 use crate::output::Place;
 use study::material::{MaterialError, NeededFor, hardness_pa};
-use study::models::ModelOptions;
+use study::models::{self, Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
 use study::rows::Populations;
 
@@ -18,22 +18,23 @@ pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), F
     }
 }
 
-fn options(args: &StatisticalArgs, context: &Context<'_>) -> ModelOptions {
+fn options(args: &StatisticalArgs) -> ModelOptions {
     ModelOptions {
         strain_gradient: args.material.strain_gradient_length.is_some(),
-        hardness: context.shared.hardness.unwrap_or_default(),
-        interference: args.interference_law,
+        hardness: args.hardness.hardness.unwrap_or_default(),
+        interference: args.interference_law.unwrap_or_default(),
     }
 }
 
 fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     let model = args.model.ok_or_else(|| Failure::input("a spectrum needs --model"))?;
-    let material = material(&args.material, context)?;
+    refuse_idle_options(args, model)?;
+    let material = material(&args.material)?;
     let needs = Needs {
-        moments: Some(context.shared.normalisation.unwrap_or_default()),
+        moments: Some(args.normalisation.normalisation.unwrap_or_default()),
         curves: vec![Curve {
             name: model.to_string(),
-            model: model.build(&material, &options(args, context))?,
+            model: model.build(&material, &options(args))?,
             cutoffs: Cutoffs::Every,
         }],
         loads: loads(&args.pressures, &args.pressure_ranges, &material)?,
@@ -41,16 +42,41 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         tolerance: args.tolerance,
         ..Needs::default()
     };
-    context.curve_to_table(psd, &args.reading, needs, args.details, |_| {
+    let spectrum = Spectrum {
+        psd,
+        reading: &args.reading,
+        sampling: args.sampling.sampling(),
+        figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
+    };
+    context.curve_to_table(&spectrum, needs, args.details, |_| {
         "the longest wavelength has no asperities yet: its row is empty".to_owned()
     })
 }
 
+/// Refuses options that the model has no use for.
+fn refuse_idle_options(args: &StatisticalArgs, model: &ModelEntry) -> Result<(), Failure> {
+    let idle = [
+        ("--hardness", args.hardness.hardness.is_some(), Choice::Hardness),
+        ("--interference-law", args.interference_law.is_some(), Choice::Interference),
+    ];
+    for (option, given, choice) in idle {
+        if given && !model.has(choice) {
+            let others = models::of_framework(Framework::Statistical).filter(|other| other.has(choice));
+            let others: Vec<&str> = others.map(|other| other.name).collect();
+            return Err(Failure::Input(format!(
+                "{option} has no bearing on --model {model}, only on {}; leave it out",
+                others.join(", ")
+            )));
+        }
+    }
+    refuse_idle_strength_cap(&args.material, model.name, model.has(Choice::Strength))
+}
+
 fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut rows = Populations::new();
-    rows.counterface = context.counterface()?;
-    rows.options = options(args, context);
-    rows.strength_cap = context.shared.strength_cap;
+    rows.counterface = counterface(&args.material.counterface)?;
+    rows.options = options(args);
+    rows.strength_cap = args.material.strength_cap.strength_cap;
     rows.given = args.given;
     rows.how_to_say_given = "say with --given which one counts";
     rows.tolerance = args.tolerance;

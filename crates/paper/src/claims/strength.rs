@@ -1,6 +1,6 @@
 //! What the paper says of a strength that grows at small scales: rows 11, 12, 13, 16, 17 and 18.
 
-use stacked_contact::{Level, Regime, StackedModel};
+use stacked_contact::{Level, Regime};
 use study::features::{Plateau, ratio};
 use units::display::{length, pressure};
 

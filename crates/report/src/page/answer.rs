@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::SceneReport;
 use crate::answer_words;
+use crate::scan_words;
 use crate::summary::sampling;
 use units::display::typeset;
 
@@ -18,11 +19,11 @@ pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {
 
 fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let (scene, answer) = (report.scene, report.answer);
-    let sentences = answer_words::sentences(answer, scene);
+    let sentences = answer_words::sentences(answer, scene, report.results);
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
     html! {
         @if several { h3 { (report.label) } }
-        p.spectrum { (sampling(report.results)) "." @for note in &scene.surface.notes { " " strong { (sentence(note)) } } }
+        p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
         @if scene.needs.curves.is_empty() { p { "No contact was asked for: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }
         @for text in &shortcomings { p.shortcoming { strong { "Not answered. " } (typeset(text)) } }
@@ -38,10 +39,29 @@ fn with_name_in_bold(text: &str) -> Markup {
     }
 }
 
-/// A note as a sentence of its own.
+/// A note as a sentence of its own; one that begins with a name keeps it as it is written.
 pub(super) fn sentence(note: &str) -> String {
-    let mut letters = note.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
     let end = if note.ends_with('.') { "" } else { "." };
-    format!("{first}{}{end}", letters.as_str())
+    let first_word = note.split(' ').next().unwrap_or_default();
+    let names_something = note.contains(": ") || !first_word.chars().all(char::is_alphabetic);
+    let mut letters = note.chars();
+    match letters.next().filter(|_| !names_something) {
+        Some(first) => format!("{}{}{end}", first.to_uppercase(), letters.as_str()),
+        None => format!("{note}{end}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sentence;
+
+    #[test]
+    fn a_sentence_begins_with_a_capital_but_a_name_stays_as_it_is() {
+        assert_eq!(sentence("this spectrum is a reconstruction"), "This spectrum is a reconstruction.");
+        for named in
+            ["map.001 has no unit", "trace: 3 rows left out", "my scan: 3 rows left out", "a/b.txt is short"]
+        {
+            assert_eq!(sentence(named), format!("{named}."));
+        }
+    }
 }

@@ -3,7 +3,8 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use units::display::length;
+use crate::decade;
+use study::features::DecadeShare;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let strips = per_scene(scenes, of)?;
@@ -25,22 +26,22 @@ struct Strip {
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let answers = || report.answers().flat_map(|(_, loads)| loads);
-    let mut decades: Vec<(f64, f64)> = answers()
-        .flat_map(|(_, answer)| answer.decades.iter().map(|decade| (decade.longest_m, decade.shortest_m)))
-        .collect();
-    decades.sort_by(|a, b| b.0.total_cmp(&a.0));
-    decades.dedup_by(|a, b| a.0 == b.0);
+    let mut decades: Vec<DecadeShare> =
+        answers().flat_map(|(_, answer)| answer.decades.iter().copied()).collect();
+    decades.sort_by(|a, b| b.longest_m.total_cmp(&a.longest_m));
+    decades.dedup_by(|a, b| a.longest_m == b.longest_m);
     if decades.is_empty() {
         return None;
     }
-    // A decade that the spectrum covers in part is told as far as it goes.
     let psd = &report.results.psd;
-    let (begins_m, ends_m) = (psd.longest_wavelength_m(), psd.shortest_wavelength_m());
     let head = html! {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
-            @for (longest_m, shortest_m) in &decades {
-                th scope="col" { (unbroken(longest_m.min(begins_m))) " to " (unbroken(shortest_m.max(ends_m))) }
+            @for decade in &decades {
+                th scope="col" {
+                    (decade::name(decade.longest_m, decade.shortest_m, psd))
+                    @if !decade.measured { " (not measured)" }
+                }
             }
         }
     };
@@ -60,18 +61,13 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
 }
 
-/// A length that stays on its line.
-fn unbroken(length_m: f64) -> String {
-    length(length_m).replace(' ', "\u{a0}")
-}
-
 /// The strips of each curve; neighbouring loads whose strips read the same share one.
-fn strips(report: &SceneReport<'_>, decades: &[(f64, f64)]) -> Vec<(usize, Vec<Strip>)> {
+fn strips(report: &SceneReport<'_>, decades: &[DecadeShare]) -> Vec<(usize, Vec<Strip>)> {
     let of_curve = |(curve, answers): (usize, Vec<(usize, &study::answer::LoadAnswer)>)| {
         let mut strips: Vec<Strip> = Vec::new();
         for (load, answer) in answers.into_iter().filter(|(_, answer)| !answer.decades.is_empty()) {
-            let share = |&(longest_m, _): &(f64, f64)| {
-                let decade = answer.decades.iter().find(|decade| decade.longest_m == longest_m)?;
+            let share = |of: &DecadeShare| {
+                let decade = answer.decades.iter().find(|decade| decade.longest_m == of.longest_m)?;
                 Some((100.0 * decade.share).round() as i32)
             };
             let percents: Vec<Option<i32>> = decades.iter().map(share).collect();

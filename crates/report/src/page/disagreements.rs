@@ -18,8 +18,8 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     }
     let head = html! {
         tr {
-            th scope="col" { "nominal pressure" } th scope="col" { "least area" } th scope="col" { "largest area" }
-            th scope="col" { "ratio" } th scope="col" { "apart by " (DISAGREEMENT) " from the cutoff" }
+            th scope="col" { "nominal pressure" } th scope="col" { "smallest area" } th scope="col" { "largest area" }
+            th scope="col" { "ratio" } th scope="col" { "more than " (DISAGREEMENT) "x apart for cutoffs below" }
         }
     };
     let area = |curve: usize, load: usize| {
@@ -39,5 +39,5 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
             }
         }
     };
-    Some(table("The least and the largest area that the curves end in.", &head, &body))
+    Some(table("The smallest and the largest area that the curves end in.", &head, &body))
 }

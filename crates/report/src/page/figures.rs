@@ -7,17 +7,25 @@ use super::{SceneReport, Section};
 use crate::plot;
 use study::figure::{FigureData, Shows};
 
+/// The figure that shows the answer: the first of the first scene that has one of areas against the cutoff there.
+pub(super) fn of_the_answer(scenes: &[SceneReport<'_>]) -> Markup {
+    let name = leading(scenes);
+    html! { @if let Some(name) = name { div.figures { (figure(scenes, name)) } } }
+}
+
+fn leading<'r>(scenes: &'r [SceneReport<'_>]) -> Option<&'r str> {
+    let first = scenes.iter().find_map(|scene| scene.figures.first())?;
+    (first.shows == Shows::Area).then_some(&first.name)
+}
+
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let mut names: Vec<&str> = Vec::new();
     for figure in scenes.iter().flat_map(|scene| &scene.figures) {
-        if !names.contains(&figure.name.as_str()) {
+        if !names.contains(&figure.name.as_str()) && leading(scenes) != Some(&figure.name) {
             names.push(&figure.name);
         }
     }
-    let several = scenes.len() > 1;
-    let body = html! {
-        div.figures.side-by-side[several] { @for name in &names { (figure(scenes, name)) } }
-    };
+    let body = html! { div.figures { @for name in &names { (figure(scenes, name)) } } };
     (!names.is_empty()).then_some(Section { id: "figures", title: "Figures", body })
 }
 

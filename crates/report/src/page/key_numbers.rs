@@ -51,7 +51,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
 }
 
 fn settled(answer: &LoadAnswer, found: Convergence) -> Markup {
-    match (answer.followed, found.if_converged_m()) {
+    match (answer.followed, answer.settled_at_m(found)) {
         (false, _) => html! { td { "–" } },
         (true, Some(wavelength_m)) => html! { td { (length(wavelength_m)) } },
         (true, None) => html! { td.open { "not settled" } },

@@ -18,6 +18,8 @@ pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::curve_names::in_full;
+use crate::products::Occasion;
 use study::answer::{Answer, LoadAnswer};
 use study::figure::FigureData;
 use study::plan::Results;
@@ -35,9 +37,9 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
-    /// What rests on which choice.
+    /// How much each choice of modelling moves its areas.
     pub sensitivities: &'a [Sensitivity],
-    /// Its figures.
+    /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
     pub figures: Vec<FigureData>,
 }
 
@@ -51,6 +53,8 @@ pub struct Report<'a> {
     pub ledger: Option<&'a Ledger>,
     /// How to make the report again, e.g. a command.
     pub repeat: &'a str,
+    /// How and when it was made.
+    pub occasion: &'a Occasion,
 }
 
 /// A section of the page.
@@ -74,7 +78,7 @@ impl Report<'_> {
             sensitivities::section(scenes),
             validity::section(scenes),
             choices::section(scenes),
-            Some(provenance::section(scenes, self.repeat)),
+            Some(provenance::section(self)),
         ]
         .into_iter()
         .flatten()
@@ -96,6 +100,7 @@ impl Report<'_> {
                     }
                     main {
                         (answer::lead(scenes))
+                        (figures::of_the_answer(scenes))
                         nav aria-label="Contents" {
                             ul { @for section in &sections { li { a href={ "#" (section.id) } { (section.title) } } } }
                         }
@@ -148,9 +153,9 @@ impl SceneReport<'_> {
         )
     }
 
-    /// A curve's name.
-    fn curve(&self, curve: usize) -> &str {
-        &self.scene.needs.curves[curve].name
+    /// A curve's name in full.
+    fn curve(&self, curve: usize) -> String {
+        in_full(&self.scene.needs.curves[curve])
     }
 
     /// A pressure in units of the hardness, where there is one.

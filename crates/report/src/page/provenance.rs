@@ -3,13 +3,21 @@
 use maud::{Markup, html};
 
 use super::answer::sentence;
-use super::{SceneReport, Section, per_scene};
+use super::{Report, SceneReport, Section, per_scene};
+use crate::products::Occasion;
+use crate::scan_words;
 use crate::summary::sampling;
 
-pub(super) fn section(scenes: &[SceneReport<'_>], repeat: &str) -> Section {
+pub(super) fn section(report: &Report<'_>) -> Section {
+    let Occasion { date, asked } = report.occasion;
     let body = html! {
-        (per_scene(scenes, |report| Some(of(report))).unwrap_or_default())
-        p { "Made by truearea " (env!("CARGO_PKG_VERSION")) ". To make it again: " (repeat) }
+        p {
+            "Made by truearea " (env!("CARGO_PKG_VERSION"))
+            @if let Some(date) = date { " on " (date) }
+            @if let Some(asked) = asked { ", asked for by " code { "truearea " (asked) } }
+            ". To make it again: " (report.repeat)
+        }
+        (per_scene(&report.scenes, |report| Some(of(report))).unwrap_or_default())
     };
     Section { id: "provenance", title: "Data and provenance", body }
 }
@@ -18,12 +26,17 @@ fn of(report: &SceneReport<'_>) -> Markup {
     let surface = &report.scene.surface;
     html! {
         p { "Spectrum: " code { (surface.name) } ", " (sampling(report.results)) "." }
+        @for source in &surface.sources {
+            p { "SHA-256 of " code { (source.name) } ": " code.hash { (source.sha256) } }
+        }
         @if surface.remarks.is_empty() { p { "Its file says nothing about where it comes from." } }
         @else {
             p { "Its file says:" }
             blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }
         }
-        @for note in &surface.notes { p { (sentence(note)) } }
+        @for note in &surface.notes { p { (sentence(&scan_words::note(note))) } }
+        p { "The scene, as typed:" }
+        pre tabindex="0" { code { (report.scene.text.trim_end()) } }
     }
 }
 

@@ -10,12 +10,12 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let tables = per_scene(scenes, of)?;
     let body = html! {
         p {
-            "The area with one choice made the other way, over the area with the scene’s own choice; from the least to the \
+            "The area with one choice made the other way, over the area with the scene’s own choice; from the smallest to the \
              largest ratio under its loads. A dash: the curve does not depend on the choice."
         }
         (tables)
     };
-    Some(Section { id: "sensitivities", title: "What rests on which choice", body })
+    Some(Section { id: "sensitivities", title: "Sensitivity to modelling choices", body })
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
@@ -39,7 +39,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                 @for (place, varied) in group.iter().enumerate() {
                     tr {
                         @if place == 0 { th scope="rowgroup" rowspan=(group.len()) { (varied.choice) } }
-                        th scope="row" { (varied.setting) }
+                        th scope="row" { (varied.setting_in_words) }
                         @for curve in &curves { td { (ratios(varied, *curve)) } }
                     }
                 }

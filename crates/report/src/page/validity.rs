@@ -16,7 +16,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if report.scene.needs.curves.is_empty() {
         return None;
     }
-    let warned: Vec<(&str, Vec<String>)> = report
+    let warned: Vec<(String, Vec<String>)> = report
         .answers()
         .map(|(curve, _)| (report.curve(curve), warnings(report, curve)))
         .filter(|(_, warnings)| !warnings.is_empty())

@@ -4,7 +4,8 @@
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
-use super::{COLOURS, colours, dash, text_width_px};
+use super::style::{NEUTRAL, colour, dash, tint};
+use super::text_width_px;
 use study::figure::FigureData;
 
 const SIZE_PX: f64 = 12.0;
@@ -15,7 +16,7 @@ const GAP_PX: f64 = 6.0;
 
 struct Entry<'a> {
     label: &'a str,
-    colour: &'static str,
+    colour: String,
     dash: usize,
     width_px: f64,
 }
@@ -45,7 +46,7 @@ fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
         y1: y,
         x2: x + SAMPLE_PX,
         y2: y,
-        stroke: Color::from(entry.colour),
+        stroke: Color::from(entry.colour.as_str()),
         stroke_width: entry.width_px,
         stroke_dasharray: dash(entry.dash).dasharray(),
     });
@@ -66,7 +67,7 @@ fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
     for series in figure.series.iter().filter(|series| !series.condition_in_full.is_empty()) {
         let label = series.condition_in_full.as_str();
         if !entries.iter().any(|entry| entry.label == label) {
-            entries.push(Entry { label, colour: colours(series.colour).0, dash: 0, width_px: 2.0 });
+            entries.push(Entry { label, colour: colour(series.colour), dash: 0, width_px: 2.0 });
         }
     }
     entries
@@ -78,8 +79,8 @@ fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for series in figure.series.iter().filter(|series| compared && !series.curve.is_empty()) {
         if !entries.iter().any(|entry| entry.label == series.curve) {
-            let (dark, pale) = COLOURS[COLOURS.len() - 1];
-            let (colour, width_px) = if series.dash == 0 { (pale, 3.5) } else { (dark, 1.6) };
+            let (colour, width_px) =
+                if series.dash == 0 { (tint(NEUTRAL), 3.5) } else { (colour(NEUTRAL), 1.6) };
             entries.push(Entry { label: &series.curve, colour, dash: series.dash, width_px });
         }
     }

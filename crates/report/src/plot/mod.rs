@@ -3,10 +3,10 @@
 mod decades;
 mod labels;
 mod legend;
+mod style;
 mod thinned;
 
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::line::LineStyle;
 use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
@@ -16,26 +16,19 @@ use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
 use study::figure::{FigureData, Series};
+use style::{colour, dash, tint};
 use thinned::thinned;
 use units::display::typeset;
 
 /// Size of a picture, without the legend under it.
 const WIDTH_PX: f64 = 480.0;
 const HEIGHT_PX: f64 = 380.0;
+/// Width of one that has a page to itself.
+const WIDE_PX: f64 = 860.0;
 /// Without a title, a picture is lower by what that took.
 const TITLE_PX: f64 = 36.0;
 const MOST_TITLE_LETTERS: usize = 54;
 const MINOR_TICK_PX: f64 = 3.0;
-
-/// Colours that people with any colour vision tell apart, dark enough for thin lines (Okabe & Ito), and a tint of each.
-const COLOURS: [(&str, &str); 6] = [
-    ("#0072b2", "#99c7e0"),
-    ("#d55e00", "#eebf99"),
-    ("#009e73", "#99d8c7"),
-    ("#b0568a", "#e4c3d6"),
-    ("#c28400", "#f2d599"),
-    ("#000000", "#b3b3b3"),
-];
 
 /// The figure as an SVG document. `subject` stands under its title; `provenance` is kept in it as a comment.
 pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String {
@@ -46,7 +39,7 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
         .with_title_wrap(MOST_TITLE_LETTERS)
         .with_subtitle(subject.to_owned())
         .with_subtitle_wrap(MOST_TITLE_LETTERS);
-    let scene = drawn(figure, layout, &[figure]);
+    let scene = drawn(figure, layout.with_width(WIDTH_PX), &[figure]);
     let (opening, inside) = split(&scene, &figure.name);
     format!("{opening}>\n<!--\n{}\n-->\n{inside}", comment(provenance))
 }
@@ -55,7 +48,8 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
 /// in the page; `words` is what is read out instead. Figures to be held against each other, itself one of them, get the
 /// same axes.
 pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
-    let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX);
+    let width_px = if beside.len() > 1 { WIDTH_PX } else { WIDE_PX };
+    let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX).with_width(width_px);
     let scene = drawn(figure, layout, beside);
     let (opening, inside) = split(&scene, id);
     let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
@@ -68,12 +62,19 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let x = Decades::around(points().map(|(x, _)| *x));
     let y = Decades::around(points().map(|(_, y)| *y));
     let compared = figure.compares_curves();
-    let traces: Vec<(&Series, Vec<(f64, f64)>)> =
-        figure.series.iter().map(|series| (series, thinned(logarithms(&series.points)))).collect();
+    let drawn = |series: &Series| {
+        let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
+        pieces.filter(|piece| !piece.is_empty()).collect()
+    };
+    let traces: Vec<Trace<'_>> =
+        figure.series.iter().map(|series| Trace { series, runs: drawn(series) }).collect();
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
-    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|(series, _)| series.dash == 0);
-    let traces: Vec<&(&Series, Vec<(f64, f64)>)> = solid.into_iter().chain(dashed).collect();
-    let lines: Vec<Plot> = traces.iter().map(|(series, points)| line(series, points, compared)).collect();
+    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.series.dash == 0);
+    let traces: Vec<&Trace<'_>> = solid.into_iter().chain(dashed).collect();
+    let line = |trace: &&Trace<'_>| {
+        trace.runs.iter().map(|run| line(trace.series, run, compared)).collect::<Vec<_>>()
+    };
+    let lines: Vec<Plot> = traces.iter().flat_map(line).collect();
     let layout = layout
         .with_x_axis_min(x.first)
         .with_x_axis_max(x.last)
@@ -83,7 +84,6 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
         .with_y_axis_max(y.last)
         .with_y_tick_step(y.step)
         .with_y_tick_format(powers_of_ten())
-        .with_width(WIDTH_PX)
         .with_box_axes()
         .with_label_size(13)
         .with_x_label(figure.x_label.clone())
@@ -92,15 +92,19 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let mut scene = render_multiple(lines, layout);
     let frame = frame(&computed);
     add_minor_ticks(&mut scene, &computed, frame, x, y);
+    for (from, to) in &figure.gaps {
+        shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
+    }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
     };
     let tracks: Vec<Track> = traces
         .iter()
-        .map(|(series, points)| Track {
+        .flat_map(|trace| trace.runs.iter().map(move |run| (trace.series, run)))
+        .map(|(series, run)| Track {
             label: typeset(&series.condition),
             colour: series.colour,
-            points: in_pixels(points),
+            points: in_pixels(run),
         })
         .collect();
     for label in labels::place(&tracks, frame) {
@@ -112,11 +116,33 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
             anchor: TextAnchor::Start,
             rotate: None,
             bold: false,
-            color: Some(Color::from(colours(label.colour).0)),
+            color: Some(Color::from(colour(label.colour).as_str())),
         });
     }
-    legend::append(&mut scene, figure, frame.left, WIDTH_PX);
+    let width_px = scene.width;
+    legend::append(&mut scene, figure, frame.left, width_px);
     scene
+}
+
+/// A line and what is drawn of it: its parts between gaps, in powers of ten.
+struct Trace<'f> {
+    series: &'f Series,
+    runs: Vec<Vec<(f64, f64)>>,
+}
+
+/// A stretch of the abscissa that was not measured.
+fn shade(scene: &mut Scene, computed: &ComputedLayout, frame: Box, gap: [f64; 2]) {
+    let [one, other] = gap.map(|power| computed.map_x(power).clamp(frame.left, frame.right));
+    scene.add(Primitive::Rect {
+        x: one.min(other),
+        y: frame.top,
+        width: (one - other).abs(),
+        height: frame.bottom - frame.top,
+        fill: Color::from("#808080"),
+        stroke: None,
+        stroke_width: None,
+        opacity: Some(0.15),
+    });
 }
 
 fn frame(computed: &ComputedLayout) -> Box {
@@ -150,24 +176,14 @@ fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 fn line(series: &Series, points: &[(f64, f64)], compared: bool) -> Plot {
     let points = points.to_vec();
-    let (dark, pale) = colours(series.colour);
+    let dark = colour(series.colour);
     if points.len() == 1 {
         return Plot::Scatter(ScatterPlot::new().with_data(points).with_color(dark).with_size(3.0));
     }
-    let (colour, width_px) = if compared && series.dash == 0 { (pale, 3.5) } else { (dark, 1.6) };
+    let (colour, width_px) =
+        if compared && series.dash == 0 { (tint(series.colour), 3.5) } else { (dark, 1.6) };
     let line = LinePlot::new().with_data(points).with_color(colour).with_stroke_width(width_px);
     Plot::Line(line.with_line_style(dash(series.dash)))
-}
-
-/// A colour and its tint.
-fn colours(index: usize) -> (&'static str, &'static str) {
-    COLOURS[index % COLOURS.len()]
-}
-
-/// Dash patterns that stay apart in print.
-fn dash(index: usize) -> LineStyle {
-    [LineStyle::Solid, LineStyle::Custom("4 3".to_owned()), LineStyle::DashDot, LineStyle::Dotted][index % 4]
-        .clone()
 }
 
 /// A little more than letters take, whichever of the usual fonts a reader has.
@@ -233,6 +249,7 @@ mod tests {
             x_label: "x".to_owned(),
             y_label: "y",
             series: vec![series],
+            gaps: Vec::new(),
         }
     }
 
@@ -252,6 +269,18 @@ mod tests {
     fn a_load_is_labelled_at_its_line_and_spelt_out_in_the_legend() {
         let svg = svg(&figure("a"), "", &[]);
         assert!(svg.contains(">10⁻³ H</text>") && svg.contains(">10 MPa = 10⁻³ H</text>"), "{svg}");
+    }
+
+    #[test]
+    fn what_was_not_measured_is_shaded_and_no_line_crosses_it() {
+        let mut figure = figure("a");
+        figure.series[0].points = vec![(1.0, 1.0), (2.0, 2.0), (20.0, 3.0), (40.0, 4.0)];
+        let lines = |svg: &str| svg.matches("stroke-width=\"1.6\"").count();
+        let whole = svg(&figure, "", &[]);
+        figure.gaps = vec![(2.0, 20.0)];
+        let broken = svg(&figure, "", &[]);
+        assert_eq!(lines(&broken), lines(&whole) + 1, "{broken}");
+        assert!(broken.contains("opacity=\"0.15\"") && !whole.contains("opacity=\"0.15\""), "{broken}");
     }
 
     #[test]

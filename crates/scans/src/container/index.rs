@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
-use crate::metadata::{MeasurementMetadata, file_name, instrument_length_m};
+use crate::metadata::{MeasurementMetadata, file_name, instrument_length_m, probe};
 use units::LengthUnit;
 
 /// Reads the text of a container's `index.json` (JSON) or `meta.yml` (YAML), which `file` names.
@@ -96,6 +96,7 @@ impl Entry<'_> {
             height_scale: height_scale.transpose()?,
             is_periodic: is_periodic.transpose()?,
             data_source: data_source.transpose()?,
+            probe: probe(self.value),
             tip_radius_m: instrument_length_m(self.value, "tip_radius"),
             resolution_m: instrument_length_m(self.value, "resolution"),
         })

@@ -6,10 +6,11 @@ pub use index::read_metadata;
 
 use crate::archive::{Archive, leads_outside};
 use crate::error::{Place, ScanReadError};
-use crate::file::{ScanFile, read_one};
+use crate::file::ScanFile;
 use crate::format::ScanFormat;
 use crate::metadata::{MeasurementMetadata, file_name};
 use crate::options::ScanOptions;
+use crate::single::read_one;
 
 const INDEXES: [&str; 2] = ["index.json", "meta.yml"];
 /// A measurement takes some kilobytes.

@@ -1,7 +1,10 @@
 //! The text at the beginning of a Nanoscope file: sections of keys and values.
 
 use crate::error::{Place, ScanReadError};
-use crate::nanoscope::FORMAT;
+use crate::format::ScanFormat;
+
+/// The format whose reader this is, for messages.
+pub(crate) const FORMAT: ScanFormat = ScanFormat::Nanoscope;
 
 /// Headers take some ten kilobytes; a file that goes on with lines beyond this is none.
 const LONGEST: usize = 1 << 20;

@@ -1,7 +1,7 @@
 //! One image of a Nanoscope file: what it measures, its grid, its counts.
 
 use crate::error::ScanReadError;
-use crate::nanoscope::FORMAT;
+use crate::nanoscope::header::FORMAT;
 use crate::nanoscope::header::{Header, Section, Value};
 use units::LengthUnit;
 

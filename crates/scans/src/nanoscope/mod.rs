@@ -3,15 +3,16 @@
 mod header;
 mod image;
 
+use crate::choice_of_size;
 use crate::choice_of_units::{own_scale_note, refuse_unit};
 use crate::error::{Place, ScanReadError};
 use crate::file::Reading;
-use crate::format::ScanFormat;
-use crate::options::{ScanOptions, ScanSize};
+use crate::metadata::Probe;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
+use header::FORMAT;
 use header::Header;
 use image::Image;
-
-const FORMAT: ScanFormat = ScanFormat::Nanoscope;
 
 /// Reads the channel asked for, else the image that the metadata chose, else the first named after the height.
 ///
@@ -28,11 +29,12 @@ pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Reading, ScanR
     notes.extend(grid.note.clone());
     let heights_m = grid.heights(bytes, to_m)?;
     let stated = ScanSize { x_m: grid.size_m[0], y_m: Some(grid.size_m[1]) };
-    let size = ScanSize::of(options, Some(stated), &mut notes).unwrap_or(stated);
+    let size = choice_of_size::size(options, Some(stated), &mut notes).unwrap_or(stated);
     let scan = size.map(grid.columns, heights_m, &mut notes)?;
     let mut reading = Reading::new(scan, notes);
     reading.channels = images.iter().filter(|image| image.is_length()).map(Image::label).collect();
     reading.channel = Some(image.label());
+    reading.probe = Some(Probe::Tip);
     Ok(reading)
 }
 
@@ -53,7 +55,7 @@ fn choose<'i, 'h>(images: &'i [Image<'h>], options: &ScanOptions) -> Result<&'i 
     let heights = || images.iter().filter(|image| image.is_named_after_height());
     // Where none can be scaled, the first will say why.
     let found = heights().find(|image| image.is_length()).or_else(|| heights().next());
-    found.ok_or_else(|| none("channel of heights; name one that holds them with --channel".to_owned()))
+    found.ok_or_else(|| none("channel of heights".to_owned()))
 }
 
 /// Force curves and unevenly spaced profiles have image sections that hold no map.

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 
 use crate::error::ScanReadError;
-use crate::netcdf::FORMAT;
+use crate::netcdf::cursor::FORMAT;
 use crate::netcdf::cursor::{Cursor, bad};
 
 const DIMENSIONS: u32 = 10;
@@ -98,7 +98,17 @@ impl<'b> Classic<'b> {
         self.attributes.iter().find(|attribute| attribute.name == name)
     }
 
-    /// All values of a variable, the last dimension fastest, scaled as its attributes say; fill values are NaN.
+    /// The dimensions of a variable as messages name them: `x: 6, y: 4`.
+    pub(crate) fn dimensions_of(&self, variable: &Variable) -> String {
+        let named = variable.dimensions.iter().map(|&index| {
+            let dimension = &self.dimensions[index];
+            format!("{}: {}", dimension.name, dimension.length)
+        });
+        named.collect::<Vec<_>>().join(", ")
+    }
+
+    /// All values of a variable, the last dimension fastest, scaled as its attributes say; fill values, those of the
+    /// format where no attribute gives one, are NaN.
     pub(crate) fn values(&self, variable: &Variable) -> Result<Vec<f64>, ScanReadError> {
         if variable.kind == Kind::Char {
             return Err(bad(
@@ -111,7 +121,7 @@ impl<'b> Classic<'b> {
         let number = |name| variable.attribute(name).and_then(Attribute::number);
         let scale = number("scale_factor").unwrap_or(1.0);
         let shift = number("add_offset").unwrap_or(0.0);
-        let fills = [number("_FillValue"), number("missing_value")];
+        let fills = [number("_FillValue").or(variable.kind.default_fill()), number("missing_value")];
         let scaled = |raw: f64| if fills.contains(&Some(raw)) { f64::NAN } else { raw * scale + shift };
         let records =
             if self.is_record(variable) { self.dimensions[variable.dimensions[0]].length } else { 1 };
@@ -245,6 +255,20 @@ impl Kind {
             10 => Self::I64,
             11 => Self::U64,
             other => return Err(bad(offset, "a type", &other.to_string(), "between 1 and 11")),
+        })
+    }
+
+    /// What the NetCDF library writes where nobody has (NC_FILL_... of netcdf.h); bytes and text have none.
+    fn default_fill(self) -> Option<f64> {
+        Some(match self {
+            Self::I8 | Self::U8 | Self::Char => return None,
+            Self::I16 => -32_767.0,
+            Self::I32 => -2_147_483_647.0,
+            Self::I64 => -9_223_372_036_854_775_806_i64 as f64,
+            Self::F32 | Self::F64 => 9.969_209_968_386_869e36,
+            Self::U16 => 65_535.0,
+            Self::U32 => 4_294_967_295.0,
+            Self::U64 => 18_446_744_073_709_551_614_u64 as f64,
         })
     }
 

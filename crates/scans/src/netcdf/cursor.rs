@@ -3,7 +3,10 @@
 use std::borrow::Cow;
 
 use crate::error::{Place, ScanReadError};
-use crate::netcdf::FORMAT;
+use crate::format::ScanFormat;
+
+/// The format whose reader this is, for messages.
+pub(crate) const FORMAT: ScanFormat = ScanFormat::NetCdf;
 
 /// A position in a file. Counts are four bytes long, in CDF-5 eight.
 pub(crate) struct Cursor<'b> {

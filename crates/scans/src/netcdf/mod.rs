@@ -4,17 +4,18 @@
 mod classic;
 mod cursor;
 
+use crate::choice_of_size;
+use crate::choice_of_size::refuse_size;
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
 use crate::file::Reading;
-use crate::format::ScanFormat;
-use crate::heights::{NonuniformLineScan, Scan};
-use crate::options::{ScanOptions, ScanSize};
-use crate::size::refuse_size;
+use crate::heights::{NonuniformLineScan, Scan, transposed};
+use crate::metadata::{instrument_length_m, probe};
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 use classic::{Classic, Variable};
+use cursor::FORMAT;
 use units::LengthUnit;
-
-const FORMAT: ScanFormat = ScanFormat::NetCdf;
 
 /// What the dimensions of `heights` make of it.
 enum Layout {
@@ -51,7 +52,7 @@ pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Reading, ScanR
     let height_to_m = units.height_to_m(FORMAT)?;
     let mut heights_m = file.values(variable)?;
     heights_m.iter_mut().for_each(|height| *height = height_to_m(*height));
-    blank_masked(&file, &mut heights_m)?;
+    blank_masked(&file, variable, &mut heights_m)?;
     let scan = match layout {
         Layout::Points => points(&file, &units, options, heights_m)?,
         Layout::Line => size(&file, false, &units, options, &mut notes)?.line(heights_m)?,
@@ -68,8 +69,11 @@ pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Reading, ScanR
     reading.channels = vec!["heights".to_owned()];
     reading.channel = Some("heights".to_owned());
     reading.is_periodic = is_periodic(&file);
-    reading.tip_radius_m = instrument_length_m(&file, "tip_radius");
-    reading.resolution_m = instrument_length_m(&file, "resolution");
+    if let Some(info) = instrument(&file) {
+        reading.probe = probe(&info);
+        reading.tip_radius_m = instrument_length_m(&info, "tip_radius");
+        reading.resolution_m = instrument_length_m(&info, "resolution");
+    }
     Ok(reading)
 }
 
@@ -86,11 +90,7 @@ impl Layout {
                 format: FORMAT,
                 place: Place::Byte(heights.offset),
                 field: "the list of dimensions of 'heights'".to_owned(),
-                value: dimensions
-                    .iter()
-                    .map(|d| format!("{}: {}", d.name, d.length))
-                    .collect::<Vec<_>>()
-                    .join(", "),
+                value: file.dimensions_of(heights),
                 bound: "x and y (both above 0), x, or n".to_owned(),
                 mend: "name them as contact.engineering does",
             }),
@@ -147,7 +147,7 @@ fn size(
         _ => None,
     };
     let what = "the size of the scan (attribute 'length' of 'x' and 'y')";
-    ScanSize::of(options, stated, notes).ok_or(ScanReadError::NoSize { format: FORMAT, what })
+    choice_of_size::size(options, stated, notes).ok_or(ScanReadError::NoSize { format: FORMAT, what })
 }
 
 fn points(
@@ -169,8 +169,18 @@ fn points(
 }
 
 /// Marks the points that the variable `mask` leaves out as undefined.
-fn blank_masked(file: &Classic, heights_m: &mut [f64]) -> Result<(), ScanReadError> {
+fn blank_masked(file: &Classic, heights: &Variable, heights_m: &mut [f64]) -> Result<(), ScanReadError> {
     let Some(mask) = file.variable("mask") else { return Ok(()) };
+    if mask.dimensions != heights.dimensions {
+        return Err(ScanReadError::BadField {
+            format: FORMAT,
+            place: Place::Byte(mask.offset),
+            field: "the list of dimensions of 'mask'".to_owned(),
+            value: file.dimensions_of(mask),
+            bound: format!("that of 'heights', {}", file.dimensions_of(heights)),
+            mend: "write both over the same dimensions",
+        });
+    }
     let mask = file.values(mask)?;
     for (height, masked) in heights_m.iter_mut().zip(mask) {
         if masked != 0.0 {
@@ -180,24 +190,13 @@ fn blank_masked(file: &Classic, heights_m: &mut [f64]) -> Result<(), ScanReadErr
     Ok(())
 }
 
-fn transposed(columnwise: &[f64], rows: usize) -> Vec<f64> {
-    let columns = columnwise.len() / rows;
-    let mut rowwise = Vec::with_capacity(columnwise.len());
-    for row in 0..rows {
-        rowwise.extend((0..columns).map(|column| columnwise[column * rows + row]));
-    }
-    rowwise
-}
-
 fn is_periodic(file: &Classic) -> Option<bool> {
     let of_x = file.variable("x").and_then(|x| x.attribute("periodic"));
     let flag = of_x.or_else(|| file.attribute("periodic"))?.number()?;
     Some(flag != 0.0)
 }
 
-/// A length among the parameters of the instrument, which a global attribute holds as JSON.
-fn instrument_length_m(file: &Classic, name: &str) -> Option<f64> {
-    let json = file.attribute("json")?.text()?;
-    let info: serde_json::Value = serde_json::from_str(&json).ok()?;
-    crate::metadata::instrument_length_m(&info, name)
+/// What a global attribute holds as JSON of the instrument.
+fn instrument(file: &Classic) -> Option<serde_json::Value> {
+    serde_json::from_str(&file.attribute("json")?.text()?).ok()
 }

@@ -1,13 +1,15 @@
 //! Points `x y h` on a regular grid, in any order.
 
+use crate::choice_of_size;
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::heights::{HeightMap, Scan};
-use crate::options::{ScanOptions, ScanSize};
-use crate::text::FORMAT;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 use crate::text::columns::{Columns, line_of_row};
 use crate::text::header::Header;
 use crate::text::profile::even_spacing;
+use crate::text::style::FORMAT;
 
 /// One axis of a grid.
 struct Axis {
@@ -35,7 +37,7 @@ pub(crate) fn read(
     heights_m.iter_mut().for_each(|height| *height = height_to_m(*height));
     let spacings_m = (x_to_m(x.spacing), y_to_m(y.spacing));
     let stated = ScanSize { x_m: spacings_m.0 * x.count as f64, y_m: Some(spacings_m.1 * y.count as f64) };
-    match ScanSize::of(options, Some(stated), notes) {
+    match choice_of_size::size(options, Some(stated), notes) {
         Some(size) if size != stated => size.map(x.count, heights_m, notes),
         _ => Ok(Scan::Map(HeightMap::new(x.count, spacings_m.0, spacings_m.1, heights_m)?)),
     }

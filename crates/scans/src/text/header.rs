@@ -2,9 +2,10 @@
 
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
-use crate::options::{ScanOptions, ScanSize};
-use crate::text::FORMAT;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 use crate::text::columns::Columns;
+use crate::text::style::FORMAT;
 use crate::text::style::{is_comment, shortened};
 use units::LengthUnit;
 
@@ -266,9 +267,13 @@ fn second_channel(line: usize) -> ScanReadError {
     }
 }
 
-/// The unit at the end of a column's name: `Lateral um`, `h/nm`, `x_mm`. A bare A is a name more often than a unit.
+/// The unit at the end of a column's name: `X_(microns)`, `Lateral um`, `h/nm`, `x_mm`. A bare A is a name more often than
+/// a unit.
 fn trailing_unit(name: &str) -> Option<LengthUnit> {
     let name = name.trim();
+    if let Some((_, unit)) = name.strip_suffix([')', ']']).and_then(|name| name.rsplit_once(['(', '['])) {
+        return LengthUnit::parse_instrument(unit);
+    }
     let (_, word) = name.rsplit_once([' ', '/', '_'])?;
     LengthUnit::parse_instrument(word).filter(|_| word != "A")
 }
@@ -290,6 +295,8 @@ mod tests {
         assert_eq!(units("Lateral um,Raw Micrometer,\n1.0,2.0,"), [Some(um), Some(um)]);
         assert_eq!(units("x_mm\th/nm\n1\t2"), [Some(mm), Some(nm)]);
         assert_eq!(units("Scan of sample A\n1 2"), []);
+        assert_eq!(units("X_(microns),y1\n0.5,2.5"), [Some(um), None]);
+        assert_eq!(units("x[microns]\ty1\n0.5\t2.5"), [Some(um), None]);
     }
 
     #[test]

@@ -6,16 +6,15 @@ mod header;
 mod profile;
 mod style;
 
+use crate::choice_of_size;
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::file::Reading;
-use crate::format::ScanFormat;
 use crate::heights::Scan;
-use crate::options::{ScanOptions, ScanSize};
+use crate::options::ScanOptions;
 use columns::Columns;
 use header::Header;
-
-const FORMAT: ScanFormat = ScanFormat::Text;
+use style::FORMAT;
 
 /// Reads a scan by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h`, more a matrix. A header with
 /// both sizes of a map makes any number of columns a matrix.
@@ -47,7 +46,7 @@ fn heights(
     let units = Units::of(options, header.lateral_unit(), header.height_unit(0), notes);
     let to_m = units.height_to_m(FORMAT)?;
     let stated = header.size(values.len(), 0, &units)?;
-    let size = ScanSize::of(options, stated, notes)
+    let size = choice_of_size::size(options, stated, notes)
         .ok_or(ScanReadError::NoSize { format: FORMAT, what: "how long the line of heights is" })?;
     values.iter_mut().for_each(|value| *value = to_m(*value));
     size.line(values)
@@ -64,7 +63,7 @@ fn matrix(
     let units = Units::of(options, header.lateral_unit(), header.map_height_unit(), notes);
     let to_m = units.height_to_m(FORMAT)?;
     let stated = header.size(count, values.len() / count, &units)?;
-    let size = ScanSize::of(options, stated, notes)
+    let size = choice_of_size::size(options, stated, notes)
         .ok_or(ScanReadError::NoSize { format: FORMAT, what: "how large the map is" })?;
     values.iter_mut().for_each(|value| *value = to_m(*value));
     size.map(count, values, notes)

@@ -1,13 +1,15 @@
 //! Profiles `x h`.
 
+use crate::choice_of_size;
+use crate::choice_of_size::refuse_size;
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
 use crate::heights::{NonuniformLineScan, Scan, UniformLineScan};
-use crate::options::{ScanOptions, ScanSize};
-use crate::size::refuse_size;
-use crate::text::FORMAT;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
 use crate::text::columns::{Columns, line_of_row};
 use crate::text::header::Header;
+use crate::text::style::FORMAT;
 
 /// The share of the spacing that the rounding of printed positions may take up before even spacing is a guess.
 const DISCERNIBLE: f64 = 0.25;
@@ -40,7 +42,7 @@ pub(crate) fn read(
     match even_spacing(&positions, columns.rounding(0)) {
         Some(spacing) => {
             let stated = ScanSize { x_m: length_to_m(spacing * positions.len() as f64), y_m: None };
-            match ScanSize::of(options, Some(stated), notes) {
+            match choice_of_size::size(options, Some(stated), notes) {
                 Some(size) if size != stated => size.line(heights_m),
                 _ => Ok(Scan::UniformLine(UniformLineScan::new(length_to_m(spacing), heights_m)?)),
             }

@@ -3,6 +3,10 @@
 use std::borrow::Cow;
 
 use crate::error::ScanReadError;
+use crate::format::ScanFormat;
+
+/// The format whose reader this is, for messages.
+pub(crate) const FORMAT: ScanFormat = ScanFormat::Text;
 
 /// What separates the columns of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,9 +41,46 @@ pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines.filter(|(_, line)| !line.is_empty() && !is_comment(line))
 }
 
-/// The lines of numbers, from the first one on, with all that follows.
+/// The lines of numbers, from the first one on, with all that follows; lines of gaps above it are part of the scan.
 pub(crate) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    content(text).skip_while(|(_, line)| !holds_numbers(line))
+    let first = first_row(text).unwrap_or(usize::MAX);
+    content(text).skip_while(move |(number, _)| *number < first)
+}
+
+/// The first line of the scan: of numbers, or the first of the lines of gaps right above it with as many fields.
+fn first_row(text: &str) -> Option<usize> {
+    let mut gaps: Option<(usize, usize)> = None;
+    for (number, line) in content(text) {
+        let fields = count_of_fields(line);
+        if holds_numbers(line) {
+            return Some(gaps.filter(|&(_, count)| count == fields).map_or(number, |(first, _)| first));
+        }
+        gaps = match gaps {
+            _ if !holds_gaps(line) => None,
+            Some((first, count)) if count == fields => Some((first, count)),
+            _ => Some((number, fields)),
+        };
+    }
+    None
+}
+
+/// Whether a line consists of words for gaps. Dashes do not count: they underline headers.
+fn holds_gaps(line: &str) -> bool {
+    let mut words = line.split(is_separator).filter(|word| !word.is_empty()).peekable();
+    words.peek().is_some() && words.all(|word| is_gap(word) && word.contains(char::is_alphabetic))
+}
+
+/// The fields of a line that need not have the separator of the file.
+fn count_of_fields(line: &str) -> usize {
+    match line.chars().find(|character| ";\t".contains(*character)) {
+        Some(separator) => line.split(separator).count(),
+        None if line.contains(char::is_whitespace) => line.split_whitespace().count(),
+        None => line.split(',').count(),
+    }
+}
+
+fn is_separator(character: char) -> bool {
+    character.is_whitespace() || ";,".contains(character)
 }
 
 pub(crate) fn is_comment(line: &str) -> bool {
@@ -59,7 +100,6 @@ pub(crate) fn is_gap(field: &str) -> bool {
 /// Whether a line consists of numbers, whatever separates them.
 fn holds_numbers(line: &str) -> bool {
     let mut has_number = false;
-    let is_separator = |character: char| character.is_whitespace() || ";,".contains(character);
     line.split(is_separator).filter(|word| !word.is_empty()).all(|word| {
         let is_number = word.parse::<f64>().is_ok_and(f64::is_finite);
         has_number |= is_number;
@@ -88,7 +128,7 @@ impl Separator {
         )
     }
 
-    /// The fields of a line; an empty one after a last separator is none.
+    /// The fields of a line; empty ones at its end are none, since instruments close lines with separators.
     pub(crate) fn split(self, line: &str) -> impl Iterator<Item = &str> {
         let (character, line) = match self {
             Self::Semicolon => (Some(';'), line),
@@ -96,7 +136,7 @@ impl Separator {
             Self::Comma => (Some(','), line),
             Self::Blanks => (None, line),
         };
-        let line = character.and_then(|character| line.strip_suffix(character)).unwrap_or(line);
+        let line = character.map_or(line, |character| line.trim_end_matches([character, ' ', '\t']));
         let delimited = character.map(|character| line.split(character).map(str::trim));
         let blanks = character.is_none().then(|| line.split_whitespace());
         delimited.into_iter().flatten().chain(blanks.into_iter().flatten())
@@ -160,9 +200,10 @@ mod tests {
     }
 
     #[test]
-    fn fields_are_split_without_an_empty_last_one() {
+    fn fields_are_split_without_empty_ones_at_the_end() {
         let split = |separator: Separator, line| separator.split(line).map(str::to_owned).collect::<Vec<_>>();
         assert_eq!(split(Separator::Comma, "1, 2,"), ["1", "2"]);
+        assert_eq!(split(Separator::Comma, "1,2, ,"), ["1", "2"]);
         assert_eq!(split(Separator::Blanks, "1  2\t3"), ["1", "2", "3"]);
         assert_eq!(split(Separator::Semicolon, "1;;3"), ["1", "", "3"]);
     }

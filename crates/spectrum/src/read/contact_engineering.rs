@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use crate::read::error::ReadError;
+use crate::read::lines::comment;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
-use crate::read::table::comment;
 
 /// The series under lines `# Columns: ...`, of which the text holds at least one.
 ///

@@ -3,7 +3,8 @@
 use crate::convention::Convention;
 use crate::read::error::ReadError;
 use crate::read::header::{Abscissa, DensityName, Heading, Quantity, trailing_unit};
-use crate::read::layout::{DensityColumn, ErrorColumn, Header};
+use crate::read::layout::{DensityColumn, ErrorColumn};
+use crate::read::names::Header;
 use crate::read::unit::Unit;
 
 /// A column that could be the spectrum.

@@ -1,12 +1,46 @@
 //! What can be wrong with a file.
 
 use thiserror::Error;
+use units::LengthUnit;
+use units::display::length;
 
 use crate::convention::Convention;
 use crate::read::json::JsonError;
 use crate::read::options::UnitError;
 use crate::read::select::SeriesError;
 use crate::read::workbook::WorkbookError;
+
+/// What bytes are that are no text in UTF-8.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Encoding {
+    /// They begin like UTF-16.
+    Utf16,
+    /// Control characters stand among the first of them: a binary file, such as instruments write.
+    Binary,
+    /// Text in one of the older encodings.
+    Unknown,
+}
+
+impl Encoding {
+    pub(crate) fn of(bytes: &[u8]) -> Self {
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            return Self::Utf16;
+        }
+        let is_control = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c".contains(byte);
+        if bytes.iter().take(512).any(is_control) { Self::Binary } else { Self::Unknown }
+    }
+}
+
+impl std::fmt::Display for Encoding {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Utf16 => "the start of UTF-16, not UTF-8",
+            Self::Binary => "binary, perhaps a scan, and no spectrum as text",
+            Self::Unknown => "not UTF-8 text",
+        })
+    }
+}
 
 /// A file that holds no power spectrum, or more than one, or does not say what its numbers mean.
 ///
@@ -20,8 +54,7 @@ pub enum ReadError {
     Io(#[from] std::io::Error),
     /// Not text in UTF-8.
     #[error(
-        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is {}; save the spectrum as CSV or text in UTF-8",
-        if *.is_utf16 { "the start of UTF-16, not UTF-8" } else { "not UTF-8 text" }
+        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is {encoding}; save the spectrum as CSV or text in UTF-8"
     )]
     NotText {
         /// Line.
@@ -30,8 +63,8 @@ pub enum ReadError {
         offset: usize,
         /// The byte.
         byte: u8,
-        /// Whether the file begins like UTF-16.
-        is_utf16: bool,
+        /// What it is instead.
+        encoding: Encoding,
     },
     /// Nothing but comments and empty lines.
     #[error("reading the spectrum: the file holds no rows, it must hold at least 2")]
@@ -234,8 +267,9 @@ pub enum ReadError {
     },
     /// The same wavelength twice.
     #[error(
-        "line {line}: the wavelength {wavelength_m:e} m stands in line {first_line} already; keep one row for each \
-         wavelength, and one series (such as '1D PSD along x') in a file"
+        "line {line}: the wavelength {} stands in line {first_line} already; keep one row for each \
+         wavelength, and one series (such as '1D PSD along x') in a file",
+        length(*.wavelength_m)
     )]
     RepeatedWavelength {
         /// Line of the repetition.
@@ -302,13 +336,12 @@ impl ReadError {
     /// A unit that does not measure the density of a convention.
     pub(crate) fn bad_density_unit(line: usize, column: &str, unit: &str, convention: Convention) -> Self {
         let power = convention.metre_power();
-        let metres = ["m", "cm", "mm", "um", "nm", "pm", "angstrom"];
         Self::BadUnit {
             line,
             column: column.to_owned(),
             unit: unit.to_owned(),
             quantity: format!("spectrum ({convention})"),
-            accepted: metres.map(|metre| format!("{metre}^{power}")).join(", "),
+            accepted: LengthUnit::ALL.map(|unit| format!("{}^{power}", unit.ascii())).join(", "),
         }
     }
 }

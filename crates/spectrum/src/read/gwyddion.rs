@@ -7,8 +7,8 @@
 use csv::StringRecord;
 
 use crate::read::error::ReadError;
+use crate::read::lines::is_number;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
-use crate::read::table::is_number;
 
 /// The curves of an export; `None` for a file that does not begin like one.
 ///

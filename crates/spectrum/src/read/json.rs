@@ -1,7 +1,8 @@
-//! Series as JSON: `{name, x, y, std_err_y}` of contact.engineering, one or an array of them, or the whole analysis
-//! with its units.
+//! Spectra as JSON: series `{name, x, y, std_err_y}` of contact.engineering, one or an array of them, or the whole analysis
+//! with its units; and tables, an array with an object for each row.
 
 use csv::StringRecord;
+use indexmap::{IndexMap, IndexSet};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use thiserror::Error;
@@ -113,8 +114,14 @@ pub(crate) fn is_json(text: &str) -> bool {
         || text.strip_prefix('[').is_some_and(|rest| rest.trim_start().starts_with(['{', ']']))
 }
 
+/// A row of a table: its names and what stands beside each.
+type JsonRow<'d> = IndexMap<String, &'d RawValue>;
+
 /// The series of a JSON text.
 pub(crate) fn series(text: &str) -> Result<Vec<Series>, JsonError> {
+    if let Some(table) = table(text) {
+        return Ok(vec![table]);
+    }
     let (analysis, is_single) = if text.trim_start().starts_with('[') {
         (bare(serde_json::from_str(text)?), false)
     } else if serde_json::from_str::<Probe<'_>>(text)?.series.is_some() {
@@ -135,6 +142,30 @@ pub(crate) fn series(text: &str) -> Result<Vec<Series>, JsonError> {
         series.rows(text, &names, place)
     };
     analysis.series.iter().enumerate().map(one).collect()
+}
+
+/// The table of a text that is an array of objects, the first of which holds no array; that would make it a series.
+fn table(text: &str) -> Option<Series> {
+    let rows: Vec<JsonRow<'_>> = serde_json::from_str(text).ok()?;
+    if rows.first()?.values().any(|value| value.get().starts_with('[')) {
+        return None;
+    }
+    let names: IndexSet<&String> = rows.iter().flat_map(IndexMap::keys).collect();
+    let mut place = Place { text, byte: 0, line: 1 };
+    let row = |row: &JsonRow<'_>| {
+        if let Some(first) = row.values().next() {
+            place.advance_to(first.get());
+        }
+        let field = |name: &&String| match row.get(*name).map(|value| number_text(value)) {
+            Some("null") | None => "",
+            Some(text) => text,
+        };
+        Row { line: place.line, fields: names.iter().map(field).collect() }
+    };
+    let rows: Vec<Row> = rows.iter().map(row).collect();
+    let line = rows.first().map_or(1, |row| row.line);
+    let names = names.into_iter().cloned().collect();
+    Some(Series::new(SeriesName::default(), Columns { names, line, kind: ColumnKind::Named }, rows))
 }
 
 fn bare(series: Vec<JsonSeries<'_>>) -> Analysis<'_> {

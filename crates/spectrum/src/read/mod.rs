@@ -7,7 +7,10 @@ mod gwyddion;
 mod header;
 mod json;
 mod layout;
+mod lines;
+mod named;
 mod nameless;
+mod names;
 mod options;
 mod rows;
 mod select;
@@ -16,7 +19,7 @@ mod table;
 mod unit;
 mod workbook;
 
-pub use error::{Field, ReadError};
+pub use error::{Encoding, Field, ReadError};
 pub use header::Abscissa;
 pub use json::JsonError;
 pub use options::{ReadOptions, UnitError};
@@ -30,11 +33,14 @@ use serde::Serialize;
 
 use crate::psd::Psd;
 use layout::Layout;
+use lines::decode;
+use nameless::nameless;
+use names::Header;
 use options::GivenUnits;
 use rows::samples;
 use select::select;
-use series::Series;
-use table::{Table, decode};
+use series::{ColumnKind, Columns, Series};
+use table::Table;
 
 /// A power spectrum with what its file says about it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -57,6 +63,8 @@ pub struct PsdFile {
 /// but for standard errors (`standard error of PSD (m³)`, `C1D_se_m3`). Wavelength counts before wavevector before
 /// frequency, and the others must agree with it to 0.001; C1D counts before other spectra. Lines that begin with `#`
 /// are comments.
+///
+/// As JSON the rows are an array of objects with these names, `[{"lambda_m": 1e-6, "C1D_m3": 1e-22}, ...]`.
 ///
 /// Exports of contact.engineering (TXT, CSV, XLSX, JSON) and Gwyddion's graphs as text may hold several series, of
 /// which [`ReadOptions::series`] and [`ReadOptions::subject`] choose one. Without them that is the only one, or
@@ -91,6 +99,19 @@ pub fn series_names(input: impl Read) -> Result<Vec<SeriesName>, ReadError> {
     Ok(Content::read(input)?.series.into_iter().map(|series| series.name).collect())
 }
 
+/// Whether a file holds a power spectrum, for callers who must tell it from other files: names of columns, or a series as
+/// JSON, say so. Its numbers are not looked at, so that [`read_psd`] may still refuse it; bare columns of numbers do not.
+pub fn is_psd(input: impl Read) -> bool {
+    let options = ReadOptions::default();
+    let Ok(units) = options.units() else { return false };
+    let is_one = |series: &Series| match series.columns.kind {
+        ColumnKind::Arrays { .. } => true,
+        ColumnKind::Named => layout(&series.columns, &options, &units, &mut Vec::new()).is_ok(),
+        ColumnKind::Numbered => false,
+    };
+    Content::read(input).is_ok_and(|content| content.series.iter().any(is_one))
+}
+
 /// A file taken apart into its series.
 struct Content {
     comments: Vec<String>,
@@ -113,6 +134,23 @@ impl Content {
     }
 }
 
+/// Finds the columns of a series, and notes what had to be assumed.
+fn layout(
+    columns: &Columns,
+    options: &ReadOptions,
+    units: &GivenUnits<'_>,
+    notes: &mut Vec<String>,
+) -> Result<Layout, ReadError> {
+    match columns.kind {
+        ColumnKind::Named | ColumnKind::Arrays { named: true } => {
+            Header { line: columns.line, names: &columns.names, options, units }.layout(notes)
+        }
+        ColumnKind::Numbered | ColumnKind::Arrays { named: false } => {
+            nameless(columns, options, units, notes)
+        }
+    }
+}
+
 /// The spectrum of a series, and what was chosen, left out and assumed.
 fn read_series(
     series: &Series,
@@ -120,7 +158,7 @@ fn read_series(
     units: &GivenUnits,
 ) -> Result<(Psd, Vec<String>), ReadError> {
     let mut notes = series.notes.clone();
-    let layout = Layout::of(&series.columns, options, units, &mut notes)?;
+    let layout = layout(&series.columns, options, units, &mut notes)?;
     let (samples, missing) = samples(series, &layout)?;
     if missing > 0 {
         let rows = if missing == 1 {

@@ -6,6 +6,7 @@ use crate::read::contact_engineering::{blocks, grouped, has_columns_comment};
 use crate::read::error::ReadError;
 use crate::read::gwyddion;
 use crate::read::header::{Heading, Quantity};
+use crate::read::lines::{comment, is_blank_or_comment, is_number};
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
 /// A text file cut into comments, a possible header and rows.
@@ -206,37 +207,8 @@ impl Separator {
     }
 }
 
-/// The text of a file: checks that it is UTF-8 without zero bytes, the mark of binary files, and takes its byte order
-/// mark off.
-pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
-    let (text, end) = match std::str::from_utf8(bytes) {
-        Ok(text) => (text, text.find('\0')),
-        Err(error) => ("", Some(error.valid_up_to())),
-    };
-    let Some(end) = end else { return Ok(text.strip_prefix('\u{feff}').unwrap_or(text)) };
-    Err(ReadError::NotText {
-        line: 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count(),
-        offset: end + 1,
-        byte: bytes[end],
-        is_utf16: bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]),
-    })
-}
-
 fn leading_comments(text: &str) -> impl Iterator<Item = &str> {
     text.lines().take_while(|line| is_blank_or_comment(line)).filter_map(comment)
-}
-
-pub(crate) fn comment(line: &str) -> Option<&str> {
-    line.trim_start().strip_prefix('#').map(|rest| rest.trim_start_matches('#').trim())
-}
-
-fn is_blank_or_comment(line: &str) -> bool {
-    let line = line.trim_start();
-    line.is_empty() || line.starts_with('#')
-}
-
-pub(crate) fn is_number(field: Option<&str>) -> bool {
-    field.is_some_and(|field| field.parse::<f64>().is_ok())
 }
 
 /// Names of a header separated by blanks, with units in brackets or after a slash joined to their name.

@@ -20,7 +20,8 @@ pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
             .filter(|&w| !law.at_depth(w).yields_at(law.pressure_pa(w))),
     );
     // Strictly inside the plastic branch, whose criteria make no sense at its very edge.
-    let edge_m = from_m.max(law.critical_m * (1.0 + 1e-12));
+    const BESIDE: f64 = 1e-12;
+    let edge_m = from_m.max(law.critical_m * (1.0 + BESIDE));
     breaks_m.extend(flow_changes_m(law, edge_m, to_m));
     breaks_m.extend(crossing_m(edge_m, to_m, |w| law.log_pressure_over_critical(w)));
     breaks_m.extend(crossing_m(edge_m, to_m, |w| law.at_depth(w).flattening_margin(law.pressure_pa(w))));
@@ -29,7 +30,7 @@ pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
 
 /// Where the growth of the strength, (1 + h*/w)^(1/2), has come about and where it no longer shows, if that is but a small
 /// part of the interferences up to one: a rule over all of them sees too little of it to tell its own error.
-fn ends_of_growth_m(law: &GradientLaw, to_m: f64) -> impl Iterator<Item = f64> {
+pub(crate) fn ends_of_growth_m(law: &GradientLaw, to_m: f64) -> impl Iterator<Item = f64> {
     // In units of h*; in the cube root of the interference, the singularity at -h* is as far off as each stretch is long.
     const ENDS: [f64; 2] = [1.0, 500.0];
     const SMALL_PART: f64 = 1e-3;
@@ -48,7 +49,9 @@ fn crossing_m(from_m: f64, to_m: f64, sign: impl Fn(f64) -> f64) -> Option<f64> 
 /// several times, and a short stretch of flow may lie between two samples: an extremum that bends towards the other sign is
 /// looked up.
 fn flow_changes_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
+    // Three to a decade of nine, over each of which the exponent bends at most once.
     const SAMPLES: usize = 25;
+    // 0.618^40 of the bracket, some 1e-8, is where a minimum loses its digits.
     const GOLDEN_STEPS: usize = 40;
     if from_m >= to_m {
         return Vec::new();

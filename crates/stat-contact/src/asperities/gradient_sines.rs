@@ -4,7 +4,7 @@ use asperity::{FLAGGED_ASPECT_RATIO_OVER_CRITICAL, MaterialPair, NixGao};
 use numerics::zero_in_bracket;
 
 use super::answers::{Asperities, Course, Response};
-use super::gradient_breaks::breaks_m;
+use super::gradient_breaks::{breaks_m, ends_of_growth_m};
 use super::gradient_law::GradientLaw;
 use super::pieces::{Chart, LawChart, Piece, Points, pieces_between};
 use super::sine_charts::SineChart;
@@ -12,6 +12,9 @@ use crate::Population;
 
 /// Share of the highest interference that counts below which nothing contributes: the pressure grows like w^2.
 const NEGLIGIBLE: f64 = 1e-9;
+
+/// The r at the macroscopic strength from which on the pressure may fall before complete contact.
+const RISES_BELOW: f64 = 3e4;
 
 /// Elastic-plastic sinusoids of the strength at the depth of their interference, also beyond complete contact.
 #[derive(Debug, Clone)]
@@ -54,13 +57,14 @@ impl Asperities for GradientSines {
         let mut pieces = Vec::new();
         if low_m < complete_m {
             let from_m = low_m.max(NEGLIGIBLE * high_m);
+            // Below complete contact by a few units in the last place.
             let to_m = high_m.min(complete_m * (1.0 - 1e-15));
             let charts = self.charts.each_ref().map(|chart| chart as &dyn LawChart);
             pieces = self.law.shape.pieces(0.0, complete_m, breaks_m(&self.law, from_m, to_m), charts);
         }
         let beyond = [Some(self.law.critical_m), self.law.strength.cap_depth_m()].into_iter().flatten();
         let mut ends_m = vec![complete_m, f64::INFINITY];
-        ends_m.extend(beyond.filter(|&w| w > complete_m));
+        ends_m.extend(beyond.chain(ends_of_growth_m(&self.law, high_m)).filter(|&w| w > complete_m));
         ends_m.sort_by(f64::total_cmp);
         pieces.extend(pieces_between(&ends_m, |_| Chart::Interference));
         pieces
@@ -95,9 +99,7 @@ impl Asperities for GradientSines {
     }
 
     fn course(&self, _sigma_s_m: f64) -> Course {
-        // Beyond complete contact p*_ep falls with the strength for good. Below it the pressure rises, but for r beyond
-        // some 3e4, where it may fall before.
-        const RISES_BELOW: f64 = 3e4;
+        // Beyond complete contact p*_ep falls with the strength for good. Below it the pressure rises as a rule.
         if self.law.critical_m.is_finite() {
             Course::Peaks { certain: self.law.weakest_ratio < RISES_BELOW }
         } else {
@@ -129,5 +131,10 @@ impl LawChart for GradientChart {
 
     fn resolution(&self, from_first_touch: bool) -> f64 {
         self.elastic.resolution(from_first_touch)
+    }
+
+    fn growth(&self) -> f64 {
+        // There the pressure of plastic flow hardly depends on the interference, and a millionth of these carries as much.
+        if self.law.weakest_ratio < RISES_BELOW { 2.0 } else { 0.0 }
     }
 }

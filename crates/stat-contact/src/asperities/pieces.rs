@@ -29,6 +29,12 @@ pub(crate) trait LawChart: Debug + Send + Sync {
     fn resolution(&self, _from_first_touch: bool) -> f64 {
         1.0
     }
+
+    /// The power of the interference with which the response grows, or less: how little of the whole a small part of the
+    /// interferences is.
+    fn growth(&self) -> f64 {
+        2.0
+    }
 }
 
 /// The coordinate in which a piece of a law is smooth up to its ends.

@@ -88,6 +88,8 @@ fn add_piece<'a>(
     const RESOLUTION_OVER_DECADES: f64 = 1.4;
     // Width over depth of a window in which a law without a break is smooth in the interference itself.
     const NARROW: f64 = 1e-3;
+    // The power with which a response grows that brings no coordinate of its own, or more: few nodes are the dearer ones.
+    const GROWTH: f64 = 2.0;
     let Panels { centre, sigma_s_m, .. } = builder.panels;
     let low = window.low.max(piece.from_m / sigma_s_m);
     let high = window.high.min(piece.to_m / sigma_s_m);
@@ -95,27 +97,27 @@ fn add_piece<'a>(
         return;
     }
     let whole_window = low == window.low && high == window.high;
-    let (variable, resolution) = match piece.chart {
+    let (variable, resolution, growth) = match piece.chart {
         // The law's own coordinate would round the heights to the digits of the interference.
-        Chart::Law(_) if whole_window && high - low < NARROW * low => (Variable::Own(coordinate), 1.0),
+        Chart::Law(_) if whole_window && high - low < NARROW * low => {
+            (Variable::Own(coordinate), 1.0, GROWTH)
+        }
         Chart::Interference => {
             let coordinate = coordinate.between(low, high);
-            (
-                Variable::Own(coordinate),
-                if coordinate.spans_decades() { RESOLUTION_OVER_DECADES } else { 1.0 },
-            )
+            let resolution = if coordinate.spans_decades() { RESOLUTION_OVER_DECADES } else { 1.0 };
+            (Variable::Own(coordinate), resolution, GROWTH)
         }
-        Chart::Law(chart) => (Variable::Law(chart), chart.resolution(low == 0.0)),
+        Chart::Law(chart) => (Variable::Law(chart), chart.resolution(low == 0.0), chart.growth()),
     };
     let ends = [low, high].map(|s| variable.of(s, s * sigma_s_m));
-    let nodes = resolution * nodes_between(low, high, centre, digits);
+    let nodes = resolution * nodes_between([low, high], growth, centre, digits);
     builder.add(variable, ends, 0, Rule::of_at_least(nodes.ceil() as usize));
 }
 
 /// Nodes that a Gauss-Legendre rule needs between two interferences for exp(-digits) of the whole, from how far the exponent
 /// of the density at the centre runs (as its square root, as for a Gaussian), how much there is to be resolved beside it,
-/// and how little of the whole lies there. An undershoot is mended by [`refine`].
-fn nodes_between(low: f64, high: f64, centre: f64, digits: f64) -> f64 {
+/// and how little of the whole lies there of a response that grows with a power of the interference. An undershoot is mended by [`refine`].
+fn nodes_between([low, high]: [f64; 2], growth: f64, centre: f64, digits: f64) -> f64 {
     // How much of the run of the exponent counts where the stretch holds its minimum, and where it does not.
     const RUN_ACROSS_PEAK: f64 = 1.75;
     const RUN_BESIDE_PEAK: f64 = 0.95;
@@ -131,9 +133,9 @@ fn nodes_between(low: f64, high: f64, centre: f64, digits: f64) -> f64 {
     } else {
         (RUN_BESIDE_PEAK * (at_high - at_low).abs(), at_low.min(at_high))
     };
-    // Interferences that carry the load: the response grows like their square.
+    // Interferences that carry the load.
     let reach = if centre > 1.0 { 1.0 / centre } else { 1.0 - centre.min(0.0) };
-    let log_share = (2.0 * (high / reach).ln()).min(0.0) - (least - NEGLIGIBLE_FALL).max(0.0);
+    let log_share = (growth * (high / reach).ln()).min(0.0) - (least - NEGLIGIBLE_FALL).max(0.0);
     let digits = (digits + log_share).max(1.0);
     let smooth = digits / DIGITS_PER_NODE;
     0.5 * (digits * run + smooth * smooth).sqrt()

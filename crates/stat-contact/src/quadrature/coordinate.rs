@@ -30,10 +30,14 @@ impl Coordinate {
     /// s = -c: c is the smallest number, and so the one with the fewest nodes, for which that is below exp(-digits).
     /// Where contacts at first touch are that rare already, the heights themselves serve, and keep their digits better.
     pub fn around(u: f64, farthest: f64, digits: f64) -> Self {
-        // The margin makes up for the growth of a response like s^(3/2) from where the contacts are to the singularity.
-        let margin = 5.0 + 5.0 * elementary::ln_1p(u.max(0.0));
+        // The margin makes up for the growth of a response like s^(3/2) from where the contacts are, at 1/(1 + u), to the
+        // singularity.
+        const MARGIN: f64 = 5.0;
+        // Digits below which the heights themselves serve.
+        const LEAST_LEVEL: f64 = 1.0;
+        let margin = MARGIN + MARGIN * elementary::ln_1p(u.max(0.0));
         let level = digits + margin - 0.5 * farthest.min(0.0).powi(2);
-        if level < 1.0 {
+        if level < LEAST_LEVEL {
             return Coordinate::Height { u };
         }
         let rise = (2.0 * digits).sqrt() - farthest;
@@ -44,7 +48,9 @@ impl Coordinate {
     /// The same for a stretch from `low` to `high` only. A law may have singularities at the origin, of powers of s:
     /// where the stretch covers decades, a power of the coordinate keeps them at a tenth of its length from it.
     pub fn between(self, low: f64, high: f64) -> Self {
+        // A decade of the coordinate, whatever the decades of the interference.
         const LOG_RATIO_LEFT: f64 = 2.3;
+        // Higher ones gather the nodes at the far end.
         const HIGHEST_POWER: f64 = 8.0;
         let power = elementary::ln(high / low) / LOG_RATIO_LEFT;
         if low > 0.0 && power > 1.0 {

@@ -62,7 +62,8 @@ impl<'a> Frame<'a> {
     /// The pressure around one separation within a percent or so, for a few evaluations; no areas.
     pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64, scratch: &mut Scratch) -> Self {
         // Far below the mean plane ln p is flat: its curvature, of the order of 1/u^2, has to be seen.
-        let digits = 10.0 + 2.0 * (-u).max(0.0).ln_1p();
+        const DIGITS: f64 = 10.0;
+        let digits = DIGITS + 2.0 * (-u).max(0.0).ln_1p();
         let precision = Precision { tolerance: (-digits).exp(), digits, drop: digits };
         let window = Window::new(u, u, precision.drop);
         let integrals = match HertzIntegrals::within(&window, asperities, sigma_s_m) {
@@ -86,7 +87,7 @@ impl<'a> Frame<'a> {
 
     /// Whether a separation is near enough to the centre.
     pub fn serves(&self, u: f64) -> bool {
-        // Beyond the cell, whose half width is half of this, the window cuts off more than it may.
+        // Four times the half width of a cell: steps overshoot, and a window cuts off little more than it may up to there.
         const REACH: f64 = 0.2;
         match &self.integrals {
             Integrals::Closed(_) => true,

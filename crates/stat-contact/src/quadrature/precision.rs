@@ -21,8 +21,12 @@ impl Precision {
     pub fn new(tolerance: f64) -> Self {
         let tolerance = tolerance.clamp(Self::FINEST, Self::COARSEST);
         let digits = -elementary::ln(tolerance);
+        // Rules are worth their nodes at a tenth of the tolerance: fewer of their panels have to be refined.
+        const SPARE_DIGITS: f64 = 2.5;
         // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
-        Precision { tolerance, digits: digits + 2.5, drop: digits + 2.0 * elementary::ln(digits) + 2.0 }
+        const SPARE_DROP: f64 = 2.0;
+        let drop = digits + 2.0 * elementary::ln(digits) + SPARE_DROP;
+        Precision { tolerance, digits: digits + SPARE_DIGITS, drop }
     }
 
     /// The precision that separations around u need: far below the mean plane ln p goes like ln(-u), and a search has to see
@@ -38,11 +42,13 @@ impl Precision {
 
 /// The relative error to state of integrals at the separation u, from that of their rules and of what they leave out.
 pub(crate) fn error_estimate(rules: f64, u: f64) -> f64 {
+    // Of sums of a hundred positive terms, and of the law in each.
     const ROUNDING: f64 = 1e-14;
     // With it the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty of it.
     const CAUTION: f64 = 4.0;
-    // Far below the mean plane the interference has no more digits than u.
-    let digits_of_u = 8.0 * f64::EPSILON * (-u).max(0.0);
+    // Far below the mean plane the interference has no more digits than u, and ln p changes by up to some units for one of u.
+    const UNITS: f64 = 8.0;
+    let digits_of_u = UNITS * f64::EPSILON * (-u).max(0.0);
     CAUTION * rules + ROUNDING + digits_of_u
 }
 

@@ -108,8 +108,7 @@ impl Search<'_, '_> {
         self.missed_by(found) == 0.0
     }
 
-    /// How much the pressure of what was found is off, relatively; 0 where that is rounding. It is no more than the error of
-    /// the quadratures where the pressures of two cells leave the load between them, at their common edge.
+    /// How much the pressure of what was found is off ([`Answer`](super::problem::Answer)).
     pub fn missed_by(&mut self, Found { cell, u }: Found) -> f64 {
         const CLOSE: f64 = 1e-11;
         let sums = self.frames.of(cell).sums_at(u);

@@ -2,7 +2,7 @@
 
 use super::bracket::Bracket;
 use super::converge::is_near;
-use super::problem::{Found, Neighbour, Search};
+use super::problem::{Answer, Found, Neighbour, Search};
 use crate::asperities::answers::Course;
 use crate::far::FAR;
 use crate::quadrature::cell::Cell;
@@ -13,20 +13,25 @@ const USUAL_SEPARATION: f64 = 2.0;
 impl Search<'_, '_> {
     /// The largest separation that carries the pressure, `None` where none does. A neighbour saves work, and changes no digit:
     /// what is found from it counts where the solution is the only one and lies in its cell beyond doubt.
-    pub fn largest(&mut self, neighbour: Option<Neighbour>) -> Option<Found> {
+    pub fn largest(&mut self, neighbour: Option<Neighbour>) -> Option<Answer> {
         if self.frames.are_one() {
             // Always from the same start, a few steps off: so the digits are always the same.
             let mut bracket = Bracket::EVERYTHING.on_fine_quadratures();
             let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
-            return Some(Found { cell: Cell::ANY, u });
+            return Some(Found { cell: Cell::ANY, u }.into());
         }
-        let found = neighbour.and_then(|neighbour| self.solution_near(neighbour));
-        let found = found.or_else(|| self.solution_anywhere())?;
+        let near = neighbour.and_then(|neighbour| self.solution_near(neighbour)).map(Answer::from);
+        let answer = near.or_else(|| self.solution_anywhere())?;
         // Above the mean plane there is no other.
-        if found.u >= 0.0 {
-            return Some(found);
+        if answer.found.u >= 0.0 {
+            return Some(answer);
         }
-        Some(self.before_dip(found.u).unwrap_or(found))
+        Some(self.before_dip(answer.found.u).map_or(answer, |found| self.answer(found)))
+    }
+
+    /// A crossing with what it is off by.
+    fn answer(&mut self, found: Found) -> Answer {
+        Answer { found, missed_by: self.missed_by(found) }
     }
 
     /// The solution near that of another pressure; `None` where it may not be the one that is found without a neighbour.
@@ -50,7 +55,7 @@ impl Search<'_, '_> {
     }
 
     /// The solution from the usual start, or, where steps from there do not converge, from crossings of the load.
-    fn solution_anywhere(&mut self) -> Option<Found> {
+    fn solution_anywhere(&mut self) -> Option<Answer> {
         let bracket = match self.course() {
             Course::StepsDown { at_m } if at_m < FAR * self.frames.sigma_s_m => {
                 self.bracket_across(at_m / self.frames.sigma_s_m)
@@ -60,13 +65,13 @@ impl Search<'_, '_> {
         let near = self.approach(USUAL_SEPARATION.clamp(bracket.low, bracket.high), bracket);
         if let Some(found) = self.settle(near, bracket) {
             if self.is_carried_by(found) {
-                return Some(found);
+                return Some(found.into());
             }
             if let Some(crossing) = self.crossing_around(found.u) {
-                return Some(crossing);
+                return Some(self.answer(crossing));
             }
         }
-        self.solution_beside_most_loaded()
+        self.solution_beside_most_loaded().map(|found| self.answer(found))
     }
 
     /// The solution nearest to the separation that carries most: the peak of the pressure, or the depth at which searches

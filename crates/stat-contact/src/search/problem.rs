@@ -25,6 +25,21 @@ pub(crate) struct Found {
     pub u: f64,
 }
 
+/// What was found, and how much its pressure is off, relatively; 0 where that is rounding. It is no more than the error of
+/// the quadratures where the pressures of two cells leave the load between them, at their common edge.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Answer {
+    pub found: Found,
+    pub missed_by: f64,
+}
+
+impl From<Found> for Answer {
+    /// A search that has converged.
+    fn from(found: Found) -> Self {
+        Answer { found, missed_by: 0.0 }
+    }
+}
+
 /// A state to start from.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Neighbour {

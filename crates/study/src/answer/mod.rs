@@ -2,12 +2,13 @@
 
 mod tables;
 
+use spectrum::Hole;
 use stacked_contact::setting_level;
 
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
 use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Results};
 use crate::scene::Scene;
-use crate::topography::InstrumentsDisagree;
+use topography::InstrumentsDisagree;
 
 /// From so many scales on, over so many decades, a spectrum can tell which of them matter.
 pub const LEAST_SCALES: usize = 5;
@@ -70,7 +71,7 @@ pub struct SettingScale {
 pub struct Disagreement {
     /// The load, by index.
     pub load: usize,
-    /// The curve of the least area, by index.
+    /// The curve of the smallest area, by index.
     pub least: usize,
     /// The curve of the largest area, by index.
     pub most: usize,
@@ -86,14 +87,15 @@ impl Answer {
     pub fn of(scene: &Scene, results: &Results) -> Self {
         let needs = &scene.needs;
         let scans = scene.surface.made_from.as_ref();
-        let instruments_disagree = scans.and_then(|scans| scans.instruments_disagree());
+        let instruments_disagree = scans.and_then(|scans| scans.spectrum.instruments_disagree());
         let wavelengths_m = results.psd.wavelengths_m();
         let decades = (wavelengths_m[0] / wavelengths_m[wavelengths_m.len() - 1]).log10();
         let enough = wavelengths_m.len() >= LEAST_SCALES && decades >= LEAST_DECADES;
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &crate::plan::Load)| {
-                LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)
+                let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa, can_settle)?;
+                Some(answer.of_spectrum_with(scene.surface.holes()))
             };
             needs.loads.iter().enumerate().map(of_load).collect()
         };
@@ -146,6 +148,20 @@ impl LoadAnswer {
             }),
             out_of_range_load_share: out_of_range.map(|(_, state)| state.out_of_range_load_share),
         })
+    }
+
+    /// The same answer for a spectrum with these holes, in which decades were not measured.
+    fn of_spectrum_with(mut self, holes: &[Hole]) -> Self {
+        for decade in &mut self.decades {
+            *decade = decade.of_spectrum_with(holes);
+        }
+        self
+    }
+
+    /// Where the area has settled within a tolerance \[m\], one of the two above; `None` where the spectrum cannot tell.
+    #[must_use]
+    pub fn settled_at_m(&self, within: Convergence) -> Option<f64> {
+        within.if_converged_m().filter(|_| self.settled)
     }
 
     /// The decade of wavelengths that decides most.

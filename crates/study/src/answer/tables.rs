@@ -36,7 +36,8 @@ impl Answer {
     }
 
     /// A row per curve, load and decade of wavelengths: `curve, nominal_pressure_pa, longest_wavelength_m,
-    /// shortest_wavelength_m, share` of ln(A_n/A) that the decade decides.
+    /// shortest_wavelength_m, share` of ln(A_n/A) that the decade decides, `measured` (yes or no: whether the spectrum was
+    /// measured in at least half of it).
     pub fn decades_table(&self, needs: &Needs) -> Table {
         let rows = || {
             needs.curves.iter().zip(&self.curves).flat_map(|(curve, answers)| {
@@ -52,6 +53,10 @@ impl Answer {
             .with_numbers("longest_wavelength_m", rows().map(|(_, _, decade)| decade.longest_m))
             .with_numbers("shortest_wavelength_m", rows().map(|(_, _, decade)| decade.shortest_m))
             .with_numbers("share", rows().map(|(_, _, decade)| decade.share))
+            .with_text(
+                "measured",
+                rows().map(|(_, _, decade)| if decade.measured { "yes" } else { "no" }.to_owned()),
+            )
     }
 }
 

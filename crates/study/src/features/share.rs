@@ -1,5 +1,7 @@
 //! How much of a curve's fall each decade of wavelengths decides.
 
+use spectrum::Hole;
+
 use super::Point;
 
 /// One decade of wavelengths, between whole powers of ten, and its part in a curve.
@@ -11,6 +13,18 @@ pub struct DecadeShare {
     pub shortest_m: f64,
     /// Its share of the logarithm of the final value; negative where the curve rises against its final direction.
     pub share: f64,
+    /// Whether the spectrum was measured in at least half of it, on a logarithmic scale: else its share is that of an
+    /// interpolation across a hole.
+    pub measured: bool,
+}
+
+impl DecadeShare {
+    /// The same share of a spectrum with these holes, none of which overlap.
+    #[must_use]
+    pub fn of_spectrum_with(self, holes: &[Hole]) -> Self {
+        let missing: f64 = holes.iter().map(|hole| hole.share_of(self.longest_m, self.shortest_m)).sum();
+        DecadeShare { measured: missing <= 0.5, ..self }
+    }
 }
 
 /// The share of each decade of wavelengths in ln(final value), for a curve that starts from 1 before its first point: the
@@ -29,7 +43,7 @@ pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
     for &(wavelength_m, value) in curve {
         while next >= decade(wavelength_m) {
             let (longest_m, shortest_m) = (power_of_ten(next + 1), power_of_ten(next));
-            shares.push(DecadeShare { longest_m, shortest_m, share: 0.0 });
+            shares.push(DecadeShare { longest_m, shortest_m, share: 0.0, measured: true });
             next -= 1;
         }
         if let Some(last) = shares.last_mut() {
@@ -74,6 +88,14 @@ mod tests {
             let decades: Vec<(f64, f64)> = shares.iter().map(|s| (s.longest_m, s.shortest_m)).collect();
             assert_eq!(decades, [(1e-3, 1e-4), (1e-4, 1e-5)]);
         }
+    }
+
+    #[test]
+    fn f_a_2_a_decade_that_lies_mostly_in_a_hole_was_not_measured() {
+        let holes = [Hole { longest_m: 2.27e-6, shortest_m: 114e-9 }];
+        let shares = decade_shares(&[(5e-6, 0.5), (2.27e-6, 0.4), (114e-9, 0.2), (2e-8, 0.1)]);
+        let measured = shares.into_iter().map(|share| share.of_spectrum_with(&holes).measured);
+        assert_eq!(measured.collect::<Vec<_>>(), [true, false, true]);
     }
 
     #[test]

@@ -17,6 +17,9 @@ pub use error::{SceneError, SceneProblem};
 pub use resolve::Overrides;
 pub use template::Template;
 
+use stat_contact::AsperityLaw;
+
+use crate::choices_in_words;
 use crate::figure::Figure;
 use crate::files::{Files, NoFiles};
 use crate::material::Material;
@@ -27,6 +30,8 @@ use units::number;
 /// A checked scene.
 #[derive(Debug, Clone)]
 pub struct Scene {
+    /// The scene as typed.
+    pub text: String,
     /// What it is about.
     pub title: String,
     /// The surface and its spectrum.
@@ -47,7 +52,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] with place, key, value and bound.
     pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
-        resolve::resolve(raw::RawScene::parse(text)?, files, overrides)
+        resolve::resolve(text, files, overrides)
     }
 
     /// A scene that comes with the program.
@@ -68,10 +73,35 @@ impl Scene {
     /// Those of them that the models leave open.
     pub fn model_choices(&self) -> Vec<String> {
         let mut choices = Vec::new();
-        choices.extend(self.needs.amplitudes.map(|definition| format!("amplitude: {definition}")));
-        choices.extend(
-            self.needs.moments.map(|normalisation| format!("normalisation of moments: {normalisation}")),
-        );
+        let named = |choice: &str, key: &str, words: &str| format!("{choice}: {key} ({words})");
+        choices.extend(self.needs.amplitudes.map(|definition| {
+            named("amplitude", definition.name(), choices_in_words::amplitude(definition))
+        }));
+        choices.extend(self.needs.moments.map(|normalisation| {
+            named(
+                "normalisation of moments",
+                normalisation.name(),
+                choices_in_words::normalisation(normalisation),
+            )
+        }));
+        let mut of_laws: Vec<String> = Vec::new();
+        for curve in &self.needs.curves {
+            let CurveModel::Statistical { law, .. } = curve.model else { continue };
+            of_laws.extend(match law {
+                AsperityLaw::EpSphere { hardness, .. } => {
+                    Some(named("hardness of spheres", hardness.name(), choices_in_words::hardness(hardness)))
+                }
+                AsperityLaw::ElasticSine { interference } => Some(named(
+                    "interference law of sinusoids",
+                    interference.name(),
+                    choices_in_words::interference(interference),
+                )),
+                AsperityLaw::Hertz | AsperityLaw::EpSine { .. } => None,
+            });
+        }
+        of_laws.sort();
+        of_laws.dedup();
+        choices.extend(of_laws);
         if self.needs.curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. })) {
             choices
                 .push(format!("tolerance of statistical states: {}", number(self.needs.tolerance.value())));

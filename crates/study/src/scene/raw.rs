@@ -4,13 +4,12 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
-use topography::{Detrend, Window};
+use topography::{Average, Detrend, Window};
 
 use super::error::SceneError;
 use crate::figure::Shows;
 use crate::models::ModelEntry;
 use crate::plan::Cutoffs;
-use crate::topography::Average;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
 pub(super) type RawQuantity = Spanned<toml::Value>;

@@ -39,7 +39,8 @@ pub struct Overrides {
     pub counterface: Option<ElasticBody>,
 }
 
-pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -> Result<Scene, SceneError> {
+pub(super) fn resolve(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Scene, SceneError> {
+    let raw = RawScene::parse(text)?;
     let options = raw.options;
     let strength_cap = match overrides.strength_cap {
         Some(cap) => Some(cap),
@@ -87,6 +88,7 @@ pub(super) fn resolve(raw: RawScene, files: &dyn Files, overrides: &Overrides) -
         None => own,
     };
     Ok(Scene {
+        text: text.to_owned(),
         title: raw.title.unwrap_or_else(|| surface.name.clone()),
         surface,
         material,

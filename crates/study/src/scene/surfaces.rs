@@ -8,7 +8,8 @@ use super::raw::{RawScan, RawSurface};
 use super::values::{count, optional, parsed};
 use crate::files::Files;
 use crate::surface::{Surface, SurfaceError};
-use crate::topography::{DEFAULT_BINS_PER_DECADE, Recipe, ScanRequest};
+use crate::topography::ScanRequest;
+use topography::{DEFAULT_BINS_PER_DECADE, Recipe};
 use units::Length;
 
 /// The surface under this key of the scene, its files from `files`.

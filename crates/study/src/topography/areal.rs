@@ -1,11 +1,11 @@
 //! The two-dimensional spectrum of a map.
 
-use scans::{HeightMap, Scan};
-use topography::{ArealRows, ArealSpectrum, ArealSums, ArealTransform, Preparation, ReliableBand};
+use scans::Scan;
+use topography::{MapSpectrum, Recipe, Remark};
 
 use super::error::{ScanProblem, TopographyError};
 use super::load::{Loaded, load};
-use super::request::{Recipe, ScanRequest};
+use super::request::ScanRequest;
 use crate::files::Files;
 use tables::Table;
 
@@ -15,8 +15,8 @@ pub struct AreaSpectrum {
     pub table: Table,
     /// How it was made: the file with its SHA-256, and what was done to the heights.
     pub provenance: String,
-    /// What reading took for granted.
-    pub notes: Vec<String>,
+    /// What reading took for granted, and what is doubtful.
+    pub remarks: Vec<Remark>,
 }
 
 /// The spectrum of the one map in a file.
@@ -29,7 +29,6 @@ pub fn areal_spectrum(
     recipe: &Recipe,
 ) -> Result<AreaSpectrum, TopographyError> {
     let refused = |problem| TopographyError::of_file(&request.path, problem);
-    let transform = |error| refused(ScanProblem::Transform { scan: None, error });
     let Loaded { scans, sha256 } = load(request, files)?;
     let [file] = &scans[..] else {
         return Err(refused(ScanProblem::NotOneMap(scans.len())));
@@ -37,33 +36,19 @@ pub fn areal_spectrum(
     let Scan::Map(map) = &file.scan else {
         return Err(refused(ScanProblem::LineHasNoArea));
     };
-    let preparation = recipe.preparation(file.is_periodic);
-    let band = ReliableBand::of(&file.scan, request.limits(file, recipe)).map_err(transform)?;
-    let spectrum = transformed(map, preparation);
-    let shown = spectrum.ciso(&band).map_err(transform)?;
-    let modes = |wavelength_m: &f64| {
-        let q = std::f64::consts::TAU / wavelength_m;
-        let near = |bin: &&topography::RadialBin| (bin.wavevector_rad_per_m / q - 1.0).abs() < 1e-9;
-        spectrum.bins().iter().find(near).map(|bin| bin.modes as f64)
-    };
-    let wavelengths_m = shown.wavelengths_m();
+    let found = MapSpectrum::of(map, file, request.limits(), recipe)
+        .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
+    let wavelengths_m = found.reliable.wavelengths_m();
+    let modes = |wavelength_m: &f64| found.modes_at(*wavelength_m).map(|modes| modes as f64);
     let table = Table::default()
         .with_numbers("wavelength_m", wavelengths_m.iter().copied())
         .with_numbers("wavevector_rad_per_m", wavelengths_m.iter().map(|l| std::f64::consts::TAU / l))
-        .with_numbers("Ciso_m4", shown.values().iter().copied())
+        .with_numbers("Ciso_m4", found.reliable.values().iter().copied())
         .with_numbers("modes", wavelengths_m.iter().map(modes).collect::<Vec<_>>());
     let provenance = format!(
         "map: {} ({}), SHA-256 {sha256}, detrend {}, window {}",
-        request.path, file.format, preparation.detrend, preparation.window
+        request.path, file.format, found.preparation.detrend, found.preparation.window
     );
-    Ok(AreaSpectrum { table, provenance, notes: file.notes.clone() })
-}
-
-/// The spectrum of a map, on all threads, with the same digits on any number of them.
-fn transformed(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
-    let transform = ArealTransform::new(map, preparation);
-    let rows: Vec<ArealRows> = parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
-    let sums: Vec<ArealSums> =
-        parallel::map_indices(transform.column_blocks(), |block| transform.columns(&rows, block));
-    transform.spectrum(&rows, &sums)
+    let of_map = |remark| Remark::Scan { name: file.name.clone(), remark };
+    Ok(AreaSpectrum { table, provenance, remarks: found.remarks.into_iter().map(of_map).collect() })
 }

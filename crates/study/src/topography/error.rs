@@ -2,8 +2,7 @@
 
 use std::{fmt, io};
 
-use scans::ScanReadError;
-use spectrum::PsdError;
+use scans::{Mend, ScanReadError};
 use topography::TransformError;
 
 /// Why the scans of a file, or all of them together, yield no spectrum.
@@ -44,23 +43,12 @@ pub enum ScanProblem {
         /// Why.
         error: TransformError,
     },
-    /// Heights in a unit that cannot be meant.
-    #[error("the variance of the heights is beyond the range of numbers; check their unit")]
-    VarianceBeyondNumbers,
     /// An areal spectrum of none or several scans.
     #[error("{0} scans; an areal spectrum is that of one map")]
     NotOneMap(usize),
     /// An areal spectrum of a line.
     #[error("a line scan has no areal spectrum")]
     LineHasNoArea,
-    /// Too few bins to be a spectrum.
-    #[error("{error}: the scans fill {bins} bins; give more of them, or more bins per decade")]
-    TooFewBins {
-        /// What a spectrum needs.
-        error: PsdError,
-        /// The bins.
-        bins: usize,
-    },
 }
 
 impl fmt::Display for TopographyError {
@@ -76,13 +64,22 @@ impl fmt::Display for TopographyError {
 impl std::error::Error for TopographyError {}
 
 impl TopographyError {
+    /// The option of a scan that mends it, where one does; whoever asked knows what it is called there.
+    #[must_use]
+    pub fn mend(&self) -> Option<Mend> {
+        match &self.problem {
+            ScanProblem::Format(error) => error.mend(),
+            _ => None,
+        }
+    }
+
     /// The scans of one file are to blame.
     pub(super) fn of_file(file: &str, problem: ScanProblem) -> Self {
         TopographyError { file: Some(file.to_owned()), request: None, problem }
     }
 
     /// All of the scans together are to blame.
-    pub(super) fn of_all(problem: ScanProblem) -> Self {
+    pub(crate) fn of_all(problem: ScanProblem) -> Self {
         TopographyError { file: None, request: None, problem }
     }
 }

@@ -1,20 +1,20 @@
 //! The composite drawn over the spectra it is made of.
 
 use spectrum::ProfilePsd;
-use topography::{BinMean, log_binned};
+use topography::{BinMean, ScanSpectrum, log_binned};
 
-use super::composite::CompositeSpectrum;
+use super::composite::CompositeOfFiles;
 use crate::figure::{FigureData, Series, psd_figure};
 
 const COMPOSITE_COLOUR: usize = 5;
 
-impl CompositeSpectrum {
+impl CompositeOfFiles {
     /// Figure 1 of a composite: every scan where it is trusted, and the composite on top.
     pub fn figure(&self, name: &str) -> FigureData {
-        let composite = self.composite.profile();
+        let composite = self.spectrum.composite.profile();
         let points = self.series("composite", COMPOSITE_COLOUR, 1, "c1d_m3", &composite);
         let series = self.scan_series().into_iter().chain([points]).collect();
-        psd_figure(name, series)
+        psd_figure(name, series).with_holes(&self.spectrum.holes())
     }
 
     /// A figure of the composite, with the scans beneath it.
@@ -27,13 +27,14 @@ impl CompositeSpectrum {
 
     /// The spectrum of every scan in the band where it is trusted, averaged in the composite's bins.
     pub fn scan_series(&self) -> Vec<Series> {
-        let names = self.series_names();
-        let line = |(index, scan): (usize, &super::ScanSpectrum)| {
-            let binned = log_binned(&scan.reliable, self.recipe.bins_per_decade, BinMean::Arithmetic);
-            let colour = index % COMPOSITE_COLOUR;
+        let names = self.spectrum.series_names();
+        let line = |(index, scan): (usize, &ScanSpectrum)| {
+            let binned =
+                log_binned(&scan.reliable, self.spectrum.recipe.bins_per_decade, BinMean::Arithmetic);
+            let colour = index + usize::from(index >= COMPOSITE_COLOUR);
             self.series(&names[index], colour, 0, &format!("c1d_m3 of {}", names[index]), &binned)
         };
-        self.scans.iter().enumerate().map(line).collect()
+        self.spectrum.scans.iter().enumerate().map(line).collect()
     }
 
     fn series(&self, name: &str, colour: usize, dash: usize, column: &str, psd: &ProfilePsd) -> Series {

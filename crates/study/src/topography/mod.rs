@@ -1,26 +1,24 @@
-//! From the files of instruments to one spectrum: which scans, how each is read and transformed, and their composite.
+//! From the files of instruments to one spectrum: which scans, how each is read, and their composite as tables and figures.
 //!
 //! | step | file |
 //! |---|---|
-//! | what was asked for | `request.rs`: files with their own options, and how spectra are made |
+//! | what was asked for | `request.rs`: files with their own options; `list.rs`: a table of them |
 //! | a file becomes heights | `load.rs`: format, unit and size from the file, else from metadata beside it, else as given |
-//! | heights become a spectrum | `measure.rs`: transformed in parallel, limited to the band that shows the surface |
-//! | is it right? | `checks.rs`: Parseval, slopes in real space, the fundamental mode, overlaps of instruments |
-//! | several become one | `composite.rs`, drawn by `figure.rs` |
+//! | heights become one spectrum, with checks | the crate `topography`; `composite.rs` remembers the files |
+//! | what is shown | `tables.rs`, `figure.rs` |
 //! | maps in two dimensions | `areal.rs` |
 
 mod areal;
-mod checks;
 mod composite;
 mod error;
 mod figure;
+mod list;
 mod load;
-mod measure;
 mod request;
+mod tables;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
-pub use checks::Checks;
-pub use composite::{CompositeSpectrum, InstrumentsDisagree};
+pub use composite::{CompositeOfFiles, Source};
 pub use error::{ScanProblem, TopographyError};
-pub use measure::ScanSpectrum;
-pub use request::{Average, DEFAULT_BINS_PER_DECADE, Recipe, RequestError, ScanRequest};
+pub use list::{ListError, requests_of_list};
+pub use request::{RequestError, ScanRequest};

@@ -1,13 +1,9 @@
-//! Which scans, each with what its file does not say, and how their spectra are made.
+//! Which scans, each with what its file does not say.
 
-use std::num::NonZeroU32;
 use std::str::FromStr;
 
-use scans::{LengthUnit, ScanFile};
-use serde::Deserialize;
-use topography::{BandLimits, Detrend, Preparation, Window};
-
-use units::Length;
+use topography::BandLimits;
+use units::{Length, LengthUnit};
 
 /// A file of scans, and what is known of them besides.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,79 +22,10 @@ pub struct ScanRequest {
     pub shortest_m: Option<f64>,
 }
 
-/// How spectra are made from scans.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Recipe {
-    /// What is subtracted; for periodic data the mean, else a line or plane, where absent.
-    pub detrend: Option<Detrend>,
-    /// The window; none for periodic data, else Hann, where absent.
-    pub window: Option<Window>,
-    /// How measurements are averaged bin by bin.
-    pub average: Average,
-    /// Logarithmic bins per decade of wavevectors.
-    pub bins_per_decade: NonZeroU32,
-    /// Radius of the tip \[m\] of scans that have no other.
-    pub tip_radius_m: Option<f64>,
-}
-
 impl ScanRequest {
-    /// What limits the wavelengths that a scan of this file shows: the tip, and the shortest one that user and instrument
-    /// both vouch for.
-    pub(super) fn limits(&self, file: &ScanFile, recipe: &Recipe) -> BandLimits {
-        BandLimits {
-            tip_radius_m: self.tip_radius_m.or(file.tip_radius_m).or(recipe.tip_radius_m),
-            shortest_m: [self.shortest_m, file.resolution_m].into_iter().flatten().reduce(f64::max),
-        }
-    }
-}
-
-/// How the spectra of several measurements are averaged in a bin.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Average {
-    /// The mean of their logarithms, which Jackson & Jacobs call the log-space average.
-    #[default]
-    Log,
-    /// Their mean, as contact.engineering takes it.
-    Arithmetic,
-}
-
-units::named!(Average, "average across scans", { Log => "log", Arithmetic => "arithmetic" });
-
-impl Default for Recipe {
-    fn default() -> Self {
-        Recipe {
-            detrend: None,
-            window: None,
-            average: Average::Log,
-            bins_per_decade: DEFAULT_BINS_PER_DECADE,
-            tip_radius_m: None,
-        }
-    }
-}
-
-/// The density of a composite where none is asked for.
-pub const DEFAULT_BINS_PER_DECADE: NonZeroU32 = NonZeroU32::new(10).expect("ten is not zero");
-
-impl Recipe {
-    /// What is done to the heights of a scan, periodic or not.
-    pub(super) fn preparation(&self, is_periodic: bool) -> Preparation {
-        let fitting = if is_periodic { Preparation::PERIODIC } else { Preparation::default() };
-        Preparation {
-            detrend: self.detrend.unwrap_or(fitting.detrend),
-            window: self.window.unwrap_or(fitting.window),
-        }
-    }
-
-    /// The recipe in a line, for the record.
-    pub fn describe(&self) -> String {
-        format!(
-            "detrend: {}, window: {}, average: {}, {} bins per decade",
-            self.detrend.map_or("as fits the scan".to_owned(), |detrend| detrend.to_string()),
-            self.window.map_or("as fits the scan".to_owned(), |window| window.to_string()),
-            self.average.name(),
-            self.bins_per_decade
-        )
+    /// What is known of the instrument besides the file.
+    pub(super) fn limits(&self) -> BandLimits {
+        BandLimits { tip_radius_m: self.tip_radius_m, shortest_m: self.shortest_m }
     }
 }
 
@@ -150,7 +77,8 @@ impl FromStr for ScanRequest {
 }
 
 impl ScanRequest {
-    fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
+    /// Sets an option by its name on the command line.
+    pub(super) fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
         let bad = |problem: String| RequestError::BadValue {
             file: self.path.clone(),
             key: key.to_owned(),

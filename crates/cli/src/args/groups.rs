@@ -1,0 +1,157 @@
+//! Groups of options that several commands share; a command takes those that mean something for it.
+
+use std::num::NonZeroU32;
+
+use asperity::Hardness;
+use clap::Args as ClapArgs;
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
+use study::plan::Sampling;
+use tables::Format;
+use units::{Length, Modulus, Pressure};
+
+use super::parsers::{hardness, one_of, parse_count, parse_place};
+use crate::output::Place;
+use crate::picture::Picture;
+
+/// Options of every command.
+#[derive(Debug, Clone, ClapArgs)]
+#[command(next_help_heading = "Options for every command")]
+pub(crate) struct SharedArgs {
+    /// Format of tables written
+    #[arg(long, value_parser = one_of::<Format, _>(Format::ALL), default_value_t, global = true)]
+    pub format: Format,
+    /// Where the table goes, or the text of `run` and `scene`: a path, or - for standard output
+    #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
+    pub output: Place,
+    /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do
+    #[arg(long, global = true)]
+    pub provenance: bool,
+    /// Say on standard error how long reading, computing and writing took
+    #[arg(long, global = true)]
+    pub timings: bool,
+}
+
+/// A spectrum and how to read it.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct PsdArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    pub psd: String,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// What the header of a spectrum may leave open.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct ReadingArgs {
+    /// The column that holds the spectrum, where several could
+    #[arg(long, value_name = "NAME")]
+    pub column: Option<String>,
+    /// What the first column of a text without header is
+    #[arg(long, value_parser = one_of::<Abscissa, _>(Abscissa::ALL))]
+    pub x: Option<Abscissa>,
+    /// The convention of the spectrum, where the header does not tell
+    #[arg(long, value_parser = one_of::<Convention, _>(Convention::ALL))]
+    pub convention: Option<Convention>,
+    /// The series to read, of files that hold several, e.g. '1D PSD along y'
+    #[arg(long, value_name = "NAME")]
+    pub series: Option<String>,
+    /// The subject whose series is read, of files that hold several
+    #[arg(long, value_name = "NAME")]
+    pub subject: Option<String>,
+    /// Unit of the abscissa where the file states none, e.g. 1/um
+    #[arg(long, value_name = "UNIT")]
+    pub x_unit: Option<String>,
+    /// Unit of the spectrum where the file states none, e.g. um^3
+    #[arg(long, value_name = "UNIT")]
+    pub psd_unit: Option<String>,
+}
+
+/// Which scales of a spectrum take part.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct SamplingArgs {
+    /// Resample the spectrum to N scales per decade; the stacked area depends on it
+    #[arg(long, value_name = "N", value_parser = parse_count, allow_hyphen_values = true)]
+    pub scales_per_decade: Option<NonZeroU32>,
+    /// Leave out the scales below this wavelength
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub cutoff: Option<Length>,
+}
+
+impl SamplingArgs {
+    /// The same for a plan.
+    pub fn sampling(&self) -> Sampling {
+        Sampling { scales_per_decade: self.scales_per_decade, cutoff_m: self.cutoff.map(|cutoff| cutoff.m) }
+    }
+}
+
+/// How moments are normalised.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct NormalisationArg {
+    /// Normalisation of the moments: 1/pi, which keeps the variance, or 1 as printed in Eq. (1) of Jackson & Jacobs
+    #[arg(long, value_parser = one_of::<Normalisation, _>(Normalisation::ALL))]
+    pub normalisation: Option<Normalisation>,
+}
+
+/// What the amplitude of a scale is.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct AmplitudeArg {
+    /// Amplitude of a scale: Eq. (5) of Jackson & Jacobs, or the band amplitude that keeps the variance
+    #[arg(long, value_parser = one_of::<AmplitudeDefinition, _>(AmplitudeDefinition::ALL))]
+    pub amplitude: Option<AmplitudeDefinition>,
+}
+
+/// Which form the hardness of a sphere has.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct HardnessArg {
+    /// Hardness of the sphere in the model ep-sphere: Jackson & Green 2005, or its cosine form
+    #[arg(long, value_parser = hardness())]
+    pub hardness: Option<Hardness>,
+}
+
+/// Where a growing strength ends.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct StrengthCapArg {
+    /// Upper limit of a yield strength that grows at small depths
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub strength_cap: Option<Pressure>,
+}
+
+/// What presses on the rough body.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct CounterfaceArgs {
+    /// Young's modulus of the counterface, rigid where not given
+    #[arg(long, value_name = "P", allow_hyphen_values = true, requires = "counterface_poisson_ratio")]
+    pub counterface_youngs_modulus: Option<Modulus>,
+    /// Poisson's ratio of the counterface
+    #[arg(long, value_name = "NU", allow_hyphen_values = true, requires = "counterface_youngs_modulus")]
+    pub counterface_poisson_ratio: Option<f64>,
+}
+
+/// A material: the rough body, and what presses on it.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct MaterialArgs {
+    /// Young's modulus of the rough body; every model needs it
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub youngs_modulus: Option<Modulus>,
+    /// Poisson's ratio of the rough body, in (-1, 0.5]; every model needs it
+    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    pub poisson_ratio: Option<f64>,
+    /// Yield strength of the rough body; elastic models do without
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub yield_strength: Option<Pressure>,
+    /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub strain_gradient_length: Option<Length>,
+    #[command(flatten)]
+    pub strength_cap: StrengthCapArg,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
+}
+
+/// A picture of what a table holds.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct FigureArg {
+    /// Draw the table as well
+    #[arg(long, value_name = "FILE.svg|FILE.png")]
+    pub figure: Option<Picture>,
+}

@@ -1,0 +1,51 @@
+//! From a typed word to its value.
+
+use std::num::NonZeroU32;
+
+use asperity::Hardness;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use study::models::{self, Framework, ModelEntry};
+use study::plan::Tolerance;
+use units::Pressure;
+
+use crate::output::Place;
+
+pub(super) fn parse_place(text: &str) -> Result<Place, std::convert::Infallible> {
+    Ok(Place::from(text))
+}
+
+/// A pressure with the words it was typed in, which label it.
+pub(super) fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), units::QuantityError> {
+    Ok((text.parse()?, text.trim().to_owned()))
+}
+
+pub(super) fn parse_count(text: &str) -> Result<NonZeroU32, String> {
+    text.parse().map_err(|_| format!("'{text}' must be a whole number from 1 to {}", u32::MAX))
+}
+
+pub(super) fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
+    let tolerance = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
+    Tolerance::new(tolerance).map_err(|error| error.to_string())
+}
+
+pub(super) fn hardness() -> impl TypedValueParser<Value = Hardness> {
+    PossibleValuesParser::new(Hardness::ALL.map(Hardness::name)).try_map(|name| {
+        Hardness::ALL.into_iter().find(|hardness| hardness.name() == name).ok_or("an unknown hardness")
+    })
+}
+
+/// A parser of the names that `values` display as.
+pub(super) fn one_of<T, E>(values: &'static [T]) -> impl TypedValueParser<Value = T>
+where
+    T: std::fmt::Display + std::str::FromStr<Err = E> + Clone + Send + Sync + 'static,
+    E: std::error::Error + Send + Sync + 'static,
+{
+    PossibleValuesParser::new(values.iter().map(|value| PossibleValue::new(value.to_string())))
+        .try_map(|name| name.parse::<T>())
+}
+
+/// A parser of the names of a framework's models.
+pub(super) fn model_of(framework: Framework) -> impl TypedValueParser<Value = &'static ModelEntry> {
+    PossibleValuesParser::new(models::of_framework(framework).map(|entry| entry.name))
+        .try_map(move |name| models::named(framework, &name))
+}

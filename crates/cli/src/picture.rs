@@ -1,0 +1,111 @@
+//! Pictures of figures: SVG as drawn, or PNG made from it.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// A file for a picture, in the format that its name ends in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Picture {
+    /// The file.
+    pub path: PathBuf,
+    format: PictureFormat,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum PictureFormat {
+    Svg,
+    #[cfg(feature = "png")]
+    Png,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum PictureError {
+    /// A name that ends in none of the formats.
+    #[error("'{name}' must end in {endings}, the formats in which figures are drawn")]
+    Ending {
+        /// The name.
+        name: String,
+        /// The endings that would do.
+        endings: &'static str,
+    },
+    /// The SVG could not be turned into a PNG.
+    #[cfg(feature = "png")]
+    #[error("drawing {}: {why}", path.display())]
+    Drawing {
+        /// The file.
+        path: PathBuf,
+        /// What the drawing library says.
+        why: String,
+    },
+}
+
+#[cfg(feature = "png")]
+const ENDINGS: &str = ".svg or .png";
+#[cfg(not(feature = "png"))]
+const ENDINGS: &str = ".svg";
+
+impl FromStr for Picture {
+    type Err = PictureError;
+
+    fn from_str(name: &str) -> Result<Self, PictureError> {
+        let path = PathBuf::from(name);
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        let format = match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("svg") => PictureFormat::Svg,
+            #[cfg(feature = "png")]
+            Some("png") => PictureFormat::Png,
+            _ => return Err(PictureError::Ending { name: name.to_owned(), endings: ENDINGS }),
+        };
+        Ok(Picture { path, format })
+    }
+}
+
+impl Picture {
+    /// The bytes of the file, of an SVG document.
+    ///
+    /// # Errors
+    /// [`PictureError::Drawing`].
+    pub fn bytes(&self, svg: String) -> Result<Vec<u8>, PictureError> {
+        match self.format {
+            PictureFormat::Svg => Ok(svg.into_bytes()),
+            #[cfg(feature = "png")]
+            PictureFormat::Png => {
+                png::of(&svg).map_err(|why| PictureError::Drawing { path: self.path.clone(), why })
+            }
+        }
+    }
+}
+
+#[cfg(feature = "png")]
+mod png {
+    use std::sync::Arc;
+
+    use resvg::tiny_skia::{Color, Pixmap, Transform};
+    use resvg::usvg::fontdb::Database;
+    use resvg::usvg::{Options, Tree};
+
+    /// Pixels of the picture for a pixel of the SVG: 300 dots per inch where a figure is 10 cm wide.
+    const SCALE: f32 = 2.5;
+
+    const FONT: &str = "DejaVu Sans";
+
+    /// The PNG of an SVG document, or what is wrong with that. Its letters are those of a font that comes with the program,
+    /// so that it is the same picture everywhere.
+    pub(super) fn of(svg: &str) -> Result<Vec<u8>, String> {
+        let mut fonts = Database::new();
+        for font in [dejavu::sans::regular(), dejavu::sans::bold()] {
+            fonts.load_font_data(font.to_vec());
+        }
+        fonts.set_sans_serif_family(FONT);
+        let options = Options { font_family: FONT.to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
+        let tree = Tree::from_str(svg, &options).map_err(|error| error.to_string())?;
+        let pixels = |length: f32| (length * SCALE).ceil() as u32;
+        let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
+        let mut picture = Pixmap::new(width, height)
+            .ok_or_else(|| format!("a picture of {width} by {height} pixels is too large"))?;
+        picture.fill(Color::WHITE);
+        resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut picture.as_mut());
+        picture.encode_png().map_err(|error| error.to_string())
+    }
+}

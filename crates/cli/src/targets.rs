@@ -1,0 +1,147 @@
+//! Where results will go, looked at before anything is read or computed: no result replaces what it is made from.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use same_file::Handle;
+
+use crate::failure::Failure;
+use crate::output::Place;
+
+/// The files that a command is about to write.
+#[derive(Debug, Default)]
+pub(crate) struct Targets(Vec<Target>);
+
+/// A file that is about to be written.
+#[derive(Debug)]
+struct Target {
+    /// The option that names it.
+    option: &'static str,
+    path: PathBuf,
+    /// What stands there now, where it is a file.
+    existing: Option<Handle>,
+}
+
+impl Targets {
+    /// With a place besides; standard output is none.
+    ///
+    /// # Errors
+    /// Those of [`with_file`](Self::with_file).
+    pub fn with(self, option: &'static str, place: &Place) -> Result<Self, Failure> {
+        match place {
+            Place::Standard => Ok(self),
+            Place::File(path) => self.with_file(option, path),
+        }
+    }
+
+    /// With a file besides.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] where a folder stands there or another target is the same file; [`Failure::System`] where its
+    /// folder is not there.
+    pub fn with_file(mut self, option: &'static str, path: &Path) -> Result<Self, Failure> {
+        if path.is_dir() {
+            return Err(Failure::Input(format!(
+                "{option} {}: this is a folder; name a file in it",
+                path.display()
+            )));
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        folder.metadata().map_err(|error| Failure::writing(&path.display().to_string(), &error))?;
+        let target = Target { option, path: path.to_owned(), existing: file(path) };
+        if let Some(other) = self.0.iter().find(|other| other.is(&target)) {
+            return Err(Failure::Input(format!(
+                "{} {} and {option} {} are the same file; name two",
+                other.option,
+                other.path.display(),
+                path.display()
+            )));
+        }
+        self.0.push(target);
+        Ok(self)
+    }
+
+    /// Refuses a file that is about to be read and that a target would replace.
+    ///
+    /// # Errors
+    /// With the option and its file.
+    pub fn spare(&self, input: &Path) -> io::Result<()> {
+        self.spare_handle(file(input))
+    }
+
+    /// The same for what standard input is redirected from.
+    ///
+    /// # Errors
+    /// With the option and its file.
+    pub fn spare_standard_input(&self) -> io::Result<()> {
+        let is_file = |handle: &Handle| handle.as_file().metadata().is_ok_and(|found| found.is_file());
+        self.spare_handle(Handle::stdin().ok().filter(is_file))
+    }
+
+    fn spare_handle(&self, input: Option<Handle>) -> io::Result<()> {
+        let replaces = |target: &&Target| input.is_some() && target.existing == input;
+        match self.0.iter().find(replaces) {
+            None => Ok(()),
+            Some(target) => Err(io::Error::other(format!(
+                "{} {} would replace it; choose another file for the result",
+                target.option,
+                target.path.display()
+            ))),
+        }
+    }
+}
+
+impl Target {
+    /// Whether both are the same file, which need not be there yet.
+    fn is(&self, other: &Target) -> bool {
+        match (&self.existing, &other.existing) {
+            (Some(one), Some(other)) => one == other,
+            (None, None) => {
+                let named = |target: &Target| {
+                    let absolute = std::path::absolute(&target.path).unwrap_or_else(|_| target.path.clone());
+                    let folder = absolute.parent().and_then(|folder| folder.canonicalize().ok());
+                    (folder, absolute.file_name().map(ToOwned::to_owned))
+                };
+                // A device has no file that could be replaced; two results may go to one.
+                !self.path.exists() && named(self) == named(other)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// What is known of a file that is there; none for a device, a pipe, or nothing at all.
+fn file(path: &Path) -> Option<Handle> {
+    if path.is_file() { Handle::from_path(path).ok() } else { None }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_known_under_all_its_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        std::fs::write(path("data"), "").unwrap();
+        std::fs::write(path("other"), "").unwrap();
+        std::fs::hard_link(path("data"), path("hard")).unwrap();
+        std::os::unix::fs::symlink(path("data"), path("soft")).unwrap();
+        for name in ["data", "hard", "soft"] {
+            let targets = Targets::default().with_file("--output", &path(name)).unwrap();
+            let refusal = targets.spare(&path("data")).unwrap_err().to_string();
+            assert!(refusal.starts_with("--output ") && refusal.contains(" would replace it"), "{refusal}");
+            targets.spare(&path("other")).unwrap();
+            assert!(targets.with_file("--figure", &path("data")).is_err());
+        }
+    }
+
+    #[test]
+    fn two_results_need_two_files_but_may_share_a_device() {
+        let folder = tempfile::tempdir().unwrap();
+        let new = Targets::default().with_file("--output", &folder.path().join("new")).unwrap();
+        assert!(new.with_file("--figure", &folder.path().join("./new")).is_err());
+        let device = Targets::default().with_file("--output", Path::new("/dev/null")).unwrap();
+        device.with_file("--figure", Path::new("/dev/null")).unwrap().spare(Path::new("/dev/null")).unwrap();
+    }
+}

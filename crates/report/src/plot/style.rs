@@ -1,0 +1,83 @@
+//! Colours and dash patterns: no two of either are the same, however many lines a figure has.
+
+use kuva::plot::line::LineStyle;
+
+/// Colours that people with any colour vision tell apart, dark enough for thin lines (Okabe & Ito).
+const COLOURS: [[u8; 3]; 6] = [
+    [0x00, 0x72, 0xb2],
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x9e, 0x73],
+    [0xb0, 0x56, 0x8a],
+    [0xc2, 0x84, 0x00],
+    [0x00, 0x00, 0x00],
+];
+
+/// How much of a colour is left where the six are used another time; the rest is grey.
+const LEFT: f64 = 0.6;
+const GREY: f64 = 128.0;
+
+/// The colour that curves are drawn in where it stands for nothing.
+pub(super) const NEUTRAL: usize = COLOURS.len() - 1;
+
+/// The colour of an index: one of six, and greyer each time that these are used up.
+pub(super) fn colour(index: usize) -> String {
+    let left = LEFT.powi((index / COLOURS.len()) as i32);
+    hexadecimal(COLOURS[index % COLOURS.len()].map(|part| GREY + left * (f64::from(part) - GREY)))
+}
+
+/// The pale tint of a colour, for broad lines that others lie on.
+pub(super) fn tint(index: usize) -> String {
+    const WHITE: f64 = 255.0;
+    let left = LEFT.powi((index / COLOURS.len()) as i32);
+    let of = if index % COLOURS.len() == NEUTRAL { 0.3 } else { 0.4 };
+    hexadecimal(COLOURS[index % COLOURS.len()].map(|part| {
+        let part = GREY + left * (f64::from(part) - GREY);
+        WHITE + of * (part - WHITE)
+    }))
+}
+
+fn hexadecimal(parts: [f64; 3]) -> String {
+    let [red, green, blue] = parts.map(|part| part.round() as u8);
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// Dash patterns that stay apart in print; from the eighth on a long dash and ever more dots.
+pub(super) fn dash(index: usize) -> LineStyle {
+    let custom = |pattern: &str| LineStyle::Custom(pattern.to_owned());
+    match index {
+        0 => LineStyle::Solid,
+        1 => custom("4 3"),
+        2 => LineStyle::DashDot,
+        3 => LineStyle::Dotted,
+        4 => custom("12 3"),
+        5 => custom("8 3 2 3 2 3"),
+        6 => custom("4 3 1.5 3"),
+        7 => custom("12 3 4 3"),
+        more => custom(&format!("16 3{}", " 2 3".repeat(more - 5))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all_differ(of: impl Fn(usize) -> Option<String>) -> bool {
+        let mut all: Vec<_> = (0..20).map(of).collect();
+        all.sort();
+        all.dedup();
+        all.len() == 20
+    }
+
+    #[test]
+    fn no_dash_pattern_and_no_colour_repeats() {
+        assert!(all_differ(|index| dash(index).dasharray()));
+        assert!(all_differ(|index| Some(colour(index))));
+        assert!(all_differ(|index| Some(tint(index))));
+    }
+
+    #[test]
+    fn the_first_colours_are_those_of_okabe_and_ito_and_tints_are_pale() {
+        assert_eq!([colour(0), colour(5)], ["#0072b2", "#000000"]);
+        assert_eq!([tint(0), tint(5)], ["#99c7e0", "#b3b3b3"]);
+    }
+}

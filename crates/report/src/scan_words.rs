@@ -1,0 +1,256 @@
+//! The words for what is worth knowing about a spectrum and the scans that it is made from.
+
+use scans::{Mend, ScanOption};
+use spectrum::Hole;
+use study::Note;
+use study::surface::Surface;
+use topography::{
+    BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
+};
+use units::LengthUnit;
+use units::display::{length, three_digits};
+
+/// Double precision tells relative errors from here on.
+const LEAST_RELATIVE_ERROR: f64 = 1e-15;
+/// So many holes are named, the others are counted.
+const MOST_HOLES_NAMED: usize = 3;
+
+/// A note in a sentence, without a full stop.
+#[must_use]
+pub fn note(told: &Note) -> String {
+    match told {
+        Note::Reading(text) => text.clone(),
+        Note::Reconstruction => "this spectrum is a reconstruction, not the published one".to_owned(),
+        Note::Holes(found) => holes(found),
+        Note::Scans(of_scans) => remark(of_scans),
+        Note::Superposition { shared_m: Some([longest_m, shortest_m]) } => format!(
+            "both surfaces have a spectrum from {} to {}, where the two add; elsewhere one stands alone",
+            length(*longest_m),
+            length(*shortest_m)
+        ),
+        Note::Superposition { shared_m: None } => {
+            "the two spectra share no wavelength: each stands alone on its own".to_owned()
+        }
+        Note::OfSurface { name, note: of_it } => format!("{name}: {}", note(of_it)),
+    }
+}
+
+/// The warnings about a spectrum, a sentence each.
+pub(crate) fn warnings(surface: &Surface) -> Vec<String> {
+    surface.notes.iter().filter(|it| it.severity() == Severity::Warning).map(note).collect()
+}
+
+/// What of a spectrum a reader has to know before its answer: warnings, and what was taken for granted of the spectrum
+/// itself. Of every scan as well there is more to say, which stands where the data are told.
+pub(crate) fn foremost(surface: &Surface) -> Vec<String> {
+    let is_foremost = |it: &&Note| !matches!(it, Note::Scans(_)) || it.severity() == Severity::Warning;
+    surface.notes.iter().filter(is_foremost).map(note).collect()
+}
+
+/// A remark in a sentence, without a full stop.
+#[must_use]
+pub fn remark(told: &Remark) -> String {
+    match told {
+        Remark::Scan { name, remark } => format!("{name}: {}", scan_remark(remark)),
+        Remark::SameData { names: [first, second] } => {
+            format!(
+                "{first} and {second} are the same data, which say nothing of each other; leave one of them out"
+            )
+        }
+        Remark::Overlap { names: [first, second], ratio, bins, longest_m, shortest_m } => {
+            let doubt = if told.severity() == Severity::Warning {
+                format!("; they differ by more than {SPECTRA_DIFFER}x: check units, height scales and places")
+            } else {
+                String::new()
+            };
+            let shared = match bins {
+                1 => format!("in the one bin they share, at {}", length(*longest_m)),
+                _ => format!(
+                    "in the mean of {bins} shared bins from {} to {}",
+                    length(*longest_m),
+                    length(*shortest_m)
+                ),
+            };
+            format!("{first} over {second}: {} {shared}{doubt}", three_digits(*ratio))
+        }
+        Remark::Holes(found) => holes(found),
+    }
+}
+
+/// Wavelengths that were not measured, in a sentence.
+#[must_use]
+pub fn holes(holes: &[Hole]) -> String {
+    let ends = |hole: &Hole| format!("between {} and {}", length(hole.longest_m), length(hole.shortest_m));
+    let named: Vec<String> = holes.iter().take(MOST_HOLES_NAMED).map(ends).collect();
+    let more = match holes.len() - named.len() {
+        0 => String::new(),
+        more => format!(", and in {more} more such holes"),
+    };
+    format!(
+        "nothing was measured {}{more}: the spectrum there is a straight line in logarithms from end to end",
+        named.join(" and ")
+    )
+}
+
+/// What mends an error of a scan, in words that follow it; `name_of` knows what an option is called where it is given, if
+/// it can be given there.
+#[must_use]
+pub fn mend(mend: Mend, name_of: impl Fn(ScanOption) -> Option<&'static str>) -> String {
+    let (Mend::Give(option) | Mend::LeaveOut(option)) = mend;
+    let Some(name) = name_of(option) else { return String::new() };
+    match (mend, option) {
+        (Mend::Give(_), ScanOption::Unit) => format!("; say it with {name} ({})", LengthUnit::accepted()),
+        (Mend::Give(_), _) => format!("; say it with {name}"),
+        (Mend::LeaveOut(_), _) => format!("; leave out {name}"),
+    }
+}
+
+fn scan_remark(remark: &ScanRemark) -> String {
+    match remark {
+        ScanRemark::Reading(text) => text.clone(),
+        ScanRemark::Band { longest_m, shortest_m, end } => {
+            format!("used from {} down to {} ({})", length(*longest_m), length(*shortest_m), band_end(end))
+        }
+        ScanRemark::TipUnknown { shortest_m } => format!(
+            "used down to {} (2 pixels; no tip radius given): give the tip radius, or the shortest wavelength to be trusted",
+            length(*shortest_m)
+        ),
+        ScanRemark::Variance { share, evenly_spaced: true } => match remark.severity() {
+            Severity::Warning => {
+                format!("Parseval: the spectrum holds {:.1} % of the variance of the heights", 100.0 * share)
+            }
+            _ => format!("Parseval: relative error below {:.0e}", bound_of(share - 1.0)),
+        },
+        ScanRemark::Variance { share, evenly_spaced: false } => format!(
+            "the spectrum holds {:.1} % of the variance of the trace, the rest lies below the distance of its points",
+            100.0 * share
+        ),
+        ScanRemark::Gap { over_median } => match remark.severity() {
+            Severity::Warning => format!(
+                "a gap of {} times the usual distance of points is bridged by a straight line",
+                three_digits(*over_median)
+            ),
+            _ => format!(
+                "no gap is wider than {} times the usual distance of points",
+                three_digits(*over_median)
+            ),
+        },
+        ScanRemark::Derivative { derivative, real, spectral, .. } => {
+            let (what, unit) = match derivative {
+                Derivative::Slope => ("slope", ""),
+                Derivative::CurvaturePerM => ("curvature", " 1/m"),
+            };
+            format!(
+                "rms {what} {}{unit} from neighbouring points, {}{unit} from the spectrum ({})",
+                three_digits(*real),
+                three_digits(*spectral),
+                difference(*real, *spectral)
+            )
+        }
+        ScanRemark::Slopes { along, across } => {
+            let doubt = if remark.severity() == Severity::Warning {
+                format!(
+                    "; they differ by {SLOPES_DIFFER}x or more: lines are offset against each other, or the surface has a \
+                     direction; the spectrum is that along the lines"
+                )
+            } else {
+                String::new()
+            };
+            format!(
+                "rms slope {} along the lines, {} across them{doubt}",
+                three_digits(*along),
+                three_digits(*across)
+            )
+        }
+        ScanRemark::Fundamental(mode) => fundamental(mode),
+    }
+}
+
+/// What ends the band of a scan.
+pub(crate) fn band_end(end: &BandEnd) -> String {
+    match end {
+        BandEnd::PixelsWithoutTip => "2 pixels; no tip radius given".to_owned(),
+        BandEnd::Pixels => "2 pixels".to_owned(),
+        BandEnd::Tip { radius_m } => format!("tip radius {}", length(*radius_m)),
+        BandEnd::Given => "shortest given".to_owned(),
+        BandEnd::Resolution => "resolution of the instrument".to_owned(),
+    }
+}
+
+fn fundamental(mode: &FundamentalMode) -> String {
+    match mode {
+        FundamentalMode::Absent => "the mode of the full length is absent".to_owned(),
+        FundamentalMode::Kept { share, used } => format!(
+            "the mode of the full length keeps {:.0} % of its power; bin {}",
+            100.0 * share,
+            if *used { "used" } else { "not used" }
+        ),
+        FundamentalMode::MadeByWindow => {
+            "the mode of the full length was made by the window alone; bin not used".to_owned()
+        }
+    }
+}
+
+/// The power of ten that a relative error stays below.
+fn bound_of(error: f64) -> f64 {
+    let power = error.abs().max(LEAST_RELATIVE_ERROR).log10().ceil();
+    // The logarithm of a power of ten may lie a rounding above it.
+    10f64.powi((power - 1e-9) as i32)
+}
+
+/// By how much the second value differs from the first.
+fn difference(real: f64, spectral: f64) -> String {
+    if real == 0.0 {
+        return if spectral == 0.0 { "the same" } else { "none to compare with" }.to_owned();
+    }
+    format!("{:+.1} %", 100.0 * (spectral / real - 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn checks_are_told_as_the_field_says_them() {
+        let of_scan = |remark| scan_remark(&remark);
+        assert_eq!(
+            of_scan(ScanRemark::Variance { share: 1.0, evenly_spaced: true }),
+            "Parseval: relative error below 1e-15"
+        );
+        assert_eq!(
+            of_scan(ScanRemark::Variance { share: 1.0 - 3e-13, evenly_spaced: true }),
+            "Parseval: relative error below 1e-12"
+        );
+        assert_eq!(
+            of_scan(ScanRemark::Fundamental(FundamentalMode::Kept { share: 0.85, used: false })),
+            "the mode of the full length keeps 85 % of its power; bin not used"
+        );
+        assert_eq!(
+            of_scan(ScanRemark::Band {
+                longest_m: 5e-7,
+                shortest_m: 3.9e-10,
+                end: BandEnd::PixelsWithoutTip
+            }),
+            "used from 500 nm down to 390 pm (2 pixels; no tip radius given)"
+        );
+        assert_eq!(
+            of_scan(ScanRemark::Derivative {
+                derivative: Derivative::Slope,
+                real: 0.0,
+                spectral: 0.1,
+                evenly_spaced: true
+            }),
+            "rms slope 0 from neighbouring points, 0.1 from the spectrum (none to compare with)"
+        );
+    }
+
+    #[test]
+    fn many_holes_are_counted() {
+        let hole = |longest_m: f64| Hole { longest_m, shortest_m: longest_m / 4.0 };
+        assert_eq!(
+            holes(&[hole(1e-6)]),
+            "nothing was measured between 1 µm and 250 nm: the spectrum there is a straight line in logarithms from end to end"
+        );
+        assert!(holes(&[hole(1e-3); 5]).contains(", and in 2 more such holes: "));
+    }
+}

@@ -1,0 +1,35 @@
+//! Lateral sizes: which one counts.
+
+use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
+use crate::options::ScanOptions;
+use crate::scan_size::ScanSize;
+
+/// The size that counts: that of the options, else of the file, else of the metadata, else that to fall back on.
+pub(crate) fn size(
+    options: &ScanOptions,
+    stated: Option<ScanSize>,
+    notes: &mut Vec<String>,
+) -> Option<ScanSize> {
+    if let (Some(wanted), Some(stated)) = (options.size, stated)
+        && wanted != stated
+    {
+        notes.push(format!("the size {wanted} asked for replaces that of the file, {stated}"));
+    }
+    let told = options.size.or(stated).or_else(|| options.metadata_size());
+    if let (Some(told), Some(unused)) = (told, options.fallback_size)
+        && told != unused
+    {
+        notes.push(format!("the size {unused} given is not used: it is told to be {told}"));
+    }
+    told.or(options.fallback_size)
+}
+
+/// Refuses a size asked for where every point has its position.
+pub(crate) fn refuse_size(
+    format: ScanFormat,
+    place: Place,
+    options: &ScanOptions,
+) -> Result<(), ScanReadError> {
+    if options.size.is_none() { Ok(()) } else { Err(ScanReadError::SizeIsFixed { format, place }) }
+}

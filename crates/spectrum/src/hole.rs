@@ -1,0 +1,61 @@
+//! Wavelengths that a spectrum skips.
+
+use serde::Serialize;
+
+use crate::ProfilePsd;
+
+/// Neighbouring wavelengths this factor apart or more leave a hole between them: what lies there was not measured.
+pub const HOLE_FACTOR: f64 = 2.5;
+
+/// The wavelengths between two neighbouring samples that lie far apart.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Hole {
+    /// The sample at its long end \[m\].
+    pub longest_m: f64,
+    /// The sample at its short end \[m\].
+    pub shortest_m: f64,
+}
+
+impl ProfilePsd {
+    /// Where neighbouring wavelengths are a factor of [`HOLE_FACTOR`] or more apart, from long to short ones.
+    #[must_use]
+    pub fn holes(&self) -> Vec<Hole> {
+        let pairs = self.wavelengths_m().windows(2);
+        pairs
+            .map(|pair| Hole { longest_m: pair[0], shortest_m: pair[1] })
+            .filter(|hole| hole.longest_m >= HOLE_FACTOR * hole.shortest_m)
+            .collect()
+    }
+}
+
+impl Hole {
+    /// How much of the wavelengths between two \[m\] lies in the hole, on a logarithmic scale: from 0 to 1.
+    #[must_use]
+    pub fn share_of(&self, longest_m: f64, shortest_m: f64) -> f64 {
+        let within = self.longest_m.min(longest_m) / self.shortest_m.max(shortest_m);
+        (within.ln() / (longest_m / shortest_m).ln()).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wavelengths_far_apart_leave_a_hole() {
+        let psd = |wavelengths_m: &[f64]| {
+            ProfilePsd::new(wavelengths_m.to_vec(), vec![1.0; wavelengths_m.len()]).unwrap()
+        };
+        assert_eq!(psd(&[8.0, 4.0, 2.0, 1.0]).holes(), []);
+        let hole = Hole { longest_m: 5.0, shortest_m: 2.0 };
+        assert_eq!(psd(&[8.0, 5.0, 2.0, 1.0]).holes(), [hole]);
+    }
+
+    #[test]
+    fn a_hole_covers_a_part_of_a_decade() {
+        let hole = Hole { longest_m: 100.0, shortest_m: 1.0 };
+        assert_eq!(hole.share_of(10.0, 1.0), 1.0);
+        assert!((hole.share_of(1000.0, 10.0) - 0.5).abs() < 1e-15);
+        assert_eq!(hole.share_of(1e5, 1e4), 0.0);
+    }
+}

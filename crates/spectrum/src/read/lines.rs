@@ -1,0 +1,35 @@
+//! Text and its lines.
+
+use crate::read::error::{Encoding, ReadError};
+
+/// The text of a file: checks that it is UTF-8 without zero bytes, the mark of binary files, and takes its byte order
+/// mark off.
+pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
+    let (text, end) = match std::str::from_utf8(bytes) {
+        Ok(text) => (text, text.find('\0')),
+        Err(error) => ("", Some(error.valid_up_to())),
+    };
+    let Some(end) = end else { return Ok(text.strip_prefix('\u{feff}').unwrap_or(text)) };
+    Err(ReadError::NotText {
+        line: 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count(),
+        offset: end + 1,
+        byte: bytes[end],
+        encoding: Encoding::of(bytes),
+    })
+}
+
+/// The text of a comment line, without `#` and surrounding blanks.
+pub(crate) fn comment(line: &str) -> Option<&str> {
+    line.trim_start().strip_prefix('#').map(|rest| rest.trim_start_matches('#').trim())
+}
+
+/// Whether a line holds no row.
+pub(crate) fn is_blank_or_comment(line: &str) -> bool {
+    let line = line.trim_start();
+    line.is_empty() || line.starts_with('#')
+}
+
+/// Whether a field holds a number.
+pub(crate) fn is_number(field: Option<&str>) -> bool {
+    field.is_some_and(|field| field.parse::<f64>().is_ok())
+}

@@ -1,0 +1,137 @@
+//! The spectra of several scans become one, with what they say of each other.
+
+use spectrum::{Convention, Hole, Psd};
+
+use crate::recipe::Recipe;
+use crate::remark::{Remark, differ};
+use crate::scan_spectrum::ScanSpectrum;
+use crate::{Composite, CompositeOptions, Overlap, TransformError, composite, overlaps};
+
+/// In fewer shared bins the scatter of single lines may look as if instruments disagreed.
+const TELLING_BINS: usize = 3;
+
+/// Two instruments that do not show the same surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InstrumentsDisagree {
+    /// The names of the scans.
+    pub names: [String; 2],
+    /// The spectrum of the first over that of the second, on average where they overlap.
+    pub ratio: f64,
+    /// The longest wavelength they share \[m\].
+    pub longest_m: f64,
+    /// The shortest.
+    pub shortest_m: f64,
+}
+
+/// The spectra of some scans and their composite.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct CompositeSpectrum {
+    /// How they were made.
+    pub recipe: Recipe,
+    /// Each scan.
+    pub scans: Vec<ScanSpectrum>,
+    /// Scans that are the data of an earlier one, which they repeat: both by index.
+    pub repeated: Vec<(usize, usize)>,
+    /// What neighbouring instruments say of the wavelengths that they share.
+    pub overlaps: Vec<Overlap>,
+    /// The composite; data given twice count once in its standard errors.
+    pub composite: Composite,
+}
+
+impl CompositeSpectrum {
+    /// Averages the spectra of scans, made by this recipe.
+    ///
+    /// # Errors
+    /// [`TransformError`] where there are none, or their bins are too few to be a spectrum.
+    pub fn of(scans: Vec<ScanSpectrum>, recipe: &Recipe) -> Result<Self, TransformError> {
+        let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
+        let options = CompositeOptions {
+            bins_per_decade: recipe.bins_per_decade,
+            across: recipe.average.across(),
+            ..CompositeOptions::default()
+        };
+        let composite = composite(&reliable, &options)?;
+        let repeated = repeated(&scans);
+        let overlaps = overlaps(&reliable, recipe.bins_per_decade);
+        Ok(CompositeSpectrum { recipe: *recipe, scans, repeated, overlaps, composite })
+    }
+
+    /// The composite as a spectrum with standard errors.
+    ///
+    /// # Errors
+    /// [`TransformError`] where its values are none that a spectrum may have.
+    pub fn psd(&self) -> Result<Psd, TransformError> {
+        let bins = self.composite.bins();
+        let wavelengths_m = bins.iter().map(|bin| bin.wavelength_m).collect();
+        let values = bins.iter().map(|bin| bin.c1d_m3).collect();
+        let errors = bins.iter().map(|bin| bin.standard_error_m3).collect();
+        Ok(Psd::new(wavelengths_m, values, Convention::C1D)?.with_standard_errors(errors)?)
+    }
+
+    /// The names of the scans, told apart where two are the same.
+    #[must_use]
+    pub fn series_names(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for scan in &self.scans {
+            let taken = |name: &String| name == "composite" || names.contains(name);
+            let numbered = (2..).map(|number| format!("{} ({number})", scan.name));
+            let name = std::iter::once(scan.name.clone()).chain(numbered).find(|name| !taken(name));
+            names.extend(name);
+        }
+        names
+    }
+
+    /// Wavelengths that no scan shows, from long to short.
+    #[must_use]
+    pub fn holes(&self) -> Vec<Hole> {
+        self.composite.profile().holes()
+    }
+
+    /// The two instruments that are farthest apart, where that is too far for one surface in the same units: no composite of
+    /// theirs is its spectrum.
+    #[must_use]
+    pub fn instruments_disagree(&self) -> Option<InstrumentsDisagree> {
+        let telling = |overlap: &&Overlap| overlap.bins >= TELLING_BINS && differ(overlap.ratio);
+        let apart = |overlap: &&Overlap| overlap.ratio.ln().abs();
+        let worst = self.overlaps.iter().filter(telling).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        let names = self.series_names();
+        Some(InstrumentsDisagree {
+            names: [worst.first, worst.second].map(|scan| names[scan].clone()),
+            ratio: worst.ratio,
+            longest_m: worst.longest_m,
+            shortest_m: worst.shortest_m,
+        })
+    }
+
+    /// What reading took for granted, and how far each spectrum, their overlaps and the whole can be believed.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<Remark> {
+        let names = self.series_names();
+        let both = |scans: [usize; 2]| scans.map(|scan| names[scan].clone());
+        let of_scans = self.scans.iter().zip(&names).flat_map(|(scan, name)| {
+            scan.remarks().into_iter().map(|remark| Remark::Scan { name: name.clone(), remark })
+        });
+        let same =
+            self.repeated.iter().map(|&(scan, repeats)| Remark::SameData { names: both([scan, repeats]) });
+        let is_told = |overlap: &&Overlap| !self.repeated.contains(&(overlap.first, overlap.second));
+        let overlaps = self.overlaps.iter().filter(is_told).map(|overlap| Remark::Overlap {
+            names: both([overlap.first, overlap.second]),
+            ratio: overlap.ratio,
+            bins: overlap.bins,
+            longest_m: overlap.longest_m,
+            shortest_m: overlap.shortest_m,
+        });
+        let holes = Some(self.holes()).filter(|holes| !holes.is_empty()).map(Remark::Holes);
+        of_scans.chain(same).chain(overlaps).chain(holes).collect()
+    }
+}
+
+/// Scans whose data an earlier one holds already: the earlier one and the one that repeats it, by index.
+fn repeated(scans: &[ScanSpectrum]) -> Vec<(usize, usize)> {
+    let of_an_earlier = |second: usize| {
+        let first = (0..second).find(|&first| scans[first].spectrum == scans[second].spectrum)?;
+        Some((first, second))
+    };
+    (1..scans.len()).filter_map(of_an_earlier).collect()
+}

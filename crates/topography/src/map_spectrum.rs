@@ -1,0 +1,54 @@
+//! A map becomes a two-dimensional spectrum, limited to the band that shows the surface.
+
+use scans::{HeightMap, ScanFile};
+use spectrum::Psd;
+
+use crate::band_end::{band_of, tip_remark};
+use crate::recipe::Recipe;
+use crate::remark::ScanRemark;
+use crate::{ArealSpectrum, BandLimits, Preparation, TransformError, areal_spectrum};
+
+/// The two-dimensional spectrum of a map, averaged radially.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct MapSpectrum {
+    /// What was done to the heights.
+    pub preparation: Preparation,
+    /// The whole spectrum.
+    pub spectrum: ArealSpectrum,
+    /// The spectrum as far as it shows the surface.
+    pub reliable: Psd,
+    /// What is worth knowing about it.
+    pub remarks: Vec<ScanRemark>,
+}
+
+impl MapSpectrum {
+    /// The spectrum of the map in a file; what is `given` counts as for a [`ScanSpectrum`](crate::ScanSpectrum).
+    ///
+    /// # Errors
+    /// [`TransformError`] for limits that are no lengths, and a band without a bin.
+    pub fn of(
+        map: &HeightMap,
+        file: &ScanFile,
+        given: BandLimits,
+        recipe: &Recipe,
+    ) -> Result<Self, TransformError> {
+        let preparation = recipe.preparation(file.is_periodic);
+        let (band, end) = band_of(file, given, recipe)?;
+        let spectrum = areal_spectrum(map, preparation);
+        let reliable = spectrum.ciso(&band)?;
+        let mut remarks: Vec<ScanRemark> = file.notes.iter().cloned().map(ScanRemark::Reading).collect();
+        remarks.extend(tip_remark(&band, end));
+        Ok(MapSpectrum { preparation, spectrum, reliable, remarks })
+    }
+
+    /// How many modes are averaged at a wavelength \[m\]; `None` where no bin has it.
+    #[must_use]
+    pub fn modes_at(&self, wavelength_m: f64) -> Option<u64> {
+        let q = std::f64::consts::TAU / wavelength_m;
+        let bins = self.spectrum.bins().iter();
+        bins.map(|bin| (bin.wavevector_rad_per_m, bin.modes))
+            .find(|(wavevector, _)| (wavevector / q - 1.0).abs() < 1e-9)
+            .map(|(_, modes)| modes)
+    }
+}
