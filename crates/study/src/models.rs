@@ -80,7 +80,7 @@ pub struct ModelEntry {
 pub static MODELS: &[ModelEntry] = &[
     ModelEntry {
         name: "elastic",
-        full_name: "stacked, elastic sinusoids (Archard; Jackson-Streator)",
+        full_name: "Archard stack, elastic (Jackson-Streator)",
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Jackson & Streator (2006), Wear 261:1337",
         framework: Framework::Stacked,
         choices: &[],
@@ -89,7 +89,7 @@ pub static MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "elastic-plastic",
-        full_name: "stacked, elastic-plastic sinusoids (Archard; Krithivasan-Jackson)",
+        full_name: "Archard stack, elastic-plastic (Jackson-Streator)",
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Krithivasan & Jackson (2007), Tribol. Lett. 27:31",
         framework: Framework::Stacked,
         choices: &[Choice::Strength, Choice::StrainGradient],
@@ -122,7 +122,7 @@ pub static MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "elastic-sine",
-        full_name: "GW, elastic sinusoids (Jackson-Streator)",
+        full_name: "GW, elastic sinusoids (Rostami-Jackson)",
         citation: "Johnson, Greenwood & Higginson (1985), Int. J. Mech. Sci. 27:383; Jackson & Streator (2006), Wear 261:1337",
         framework: Framework::Statistical,
         choices: &[Choice::Interference],

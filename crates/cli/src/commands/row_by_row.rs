@@ -88,9 +88,12 @@ pub(super) fn run(
     let mut files = StagedFiles::default();
     context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {
-            say(rows.fill_in(&mut block, &progress).map_err(Failure::input)?);
-            out.block(&block.table)?;
-            if progress.is_cancelled() { Err(Failure::Interrupted.into()) } else { Ok::<(), Stopped>(()) }
+            let filled = rows.fill_in(&mut block, &progress);
+            if progress.is_cancelled() {
+                return Err(Failure::Interrupted.into());
+            }
+            say(filled.map_err(Failure::input)?);
+            Ok::<(), Stopped>(out.block(&block.table)?)
         })?;
         say(rows.notes());
         Ok(())
