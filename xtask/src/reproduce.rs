@@ -6,8 +6,9 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use paper::{Evidence, Verdict};
+use report::occasion::Occasion;
 use report::page::{self, Report};
-use report::products::{self, Findings, Occasion};
+use report::products::{self, Findings};
 use staging::{StagedFiles, write_file};
 use study::scene::Template;
 use tables::Format;

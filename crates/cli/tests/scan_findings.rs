@@ -51,7 +51,7 @@ fn f_a_2_a_hole_in_a_composite_is_told_in_table_summary_report_and_figure() {
         let summary = run.ok();
         assert_eq!(lines_with(&summary, hole).len(), 1, "{summary}");
         let report = bench.read("s-results/report.html");
-        assert!(report.to_lowercase().contains(hole) && report.contains("(not measured)"), "{summary}");
+        assert!(report.to_lowercase().contains(hole) && report.contains(", not measured"), "{summary}");
         let decades = bench.read("s-results/report-decades.csv");
         assert_eq!(decades.lines().filter(|row| row.ends_with(",no")).count(), 1, "{decades}");
         bench.read("s-results/psd.svg")
@@ -129,7 +129,8 @@ fn f_a_20_the_same_scan_twice_has_no_standard_error() {
     assert!(run.stderr.contains("warning: a.txt and a.txt (2) are the same data"), "{}", run.stderr);
     let table = run.ok();
     assert!(!numbers(&table, "wavelength_m").is_empty());
-    assert!(table.lines().skip(1).all(|row| row.split(',').nth(3) == Some("")), "{table}");
+    let mut rows = table.lines().filter(|line| !line.starts_with('#')).skip(1);
+    assert!(rows.all(|row| row.split(',').nth(3) == Some("")), "{table}");
 }
 
 #[test]
@@ -168,9 +169,10 @@ fn f_c_10_a_list_of_scans_says_what_options_after_a_file_say() {
     std::fs::create_dir(bench.path("data")).unwrap();
     bench.write("data/a.txt", line(256, 5.0)).write("data/b.txt", line(256, 20.0));
     bench.write("data/scans.csv", "file,unit,shortest\na.txt,nm,12 nm\nb.txt,,\n");
-    let listed = bench.run(&["psd", "--list", "data/scans.csv", "--unit", "nm"]).ok();
-    let typed = bench.run(&["psd", "data/a.txt:unit=nm,shortest=12nm", "data/b.txt", "--unit", "nm"]).ok();
-    assert_eq!(listed, typed);
+    // What was typed, in the first line, differs.
+    let said = |args: &[&str]| bench.run(args).ok().split_once('\n').unwrap().1.to_owned();
+    let listed = said(&["psd", "--list", "data/scans.csv", "--unit", "nm"]);
+    assert_eq!(listed, said(&["psd", "data/a.txt:unit=nm,shortest=12nm", "data/b.txt", "--unit", "nm"]));
     bench.write("bad.csv", "file,tip_radius\ndata/a.txt,17\n");
     let refused = bench.run(&["psd", "--list", "bad.csv"]).refused();
     assert!(refused.contains("bad.csv, line 2, column tip_radius: '17' has no unit"), "{refused}");

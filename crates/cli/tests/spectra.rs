@@ -156,7 +156,8 @@ fn the_fit_is_one_row_and_tells_when_there_is_no_rolloff() {
     assert_eq!(
         band.stderr,
         "note: this spectrum is a reconstruction, not the published one\n\
-         note: no roll-off can be identified: the fit is a pure power law\n"
+         note: no roll-off can be identified: the fit is a pure power law\n\
+         note: doubtful: the rms slope of the surface is 1.03, above 1: check the units of the spectrum\n"
     );
     assert_eq!(column(&band.stdout, "rolloff_wavelength_m"), [""]);
     assert_eq!(column(&band.stdout, "points"), ["20"]);

@@ -5,6 +5,7 @@ pub mod curve_names;
 mod decade;
 pub mod doubt_words;
 pub mod explain;
+pub mod occasion;
 pub mod page;
 pub mod plot;
 pub mod products;

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use crate::curve_names::with_full_names;
+use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use study::Unobserved;
@@ -108,15 +109,6 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
     let mut lines = provenance(&format!("scene \"{}\", {what}", scene.title), &scene.surface, scene.sampling);
     lines.extend(scene.choices());
     lines
-}
-
-/// How and when a front end came to carry a scene out, which nothing below it knows.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Occasion {
-    /// The date, as it is to be printed.
-    pub date: Option<String>,
-    /// What was asked, e.g. the command as typed.
-    pub asked: Option<String>,
 }
 
 /// What a report says besides the curves and figures of a scene.

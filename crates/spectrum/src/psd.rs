@@ -183,7 +183,7 @@ mod tests {
         );
         assert_eq!(
             error(&[1.0, -0.5], &[1.0, 1.0]),
-            "building a spectrum: the wavelength in row 2 is -0.5 m, it must be finite and above 0"
+            "building a spectrum: the wavelength in row 2 is -500 mm, it must be finite and above 0"
         );
         assert_eq!(
             error(&[1.0, 0.5], &[f64::NAN, 1.0]),

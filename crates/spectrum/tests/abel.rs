@@ -86,6 +86,6 @@ fn a_profile_that_rises_belongs_to_no_isotropic_surface() {
     let error = rising.to(Convention::Persson).unwrap_err();
     assert!(matches!(error, ConversionError::NotPositive { wavelength_m: 8.0, .. }), "{error}");
     assert!(error.to_string().starts_with(
-        "converting a spectrum from w1 (m^3) to ciso (m^4): at the wavelength 8e0 m the Abel integral is -"
+        "converting a spectrum from w1 (m^3) to ciso (m^4): at the wavelength 8 m the Abel integral is -"
     ));
 }

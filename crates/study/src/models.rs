@@ -274,6 +274,18 @@ impl CurveModel {
         self.with_law(|law| law.with_hardness(hardness))
     }
 
+    /// The form of the hardness of its spheres; `None` where it has none.
+    #[must_use]
+    pub fn hardness(&self) -> Option<Hardness> {
+        Hardness::ALL.into_iter().find(|hardness| self.with_hardness(*hardness) == Some(*self))
+    }
+
+    /// Its interference law; `None` where it has none.
+    #[must_use]
+    pub fn interference(&self) -> Option<InterferenceLaw> {
+        InterferenceLaw::ALL.iter().copied().find(|law| self.with_interference(*law) == Some(*self))
+    }
+
     /// The same model with another interference law; `None` where it has none.
     #[must_use]
     pub fn with_interference(self, interference: InterferenceLaw) -> Option<Self> {

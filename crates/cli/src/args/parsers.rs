@@ -49,9 +49,3 @@ where
     PossibleValuesParser::new(values.iter().map(|value| PossibleValue::new(value.to_string())))
         .try_map(|name| name.parse::<T>())
 }
-
-/// A parser of the names of a framework's models.
-pub(super) fn model_of(framework: Framework) -> impl TypedValueParser<Value = &'static ModelEntry> {
-    PossibleValuesParser::new(models::of_framework(framework).map(|entry| entry.name))
-        .try_map(move |name| models::named(framework, &name))
-}

@@ -39,7 +39,7 @@ use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table, TableWriter};
 use topography::Severity;
 use units::PressureRange;
-use units::display::length;
+use units::display::{length, pressure};
 use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.
@@ -275,16 +275,28 @@ impl<'a> Drawn<'a> {
         figure.figure.as_ref().map(|picture| Drawn { of, picture, hardness_pa: None })
     }
 
-    /// The area of the one curve against cutoff, a line for each load and separation.
-    fn area(figure: &'a FigureArg, needs: &Needs, hardness_pa: Option<f64>) -> Result<Option<Self>, Failure> {
+    /// The area of the one curve against cutoff, a line for each load and separation. The loads of ranges get labels, since
+    /// lines have them.
+    fn area(
+        figure: &'a FigureArg,
+        needs: &mut Needs,
+        hardness_pa: Option<f64>,
+    ) -> Result<Option<Self>, Failure> {
         let Some(picture) = &figure.figure else { return Ok(None) };
-        let lines = needs.loads.len() + needs.separations_m.len();
+        let lines = needs.load_count() + needs.separations_m.len();
         if lines > Self::MOST_LINES {
             return Err(Failure::Input(format!(
                 "--figure draws a line for each pressure and separation, and {lines} are given; give at most {}",
                 Self::MOST_LINES
             )));
         }
+        let of_ranges = std::mem::take(&mut needs.load_ranges);
+        needs.loads.extend(
+            of_ranges
+                .into_iter()
+                .flat_map(LoadRange::pressures)
+                .map(|nominal_pressure| Load { nominal_pressure, label: pressure(nominal_pressure.pa()) }),
+        );
         Ok(Some(Drawn { of: Figure::area_of_all(vec![0]), picture, hardness_pa }))
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
     let model = args.model.build(&material, &options)?;
     say_doubts(Doubt::of_material(&material));
     let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
-    let needs = Needs {
+    let mut needs = Needs {
         amplitudes: Some(args.amplitude.amplitude.unwrap_or_default()),
         curves: vec![Curve { name: "stacked".to_owned(), model, cutoffs: Cutoffs::Every }],
         loads,
@@ -29,7 +29,7 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
         psd: &args.psd.psd,
         reading: &args.psd.reading,
         sampling: args.sampling.sampling(),
-        figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
+        figure: Drawn::area(&args.figure, &mut needs, material.hardness_pa())?,
     };
     context.curve_to_table(&spectrum, needs, material.hardness_pa(), args.details, |psd| {
         let sampling = sampling_of(psd);

@@ -40,7 +40,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let material = material(&args.material)?;
     say_doubts(Doubt::of_material(&material));
     let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
-    let needs = Needs {
+    let mut needs = Needs {
         moments: Some(args.normalisation.normalisation.unwrap_or_default()),
         curves: vec![Curve {
             name: model.to_string(),
@@ -57,7 +57,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         psd,
         reading: &args.reading,
         sampling: args.sampling.sampling(),
-        figure: Drawn::area(&args.figure, &needs, material.hardness_pa())?,
+        figure: Drawn::area(&args.figure, &mut needs, material.hardness_pa())?,
     };
     context.curve_to_table(&spectrum, needs, material.hardness_pa(), args.details, |_| {
         "the longest wavelength has no asperities yet: its row is empty".to_owned()

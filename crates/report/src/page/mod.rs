@@ -19,7 +19,7 @@ pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::in_full;
-use crate::products::Occasion;
+use crate::occasion::Occasion;
 use study::answer::{Answer, LoadAnswer};
 use study::figure::FigureData;
 use study::plan::Results;

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::answer::sentence;
 use super::{Report, SceneReport, Section, per_scene};
-use crate::products::Occasion;
+use crate::occasion::Occasion;
 use crate::scan_words;
 use crate::summary::sampling;
 

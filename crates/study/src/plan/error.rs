@@ -4,6 +4,7 @@ use std::num::NonZeroU32;
 
 use asperity::AsperityError;
 use spectrum::FitError;
+use units::display::{length, three_digits};
 
 /// More scales than any spectrum resolves, and what still fits into memory under a handful of loads.
 pub(super) const MOST_SCALES: usize = 2_000_000;
@@ -17,7 +18,8 @@ pub(super) const MOST_ROWS: usize = 10_000_000;
 pub enum PlanError {
     /// The cutoff leaves nothing.
     #[error(
-        "the cutoff {cutoff_m:e} m leaves no scale: the longest wavelength is {longest_m:e} m; choose a shorter one"
+        "the cutoff {} leaves no scale: the longest wavelength is {}; choose a shorter one",
+        length(*.cutoff_m), length(*.longest_m)
     )]
     NothingLeft {
         /// The cutoff \[m\].
@@ -27,7 +29,8 @@ pub enum PlanError {
     },
     /// The resampled spectrum would be too large.
     #[error(
-        "{scales_per_decade} scales per decade make {scales:e} scales; at most {MOST_SCALES} are computed, choose fewer"
+        "{scales_per_decade} scales per decade make {} scales; at most {MOST_SCALES} are computed, choose fewer",
+        three_digits(*.scales)
     )]
     TooManyScales {
         /// The density asked for.

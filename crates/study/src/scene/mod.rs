@@ -22,8 +22,6 @@ pub use notes::{Idle, SceneNote};
 pub use resolve::Overrides;
 pub use template::Template;
 
-use stat_contact::AsperityLaw;
-
 use crate::choices_in_words;
 use crate::figure::Figure;
 use crate::files::{Files, NoFiles};
@@ -95,18 +93,12 @@ impl Scene {
         }));
         let mut of_laws: Vec<String> = Vec::new();
         for curve in &self.needs.curves {
-            let CurveModel::Statistical { law, .. } = curve.model else { continue };
-            of_laws.extend(match law {
-                AsperityLaw::EpSphere { hardness, .. } => {
-                    Some(named("hardness of spheres", hardness.name(), choices_in_words::hardness(hardness)))
-                }
-                AsperityLaw::ElasticSine { interference } => Some(named(
-                    "interference law of sinusoids",
-                    interference.name(),
-                    choices_in_words::interference(interference),
-                )),
-                AsperityLaw::Hertz | AsperityLaw::EpSine { .. } => None,
-            });
+            of_laws.extend(curve.model.hardness().map(|hardness| {
+                named("hardness of spheres", hardness.name(), choices_in_words::hardness(hardness))
+            }));
+            of_laws.extend(curve.model.interference().map(|law| {
+                named("interference law of sinusoids", law.name(), choices_in_words::interference(law))
+            }));
         }
         of_laws.sort();
         of_laws.dedup();

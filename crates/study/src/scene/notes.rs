@@ -3,13 +3,11 @@
 use std::ops::Range;
 
 use serde::Serialize;
-use stacked_contact::StackedModel;
-use stat_contact::AsperityLaw;
 use toml::de::{DeTable, DeValue};
 
 use super::{Overrides, Scene};
 use crate::figure::Shows;
-use crate::plan::CurveModel;
+use crate::models::{Choice, Framework, ModelEntry};
 
 /// A key of a scene that has no effect, or not the one that it reads as.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -68,18 +66,12 @@ pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<Sce
 
 fn curves(keys: &mut Keys<'_>, scene: &Scene) {
     for (table, curve) in keys.tables("curve").into_iter().zip(&scene.needs.curves) {
-        let (yields, has_interference_law) = match &curve.model {
-            CurveModel::Stacked(model) => (matches!(model, StackedModel::ElasticPlastic { .. }), false),
-            CurveModel::Statistical { law, .. } => (
-                matches!(law, AsperityLaw::EpSphere { .. } | AsperityLaw::EpSine { .. }),
-                matches!(law, AsperityLaw::ElasticSine { .. }),
-            ),
-        };
+        let model = curve.model.entry();
         let wants_gradient = matches!(value(table, "strain_gradient"), Some(DeValue::Boolean(true)));
-        if wants_gradient && !yields {
+        if wants_gradient && !model.has(Choice::StrainGradient) {
             keys.note("curve", table, "strain_gradient", Idle::ModelDoesNotYield);
         }
-        if !has_interference_law {
+        if !model.has(Choice::Interference) {
             keys.note("curve", table, "interference_law", Idle::ModelHasNoInterferenceLaw);
         }
     }
@@ -120,26 +112,21 @@ fn cutoffs(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
 fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
     let Some(table) = keys.section("options") else { return };
     let needs = &scene.needs;
-    let laws = || {
-        needs.curves.iter().filter_map(|curve| match &curve.model {
-            CurveModel::Statistical { law, .. } => Some(law),
-            CurveModel::Stacked(_) => None,
-        })
-    };
+    let any_model = |is: fn(&ModelEntry) -> bool| needs.curves.iter().any(|curve| is(curve.model.entry()));
     if needs.moments.is_none() && overrides.normalisation.is_none() {
         keys.note("options", table, "normalisation", Idle::NothingNeedsIt);
     }
     if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
         keys.note("options", table, "amplitude", Idle::NothingNeedsIt);
     }
-    if overrides.hardness.is_none() && !laws().any(|law| matches!(law, AsperityLaw::EpSphere { .. })) {
+    if overrides.hardness.is_none() && !any_model(|model| model.has(Choice::Hardness)) {
         keys.note("options", table, "hardness", Idle::NoCurveUsesIt);
     }
     if overrides.strength_cap.is_none() && !needs.curves.iter().any(|curve| curve.model.strength_grows()) {
         keys.note("options", table, "strength_cap", Idle::NoCurveUsesIt);
     }
     interference_law(keys, table, scene);
-    if laws().next().is_none() {
+    if !any_model(|model| model.framework == Framework::Statistical) {
         keys.note("options", table, "tolerance", Idle::NoCurveUsesIt);
     } else if needs.tolerance.asked_finer().is_some() {
         let used = needs.tolerance.value();
@@ -152,9 +139,7 @@ fn interference_law<'d>(keys: &mut Keys<'d>, options: &'d DeTable<'d>, scene: &S
     let of_sinusoids: Vec<_> = tables
         .into_iter()
         .zip(&scene.needs.curves)
-        .filter(|(_, curve)| {
-            matches!(curve.model, CurveModel::Statistical { law: AsperityLaw::ElasticSine { .. }, .. })
-        })
+        .filter(|(_, curve)| curve.model.entry().has(Choice::Interference))
         .collect();
     if of_sinusoids.is_empty() {
         keys.note("options", options, "interference_law", Idle::NoCurveUsesIt);
