@@ -25,9 +25,11 @@ const LAYERS: &[Layer] = &[
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
+    ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",
         &[
+            "truearea-features",
             "truearea-units",
             "truearea-numerics",
             "truearea-parallel",
@@ -41,9 +43,21 @@ const LAYERS: &[Layer] = &[
         ],
     ),
     (
+        "truearea-rows",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-asperity",
+            "truearea-stat-contact",
+            "truearea-study",
+        ],
+    ),
+    (
         "truearea-report",
         &[
             "truearea-units",
+            "truearea-rows",
             "truearea-tables",
             "truearea-scans",
             "truearea-spectrum",

@@ -9,6 +9,7 @@ pub mod occasion;
 pub mod page;
 pub mod plot;
 pub mod products;
+pub mod provenance;
 pub mod reasons;
 pub mod row_notes;
 pub mod scan_words;

@@ -1,6 +1,6 @@
 //! What there is to say of rows, in words.
 
-use study::rows::RowsNote;
+use rows::RowsNote;
 use units::number;
 
 use crate::summary::state_notes;

@@ -3,21 +3,19 @@
 pub mod answer;
 pub mod choices_in_words;
 pub mod doubts;
-pub mod features;
 pub mod figure;
 mod files;
 pub mod material;
 pub mod models;
 mod note;
 pub mod plan;
-pub mod provenance;
 pub mod result_tables;
-pub mod rows;
 pub mod scene;
 pub mod sensitivity;
 pub mod surface;
 pub mod topography;
 
+pub use features;
 pub use files::{Files, NoFiles};
 pub use note::Note;
 pub use parallel::{Progress, Unobserved};

@@ -4,8 +4,8 @@ use super::row_by_row::{self, Constants};
 use super::{Context, counterface};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
-use study::rows::Asperities;
-use study::rows::asperity_table::AsperityTable;
+use rows::Asperities;
+use rows::asperity_table::AsperityTable;
 
 pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failure> {
     let (law, args) = match law {

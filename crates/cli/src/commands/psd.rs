@@ -8,11 +8,11 @@ use crate::output::{Place, publish};
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
+use report::provenance::program;
 use report::scan_words;
 use report::scans_table::scans_table;
 use scans::ScanOption;
 use staging::StagedFiles;
-use study::provenance::program;
 use study::topography::{CompositeOfFiles, ScanRequest, TopographyError, areal_spectrum, requests_of_list};
 use topography::{Recipe, Remark};
 

@@ -5,12 +5,12 @@ use crate::failure::Failure;
 use crate::files::open_table;
 use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
+use report::provenance::program;
 use report::row_notes;
+use rows::{RowByRow, RowsNote};
 use staging::StagedFiles;
 use study::Progress as _;
 use study::material::MaterialError;
-use study::provenance::program;
-use study::rows::{RowByRow, RowsNote};
 use tables::{Refusal, TableError};
 use units::{Modulus, Pressure};
 

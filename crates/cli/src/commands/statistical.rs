@@ -7,11 +7,11 @@ use super::{
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
 use crate::output::Place;
+use rows::Populations;
 use study::doubts::Doubt;
 use study::material::{MaterialError, NeededFor, hardness_pa};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
-use study::rows::Populations;
 use units::number;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {

@@ -6,9 +6,9 @@ use serde::Serialize;
 use spectrum::Hole;
 use stacked_contact::setting_level;
 
-use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
 use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Results};
 use crate::scene::Scene;
+use features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
 use topography::InstrumentsDisagree;
 
 /// From so many scales on, over so many decades, a spectrum can tell which of them matter.

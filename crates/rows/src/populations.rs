@@ -7,10 +7,10 @@ use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
 use super::{RowByRow, RowsError, RowsNote, StateCounts};
-use crate::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
-use crate::models::{self, Choice, CurveModel, Framework, ModelOptions};
-use crate::plan::{NominalPressure, Tolerance};
-use crate::result_tables::STATE_DETAILS;
+use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
+use study::models::{self, Choice, CurveModel, Framework, ModelOptions};
+use study::plan::{NominalPressure, Tolerance};
+use study::result_tables::STATE_DETAILS;
 
 /// Which of two filled columns the rows are computed from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Tables of any length whose rows are each computed by themselves: first all of them are checked, then filled in.
+#![doc = include_str!("../README.md")]
 
 mod asperities;
 pub mod asperity_table;

@@ -1,7 +1,7 @@
 //! Where a written file comes from: the program, what it was asked, and what the spectrum's own file says.
 
-use crate::plan::Sampling;
-use crate::surface::Surface;
+use study::plan::Sampling;
+use study::surface::Surface;
 use units::number;
 
 /// The line that begins the provenance of any file.

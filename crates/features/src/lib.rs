@@ -1,0 +1,17 @@
+#![doc = include_str!("../README.md")]
+
+mod dip;
+mod plateau;
+mod ratio;
+mod share;
+mod slope;
+
+pub use dip::{Dip, dips};
+pub use plateau::{Plateau, widest_plateau};
+pub use ratio::{agrees_from, crossings, parts_at, ratio};
+pub use share::{DecadeShare, decade_shares};
+pub use slope::{between, log_slope, log_slopes};
+pub use stacked_contact::{Convergence, convergence};
+
+/// A cutoff wavelength \[m\], and the value of a curve there.
+pub type Point = (f64, f64);
