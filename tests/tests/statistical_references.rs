@@ -11,7 +11,7 @@ fn state(table: &ReferenceTable, row: usize) -> ContactState {
         "" => strength,
         length_m => strength.with_strain_gradient(length_m.parse().unwrap()).unwrap(),
     };
-    let law = match table.text("model")[row].as_ref() {
+    let law = match table.text("model")[row] {
         "hertz" => AsperityLaw::Hertz,
         "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
         "elastic-sine" => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },

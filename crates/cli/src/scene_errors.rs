@@ -8,12 +8,7 @@ use study::surface::SurfaceError;
 
 /// The message with file, line, and the line itself; that it is an error is said where it is reported.
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
-    let message = match &error.problem {
-        SceneProblem::Surface(SurfaceError::Scan { .. }) => {
-            format!("{error}; give it in scans = [...] instead of psd")
-        }
-        _ => format!("{error}{}", mended(error)),
-    };
+    let message = format!("{error}{}", mended(error));
     let title = Level::ERROR.primary_title(&message);
     let group = match &error.span {
         Some(span) => title.element(
@@ -25,14 +20,20 @@ pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
     drawn.strip_prefix("error: ").unwrap_or(&drawn).to_owned()
 }
 
-/// The key of a scan that mends the error, where one does.
+/// What of the scene mends the error, in words that follow it.
 fn mended(error: &SceneError) -> String {
-    let SceneProblem::Surface(SurfaceError::Scans(error)) = &error.problem else { return String::new() };
+    let SceneProblem::Surface(error) = &error.problem else { return String::new() };
     let key = |option| match option {
         ScanOption::Unit => Some("unit"),
         ScanOption::Size => Some("size"),
         ScanOption::Channel => Some("channel"),
         _ => None,
     };
-    error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, key))
+    match error.as_ref() {
+        SurfaceError::Scan { .. } => "; give it in scans = [...] instead of psd".to_owned(),
+        SurfaceError::Scans(error) => {
+            error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, key))
+        }
+        _ => String::new(),
+    }
 }

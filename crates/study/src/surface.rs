@@ -45,7 +45,7 @@ pub enum SurfaceError {
         /// The file.
         name: String,
         /// Why.
-        error: ReadError,
+        error: Box<ReadError>,
     },
     /// The file holds heights.
     #[error("{name}: this is a scan ({format}), not its spectrum")]
@@ -114,7 +114,7 @@ impl Surface {
         let PsdFile { psd, comments, notes } =
             read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of_binary(&bytes) {
                 Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
-                None => SurfaceError::Spectrum { name: name.to_owned(), error },
+                None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
             })?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.to_owned(), error })?;
         let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();

@@ -43,9 +43,9 @@ impl InputTable {
                 }
                 return Err(self.missing_column(name));
             }
-            for row in 0..self.row_names.len() {
+            for (row, values) in values.iter_mut().enumerate() {
                 match read_number(&self.text(name, row), bound) {
-                    Ok(value) => values[row][at] = value,
+                    Ok(value) => values[at] = value,
                     Err(problem) => problems.push((row, format!("column {name}: {problem}"))),
                 }
             }

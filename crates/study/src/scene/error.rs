@@ -70,7 +70,7 @@ pub enum SceneProblem {
     /// A curve needs what the material lacks.
     Material(MaterialError),
     /// The spectrum or the scans cannot be had.
-    Surface(SurfaceError),
+    Surface(Box<SurfaceError>),
 }
 
 impl SceneError {
@@ -172,6 +172,6 @@ impl From<MaterialError> for SceneProblem {
 
 impl From<SurfaceError> for SceneProblem {
     fn from(error: SurfaceError) -> Self {
-        SceneProblem::Surface(error)
+        SceneProblem::Surface(Box::new(error))
     }
 }

@@ -34,7 +34,7 @@ pub enum ScanProblem {
     HoldsASpectrum,
     /// The file cannot be read as heights.
     #[error(transparent)]
-    Format(ScanReadError),
+    Format(Box<ScanReadError>),
     /// The heights cannot be transformed.
     #[error("{}{error}", scan.as_ref().map_or(String::new(), |scan| format!("{scan}: ")))]
     Transform {

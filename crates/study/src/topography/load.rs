@@ -35,7 +35,7 @@ pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, T
         ..ScanOptions::default()
     };
     let scans = read_scans(&bytes, file_name(&request.path), &options)
-        .map_err(|error| blame(ScanProblem::Format(error)))?;
+        .map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
     Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
 }
 
@@ -63,7 +63,7 @@ fn metadata_beside(path: &str, files: &dyn Files) -> Result<Option<MeasurementMe
             continue;
         }
         let entries = scans::read_metadata(text.trim_start_matches('\u{feff}'), beside)
-            .map_err(|error| blame(ScanProblem::Format(error)))?;
+            .map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
         if let Some(entry) = entries.into_iter().find(|entry| entry.names_file(name)) {
             return Ok(Some(entry));
         }
