@@ -24,10 +24,15 @@ struct Entry<'a> {
 /// Draws the legend below what is there, between two abscissas, and lengthens the picture by what it takes.
 pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f64) {
     let mut baseline = scene.height;
-    for group in [conditions(figure), curves(figure)] {
+    let groups = [conditions(figure), curves(figure)];
+    let width = |entry: &Entry<'_>| SAMPLE_PX + GAP_PX + text_width_px(entry.label, SIZE_PX) + 2.0 * GAP_PX;
+    // A name too long for the place under the axes begins further to the left, and all of them with it.
+    let longest = groups.iter().flatten().map(width).fold(0.0, f64::max);
+    let left = left.min(right - longest).max(GAP_PX);
+    for group in groups {
         let mut x = left;
         for (i, entry) in group.iter().enumerate() {
-            let width = SAMPLE_PX + GAP_PX + text_width_px(entry.label, SIZE_PX) + 2.0 * GAP_PX;
+            let width = width(entry);
             if i == 0 || x + width > right {
                 x = left;
                 baseline += ROW_PX;
