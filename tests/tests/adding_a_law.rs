@@ -11,7 +11,7 @@ use tests::committed_file;
 const MOST_FILES: usize = 8;
 
 /// What the program's own model of studies stands on, and nothing above it.
-const CRATES: [&str; 11] = [
+const CRATES: [&str; 12] = [
     "asperity",
     "numerics",
     "parallel",
@@ -19,6 +19,7 @@ const CRATES: [&str; 11] = [
     "spectrum",
     "stacked-contact",
     "stat-contact",
+    "features",
     "study",
     "tables",
     "topography",

@@ -39,7 +39,7 @@ use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table, TableWriter};
 use topography::Severity;
 use units::PressureRange;
-use units::display::{length, pressure};
+use units::display::length;
 use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.

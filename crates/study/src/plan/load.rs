@@ -1,7 +1,8 @@
 //! Nominal pressures: one type with one bound, whoever gives them and whatever model takes them.
 
 use serde::Serialize;
-use units::{Bound, OutOfBounds, number};
+use units::display::pressure;
+use units::{Bound, OutOfBounds};
 
 /// A pressure on the nominal area \[Pa\], above 0 and within thirty decades of 1 ([`Bound::Magnitude`]): what every model
 /// takes without leaving the range of doubles.
@@ -26,10 +27,10 @@ impl NominalPressure {
         self.0
     }
 
-    /// The name of a load that nobody has named, e.g. `1000 Pa`.
+    /// The name of a load that nobody has named, e.g. `1 kPa`.
     #[must_use]
     pub fn label(self) -> String {
-        format!("{} Pa", number(self.0))
+        pressure(self.0)
     }
 }
 
