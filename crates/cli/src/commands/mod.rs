@@ -295,7 +295,7 @@ impl<'a> Drawn<'a> {
             of_ranges
                 .into_iter()
                 .flat_map(LoadRange::pressures)
-                .map(|nominal_pressure| Load { nominal_pressure, label: pressure(nominal_pressure.pa()) }),
+                .map(|nominal_pressure| Load { nominal_pressure, label: nominal_pressure.label() }),
         );
         Ok(Some(Drawn { of: Figure::area_of_all(vec![0]), picture, hardness_pa }))
     }
