@@ -102,11 +102,13 @@ impl UniformLineScan {
     }
 
     /// Distance of neighbouring points in m.
+    #[inline]
     pub fn spacing_m(&self) -> f64 {
         self.spacing_m
     }
 
     /// Heights in m.
+    #[inline]
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
     }
@@ -138,11 +140,13 @@ impl NonuniformLineScan {
     }
 
     /// Positions in m, strictly rising.
+    #[inline]
     pub fn positions_m(&self) -> &[f64] {
         &self.positions_m
     }
 
     /// Heights in m.
+    #[inline]
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
     }
@@ -187,26 +191,31 @@ impl HeightMap {
     }
 
     /// Number of columns: points along x, the fast scan direction.
+    #[inline]
     pub fn columns(&self) -> usize {
         self.columns
     }
 
     /// Number of rows: points along y.
+    #[inline]
     pub fn rows(&self) -> usize {
         self.heights_m.len() / self.columns
     }
 
     /// Distance in m of neighbours within a row.
+    #[inline]
     pub fn spacing_x_m(&self) -> f64 {
         self.spacing_x_m
     }
 
     /// Distance in m of neighbouring rows.
+    #[inline]
     pub fn spacing_y_m(&self) -> f64 {
         self.spacing_y_m
     }
 
     /// Heights in m, row after row.
+    #[inline]
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
     }
