@@ -1,8 +1,6 @@
 #![doc = include_str!("../README.md")]
 
-pub mod answer;
 pub mod choices_in_words;
-pub mod doubts;
 pub mod figure;
 mod files;
 pub mod material;
@@ -11,7 +9,6 @@ mod note;
 pub mod plan;
 pub mod result_tables;
 pub mod scene;
-pub mod sensitivity;
 pub mod surface;
 pub mod topography;
 

@@ -3,8 +3,8 @@
 use super::{Context, Drawn, Spectrum, loads, material, refuse_idle_strength_cap, say_doubts};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
+use answer::doubts::Doubt;
 use report::summary::sampling_of;
-use study::doubts::Doubt;
 use study::models::{Choice, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
 

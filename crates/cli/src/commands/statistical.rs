@@ -7,8 +7,8 @@ use super::{
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
 use crate::output::Place;
+use answer::doubts::Doubt;
 use rows::Populations;
-use study::doubts::Doubt;
 use study::material::{MaterialError, NeededFor, hardness_pa};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
