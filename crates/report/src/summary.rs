@@ -7,7 +7,8 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::curve_names::in_full;
-use crate::{answer_words, doubt_words, scan_words};
+use crate::{answer_words, doubt_words, scan_words, verdict_words};
+use judge::Judgement;
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
 use rows::StateCounts;
@@ -16,16 +17,27 @@ use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
 
-/// The summary of a scene's results.
-pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
-    let mut text = format!("{}\n{}\n", scene.title, sampling(results));
+/// The summary of a scene's results, which opens with what the judge found, where it was asked.
+pub fn summary(
+    scene: &Scene,
+    results: &Results,
+    answer: &Answer,
+    judgement: Option<&Judgement>,
+) -> String {
+    // Names of curves are hyphenated and stay whole.
+    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
+    let mut text = String::new();
+    if let Some(first) = judgement.and_then(|judgement| verdict_words::first_line(judgement, scene)) {
+        let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
+    }
+    let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
     for warning in scan_words::warnings(&scene.surface) {
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
-    // Names of curves are hyphenated and stay whole.
-    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
-    let mut paragraphs = answer_words::sentences(answer, scene, results);
+    let mut paragraphs = judgement
+        .map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
+    paragraphs.extend(answer_words::sentences(answer, scene, results));
     paragraphs.extend(answer_words::shortcomings(answer, scene, results));
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {

@@ -160,7 +160,7 @@ impl Context<'_> {
                 }
                 None => {
                     for curve in &plan.needs.curves {
-                        let progress = Progress::towards(stream.rows(curve));
+                        let progress = Progress::towards(stream.rows(curve), "states");
                         stream.parts::<Stopped>(curve, &progress, |part| write(curve, part))?;
                     }
                 }
@@ -303,7 +303,7 @@ impl<'a> Drawn<'a> {
 
 /// Carries a plan out, with a progress bar where it takes long.
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
-    let progress = Progress::towards(plan.statistical_states());
+    let progress = Progress::towards(plan.statistical_states(), "states");
     plan.compute_observed(&progress)
 }
 
