@@ -18,6 +18,7 @@ const LAYERS: &[Layer] = &[
     ("truearea-tables", &["truearea-units"]),
     ("truearea-scans", &["truearea-units"]),
     ("truearea-spectrum", &["truearea-units", "truearea-numerics"]),
+    ("truearea-gaussian-surfaces", &["truearea-units", "truearea-spectrum"]),
     (
         "truearea-topography",
         &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
