@@ -45,9 +45,6 @@ pub(crate) enum Asked {
     NotChosen,
 }
 
-/// What one window is pressed by: a body and, load by load, the mean pressure \[Pa\] at its long end.
-pub(crate) type PressuresAt<'p> = &'p dyn Fn(usize, f64) -> f64;
-
 /// The whole of what will be pressed.
 #[derive(Debug)]
 pub(crate) struct Layout {

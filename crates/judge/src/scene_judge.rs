@@ -77,10 +77,10 @@ struct Case<'s> {
     /// The bounds on pressure that elements are asked for; each once.
     saturations_pa: Vec<Option<f64>>,
     loads_by_pressure: Vec<usize>,
-    /// The hardness that the material has at each scale: growing where it has a strain-gradient length.
-    hardness: Option<HardnessOfScales>,
-    /// The same without that length.
+    /// The hardness of the bulk at each scale, where the material yields.
     constant_hardness: Option<HardnessOfScales>,
+    /// The hardness that grows with the material's strain-gradient length, where it has one.
+    growing_hardness: Option<HardnessOfScales>,
 }
 
 impl<'s> Case<'s> {
@@ -100,8 +100,6 @@ impl<'s> Case<'s> {
             let strength = scene.material.as_ref()?.strength(strain_gradient).ok()?;
             Some(HardnessOfScales::of(&strength, &scales))
         };
-        let constant_hardness = hardness_of(false);
-        let hardness = hardness_of(true).or_else(|| constant_hardness.clone());
         Case {
             scene,
             results,
@@ -110,8 +108,8 @@ impl<'s> Case<'s> {
             bodies,
             saturations_pa,
             loads_by_pressure,
-            hardness,
-            constant_hardness,
+            constant_hardness: hardness_of(false),
+            growing_hardness: hardness_of(true),
         }
     }
 
@@ -263,19 +261,22 @@ impl<'s> Case<'s> {
             (moments.wavelength_m, mean_real_pressure_pa(nominal_pa, rms_pa, None))
         };
         let elastic: Vec<(f64, f64)> = self.moments.iter().map(elastic).collect();
-        let grows = self.scene.material.is_some_and(|material| material.strain_gradient_length_m.is_some());
-        let growing = self.hardness.as_ref().filter(|_| grows);
-        Yielding::of(load, &elastic, self.constant_hardness.as_ref(), growing)
+        Yielding::of(load, &elastic, self.constant_hardness.as_ref(), self.growing_hardness.as_ref())
+    }
+
+    /// The hardness that the material has at each scale, where it yields.
+    fn hardness(&self) -> Option<&HardnessOfScales> {
+        self.growing_hardness.as_ref().or(self.constant_hardness.as_ref())
     }
 
     /// The assumption of its own that a curve breaks first, under a load.
     fn broken(&self, curve: usize, load: usize) -> Option<Broken> {
-        first_broken(self.scene, self.results, curve, load, self.hardness.as_ref())
+        first_broken(self.scene, self.results, curve, load, self.hardness())
     }
 
     /// Where the pressure of a curve whose strength grows first exceeds its hardness.
     fn yields_while_growing(&self, curve: usize, load: usize) -> Option<AboveHardness> {
-        self.hardness.as_ref()?.first_above(real_pressures(self.scene, self.results, curve, load))
+        self.hardness()?.first_above(real_pressures(self.scene, self.results, curve, load))
     }
 
     fn final_area(&self, curve: usize, load: usize) -> Option<f64> {

@@ -16,6 +16,10 @@ pub struct Yielding {
     pub above_constant: Option<AboveHardness>,
     /// The same with a hardness that grows at small scales; `None` where none is, or the material has no such length.
     pub above_growing: Option<AboveHardness>,
+    /// Whether the material has a hardness at all.
+    pub has_hardness: bool,
+    /// Whether it has one that grows at small scales.
+    pub hardness_grows: bool,
 }
 
 impl Yielding {
@@ -32,6 +36,8 @@ impl Yielding {
             elastic_pressure_pa: elastic.last().map_or(0.0, |(_, pressure_pa)| *pressure_pa),
             above_constant: above(constant),
             above_growing: above(growing),
+            has_hardness: constant.is_some(),
+            hardness_grows: growing.is_some(),
         }
     }
 }

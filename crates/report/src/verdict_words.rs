@@ -91,11 +91,7 @@ fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
 /// An elastic contact's pressure against the hardness.
 fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let mut told: Vec<(String, Vec<usize>)> = Vec::new();
-    let grows = scene.material.is_some_and(|material| material.strain_gradient_length_m.is_some());
-    if scene.material.and_then(|material| material.hardness_pa()).is_none() {
-        return Vec::new();
-    }
-    for yielding in &judgement.yielding {
+    for yielding in judgement.yielding.iter().filter(|yielding| yielding.has_hardness) {
         let constant = yielding.above_constant.map(|above| {
             format!(
                 "exceeds the hardness of {} from {} on",
@@ -103,7 +99,7 @@ fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
                 length(above.wavelength_m)
             )
         });
-        let growing = match (grows, yielding.above_growing) {
+        let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
             (true, None) => ", but not a hardness that grows at small scales as the material's does",
             (true, Some(_)) => ", and at some scale that of a hardness which grows at small scales as the material's does",
@@ -213,10 +209,11 @@ fn settling(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Vec<String
     let torn: Vec<usize> = judgement
         .yielding
         .iter()
+        .filter(|yielding| yielding.hardness_grows)
         .filter(|yielding| yielding.above_constant.is_some() && yielding.above_growing.is_none())
         .map(|yielding| yielding.load)
         .collect();
-    if !torn.is_empty() && scene.material.is_some_and(|material| material.strain_gradient_length_m.is_some()) {
+    if !torn.is_empty() {
         sentences.push(
             "What would settle whether it yields: the hardness at the depth of the small scales, by indentation; it decides \
              between elastic and plastic contact."

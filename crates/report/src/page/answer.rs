@@ -25,7 +25,7 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let first_line = report.judgement.and_then(|judgement| verdict_words::first_line(judgement, scene));
     html! {
         @if several { h3 { (report.label) } }
-        @for text in first_line { p.first { strong { (typeset(&text)) } } }
+        @if let Some(text) = &first_line { p.first { strong { (typeset(text)) } } }
         p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
         @if scene.needs.curves.is_empty() { p { "No contact was asked for: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }

@@ -8,6 +8,7 @@ mod error;
 mod figures;
 pub mod file_names;
 mod from_toml;
+mod judge_choices;
 mod loads;
 mod notes;
 mod raw;
@@ -17,6 +18,7 @@ mod surfaces;
 mod template;
 mod values;
 
+pub use judge_choices::JudgeChoices;
 pub use error::{SceneError, SceneProblem};
 pub use notes::{Idle, SceneNote};
 pub use resolve::Overrides;
@@ -47,6 +49,8 @@ pub struct Scene {
     pub needs: Needs,
     /// The figures to draw.
     pub figures: Vec<Figure>,
+    /// What it chooses of the judge.
+    pub judge: Option<JudgeChoices>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
 }

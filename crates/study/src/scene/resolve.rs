@@ -113,5 +113,6 @@ pub(super) fn resolve(
         },
         figures,
         notes: Vec::new(),
+        judge: None,
     })
 }
