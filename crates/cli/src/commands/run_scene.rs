@@ -5,7 +5,8 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::{Context, compute, counterface, refuse_idle_cutoff, say_notes, say_surface};
+use super::material_options::counterface;
+use super::{Context, compute, refuse_idle_cutoff, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
