@@ -25,6 +25,7 @@ const LAYERS: &[Layer] = &[
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
+    ("truearea-persson", &["truearea-units", "truearea-numerics"]),
     ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",
