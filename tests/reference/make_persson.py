@@ -10,7 +10,7 @@ import argparse
 import multiprocessing
 import pathlib
 
-from mpmath import (e1, erf, erfc, exp, expm1, findroot, hyp1f1, inf, log, log1p, mp, mpf, npdf, pi, quad, sin, sqrt)
+from mpmath import erf, erfc, exp, expm1, findroot, hyp1f1, log, log1p, mp, mpf, npdf, pi, quad, sin, sqrt
 
 from tables import INPUT_NOTE, as_double, write_table
 
@@ -21,7 +21,7 @@ CONSTANT = [(p, s) for p in ("1e-10", "1e-6", "0.003", "0.21", "0.5", "0.8", "0.
 GROWING = [(p, s, c) for c in ("1e-4", "0.03", "0.7", "4", "20", "100")
            for p, s in (("1e-8", "0.7"), ("0.02", "0.25"), ("0.3", "0.15"), ("0.3", "2.0"), ("0.75", "0.4"),
                         ("0.9999999", "0.2"), ("0.99", "1.0"), ("0.1", "18.0"))]
-SEPARATION = [(p, g, e) for e in ("-3.6", "-2.7") for g in ("0.45", "0.8", "1.0") for p in ("1e-5", "2e-3", "0.03", "0.5")]
+SEPARATION = [(p, g, e) for e in ("-3.6", "-2.7") for g in ("0.45", "1.0") for p in ("1e-5", "0.03", "0.5")]
 
 
 def constant(p, s):
@@ -61,7 +61,7 @@ def eigenvalues(c, elapsed):
     """Zeros in lambda of M(lambda/c + 1/2, 3/2, -c/2), by steps narrower than their distance, while modes matter."""
     shape = lambda x: hyp1f1(x * x / c + mpf(1) / 2, mpf(3) / 2, -c / 2)
     largest = sqrt(75 / elapsed) + 8
-    step = min(mpf("0.1"), sqrt(c) / 16)
+    step = mpf("0.1")
     x, found = step, []
     before = shape(x)
     while x < largest:
@@ -108,21 +108,23 @@ def separation(p, gamma, exponent):
     last = mpf(100)
     # s^2 = (pi/2) Int q^3 C dq.
     scale = 2 / pi * power / (last**power - 1)
-    w = lambda q: (pi * scale * (q**power - 1) / power) ** (-mpf(1) / 2)
+    # By q - 1 = z^2, which takes the root at the first wavevector away.
+    w = lambda z: (pi * scale * expm1(power * log1p(z * z)) / power) ** (-mpf(1) / 2)
 
-    def inner(q):
-        ratio = w(q)
+    def inner(z):
+        ratio = w(z)
         term = lambda t: (gamma + 3 * (1 - gamma) * erf(ratio * exp(t)) ** 2) * exp(-(ratio * exp(t)) ** 2)
         top = log(8 / ratio)
         start = log(p)
         return quad(term, [start + (top - start) * i / 6 for i in range(7)]) if top > start else mpf(0)
 
-    # q = 1 + z^2 takes the root at the first wavevector away; w diverges there, and nothing is left of the integrand.
-    variable = lambda z: 2 * z * (1 + z * z) ** (2 + exponent) * scale * w(1 + z * z)
-    edges = [mpf(0)] + [sqrt(last - 1) * mpf(10) ** (-mpf(i) / 2) for i in range(8, -1, -1)]
-    u = sqrt(pi) * quad(lambda z: variable(z) * inner(1 + z * z) if z > 0 else mpf(0), edges)
-    slope = lambda q: (gamma + 3 * (1 - gamma) * erf(w(q) * p) ** 2) * exp(-(w(q) * p) ** 2) / p
-    compliance = sqrt(pi) * quad(lambda z: variable(z) * slope(1 + z * z) if z > 0 else mpf(0), edges)
+    # Nothing is left of the integrands before w p = 9: exp(-81) is 1e-35.
+    start = exp(findroot(lambda x: log(w(exp(x)) * p / 9), (mpf(-8), mpf(1)), solver="anderson", tol=1e-8))
+    edges = [start * (sqrt(last - 1) / start) ** (mpf(i) / 12) for i in range(13)]
+    weight = lambda z: 2 * z * (1 + z * z) ** (2 + exponent) * scale * w(z)
+    u = sqrt(pi) * quad(lambda z: weight(z) * inner(z), edges)
+    slope = lambda z: (gamma + 3 * (1 - gamma) * erf(w(z) * p) ** 2) * exp(-(w(z) * p) ** 2) / p
+    compliance = sqrt(pi) * quad(lambda z: weight(z) * slope(z), edges)
     return [None, None, None, None, None, u, 1 / compliance, None]
 
 

@@ -83,7 +83,7 @@ fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: impl Fn(f64) -> f6
     let unit_pa2 = pressure_pa * pressure_pa;
     let inverse = |t: f64| slowness(libm::erf(FRAC_1_SQRT_2 / t.sqrt())).recip();
     let integral =
-        |from: f64, to: f64| stretches(from, to).map(|[a, b]| sum(&rule, a, b, &inverse)).sum::<f64>();
+        |from: f64, to: f64| stretches(from, to).map(|[a, b]| sum(&rule, a, b, inverse)).sum::<f64>();
     let (mut reached, mut at) = (0.0, 0.0);
     let step = |&variance_pa2: &f64| {
         let target = variance_pa2 / unit_pa2 - reached;

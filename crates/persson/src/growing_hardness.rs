@@ -49,6 +49,7 @@ pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64])
             .collect();
     }
     let mut march = March::new(path, pressure_pa);
+    march.go_on_to(variances_pa2.last().copied().unwrap_or(0.0));
     variances_pa2.iter().map(|&variance_pa2| march.areas_at(variance_pa2)).collect()
 }
 
@@ -95,7 +96,8 @@ struct March<'a> {
     approaching: bool,
 }
 
-/// A stretch of V on which A_pl is a polynomial, or one times exp(-E) where it still grows as steeply as that.
+/// A stretch of V on which A_pl and what it adds to the area are polynomials, or such times exp(-E) where they still
+/// grow as steeply as that.
 struct Panel {
     from_pa2: f64,
     to_pa2: f64,
@@ -103,8 +105,14 @@ struct Panel {
     steep: bool,
     /// E at the end.
     last_distance: f64,
-    coefficients: [f64; SIZE],
+    /// Of A_pl; none while it is being solved for.
+    plastic: Option<Polynomial>,
+    /// Of A less the elastic theory's.
+    held: Polynomial,
 }
+
+/// Coefficients by rising power.
+type Polynomial = [f64; SIZE];
 
 /// A variance with its hardness.
 #[derive(Clone, Copy)]
@@ -120,21 +128,22 @@ impl<'a> March<'a> {
         March { path, pressure_pa, rules: Rules::new(), panels: Vec::new(), reached_pa2, approaching: true }
     }
 
-    fn areas_at(&mut self, variance_pa2: f64) -> ContactAreas {
+    /// The areas at a variance that has been reached.
+    fn areas_at(&self, variance_pa2: f64) -> ContactAreas {
         let spread_pa = variance_pa2.sqrt();
         let elastic = elastic::area_fraction(self.pressure_pa, spread_pa);
         let gap = elastic::gap_fraction(self.pressure_pa, spread_pa);
-        if variance_pa2 <= self.reached_pa2 && self.panels.is_empty() {
-            return ContactAreas { elastic, plastic: 0.0, gap };
-        }
-        self.go_on_to(variance_pa2);
-        let Some(last) = self.panels.last() else {
+        let at = self.panels.partition_point(|panel| panel.to_pa2 < variance_pa2);
+        let panel = self.panels.get(at).filter(|panel| panel.from_pa2 < variance_pa2);
+        let Some((panel, coefficients)) = panel.and_then(|panel| Some((panel, panel.plastic.as_ref()?)))
+        else {
             return ContactAreas { elastic, plastic: 0.0, gap };
         };
-        let here = Place { variance_pa2, hardness_pa: last.piece.hardness_pa(variance_pa2) };
-        let plastic = last.plastic(1.0) * last.scale(here, self.pressure_pa);
+        let place = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
+        let t = panel.variable((variance_pa2 - panel.piece.from_variance_pa2).sqrt());
+        let scale = if panel.steep { (-place.distance(self.pressure_pa)).exp() } else { 1.0 };
+        let [plastic, held] = [coefficients, &panel.held].map(|polynomial| scale * value(polynomial, t));
         let plastic = plastic.clamp(0.0, 1.0);
-        let held: f64 = self.history(here, 0.0, Place::passage_to_zero).0;
         let contact = (elastic + held).min(1.0);
         ContactAreas { elastic: (contact - plastic).max(0.0), plastic, gap: (gap - held).max(0.0) }
     }
@@ -171,72 +180,69 @@ impl<'a> March<'a> {
         }
         self.approaching = steep;
         let last_distance = distance(to_pa2);
-        self.panels.push(Panel { from_pa2, to_pa2, piece, steep, last_distance, coefficients: [0.0; SIZE] });
+        let panel = Panel { from_pa2, to_pa2, piece, steep, last_distance, plastic: None, held: [0.0; SIZE] };
+        self.panels.push(panel);
         self.reached_pa2 = to_pa2;
         self.solve_last();
     }
 
-    /// The coefficients of the last panel, from the integral equation at as many places of it.
+    /// The polynomials of the last panel, from the integral equation at as many places of it.
     fn solve_last(&mut self) {
         let Some(panel) = self.panels.last() else { return };
         let mut matrix = SMatrix::<f64, SIZE, SIZE>::zeros();
-        let mut right = SVector::<f64, SIZE>::zeros();
+        let mut to_held = matrix;
+        let [mut right, mut held] = [SVector::<f64, SIZE>::zeros(); 2];
         for (row, &t) in self.rules.places.iter().enumerate() {
             let variance_pa2 = panel.variance_pa2(t);
             let here = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
             let relief = if panel.steep { here.distance(self.pressure_pa) } else { 0.0 };
-            let (from_before, own) = self.history(here, relief, Place::passage_to_the_hardness);
+            let [plastic, contact] = self.history(here, relief);
             let direct = image(here.hardness_pa, self.pressure_pa, variance_pa2.sqrt()) * relief.exp();
-            right[row] = direct + from_before;
-            let mut power = 1.0;
+            right[row] = direct + plastic.known;
+            held[row] = contact.known;
             for column in 0..SIZE {
-                matrix[(row, column)] = power - own[column];
-                power *= t;
+                matrix[(row, column)] = self.rules.powers[(row, column)] - plastic.powers[column];
+                to_held[(row, column)] = contact.powers[column];
             }
         }
         // The equation is of the second kind: its matrix is that of a polynomial through points, less something small.
-        let solution = matrix.lu().solve(&right).unwrap_or_default();
+        let plastic = matrix.lu().solve(&right).unwrap_or_default();
+        let held = self.rules.powers.lu().solve(&(held + to_held * plastic)).unwrap_or_default();
         if let Some(panel) = self.panels.last_mut() {
-            panel.coefficients.copy_from_slice(solution.as_slice());
+            panel.plastic = Some(plastic.into());
+            panel.held = held.into();
         }
     }
 
-    /// exp(relief) Int A_pl(V') kernel dV' over the panels: over those before the last, and over the last one with each
-    /// power of its variable in place of the polynomial when it has no coefficients yet.
-    fn history(
-        &self,
-        here: Place,
-        relief: f64,
-        kernel: impl Fn(&Place, Place, f64) -> f64,
-    ) -> (f64, [f64; SIZE]) {
-        let mut known = 0.0;
-        let mut powers = [0.0; SIZE];
+    /// exp(relief) Int A_pl(V') kernel dV' over the panels for the kernels of A_pl and of A.
+    fn history(&self, here: Place, relief: f64) -> [Integral; 2] {
+        let mut integrals = [Integral::default(); 2];
         let resolved_pa = self.resolved_pa(here);
         for (back, panel) in self.panels.iter().rev().enumerate() {
             let faded = panel.steep && panel.last_distance - relief > NEGLIGIBLE;
             if back > 0 && (faded || panel.to_pa2 < 1e-17 * here.variance_pa2) {
                 break;
             }
-            let unknown = panel.coefficients.iter().all(|&c| c == 0.0);
             let arc = Arc::of(panel, here.variance_pa2);
             self.rules.over(&arc, resolved_pa, |root_pa, from_kink_pa, weight| {
                 let variance_pa2 = panel.piece.from_variance_pa2 + from_kink_pa * from_kink_pa;
                 let there = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
-                let decay = if panel.steep { there.distance(self.pressure_pa) } else { 0.0 };
-                let value = weight * kernel(&here, there, root_pa) * (relief - decay).exp();
+                let weight = match panel.steep {
+                    true => weight * (relief - there.distance(self.pressure_pa)).exp(),
+                    false => weight * relief.exp(),
+                };
                 let t = panel.variable(from_kink_pa);
-                if unknown {
-                    let mut power = value;
-                    for sum in &mut powers {
-                        *sum += power;
-                        power *= t;
+                let kernels =
+                    [here.passage_to_the_hardness(there, root_pa), passage(there.hardness_pa, root_pa)];
+                for (integral, kernel) in integrals.iter_mut().zip(kernels) {
+                    match &panel.plastic {
+                        Some(polynomial) => integral.known += weight * kernel * value(polynomial, t),
+                        None => integral.add_powers(weight * kernel, t),
                     }
-                } else {
-                    known += value * panel.plastic(t);
                 }
             });
         }
-        (known, powers)
+        integrals
     }
 
     /// The root of V - V' below which every kernel and weight is smooth.
@@ -250,12 +256,12 @@ impl Panel {
     /// -1 at the beginning, 1 at the end, for a distance sqrt(V - V_i) from where its piece of the path begins: A_pl
     /// answers to a kink of the hardness with the root of that distance.
     fn variable(&self, from_kink_pa: f64) -> f64 {
-        let [first_pa, last_pa] = self.from_kink_pa();
+        let [first_pa, last_pa] = self.kink_distances_pa();
         2.0 * (from_kink_pa - first_pa) / (last_pa - first_pa) - 1.0
     }
 
     fn variance_pa2(&self, t: f64) -> f64 {
-        let [first_pa, last_pa] = self.from_kink_pa();
+        let [first_pa, last_pa] = self.kink_distances_pa();
         if t == 1.0 {
             return self.to_pa2;
         }
@@ -263,18 +269,31 @@ impl Panel {
     }
 
     /// sqrt(V - V_i) at both ends.
-    fn from_kink_pa(&self) -> [f64; 2] {
+    fn kink_distances_pa(&self) -> [f64; 2] {
         [self.from_pa2, self.to_pa2].map(|variance_pa2| (variance_pa2 - self.piece.from_variance_pa2).sqrt())
     }
+}
 
-    /// The polynomial.
-    fn plastic(&self, t: f64) -> f64 {
-        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * t + c)
-    }
+/// A polynomial at t.
+fn value(polynomial: &Polynomial, t: f64) -> f64 {
+    polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * t + coefficient)
+}
 
-    /// What the polynomial is to be multiplied by.
-    fn scale(&self, here: Place, pressure_pa: f64) -> f64 {
-        if self.steep { (-here.distance(pressure_pa)).exp() } else { 1.0 }
+/// An integral over the panels: over those whose A_pl is known, and over the last one with each power of its variable in
+/// place of the polynomial.
+#[derive(Default, Clone, Copy)]
+struct Integral {
+    known: f64,
+    powers: Polynomial,
+}
+
+impl Integral {
+    fn add_powers(&mut self, weight: f64, t: f64) {
+        let mut power = weight;
+        for sum in &mut self.powers {
+            *sum += power;
+            power *= t;
+        }
     }
 }
 
@@ -285,15 +304,10 @@ impl Place {
         0.5 * distance_pa * distance_pa / self.variance_pa2
     }
 
-    /// The kernel of A_pl times dV'/dx = 2x, x = sqrt(V - V').
+    /// The kernel of A_pl times dV'/dx = 2x, x = sqrt(V - V'); that of A is the passage from H' to 0.
     fn passage_to_the_hardness(&self, there: Place, root_pa: f64) -> f64 {
         passage(self.hardness_pa + there.hardness_pa, root_pa)
             - passage(self.hardness_pa - there.hardness_pa, root_pa)
-    }
-
-    /// The kernel of A times dV'/dx.
-    fn passage_to_zero(&self, there: Place, root_pa: f64) -> f64 {
-        passage(there.hardness_pa, root_pa)
     }
 }
 
@@ -309,13 +323,17 @@ struct Rules {
     medium: GaussLegendre,
     fine: GaussLegendre,
     places: [f64; SIZE],
+    /// Their powers, a row for each.
+    powers: SMatrix<f64, SIZE, SIZE>,
 }
 
 impl Rules {
     fn new() -> Self {
         let mut places = [1.0; SIZE];
         places[..SIZE - 1].copy_from_slice(GaussLegendre::new(SIZE - 1).nodes());
+        let powers = SMatrix::from_fn(|row, column| places[row].powi(column as i32));
         Rules {
+            powers,
             coarse: GaussLegendre::new(4),
             medium: GaussLegendre::new(6),
             fine: GaussLegendre::new(12),
@@ -387,7 +405,7 @@ mod tests {
         let path = HardnessPath::of_squared_growth(1.0, 2.0).capped(3f64.sqrt());
         let areas = areas_along(&path, 0.1, &[0.5, 1.0, 40.0]);
         let growing = areas_of_squared_growth(0.1, 0.5f64.sqrt(), 1.0, 2.0);
-        assert!((areas[0].contact() / growing.contact() - 1.0).abs() < 1e-12);
+        assert!((areas[0].contact() / growing.contact() - 1.0).abs() < 1e-10);
         assert!((areas[2].contact() / (0.1 / 3f64.sqrt()) - 1.0).abs() < 1e-8, "{:?}", areas[2]);
         assert!(areas[2].elastic < 1e-10 && areas[1].elastic > 1e-3, "{areas:?}");
     }

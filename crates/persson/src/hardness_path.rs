@@ -45,10 +45,17 @@ impl HardnessPath {
 
     /// The hardness through knots of rising wavevector and of variance and hardness that do not fall: a power of the
     /// wavevector between neighbours, that of the last two beyond the last. There is at least one knot.
+    ///
+    /// Neighbours that one power joins within 1e-10 of the hardness are joined; where that leaves more than 500 pieces, the
+    /// next power of ten is tried, for the work grows with their square.
     #[must_use]
     pub fn through(knots: &[HardnessKnot]) -> Self {
-        let mut pieces: Vec<Piece> =
-            knots.windows(2).filter_map(|pair| Piece::between(&pair[0], &pair[1])).collect();
+        let mut pieces = joined(knots, FINEST);
+        let mut tolerance = FINEST;
+        while pieces.len() > MOST_PIECES {
+            tolerance *= 10.0;
+            pieces = joined(knots, tolerance);
+        }
         if pieces.is_empty() {
             let (variance_pa2, hardness_pa) =
                 knots.last().map_or((0.0, f64::INFINITY), |knot| (knot.variance_pa2, knot.hardness_pa));
@@ -106,7 +113,38 @@ impl HardnessPath {
     }
 }
 
+/// The most pieces of a path, and how well knots that are left out have to lie on one.
+const MOST_PIECES: usize = 500;
+const FINEST: f64 = 1e-10;
+
+/// Pieces through knots, each as long as the knots that it passes over lie on it within a tolerance.
+fn joined(knots: &[HardnessKnot], tolerance: f64) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    while start + 1 < knots.len() {
+        let mut piece = Piece::between(&knots[start], &knots[start + 1]);
+        let mut end = start + 1;
+        // Twice as far each time: what is passed over is looked at twice in all.
+        let mut ahead = 2;
+        while let Some(further) = knots.get(start + ahead).filter(|_| piece.is_some()) {
+            let longer = Piece::between(&knots[start], further);
+            let between = &knots[start + 1..start + ahead];
+            let holds = |longer: &Piece| between.iter().all(|knot| longer.meets(knot, tolerance));
+            let Some(longer) = longer.filter(holds) else { break };
+            (piece, end, ahead) = (Some(longer), start + ahead, 2 * ahead);
+        }
+        pieces.extend(piece);
+        start = end;
+    }
+    pieces
+}
+
 impl Piece {
+    /// Whether a knot lies on it within a relative tolerance.
+    fn meets(&self, knot: &HardnessKnot, tolerance: f64) -> bool {
+        (self.hardness_pa(knot.variance_pa2) / knot.hardness_pa - 1.0).abs() <= tolerance
+    }
+
     /// The piece between two knots; none where the variance does not grow.
     fn between(start: &HardnessKnot, end: &HardnessKnot) -> Option<Self> {
         let rise_pa2 = end.variance_pa2 - start.variance_pa2;
@@ -170,6 +208,25 @@ mod tests {
             assert!((hardness_pa / q.powf(0.3) - 1.0).abs() < 1e-14, "{q}");
         }
         assert!(!path().is_constant());
+    }
+
+    #[test]
+    fn knots_on_one_power_are_one_piece_and_many_others_are_thinned() {
+        let knot = |i: i32, factor: f64| {
+            let q = 10f64.powf(f64::from(i) / 1e3);
+            HardnessKnot {
+                wavevector_rad_per_m: q,
+                variance_pa2: q.powf(0.4) - 1.0,
+                hardness_pa: factor * q.powf(0.3),
+                variance_exponent: 0.4,
+            }
+        };
+        let smooth: Vec<HardnessKnot> = (0..=1024).map(|i| knot(i, 1.0)).collect();
+        assert_eq!(HardnessPath::through(&smooth).pieces.len(), 1);
+        let rough: Vec<HardnessKnot> = (0..5000).map(|i| knot(i, 1.0 + 1e-5 * f64::from(i % 3))).collect();
+        let path = HardnessPath::through(&rough);
+        assert!(path.pieces.len() <= MOST_PIECES);
+        assert!(rough.iter().all(|knot| path.pieces.iter().any(|piece| piece.meets(knot, 3e-5))));
     }
 
     #[test]
