@@ -18,10 +18,12 @@ const LAYERS: &[Layer] = &[
     ("truearea-tables", &["truearea-units"]),
     ("truearea-scans", &["truearea-units"]),
     ("truearea-spectrum", &["truearea-units", "truearea-numerics"]),
+    ("truearea-gaussian-surfaces", &["truearea-units", "truearea-spectrum"]),
     (
         "truearea-topography",
         &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
     ),
+    ("truearea-half-space", &["truearea-units", "truearea-parallel"]),
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
@@ -54,10 +56,35 @@ const LAYERS: &[Layer] = &[
         ],
     ),
     (
+        "truearea-answer",
+        &[
+            "truearea-features",
+            "truearea-tables",
+            "truearea-spectrum",
+            "truearea-topography",
+            "truearea-stacked-contact",
+            "truearea-study",
+        ],
+    ),
+    (
+        "truearea-sensitivity",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-spectrum",
+            "truearea-asperity",
+            "truearea-stat-contact",
+            "truearea-study",
+        ],
+    ),
+    (
         "truearea-report",
         &[
             "truearea-units",
             "truearea-rows",
+            "truearea-answer",
+            "truearea-sensitivity",
             "truearea-tables",
             "truearea-scans",
             "truearea-spectrum",

@@ -18,6 +18,7 @@ use numerics::GaussLegendre;
 use std::f64::consts::{PI, TAU};
 
 use crate::interval::ln_ratio;
+use crate::power_law::PowerLaw;
 
 /// C1D in m^3 at all wavelengths but the last, from Ciso in m^4; wavelengths in m, from long to short.
 ///
@@ -40,6 +41,34 @@ pub(crate) fn area_of_profile(wavelengths_m: &[f64], c1d_m3: &[f64]) -> Vec<f64>
     starts(wavelengths_m)
         .map(|q| at_end(q) + panels.iter().map(|panel| panel.integral(q)).sum::<f64>())
         .collect()
+}
+
+/// Int_q^inf f(p) (p^2 - q^2)^(-1/2) dp of a function f that is a power law of the wavevector on each of its pieces and
+/// zero elsewhere: the integral of which both spectra of an isotropic surface are made.
+///
+/// With f = p Ciso/pi it is C1D(q), with f = -2 C1D' it is Ciso(q) (Jacobs, Junge & Pastewka 2017, Surf. Topogr.:
+/// Metrol. Prop. 5:013001, and its inverse). Relative error below 1e-12 where no piece cancels another.
+#[derive(Debug, Clone)]
+pub struct AbelIntegral {
+    panels: Vec<Panel>,
+}
+
+impl AbelIntegral {
+    /// The integral of a function given by its pieces, in any order.
+    #[must_use]
+    pub fn of(pieces: impl IntoIterator<Item = PowerLaw>) -> Self {
+        let cut = |piece: PowerLaw| {
+            let (start, end) = (piece.start_rad_per_m, piece.end_rad_per_m);
+            Panel::cut(start, end, ln_ratio(end, start), piece.at_start, piece.exponent)
+        };
+        Self { panels: pieces.into_iter().flat_map(cut).collect() }
+    }
+
+    /// The integral from a wavevector above 0 \[rad/m\] up. The work grows with the number of pieces.
+    #[must_use]
+    pub fn from(&self, q_rad_per_m: f64) -> f64 {
+        self.panels.iter().map(|panel| panel.integral(q_rad_per_m)).sum()
+    }
 }
 
 /// The wavevectors of all samples but the last.
@@ -67,6 +96,7 @@ fn panels(
 
 /// A piece of an integrand f(p) (p^2 - q^2)^(-1/2) in which f = f_0 (p/p_0)^b changes by no more than a factor of
 /// e^4 and p by no more than e.
+#[derive(Debug, Clone)]
 struct Panel {
     start: f64,
     end: f64,
@@ -96,9 +126,9 @@ impl Panel {
         Self { start, end, at_start, exponent, nearest_far: start * (start / end), nodes }
     }
 
-    /// Int f(p) (p^2 - q^2)^(-1/2) dp over the part of the panel above q, which is none or all of it.
+    /// Int f(p) (p^2 - q^2)^(-1/2) dp over the part of the panel above q.
     fn integral(&self, q: f64) -> f64 {
-        if self.start < q {
+        if self.end <= q {
             0.0
         } else if q < self.nearest_far {
             self.nodes.iter().map(|&(p, weight)| weight / ((p - q) * (p + q)).sqrt()).sum()
@@ -111,7 +141,7 @@ impl Panel {
     fn integral_close_to(&self, q: f64) -> f64 {
         // cosh t - 1 = 2 sinh^2(t/2) keeps the digits of a small p - q.
         let t_at = |p: f64| 2.0 * ((p - q) / (2.0 * q)).sqrt().asinh();
-        let (start, end) = (t_at(self.start), t_at(self.end));
+        let (start, end) = (t_at(self.start.max(q)), t_at(self.end));
         let parts = (end - start).ceil().max(1.0);
         let width = (end - start) / parts;
         let power = |t: f64| (t.cosh() * (q / self.start)).powf(self.exponent);
@@ -175,6 +205,22 @@ mod tests {
         };
         expect(profile_of_area(&wavelengths_m, &values), [1.892_643_938_129_05, 0.254_668_360_435_247_6]);
         expect(area_of_profile(&wavelengths_m, &values), [17.134_014_238_038_123, 0.709_303_961_071_742_2]);
+    }
+
+    #[test]
+    fn an_integral_that_begins_inside_a_piece_is_that_of_its_upper_part() {
+        let piece = |start_rad_per_m: f64, end_rad_per_m: f64| PowerLaw {
+            start_rad_per_m,
+            end_rad_per_m,
+            at_start: start_rad_per_m.powf(-2.6),
+            exponent: -2.6,
+        };
+        let whole = AbelIntegral::of([piece(1.0, 1e4)]);
+        for q in [1.0, 1.3, 100.0, 9.9e3] {
+            let upper = AbelIntegral::of([piece(q, 1e4)]);
+            assert_relative_eq!(whole.from(q), upper.from(q), max_relative = 1e-12, epsilon = 0.0);
+        }
+        assert_eq!(whole.from(1e4), 0.0);
     }
 
     #[test]

@@ -92,7 +92,7 @@ pub(crate) fn ln_ratio(a: f64, b: f64) -> f64 {
 }
 
 /// (1 - e^-z)/z, the mean of e^-t over 0 <= t <= z, for z >= 0.
-fn mean_decay(z: f64) -> f64 {
+pub(crate) fn mean_decay(z: f64) -> f64 {
     if z == 0.0 { 1.0 } else { -(-z).exp_m1() / z }
 }
 

@@ -21,6 +21,8 @@
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
 //! * [`Superposition`]: the spectrum of the gap between two rough surfaces;
+//! * [`PowerLaw`] and [`AbelIntegral`]: pieces of a function of the wavevector, and the integral that joins line and area
+//!   spectra;
 //! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
 //! What it does not do: it opens no paths, prints nothing, and runs on one thread. It knows no heights: the crate `scans`
@@ -36,6 +38,7 @@ mod hole;
 mod interval;
 mod mccool;
 mod moments;
+mod power_law;
 mod profile;
 mod psd;
 mod read;
@@ -43,11 +46,13 @@ mod samples;
 mod self_affine_fit;
 mod superpose;
 
+pub use abel::AbelIntegral;
 pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use hole::{HOLE_FACTOR, Hole};
 pub use mccool::AsperityParameters;
 pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
+pub use power_law::PowerLaw;
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{

@@ -1,17 +1,15 @@
 #![doc = include_str!("../README.md")]
 
-pub mod answer;
 pub mod choices_in_words;
-pub mod doubts;
 pub mod figure;
 mod files;
+pub mod hardness_and_strength;
 pub mod material;
 pub mod models;
 mod note;
 pub mod plan;
 pub mod result_tables;
 pub mod scene;
-pub mod sensitivity;
 pub mod surface;
 pub mod topography;
 

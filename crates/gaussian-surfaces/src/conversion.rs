@@ -1,0 +1,100 @@
+//! From the spectrum of profiles to that of their surface, with what noise does to it.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+use spectrum::{AbelIntegral, PowerLaw, ProfilePsd};
+
+use crate::error::SurfaceError;
+use crate::grading::before_knot;
+use crate::monotone::not_rising;
+
+/// The share of negative roughness up to which it is only clipped: less than a spectrum's own error.
+const CLIPPED_AT_MOST: f64 = 0.01;
+/// The continuation of a spectrum ends where what lies beyond is below rounding: the integral from there falls at least as
+/// fast as 1/q, and e^37 is 1/(the rounding of doubles).
+const CONTINUED: f64 = 37.0;
+
+/// The widest step in ln q at which Ciso is sampled.
+const WIDEST_STEP: f64 = 0.1;
+
+/// What was done about wavevectors at which the profiles are those of no isotropic surface: where C1D rises steeply, as
+/// noise does, Ciso comes out negative.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Conversion {
+    /// Share of the roughness that came out negative, the larger of those of Int q |Ciso| and Int q^3 |Ciso|; 0 to 1.
+    pub negative_share: f64,
+    /// Whether C1D was therefore replaced by the spectrum that does not rise and is nearest to it in ln C1D.
+    pub smoothed: bool,
+    /// Share of what was still negative and therefore taken for zero.
+    pub clipped_share: f64,
+}
+
+/// The pieces of Ciso between the first and the last wavevector of a spectrum of profiles.
+pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Conversion), SurfaceError> {
+    if profile.len() < 2 {
+        return Err(SurfaceError::TooFewSamples { samples: profile.len() });
+    }
+    let wavevectors: Vec<f64> =
+        profile.wavelengths_m().iter().map(|wavelength_m| TAU / wavelength_m).collect();
+    let raw = ciso(&wavevectors, profile.c1d_m3());
+    let negative_share = negative_share(&raw);
+    if negative_share <= CLIPPED_AT_MOST {
+        let conversion = Conversion { negative_share, smoothed: false, clipped_share: negative_share };
+        return Ok((positive_pieces(&raw), conversion));
+    }
+    let ln_c1d: Vec<f64> = profile.c1d_m3().iter().map(|c1d_m3| c1d_m3.ln()).collect();
+    let smooth: Vec<f64> = not_rising(&ln_c1d).into_iter().map(f64::exp).collect();
+    let smooth = ciso(&wavevectors, &smooth);
+    let conversion =
+        Conversion { negative_share, smoothed: true, clipped_share: self::negative_share(&smooth) };
+    Ok((positive_pieces(&smooth), conversion))
+}
+
+/// Ciso at the samples and between them, as (wavevector, value).
+fn ciso(wavevectors: &[f64], c1d_m3: &[f64]) -> Vec<(f64, f64)> {
+    let last = wavevectors.len() - 1;
+    let sample = |i: usize| (wavevectors[i], c1d_m3[i]);
+    let mut pieces: Vec<PowerLaw> = (0..last).map(|i| PowerLaw::through(sample(i), sample(i + 1))).collect();
+    let exponent = pieces[last - 1].exponent.min(0.0);
+    let (start_rad_per_m, at_start) = sample(last);
+    let end_rad_per_m = start_rad_per_m * (CONTINUED / (1.0 - exponent)).exp();
+    pieces.push(PowerLaw { start_rad_per_m, end_rad_per_m, at_start, exponent });
+    // -2 C1D', itself a power law.
+    let integrand = |piece: PowerLaw| PowerLaw {
+        at_start: -2.0 * piece.exponent * piece.at_start / piece.start_rad_per_m,
+        exponent: piece.exponent - 1.0,
+        ..piece
+    };
+    let integral = AbelIntegral::of(pieces.into_iter().map(integrand));
+    let mut points = vec![wavevectors[0]];
+    for pair in wavevectors.windows(2) {
+        points.extend(before_knot(pair[0], pair[1], WIDEST_STEP));
+        points.push(pair[1]);
+    }
+    points.into_iter().map(|q| (q, integral.from(q))).collect()
+}
+
+/// The larger of the negative shares of height and gradient, by trapezia in ln q.
+fn negative_share(ciso: &[(f64, f64)]) -> f64 {
+    let share = |power: i32| {
+        let (mut all, mut negative) = (0.0, 0.0);
+        for pair in ciso.windows(2) {
+            let width = (pair[1].0 / pair[0].0).ln();
+            for (q, value) in pair {
+                let weight = width * q.powi(power);
+                all += weight * value.abs();
+                negative += weight * (-value).max(0.0);
+            }
+        }
+        if all > 0.0 { negative / all } else { 0.0 }
+    };
+    share(2).max(share(4))
+}
+
+/// Power laws between neighbours that are both above zero, and nothing elsewhere.
+fn positive_pieces(ciso: &[(f64, f64)]) -> Vec<PowerLaw> {
+    let positive = ciso.windows(2).filter(|pair| pair.iter().all(|(_, value)| *value > 0.0));
+    positive.map(|pair| PowerLaw::through(pair[0], pair[1])).collect()
+}

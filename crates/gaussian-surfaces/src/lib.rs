@@ -1,0 +1,28 @@
+#![doc = include_str!("../README.md")]
+//!
+//! The nouns:
+//! * [`AreaSpectrum`]: Ciso of an isotropic surface, a power law between neighbouring wavevectors and zero outside its band;
+//!   [`AreaSpectrum::cut`] narrows the band, [`AreaSpectrum::profile`] is what a stylus would see of it;
+//! * [`SelfAffine`]: such a spectrum by its Hurst exponent and its three wavelengths;
+//! * [`GridBand`]: which band a square grid holds, and how large it is laid out;
+//! * [`Synthesis`]: grid, seed and [`Phases`], from which [`AreaSpectrum::surface`] makes a [`Surface`].
+
+mod area_spectrum;
+mod conversion;
+mod error;
+mod fourier;
+mod grading;
+mod grid_band;
+mod modes;
+mod monotone;
+mod self_affine;
+mod surface;
+mod synthesis;
+
+pub use area_spectrum::AreaSpectrum;
+pub use conversion::Conversion;
+pub use error::SurfaceError;
+pub use grid_band::GridBand;
+pub use self_affine::{SelfAffine, Size};
+pub use surface::Surface;
+pub use synthesis::{Phases, Synthesis};
