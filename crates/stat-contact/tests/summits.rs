@@ -45,6 +45,46 @@ fn deviation(state: &ContactState, row: &Row) -> f64 {
 }
 
 #[test]
+fn states_agree_with_twenty_digits_within_their_estimates() {
+    let rows = rows("summits.csv");
+    assert!(rows.len() > 50);
+    for row in rows.iter().filter(|row| row.pressure.is_normal() && row.area_fraction.is_normal()) {
+        let state = contact(row.alpha).at_separation(row.u, TOLERANCE).unwrap();
+        let off = deviation(&state, row);
+        // Half a unit in the last place of the separation shows u^2 times.
+        let rounding = 1e-16 * row.u * row.u;
+        let what =
+            format!("alpha = {}, u = {}: {off:e}, estimated {:e}", row.alpha, row.u, state.error_estimate);
+        assert!(off < 1e-12 + rounding, "{what}");
+        assert!(off <= state.error_estimate + rounding && state.error_estimate < 1e-11, "{what}");
+    }
+}
+
+#[test]
+fn states_below_the_smallest_double_agree_in_logarithms() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference/summits.csv");
+    let text = std::fs::read_to_string(path).unwrap();
+    // ln of a decimal that no double holds.
+    let ln = |cell: &str| {
+        let (digits, exponent) = cell.split_once('e').unwrap();
+        digits.parse::<f64>().unwrap().ln() + exponent.parse::<f64>().unwrap() * std::f64::consts::LN_10
+    };
+    let mut seen = 0;
+    for line in text.lines().filter(|line| line.contains("e-")) {
+        let cells: Vec<&str> = line.split(',').collect();
+        if !cells.get(3).is_some_and(|cell| cell.parse() == Ok(0.0)) {
+            continue;
+        }
+        let [alpha, u] = [0, 1].map(|i| cells[i].parse::<f64>().unwrap());
+        let state = contact(alpha).at_separation(u, TOLERANCE).unwrap();
+        assert!((state.ln_area_fraction - ln(cells[2])).abs() < 2e-12, "{line}");
+        assert!((state.ln_pressure_pa - ln(cells[3])).abs() < 2e-12, "{line}");
+        seen += 1;
+    }
+    assert!(seen >= 4, "{seen}");
+}
+
+#[test]
 fn states_agree_with_the_given_table() {
     let rows = rows("bgt.csv");
     assert_eq!(rows.len(), 36);
