@@ -23,6 +23,7 @@ const LAYERS: &[Layer] = &[
         "truearea-topography",
         &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
     ),
+    ("truearea-half-space", &["truearea-units", "truearea-parallel"]),
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),

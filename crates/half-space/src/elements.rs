@@ -1,0 +1,162 @@
+//! What periodic and free elements have in common: a surface, its operators, and the way from a load to a contact.
+
+use std::f64::consts::TAU;
+
+use parallel::Progress;
+use units::Bound;
+
+use crate::area::{Count, count};
+use crate::contact::Contact;
+use crate::descent::{Operators, Outcome, Problem, State, descend};
+use crate::loading::Loading;
+use crate::{Grid, HalfSpaceError, sums};
+
+/// The steps that a solve tells its [`Progress`] of: as many as the residual has come nearer to the tolerance, of its whole
+/// way in decades.
+pub const PROGRESS_STEPS: usize = 100;
+
+/// Contact is where the pressure is above this share of the nominal one.
+const TOUCHING: f64 = 1e-10;
+
+/// Flow is where the pressure is within this of the saturation.
+const FLOWING: f64 = 1e-9;
+
+/// A surface laid out for its half-space.
+pub(crate) struct Elements {
+    grid: Grid,
+    periodic: bool,
+    /// Heights over their mean, in units of `unit_m`.
+    heights: Vec<f64>,
+    mean_height_m: f64,
+    unit_m: f64,
+    operators: Operators,
+    state: State,
+}
+
+/// The wave number by which pressures and displacements are made numbers: one wave along the longer side.
+pub(crate) fn unit_wave_number_per_m(grid: &Grid) -> f64 {
+    TAU / grid.length_x_m().max(grid.length_y_m())
+}
+
+impl Elements {
+    /// # Errors
+    /// Heights that are not as many as the points, or not finite.
+    pub(crate) fn new(
+        grid: Grid,
+        periodic: bool,
+        heights_m: &[f64],
+        operators: impl FnOnce() -> Operators,
+    ) -> Result<Self, HalfSpaceError> {
+        if heights_m.len() != grid.points() {
+            return Err(HalfSpaceError::Size { given: heights_m.len(), expected: grid.points() });
+        }
+        for &height_m in heights_m {
+            Bound::Signed.check("height in m", height_m)?;
+        }
+        let points = heights_m.len() as f64;
+        let [sum] = sums::over(heights_m.len(), |point| [heights_m[point]]);
+        let mean_height_m = sum / points;
+        let largest_m =
+            heights_m.iter().fold(0.0f64, |largest, height_m| largest.max((height_m - mean_height_m).abs()));
+        // A flat surface has no unit of its own; any will do.
+        let largest_m = if largest_m > 0.0 { largest_m } else { grid.length_x_m() };
+        let [squares] = sums::over(heights_m.len(), |point| {
+            let height = (heights_m[point] - mean_height_m) / largest_m;
+            [height * height]
+        });
+        let unit_m = if squares > 0.0 { largest_m * (squares / points).sqrt() } else { largest_m };
+        let heights: Vec<f64> =
+            heights_m.iter().map(|height_m| (height_m - mean_height_m) / unit_m).collect();
+        let state = State::new(heights.len());
+        Ok(Self { grid, periodic, heights, mean_height_m, unit_m, operators: operators(), state })
+    }
+
+    pub(crate) fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The pressure that is 1 to the solver: that which makes one wave of the unit's height along the longer side.
+    fn unit_pa(&self, contact_modulus_pa: f64) -> f64 {
+        0.5 * contact_modulus_pa * (unit_wave_number_per_m(&self.grid) * self.unit_m)
+    }
+
+    /// Presses the surface.
+    pub(crate) fn press(
+        &mut self,
+        loading: &Loading,
+        progress: &dyn Progress,
+    ) -> Result<Contact, HalfSpaceError> {
+        loading.check()?;
+        let unit_pa = self.unit_pa(loading.contact_modulus_pa);
+        let problem = Problem {
+            heights: &self.heights,
+            mean: loading.nominal_pressure_pa / unit_pa,
+            cap: loading.saturation_pa.map_or(f64::INFINITY, |saturation_pa| saturation_pa / unit_pa),
+            tolerance: loading.tolerance,
+        };
+        let mut told = Told { tolerance: loading.tolerance, first: None, steps: 0 };
+        let outcome = descend(&problem, &mut self.operators, &mut self.state, |residual| {
+            progress.advance(told.steps_after(residual));
+            !progress.is_cancelled()
+        });
+        let outcome = outcome.ok_or(HalfSpaceError::Cancelled)?;
+        progress.advance(PROGRESS_STEPS - told.steps);
+        Ok(self.contact(loading, unit_pa, &outcome))
+    }
+
+    /// What the solved state says, in SI.
+    fn contact(&self, loading: &Loading, unit_pa: f64, outcome: &Outcome) -> Contact {
+        let Loading { nominal_pressure_pa, saturation_pa, .. } = *loading;
+        let points = self.heights.len();
+        let pressures_pa: Vec<f64> = self.state.pressures.iter().map(|pressure| pressure * unit_pa).collect();
+        let gaps_m: Vec<f64> =
+            self.state.gaps.iter().map(|gap| (gap - outcome.offset) * self.unit_m).collect();
+        let touching =
+            count(&self.grid, self.periodic, |point| pressures_pa[point] > TOUCHING * nominal_pressure_pa);
+        let flowing = saturation_pa.map_or(Count::NONE, |saturation_pa| {
+            count(&self.grid, self.periodic, |point| pressures_pa[point] >= saturation_pa * (1.0 - FLOWING))
+        });
+        let [open_m, sunk_m, work] = sums::over(points, |point| {
+            let displacement = self.state.gaps[point] + self.heights[point];
+            let gap_m = gaps_m[point];
+            [gap_m.max(0.0), (-gap_m).max(0.0), pressures_pa[point] * displacement]
+        });
+        let count = points as f64;
+        Contact {
+            area_fraction: touching.share,
+            area_fraction_corrected: (touching.share - touching.perimeter).clamp(0.0, 1.0),
+            plastic_area_fraction: (flowing.share + flowing.perimeter).clamp(0.0, touching.share),
+            plastic_area_fraction_raw: flowing.share,
+            mean_gap_m: open_m / count,
+            mean_plastic_depth_m: sunk_m / count,
+            largest_pressure_pa: pressures_pa
+                .iter()
+                .fold(0.0, |largest, &pressure_pa| largest.max(pressure_pa)),
+            energy_j_per_m2: 0.5 * self.unit_m * work / count,
+            offset_m: outcome.offset * self.unit_m - self.mean_height_m,
+            iterations: outcome.iterations,
+            operators: outcome.operators,
+            residual: outcome.residual,
+            ending: outcome.ending,
+            pressures_pa,
+            gaps_m,
+        }
+    }
+}
+
+/// How much of a solve has been told.
+struct Told {
+    tolerance: f64,
+    first: Option<f64>,
+    steps: usize,
+}
+
+impl Told {
+    /// The steps to tell of at a residual, which may rise and fall.
+    fn steps_after(&mut self, residual: f64) -> usize {
+        let first = *self.first.get_or_insert(residual.max(2.0 * self.tolerance));
+        let way = (first / residual.max(self.tolerance)).ln() / (first / self.tolerance).ln();
+        let steps = ((way * PROGRESS_STEPS as f64) as usize).clamp(self.steps, PROGRESS_STEPS);
+        steps - std::mem::replace(&mut self.steps, steps)
+    }
+}

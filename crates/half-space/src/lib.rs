@@ -1,0 +1,27 @@
+#![doc = include_str!("../README.md")]
+//!
+//! The nouns:
+//! * [`Grid`]: the points, and how far they are apart.
+//! * [`PeriodicElements`]: a surface laid out on them, which may be pressed again and again.
+//! * [`Loading`]: modulus, pressure, saturation and tolerance.
+//! * [`Contact`]: pressures and gaps in equilibrium, and what follows from them.
+
+mod area;
+mod contact;
+mod descent;
+mod elements;
+mod error;
+mod grid;
+mod loading;
+mod periodic;
+mod projection;
+mod sums;
+mod transform;
+
+pub use area::extrapolated_area;
+pub use contact::{Contact, Ending};
+pub use elements::PROGRESS_STEPS;
+pub use error::HalfSpaceError;
+pub use grid::Grid;
+pub use loading::Loading;
+pub use periodic::PeriodicElements;

@@ -1,0 +1,37 @@
+//! How a surface is pressed.
+
+use units::Bound;
+
+use crate::HalfSpaceError;
+
+/// A load, the material that bears it, and how exactly it is balanced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Loading {
+    /// E* in Pa, 1/E* being the sum of (1 - nu^2)/E over both bodies.
+    pub contact_modulus_pa: f64,
+    /// Load over the area of the grid, in Pa.
+    pub nominal_pressure_pa: f64,
+    /// The pressure in Pa at which the surface flows, an indentation hardness; `None` where it is elastic throughout.
+    pub saturation_pa: Option<f64>,
+    /// The largest [`residual`](crate::Contact::residual), above 0 and at most 0.1.
+    pub tolerance: f64,
+}
+
+impl Loading {
+    /// Whether the load is one that a surface can carry.
+    pub(crate) fn check(&self) -> Result<(), HalfSpaceError> {
+        Bound::Magnitude.check("contact modulus in Pa", self.contact_modulus_pa)?;
+        Bound::Magnitude.check("nominal pressure in Pa", self.nominal_pressure_pa)?;
+        Bound::LeftOpen { above: 0.0, at_most: 0.1 }.check("tolerance", self.tolerance)?;
+        if let Some(saturation_pa) = self.saturation_pa {
+            Bound::Magnitude.check("saturation in Pa", saturation_pa)?;
+            if saturation_pa <= self.nominal_pressure_pa {
+                return Err(HalfSpaceError::CannotBeCarried {
+                    nominal_pressure_pa: self.nominal_pressure_pa,
+                    saturation_pa,
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,69 @@
+//! The pressures nearest to given ones that carry the load within their bounds.
+
+use crate::sums;
+
+/// The shift after which `values`, kept between 0 and `cap`, add up to `sum`, which lies from 0 to `cap` for each of them.
+///
+/// Newton's method, which is exact once it knows which values stay between their bounds; kept within a bracket, since with two
+/// bounds the sum is neither convex nor concave in the shift.
+pub(crate) fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let (least, largest) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, largest), &v| (v.min(least), v.max(largest)));
+    // Below the first nothing is carried, above the second every value carries more than its share.
+    let (mut low, mut high) = (-largest, sum / values.len() as f64 - least);
+    let mut shift = 0.0f64.clamp(low, high.max(low));
+    for _ in 0..LARGEST_PASSES {
+        let [carried, between] = sums::over(values.len(), |index| {
+            let value = values[index] + shift;
+            let bounded = value.clamp(0.0, cap);
+            [bounded, if value == bounded { 1.0 } else { 0.0 }]
+        });
+        let missing = sum - carried;
+        if missing.abs() <= ROUNDING * sum {
+            break;
+        }
+        if missing > 0.0 {
+            low = shift;
+        } else {
+            high = shift;
+        }
+        let newton = shift + missing / between;
+        let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
+        if next == shift {
+            break;
+        }
+        shift = next;
+    }
+    shift
+}
+
+/// What the sum may be off by, relative to it.
+const ROUNDING: f64 = 1e-15;
+
+/// Halving alone reaches the last bit within so many passes; Newton's method needs four to eight.
+const LARGEST_PASSES: usize = 100;
+
+#[cfg(test)]
+mod tests {
+    use super::shift_to_sum;
+
+    #[test]
+    fn shifted_and_bounded_values_carry_the_load() {
+        let values: Vec<f64> = (0..1001).map(|k| ((k * 37) % 101) as f64 / 50.0 - 1.3).collect();
+        for cap in [0.5, 2.0, f64::INFINITY] {
+            for mean in [1e-6, 0.1, 0.3, 0.4999] {
+                let sum = mean * values.len() as f64;
+                let shift = shift_to_sum(&values, cap, sum);
+                let carried: f64 = values.iter().map(|value| (value + shift).clamp(0.0, cap)).sum();
+                assert!(
+                    (carried / sum - 1.0).abs() < 1e-12,
+                    "cap {cap}, mean {mean}: {carried} instead of {sum}"
+                );
+            }
+        }
+    }
+}

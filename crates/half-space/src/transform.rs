@@ -1,0 +1,162 @@
+//! Convolution of a map with an even kernel through the two-dimensional Fourier transform.
+
+use std::sync::Arc;
+
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftNum, FftPlanner};
+
+/// Columns that are transformed together: a line of the cache, or two, in every row.
+const BLOCK: usize = 8;
+
+/// Multiplies a real map by a real and even function of the wave vector.
+///
+/// Two rows of the map are the real and the imaginary part of one complex row, so nothing is transformed twice and rows of odd
+/// length cost what they should. The mirrored halves of a complex row are taken apart while a block of columns is gathered; the
+/// block is transformed, multiplied and transformed back before it leaves the cache.
+pub(crate) struct Convolution<T: FftNum> {
+    /// Rows and columns of the map, which may be smaller than the period: the rest is zero, and not wanted.
+    map: [usize; 2],
+    /// Rows and columns of the period.
+    period: [usize; 2],
+    /// One factor for each |wave number|: `period.columns / 2 + 1` columns of `period.rows / 2 + 1` values.
+    factors: Vec<T>,
+    along_rows: [Arc<dyn Fft<T>>; 2],
+    along_columns: [Arc<dyn Fft<T>>; 2],
+    /// Complex rows, each of two rows of the map.
+    pairs: Vec<Complex<T>>,
+    /// A block of columns, one behind the other.
+    block: Vec<Complex<T>>,
+    scratch: Vec<Complex<T>>,
+}
+
+impl<T: FftNum> Convolution<T> {
+    /// Of maps of `map` rows and columns, repeated (or padded with zeros) to `period`; `factor(row, column)` multiplies the
+    /// waves with so many periods along y and x.
+    pub(crate) fn new(map: [usize; 2], period: [usize; 2], factor: impl Fn(usize, usize) -> f64) -> Self {
+        let [rows, columns] = period;
+        let mut planner = FftPlanner::new();
+        let along_rows = [planner.plan_fft_forward(columns), planner.plan_fft_inverse(columns)];
+        let along_columns = [planner.plan_fft_forward(rows), planner.plan_fft_inverse(rows)];
+        let scratch = along_rows.iter().chain(&along_columns).map(|plan| plan.get_inplace_scratch_len());
+        let zero = Complex::new(T::zero(), T::zero());
+        // A half for taking two rows apart, the rest normalises the transforms.
+        let share = 0.5 / (rows as f64 * columns as f64);
+        let factors = (0..=columns / 2).flat_map(|column| (0..=rows / 2).map(move |row| (row, column)));
+        Self {
+            map,
+            period,
+            factors: factors
+                .map(|(row, column)| {
+                    T::from_f64(share * factor(row, column)).expect("a factor within the range")
+                })
+                .collect(),
+            pairs: vec![zero; map[0].div_ceil(2) * columns],
+            block: vec![zero; BLOCK * rows],
+            scratch: vec![zero; scratch.max().unwrap_or(0)],
+            along_rows,
+            along_columns,
+        }
+    }
+
+    /// The convolution of `values`, into `into`.
+    pub(crate) fn apply(&mut self, values: &[T], into: &mut [T]) {
+        self.rows_forward(values);
+        for first in (0..=self.period[1] / 2).step_by(BLOCK) {
+            self.multiply_columns(first);
+        }
+        self.rows_back(into);
+    }
+
+    /// The convolution of what stands in `values`, in its place.
+    pub(crate) fn apply_in_place(&mut self, values: &mut [T]) {
+        self.rows_forward(values);
+        for first in (0..=self.period[1] / 2).step_by(BLOCK) {
+            self.multiply_columns(first);
+        }
+        self.rows_back(values);
+    }
+
+    fn rows_forward(&mut self, values: &[T]) {
+        let ([_, columns], width) = (self.map, self.period[1]);
+        let zero = Complex::new(T::zero(), T::zero());
+        for (pair, values) in self.pairs.chunks_exact_mut(width).zip(values.chunks(2 * columns)) {
+            let (first, second) = values.split_at(columns);
+            if second.is_empty() {
+                pair.iter_mut().zip(first).for_each(|(to, &re)| *to = Complex::new(re, T::zero()));
+            } else {
+                let both = first.iter().zip(second);
+                pair.iter_mut().zip(both).for_each(|(to, (&re, &im))| *to = Complex::new(re, im));
+            }
+            pair[columns..].fill(zero);
+            self.along_rows[0].process_with_scratch(pair, &mut self.scratch);
+        }
+    }
+
+    /// Transforms the columns from `first` on, multiplies them and transforms them back.
+    fn multiply_columns(&mut self, first: usize) {
+        let [rows, width] = self.period;
+        let zero = Complex::new(T::zero(), T::zero());
+        let last = (first + BLOCK).min(width / 2 + 1);
+        let used = self.map[0];
+        for (pair, line) in self.pairs.chunks_exact(width).enumerate() {
+            for column in first..last {
+                let [even, odd] = taken_apart(line[column], line[mirrored(column, width)]);
+                let to = &mut self.block[(column - first) * rows..][..rows];
+                to[2 * pair] = even;
+                if 2 * pair + 1 < used {
+                    to[2 * pair + 1] = odd;
+                }
+            }
+        }
+        for column in first..last {
+            let values = &mut self.block[(column - first) * rows..][..rows];
+            values[used..].fill(zero);
+            self.along_columns[0].process_with_scratch(values, &mut self.scratch);
+            let factors = &self.factors[column * (rows / 2 + 1)..][..rows / 2 + 1];
+            let (upwards, downwards) = values.split_at_mut(factors.len());
+            upwards.iter_mut().zip(factors).for_each(|(value, &factor)| *value = *value * factor);
+            let mirror = factors[1..rows.div_ceil(2)].iter().rev();
+            downwards.iter_mut().zip(mirror).for_each(|(value, &factor)| *value = *value * factor);
+            self.along_columns[1].process_with_scratch(values, &mut self.scratch);
+        }
+        for (pair, line) in self.pairs.chunks_exact_mut(width).enumerate() {
+            for column in first..last {
+                let from = &self.block[(column - first) * rows..][..rows];
+                let odd = if 2 * pair + 1 < used { from[2 * pair + 1] } else { zero };
+                let [value, mirror] = put_together(from[2 * pair], odd);
+                line[mirrored(column, width)] = mirror;
+                line[column] = value;
+            }
+        }
+    }
+
+    fn rows_back(&mut self, into: &mut [T]) {
+        let ([_, columns], width) = (self.map, self.period[1]);
+        for (pair, into) in self.pairs.chunks_exact_mut(width).zip(into.chunks_mut(2 * columns)) {
+            self.along_rows[1].process_with_scratch(pair, &mut self.scratch);
+            let (first, second) = into.split_at_mut(columns);
+            first.iter_mut().zip(&*pair).for_each(|(to, value)| *to = value.re);
+            second.iter_mut().zip(&*pair).for_each(|(to, value)| *to = value.im);
+        }
+    }
+}
+
+/// The column of the opposite wave.
+fn mirrored(column: usize, width: usize) -> usize {
+    if column == 0 { 0 } else { width - column }
+}
+
+/// Twice the transforms of the real and the imaginary part, from the transform of both at a wave and at its opposite.
+#[inline]
+fn taken_apart<T: FftNum>(value: Complex<T>, mirror: Complex<T>) -> [Complex<T>; 2] {
+    [
+        Complex::new(value.re + mirror.re, value.im - mirror.im),
+        Complex::new(value.im + mirror.im, mirror.re - value.re),
+    ]
+}
+
+/// The transform of even + i odd at a wave and at its opposite.
+#[inline]
+fn put_together<T: FftNum>(even: Complex<T>, odd: Complex<T>) -> [Complex<T>; 2] {
+    [Complex::new(even.re - odd.im, even.im + odd.re), Complex::new(even.re + odd.im, odd.re - even.im)]
+}
