@@ -6,6 +6,7 @@ pub mod doubts;
 pub mod figure;
 mod files;
 pub mod material;
+pub mod measured;
 pub mod models;
 mod note;
 pub mod plan;
