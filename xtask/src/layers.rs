@@ -66,10 +66,35 @@ const LAYERS: &[Layer] = &[
         ],
     ),
     (
+        "truearea-answer",
+        &[
+            "truearea-features",
+            "truearea-tables",
+            "truearea-spectrum",
+            "truearea-topography",
+            "truearea-stacked-contact",
+            "truearea-study",
+        ],
+    ),
+    (
+        "truearea-sensitivity",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-spectrum",
+            "truearea-asperity",
+            "truearea-stat-contact",
+            "truearea-study",
+        ],
+    ),
+    (
         "truearea-report",
         &[
             "truearea-units",
             "truearea-rows",
+            "truearea-answer",
+            "truearea-sensitivity",
             "truearea-tables",
             "truearea-scans",
             "truearea-spectrum",

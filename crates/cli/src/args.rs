@@ -29,7 +29,7 @@ use study::scene::Template;
 use study::topography::ScanRequest;
 use topography::{Average, DEFAULT_BINS_PER_DECADE};
 use units::PressureRange;
-use units::{Length, Modulus, Pressure, SignedLength};
+use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
 
 /// How much of two rough surfaces really touches, and which scales of roughness decide it.
 ///
@@ -102,8 +102,8 @@ in the order of the pressures, then of the separations. The first row has no
 asperities yet: its cells are empty.
 
 With --input, a table with the columns model (one of those of --model),
-youngs_modulus_pa, poisson_ratio, yield_strength_pa, strain_gradient_length_m
-(empty for none), radius_m, density_per_m2, sigma_s_m, and of separation_m and
+youngs_modulus_pa, poisson_ratio, yield_strength_pa or, three times that,
+indentation_hardness_pa, strain_gradient_length_m (empty for none), radius_m, density_per_m2, sigma_s_m, and of separation_m and
 pressure_pa exactly one in each row; the other one and area_fraction are filled
 in. What is the same in every row may be given as an option instead of a
 column. Rows without asperities, as the first one of `moments`, have empty
@@ -268,8 +268,8 @@ pub(crate) struct AsperityArgs {
 pub(crate) enum AsperityLaw {
     /// A sphere at an interference: Hertz, and Jackson & Green
     #[command(after_help = "\
-Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa, radius_m,
-interference_m. Results: hertz_force_n, hertz_area_m2, jackson_green_force_n,
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
+times that, indentation_hardness_pa), radius_m, interference_m. Results: hertz_force_n, hertz_area_m2, jackson_green_force_n,
 jackson_green_area_m2, jackson_green_force_cosine_hardness_n.
 
 Example:
@@ -277,8 +277,8 @@ Example:
     Sphere(TableArgs),
     /// A sinusoid at a mean pressure: elastic, and elastic-plastic
     #[command(after_help = "\
-Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa,
-aspect_ratio, pressure_pa. Results: complete_contact_pressure_elastic_pa,
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
+times that, indentation_hardness_pa), aspect_ratio, pressure_pa. Results: complete_contact_pressure_elastic_pa,
 area_fraction_elastic, critical_aspect_ratio, complete_contact_pressure_ep_pa,
 area_fraction_ep, mean_gap_over_amplitude.
 
@@ -287,8 +287,8 @@ Example:
     Sinusoid(TableArgs),
     /// A sinusoid pressed to an interference
     #[command(after_help = "\
-Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa,
-wavelength_m, aspect_ratio, interference_m. Results: pressure_elastic_pa,
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
+times that, indentation_hardness_pa), wavelength_m, aspect_ratio, interference_m. Results: pressure_elastic_pa,
 area_fraction_elastic, pressure_ep_pa, area_fraction_ep.
 
 Example:
@@ -310,6 +310,10 @@ pub(crate) struct TableArgs {
     /// Yield strength of every row, in place of the column yield_strength_pa
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub yield_strength: Option<Pressure>,
+    /// Indentation hardness of every row, a pressure or a Vickers number, in place of the column indentation_hardness_pa;
+    /// where a row has no yield strength, a third of it
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub indentation_hardness: Option<IndentationHardness>,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
 }

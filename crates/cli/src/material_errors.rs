@@ -1,4 +1,4 @@
-//! What a material lacks, told with the option that gives it.
+//! What is wrong with a material, told with the options that mend it.
 
 use study::material::{MaterialError, MaterialProperty};
 
@@ -6,16 +6,26 @@ use crate::failure::Failure;
 
 impl From<MaterialError> for Failure {
     fn from(error: MaterialError) -> Self {
-        let MaterialError::Missing(needed_for) = error else { return Failure::input(error) };
-        let flag = flag_of(needed_for.property());
-        Failure::Input(format!("{error}: give {flag}"))
+        Failure::Input(told(&error))
     }
 }
 
-/// The option that gives a property of the material.
-pub(crate) fn flag_of(property: MaterialProperty) -> &'static str {
+/// The error with the options that mend it.
+pub(crate) fn told(error: &MaterialError) -> String {
+    match error {
+        MaterialError::Missing(needed_for) => format!("{error}: give {}", flags_of(needed_for.property())),
+        MaterialError::HardnessOffStrength(_) => {
+            format!("{error}: leave out --indentation-hardness or --yield-strength")
+        }
+        error => error.to_string(),
+    }
+}
+
+/// The options that give a property of the material.
+fn flags_of(property: MaterialProperty) -> &'static str {
     match property {
-        MaterialProperty::YieldStrength => "--yield-strength",
+        MaterialProperty::IndentationHardness => "--indentation-hardness or --yield-strength",
+        MaterialProperty::YieldStrength => "--yield-strength or --indentation-hardness",
         MaterialProperty::StrainGradientLength => "--strain-gradient-length",
     }
 }

@@ -2,9 +2,9 @@
 
 mod support;
 
-use study::answer::Answer;
+use answer::Answer;
+use sensitivity::{Sensitivity, sensitivities};
 use study::scene::{Overrides, Scene};
-use study::sensitivity::{Sensitivity, sensitivities};
 use support::Bench;
 
 const BODY: &str = r#"

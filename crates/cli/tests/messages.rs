@@ -36,6 +36,15 @@ stacked psd.csv --model elastic --pressure 1MPa --youngs-modulus 1GPa
 stacked psd.csv --model elastic --pressure 1H --youngs-modulus 1GPa --poisson-ratio 0.3
 stacked psd.csv --model elastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --strength-cap 1GPa
 stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --yield-strength 1MPa --strength-cap 1GPa
+stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3
+stacked psd.csv --model elastic-plastic --pressure 1H --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 3MPa
+stacked psd.csv --model elastic --pressure 1H --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 3MPa
+stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 3MPa --yield-strength 2MPa
+stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 1H
+statistical --input rows.csv --indentation-hardness 300HV --yield-strength 2MPa
+asperity sphere --input spheres.csv --indentation-hardness 300HV
+asperity sphere --input hard.csv
+asperity sphere --input empty.csv
 stacked psd.csv --model elastic --pressures 1kPa:1MPa:100 --youngs-modulus 1GPa --poisson-ratio 0.3 --figure many.svg
 stacked psd.csv --model elastic --pressure 1MPa --counterface-youngs-modulus 1GPa
 statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --hardness cosine
@@ -56,6 +65,8 @@ run scene.toml --output psd.csv
 run scene.toml --hardness cosine
 run scene.toml --strength-cap 1GPa
 run scene.toml --cutoff 1nm
+run hard.toml
+run in-hardnesses.toml
 run scene.toml --explain --no-report
 run of-scan.toml
 man --out psd.csv
@@ -70,6 +81,16 @@ fn all_messages() {
     bench.write("psd.csv", PSD).write("scene.toml", SCENE).write("line.txt", line);
     bench.write("map.001", "\\*File list\r\n\\Version: 0x05120000\r\n").write("map.nc", "CDF\x01\0\0\0\0");
     bench.write("rows.csv", "model\nhertz\n").write("of-scan.toml", SCENE.replace("psd.csv", "map.001"));
+    let spheres = "youngs_modulus_pa,poisson_ratio,radius_m,interference_m\n1e11,0.3,1e-6,1e-9\n";
+    let strengths = |cells: &str| {
+        let [header, row] = ["yield_strength_pa,indentation_hardness_pa,", cells].map(str::to_owned);
+        spheres.replacen('y', &format!("{header}y"), 1).replace("1e11", &format!("{row}1e11"))
+    };
+    bench.write("spheres.csv", spheres).write("hard.csv", strengths("1e9,4e9,"));
+    bench.write("empty.csv", strengths(",,"));
+    let hard = "yield_strength = \"1 GPa\"\nindentation_hardness = \"300 HV\"\n[loads]";
+    bench.write("hard.toml", SCENE.replace("[loads]", hard));
+    bench.write("in-hardnesses.toml", SCENE.replace("1 MPa", "1 H"));
     std::fs::create_dir(bench.path("folder")).unwrap();
     let files = bench.files();
     // Every platform has its own words for it.

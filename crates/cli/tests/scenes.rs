@@ -275,7 +275,7 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     );
     assert!(
         refused("yield_strength = \"1.8 GPa\"", "")
-            .contains("needs the yield strength: add yield_strength in [material]")
+            .contains("needs the yield strength: add yield_strength or indentation_hardness in [material]")
     );
     assert!(
         refused("strain_gradient_length = \"5 um\"", "")
@@ -300,6 +300,32 @@ fn a_bad_scene_is_refused_with_file_line_key_and_value_and_writes_nothing() {
     );
     let message = bench.write("s.toml", b"title = \"\xb5m\"").run(&["run", "s.toml"]).refused();
     assert_eq!(message, "error: s.toml, line 1: not UTF-8 text; save the scene as UTF-8\n");
+}
+
+#[test]
+fn a_hardness_in_place_of_a_strength_gives_the_same_areas_and_is_told_in_summary_report_and_tables() {
+    let bench = Bench::new();
+    bench.write("strength.toml", SMALL);
+    bench.write(
+        "hardness.toml",
+        SMALL.replace("yield_strength = \"1.8 GPa\"", "indentation_hardness = \"5.4 GPa\""),
+    );
+    let by_strength = bench.run(&["run", "strength.toml"]).ok();
+    let by_hardness = bench.run(&["run", "hardness.toml"]).ok();
+    let told = "yield strength S₀, none given and H/3 assumed";
+    let one_line = by_hardness.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        !by_strength.contains("assumed") && one_line.contains(&format!("{told} 1.8 GPa")),
+        "{by_hardness}"
+    );
+    assert!(bench.read("hardness-results/report.html").contains(told));
+    let [own, same] =
+        ["strength", "hardness"].map(|name| bench.read(&format!("{name}-results/hardening.csv")));
+    assert!(same.contains("# E = 463000000000 Pa") && same.contains("S0 = H/3 = 1800000000 Pa"), "{same}");
+    let rows = |table: &str| -> Vec<String> {
+        table.lines().filter(|line| !line.starts_with('#')).map(str::to_owned).collect()
+    };
+    assert_eq!(rows(&own), rows(&same));
 }
 
 #[test]

@@ -121,6 +121,26 @@ fn a_malformed_row_is_refused_and_nothing_is_written() {
 }
 
 #[test]
+fn rows_take_their_hardness_from_a_column_or_an_option() {
+    let bench = Bench::new();
+    let table = |column: &str, cell: &str| {
+        format!(
+            "model,youngs_modulus_pa,poisson_ratio,{column}radius_m,density_per_m2,sigma_s_m\n\
+             ep-sphere,463e9,0.2,{cell}1e-6,1e11,2e-8\n"
+        )
+    };
+    let area = |input: String, more: &[&str]| {
+        let args = [&["statistical", "--input", "-"][..], more].concat();
+        let ran = bench.run_with_input(&args, &input);
+        assert_eq!(ran.stderr.contains("S0 = H/3"), !more.contains(&"--yield-strength"), "{}", ran.stderr);
+        column(&ran.ok(), "area_fraction")[0].to_owned()
+    };
+    let own = area(table("", ""), &["--yield-strength", "1.8GPa", "--pressure", "1e-3H"]);
+    assert_eq!(area(table("", ""), &["--indentation-hardness", "5.4GPa", "--pressure", "1e-3H"]), own);
+    assert_eq!(area(table("indentation_hardness_pa,", "5.4e9,"), &["--pressure", "5.4MPa"]), own);
+}
+
+#[test]
 fn a_spectrum_gives_a_row_per_cutoff_and_blocks_in_the_order_given() {
     let bench = Bench::new();
     let mut args = vec!["statistical", "builtin:uncd-measured", "--model", "ep-sphere"];

@@ -187,6 +187,26 @@ fn constants_stand_for_columns_that_are_not_there() {
 }
 
 #[test]
+fn a_third_of_the_hardness_stands_for_the_strength_and_that_is_said() {
+    let bench = Bench::new();
+    // A strength and the hardness of another row, in one table.
+    let mixed = SPHERES.replace("yield_strength_pa", "yield_strength_pa,indentation_hardness_pa");
+    let third: String = mixed.replace("7.7157e+08,", ",2.31471e9,");
+    let lines: Vec<&str> = third.lines().collect();
+    let table = [lines[0], lines[1]].join("\n");
+    let ran = bench.run_with_input(&["asperity", "sphere"], &table);
+    let note = "note: 1 of 1 rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3\n";
+    assert_eq!(ran.stderr, note);
+    let by_hardness = ran.ok();
+    let by_strength = bench.run_with_input(&["asperity", "sphere"], SPHERES).ok();
+    for name in ["hertz_force_n", "jackson_green_force_n", "jackson_green_area_m2"] {
+        let [found, expected] =
+            [&by_hardness, &by_strength].map(|table| support::column(table, name)[0].parse::<f64>().unwrap());
+        assert!((found / expected - 1.0).abs() < 1e-14, "{name}");
+    }
+}
+
+#[test]
 fn a_material_that_no_law_takes_is_refused_with_its_line_before_anything_is_written() {
     let bench = Bench::new();
     let row = SPHERES.lines().nth(1).unwrap();

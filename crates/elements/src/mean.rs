@@ -93,7 +93,9 @@ impl PressedLoad {
 
     /// s/sqrt(R) of the best areas.
     fn standard_error(&self) -> Option<f64> {
-        let best = |state| self.extrapolated_area_fraction(state).unwrap_or(state.area_fraction_corrected);
+        let best = |state: &PressedState| {
+            self.extrapolated_area_fraction(state).unwrap_or(state.area_fraction_corrected)
+        };
         let (count, mean) = (self.states.len() as f64, self.mean_of(best));
         let squares: f64 = self.states.iter().map(|state| (best(state) - mean).powi(2)).sum();
         (self.states.len() > 1).then(|| (squares / (count - 1.0) / count).sqrt())

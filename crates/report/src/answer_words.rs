@@ -2,8 +2,8 @@
 
 use crate::curve_names::in_full;
 use crate::decade;
+use answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use spectrum::ProfilePsd;
-use study::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use study::plan::Results;
 use study::scene::Scene;
 use topography::InstrumentsDisagree;

@@ -1,6 +1,6 @@
 //! What is doubtful, in a short line each.
 
-use study::doubts::Doubt;
+use answer::doubts::Doubt;
 use units::display::{length, pressure, three_digits};
 
 /// A doubt in a line, without a full stop.

@@ -1,11 +1,11 @@
 //! What a scene needs, what of it is the same, and what is skipped, told before anything is computed.
 
 use crate::summary::aligned;
+use sensitivity::wanted_areas;
 use study::choices_in_words;
 use study::figure::Shows;
 use study::plan::{Curve, CurveModel, Cutoffs, Needs, scales_per_decade};
 use study::scene::Scene;
-use study::sensitivity::wanted_areas;
 use units::display::{length, three_digits};
 
 type IsFramework = fn(&CurveModel) -> bool;

@@ -7,14 +7,14 @@ use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
+use answer::Answer;
+use sensitivity::{Sensitivity, counted_sensitivities};
 use study::Unobserved;
-use study::answer::Answer;
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
 use study::scene::file_names::REPORT_TABLES;
-use study::sensitivity::{self, Sensitivity, counted_sensitivities};
 use tables::{Format, Table};
 
 /// The page on everything that a scene found.

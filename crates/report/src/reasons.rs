@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::curve_names::in_full;
 use crate::summary::notes_of_block;
-use study::answer::{Answer, LoadAnswer};
+use answer::{Answer, LoadAnswer};
 use study::plan::{CurveResult, Results};
 use study::scene::Scene;
 use units::display::{length, pressure, three_digits};

@@ -17,6 +17,9 @@ pub fn told(note: &RowsNote) -> Vec<String> {
         RowsNote::WithoutAsperities { rows, all } => {
             vec![format!("{rows} of {all} rows have no asperities: their results are empty")]
         }
+        RowsNote::AssumedStrengths { rows, all } => vec![format!(
+            "{rows} of {all} rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3"
+        )],
         RowsNote::States(counts) => state_notes(counts),
         RowsNote::BeyondRange { rows, all, range } => {
             vec![format!("{rows} of {all} rows lie beyond {range}")]

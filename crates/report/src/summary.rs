@@ -8,9 +8,9 @@ use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pre
 
 use crate::curve_names::in_full;
 use crate::{answer_words, doubt_words, scan_words};
+use answer::doubts::Doubt;
+use answer::{Answer, LoadAnswer};
 use rows::StateCounts;
-use study::answer::{Answer, LoadAnswer};
-use study::doubts::Doubt;
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use study::scene::Scene;

@@ -5,6 +5,7 @@ use parallel::Progress;
 use tables::{InputTable, Refusal};
 
 use super::asperity_table::AsperityTable;
+use super::strength_columns::assumed_strengths;
 use super::{RowByRow, RowsError, RowsNote};
 
 /// A table of asperities.
@@ -15,13 +16,15 @@ pub struct Asperities {
     rows: usize,
     /// How many of them lie beyond the law's range.
     beyond: usize,
+    /// How many of them have a hardness and no yield strength.
+    assumed: usize,
 }
 
 impl Asperities {
     /// Asperities under a law, against a counterface or a rigid one where absent.
     #[must_use]
     pub fn new(law: AsperityTable, counterface: Option<ElasticBody>) -> Self {
-        Asperities { law, counterface, rows: 0, beyond: 0 }
+        Asperities { law, counterface, rows: 0, beyond: 0, assumed: 0 }
     }
 }
 
@@ -32,12 +35,16 @@ impl RowByRow for Asperities {
 
     fn fill_in(&mut self, block: &mut InputTable, _: &dyn Progress) -> Result<Vec<RowsNote>, RowsError> {
         self.beyond += self.law.set_results(block, self.counterface)?;
+        self.assumed += assumed_strengths(block);
         self.rows += block.table.rows();
         Ok(Vec::new())
     }
 
     fn notes(&self) -> Vec<RowsNote> {
-        let note = RowsNote::BeyondRange { rows: self.beyond, all: self.rows, range: self.law.range() };
-        (self.beyond > 0).then_some(note).into_iter().collect()
+        let (assumed, beyond, all) = (self.assumed, self.beyond, self.rows);
+        let assumed = (assumed > 0).then_some(RowsNote::AssumedStrengths { rows: assumed, all });
+        let beyond =
+            (beyond > 0).then_some(RowsNote::BeyondRange { rows: beyond, all, range: self.law.range() });
+        assumed.into_iter().chain(beyond).collect()
     }
 }

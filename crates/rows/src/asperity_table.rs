@@ -5,12 +5,12 @@ use asperity::{Bound, ElasticBody, ElasticPlasticSinusoid, Hardness, Hertz, Jack
 use tables::{Cells, InputTable, Refusal};
 
 use super::RowsError;
+use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, yield_strengths_pa};
 
-const MATERIAL_COLUMNS: [(&str, Bound); 3] = [
-    ("youngs_modulus_pa", Bound::Magnitude),
-    ("poisson_ratio", ElasticBody::POISSON_RATIO),
-    ("yield_strength_pa", Bound::Positive),
-];
+const ELASTIC_COLUMNS: [(&str, Bound); 2] =
+    [("youngs_modulus_pa", Bound::Magnitude), ("poisson_ratio", ElasticBody::POISSON_RATIO)];
+
+const STRENGTH: Bound = Bound::Positive;
 
 /// Modulus \[Pa\], Poisson's ratio and yield strength \[Pa\] of a row, and the inputs of its law.
 type Inputs<const IN: usize> = ([f64; 3], [f64; IN]);
@@ -163,11 +163,24 @@ impl AsperityTable {
     }
 }
 
+/// Modulus \[Pa\], Poisson's ratio and yield strength \[Pa\] of every row.
+fn materials(input: &InputTable) -> Result<Vec<[f64; 3]>, Refusal> {
+    let [modulus, ratio] = ELASTIC_COLUMNS;
+    if !input.has(INDENTATION_HARDNESS) {
+        return input.numbers([modulus, ratio, (YIELD_STRENGTH, STRENGTH)]);
+    }
+    let elastic = input.numbers([modulus, ratio])?.into_iter();
+    let strengths_pa = yield_strengths_pa(input, STRENGTH)?;
+    Ok(elastic
+        .zip(strengths_pa)
+        .map(|([modulus_pa, ratio], strength_pa)| [modulus_pa, ratio, strength_pa])
+        .collect())
+}
+
 impl<const IN: usize, const OUT: usize> Columns<IN, OUT> {
     /// The material and the arguments of every row.
     fn read(&self, input: &InputTable) -> Result<Vec<Inputs<IN>>, Refusal> {
-        let materials = input.numbers(MATERIAL_COLUMNS)?;
-        Ok(materials.into_iter().zip(input.numbers(self.inputs)?).collect())
+        Ok(materials(input)?.into_iter().zip(input.numbers(self.inputs)?).collect())
     }
 
     fn set_results(

@@ -4,6 +4,7 @@ mod asperities;
 pub mod asperity_table;
 mod populations;
 mod state_counts;
+mod strength_columns;
 
 pub use asperities::Asperities;
 pub use populations::{GivenColumn, Populations};
@@ -73,6 +74,13 @@ pub enum RowsNote {
     },
     /// States at a bound, or outside the range of their law.
     States(StateCounts),
+    /// Rows with a hardness and no yield strength, for which a third of the hardness was taken.
+    AssumedStrengths {
+        /// How many.
+        rows: usize,
+        /// Of how many.
+        all: usize,
+    },
     /// Rows outside the range that a law was fitted in.
     BeyondRange {
         /// How many.

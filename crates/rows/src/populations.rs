@@ -6,9 +6,11 @@ use stat_contact::{ContactState, Population, StatisticalContact, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
+use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{RowByRow, RowsError, RowsNote, StateCounts};
+use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
-use study::models::{self, Choice, CurveModel, Framework, ModelOptions};
+use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
@@ -42,12 +44,15 @@ pub struct Populations {
     pub details: bool,
     counts: StateCounts,
     without_asperities: usize,
+    assumed_strengths: usize,
 }
 
 /// A row of the table: a population, and what it is asked at.
 struct Asked {
     contact: StatisticalContact,
     at: At,
+    /// Whether its yield strength was not given, and a third of the hardness is taken.
+    strength_is_assumed: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -76,6 +81,7 @@ impl Populations {
             details: false,
             counts: StateCounts::default(),
             without_asperities: 0,
+            assumed_strengths: 0,
         }
     }
 
@@ -85,18 +91,24 @@ impl Populations {
     }
 
     fn read(&self, row: &Row<'_>) -> Result<Option<Asked>, String> {
-        let contact = self.contact(row)?;
-        contact.map(|contact| Ok(Asked { contact, at: self.asked_at(row)? })).transpose()
+        let entry = models::named(Framework::Statistical, row.text("model").trim())
+            .map_err(|error| format!("column model: {error}"))?;
+        let material = self.material(row, entry.has(Choice::Strength))?;
+        let strength_is_assumed = material.assumed_yield_strength_pa().is_some();
+        let contact = self.contact(row, entry, &material)?;
+        contact.map(|contact| Ok(Asked { contact, at: self.asked_at(row)?, strength_is_assumed })).transpose()
     }
 
     /// The material is checked of every row, the population where there is one.
-    fn contact(&self, row: &Row<'_>) -> Result<Option<StatisticalContact>, String> {
-        let entry = models::named(Framework::Statistical, row.text("model").trim())
-            .map_err(|error| format!("column model: {error}"))?;
-        let strong = entry.has(Choice::Strength);
-        let material = self.material(row, strong)?;
-        let strain_gradient = strong && !row.text("strain_gradient_length_m").trim().is_empty();
-        let model = entry.build(&material, &ModelOptions { strain_gradient, ..self.options });
+    fn contact(
+        &self,
+        row: &Row<'_>,
+        entry: &ModelEntry,
+        material: &Material,
+    ) -> Result<Option<StatisticalContact>, String> {
+        let strain_gradient =
+            entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
+        let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options });
         let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
             unreachable!("the model is one of the statistical ones");
         };
@@ -118,7 +130,11 @@ impl Populations {
         Ok(Material::new(GivenMaterial {
             body: ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?,
             counterface: self.counterface,
-            yield_strength: optional("yield_strength_pa")?.map(Pressure::Pascals),
+            hardness_and_strength: if strong {
+                hardness_and_strength(row, Bound::Magnitude)?
+            } else {
+                HardnessAndStrength::default()
+            },
             strength_cap: self.strength_cap,
             strain_gradient_length_m: optional("strain_gradient_length_m")?,
         }))
@@ -198,7 +214,7 @@ impl RowByRow for Populations {
             if progress.is_cancelled() {
                 return Err(RowsError::Cancelled);
             }
-            let Some(Asked { contact, at }) = asked else { return Ok(None) };
+            let Some(Asked { contact, at, .. }) = asked else { return Ok(None) };
             let state = match at {
                 At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
                 At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
@@ -208,6 +224,7 @@ impl RowByRow for Populations {
         };
         let states = parallel::try_map(&asked, state)?;
         self.counts.add(states.iter().flatten());
+        self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
         self.without_asperities += states.iter().filter(|state| state.is_none()).count();
         self.set_results(block, &asked, &states);
         Ok(beyond_complete_contact(block, &asked, &states))
@@ -216,7 +233,9 @@ impl RowByRow for Populations {
     fn notes(&self) -> Vec<RowsNote> {
         let (rows, all) = (self.without_asperities, self.without_asperities + self.counts.all);
         let without = (rows > 0).then_some(RowsNote::WithoutAsperities { rows, all });
-        without.into_iter().chain([RowsNote::States(self.counts)]).collect()
+        let (rows, all) = (self.assumed_strengths, self.counts.all);
+        let assumed = (rows > 0).then_some(RowsNote::AssumedStrengths { rows, all });
+        without.into_iter().chain(assumed).chain([RowsNote::States(self.counts)]).collect()
     }
 }
 
@@ -224,7 +243,8 @@ impl RowByRow for Populations {
 fn missing_cell(error: &MaterialError) -> String {
     let MaterialError::Missing(needed_for) = error else { return error.to_string() };
     let column = match needed_for.property() {
-        MaterialProperty::YieldStrength => "yield_strength_pa",
+        MaterialProperty::IndentationHardness => INDENTATION_HARDNESS,
+        MaterialProperty::YieldStrength => YIELD_STRENGTH,
         MaterialProperty::StrainGradientLength => "strain_gradient_length_m",
     };
     format!("column {column}: the cell is empty; {error}")

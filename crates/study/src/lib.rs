@@ -1,10 +1,9 @@
 #![doc = include_str!("../README.md")]
 
-pub mod answer;
 pub mod choices_in_words;
-pub mod doubts;
 pub mod figure;
 mod files;
+pub mod hardness_and_strength;
 pub mod material;
 pub mod measured;
 pub mod models;
@@ -12,7 +11,6 @@ mod note;
 pub mod plan;
 pub mod result_tables;
 pub mod scene;
-pub mod sensitivity;
 pub mod surface;
 pub mod topography;
 

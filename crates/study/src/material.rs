@@ -2,13 +2,11 @@
 
 use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
 
+use crate::hardness_and_strength::{HardnessAndStrength, HardnessOffStrength};
 use crate::plan::NominalPressure;
 use units::Pressure;
 use units::display::{length, pressure};
 use units::number;
-
-/// H/S0.
-const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
 /// The bodies and, where given, the strength; what a model does not need of it is not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,8 +15,8 @@ pub struct Material {
     pub pair: MaterialPair,
     /// The counterface, where it is not rigid.
     counterface: Option<ElasticBody>,
-    /// The strength S0; not needed by elastic models.
-    yield_strength: Option<Pressure>,
+    /// The hardness H and the strength S0; not needed by elastic models.
+    hardness_and_strength: HardnessAndStrength,
     /// The cap of its growth.
     strength_cap: Option<Pressure>,
     /// h* \[m\]; needed by models with a strain gradient.
@@ -32,8 +30,8 @@ pub struct GivenMaterial {
     pub body: ElasticBody,
     /// What presses on it; rigid where absent.
     pub counterface: Option<ElasticBody>,
-    /// Its yield strength S0.
-    pub yield_strength: Option<Pressure>,
+    /// Its indentation hardness H and its yield strength S0.
+    pub hardness_and_strength: HardnessAndStrength,
     /// The cap of its growth.
     pub strength_cap: Option<Pressure>,
     /// h* \[m\], the strain-gradient length of Eq. (8).
@@ -43,7 +41,9 @@ pub struct GivenMaterial {
 /// A property of a material that not everything needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MaterialProperty {
-    /// The yield strength S0.
+    /// The indentation hardness H, three times the yield strength.
+    IndentationHardness,
+    /// The yield strength S0, a third of the indentation hardness.
     YieldStrength,
     /// h*, the strain-gradient length of Eq. (8).
     StrainGradientLength,
@@ -66,7 +66,8 @@ impl NeededFor {
     #[must_use]
     pub fn property(self) -> MaterialProperty {
         match self {
-            NeededFor::PressureInHardnesses | NeededFor::Yielding => MaterialProperty::YieldStrength,
+            NeededFor::PressureInHardnesses => MaterialProperty::IndentationHardness,
+            NeededFor::Yielding => MaterialProperty::YieldStrength,
             NeededFor::StrainGradient => MaterialProperty::StrainGradientLength,
         }
     }
@@ -76,7 +77,7 @@ impl std::fmt::Display for NeededFor {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             NeededFor::PressureInHardnesses => {
-                "a pressure in H, three times the yield strength, needs the yield strength"
+                "a pressure in H, the indentation hardness, needs that hardness or the yield strength, a third of it"
             }
             NeededFor::Yielding => "an elastic-plastic model needs the yield strength",
             NeededFor::StrainGradient => "the strain-gradient strength needs its length",
@@ -90,6 +91,9 @@ pub enum MaterialError {
     /// A property outside its bounds.
     #[error(transparent)]
     Bound(#[from] AsperityError),
+    /// A hardness and a strength that do not belong together.
+    #[error(transparent)]
+    HardnessOffStrength(#[from] HardnessOffStrength),
     /// A strength given as a multiple of itself.
     #[error(
         "the yield strength cannot be given in H, which is three times the yield strength; give it in GPa or MPa"
@@ -98,12 +102,6 @@ pub enum MaterialError {
     /// Something is asked for that takes a property which the material was not given.
     #[error("{0}")]
     Missing(NeededFor),
-}
-
-/// The hardness H = 3 S0 \[Pa\] of a strength S0 > 0 \[Pa\].
-#[must_use]
-pub fn hardness_pa(strength_pa: f64) -> f64 {
-    HARDNESS_OVER_STRENGTH * strength_pa
 }
 
 impl Material {
@@ -116,21 +114,29 @@ impl Material {
         Material {
             pair,
             counterface: given.counterface,
-            yield_strength: given.yield_strength,
+            hardness_and_strength: given.hardness_and_strength,
             strength_cap: given.strength_cap,
             strain_gradient_length_m: given.strain_gradient_length_m,
         }
     }
 
-    /// The yield strength S0 \[Pa\], where there is one.
+    /// The yield strength S0 \[Pa\], where there is one: as given, or else a third of the hardness.
     #[must_use]
     pub fn yield_strength_pa(&self) -> Option<f64> {
-        self.yield_strength?.pascals(None)
+        self.hardness_and_strength.yield_strength_pa()
     }
 
-    /// The hardness H = 3 S0 \[Pa\], a unit for pressures (Jackson & Jacobs), where there is a strength.
+    /// The yield strength S0 = H/3 \[Pa\] that laws take where only the hardness was given.
+    #[must_use]
+    pub fn assumed_yield_strength_pa(&self) -> Option<f64> {
+        self.hardness_and_strength.assumed_yield_strength_pa()
+    }
+
+    /// The indentation hardness H \[Pa\], a unit for pressures (Jackson & Jacobs), where there is one: as given, or else
+    /// 3 S0.
+    #[must_use]
     pub fn hardness_pa(&self) -> Option<f64> {
-        self.yield_strength?.pascals(None).map(hardness_pa)
+        self.hardness_and_strength.hardness_pa()
     }
 
     /// The material in a line, in SI units, for the record; what presses on the body shows in E*.
@@ -147,7 +153,11 @@ impl Material {
                 text.push_str(&format!(", {name} = {} {unit}", number(value)));
             }
         };
-        add("S0", self.yield_strength.and_then(|strength| strength.pascals(None)), "Pa");
+        match self.assumed_yield_strength_pa() {
+            None => add("S0", self.yield_strength_pa(), "Pa"),
+            assumed => add("S0 = H/3", assumed, "Pa"),
+        }
+        add("H", self.hardness_and_strength.given_hardness_pa(), "Pa");
         add("strength cap", self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa())), "Pa");
         add("h*", self.strain_gradient_length_m, "m");
         text
@@ -169,10 +179,17 @@ impl Material {
         }
         properties
             .push(("composite modulus E*, with the counterface", pressure(self.pair.composite_modulus_pa())));
-        let strength_pa = self.yield_strength.and_then(|strength| strength.pascals(None));
         let cap_pa = self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()));
-        properties.extend(strength_pa.map(|strength_pa| ("yield strength S₀", pressure(strength_pa))));
-        properties.extend(self.hardness_pa().map(|hardness_pa| ("hardness H = 3 S₀", pressure(hardness_pa))));
+        let strength = match self.assumed_yield_strength_pa() {
+            None => "yield strength S₀",
+            Some(_) => "yield strength S₀, none given and H/3 assumed",
+        };
+        let hardness = match self.hardness_and_strength.given_hardness_pa() {
+            None => "hardness H = 3 S₀",
+            Some(_) => "indentation hardness H",
+        };
+        properties.extend(self.yield_strength_pa().map(|strength_pa| (strength, pressure(strength_pa))));
+        properties.extend(self.hardness_pa().map(|hardness_pa| (hardness, pressure(hardness_pa))));
         properties.extend(cap_pa.map(|cap_pa| ("upper limit of the yield strength", pressure(cap_pa))));
         properties.extend(
             self.strain_gradient_length_m.map(|length_m| ("strain-gradient length h*", length(length_m))),
@@ -183,7 +200,7 @@ impl Material {
     /// A nominal pressure, in units of the hardness or not.
     ///
     /// # Errors
-    /// [`MaterialError::Missing`] where it is in H and there is no strength, [`MaterialError::Bound`] where it is beyond
+    /// [`MaterialError::Missing`] where it is in H and there is neither hardness nor strength, [`MaterialError::Bound`] where it is beyond
     /// [`NominalPressure::BOUND`].
     pub fn nominal_pressure(&self, pressure: Pressure) -> Result<NominalPressure, MaterialError> {
         let pressure_pa = pressure
@@ -197,28 +214,31 @@ impl Material {
     /// # Errors
     /// [`MaterialError`] where the material lacks what that takes, or what it has is out of bounds.
     pub fn strength(&self, strain_gradient: bool) -> Result<NixGao, MaterialError> {
-        let given = self.yield_strength.ok_or(MaterialError::Missing(NeededFor::Yielding))?;
-        let strength_pa = given.pascals(None).ok_or(MaterialError::StrengthInHardnesses)?;
+        if self.hardness_and_strength.strength_is_in_hardnesses() {
+            return Err(MaterialError::StrengthInHardnesses);
+        }
+        let strength_pa = self.yield_strength_pa().ok_or(MaterialError::Missing(NeededFor::Yielding))?;
         let length_m = match (strain_gradient, self.strain_gradient_length_m) {
             (false, _) => None,
             (true, Some(length_m)) => Some(length_m),
             (true, None) => return Err(MaterialError::Missing(NeededFor::StrainGradient)),
         };
-        Ok(strength(strength_pa, length_m, self.strength_cap)?)
+        let cap_pa = self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()));
+        Ok(strength(strength_pa, length_m, cap_pa)?)
     }
 }
 
 /// A strength S0 > 0 \[Pa\], growing with a strain-gradient length > 0 \[m\] where there is one (Eq. 8), up to a cap,
-/// at least S0, where there is one.
+/// at least S0 \[Pa\], where there is one.
 ///
 /// # Errors
 /// [`AsperityError`] for what is out of these bounds.
-fn strength(strength_pa: f64, length_m: Option<f64>, cap: Option<Pressure>) -> Result<NixGao, AsperityError> {
+fn strength(strength_pa: f64, length_m: Option<f64>, cap_pa: Option<f64>) -> Result<NixGao, AsperityError> {
     let mut strength = NixGao::constant(strength_pa)?;
     if let Some(length_m) = length_m {
         strength = strength.with_strain_gradient(length_m)?;
     }
-    match cap.and_then(|cap| cap.pascals(Some(hardness_pa(strength_pa)))) {
+    match cap_pa {
         Some(cap_pa) => strength.with_cap(cap_pa),
         None => Ok(strength),
     }

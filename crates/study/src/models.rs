@@ -308,13 +308,14 @@ mod tests {
     use units::Pressure;
 
     use super::*;
+    use crate::hardness_and_strength::HardnessAndStrength;
     use crate::material::{GivenMaterial, NeededFor};
 
     fn material(yield_strength: Option<Pressure>) -> Material {
         Material::new(GivenMaterial {
             body: ElasticBody::new(463e9, 0.2).unwrap(),
             counterface: None,
-            yield_strength,
+            hardness_and_strength: HardnessAndStrength::new(None, yield_strength).unwrap(),
             strength_cap: None,
             strain_gradient_length_m: Some(5e-6),
         })

@@ -82,7 +82,9 @@ impl InputTable {
         format!("{}, {}", self.source, self.row_names[row])
     }
 
-    fn has(&self, column: &str) -> bool {
+    /// Whether the table has the column, or all of its rows the one value of it.
+    #[must_use]
+    pub fn has(&self, column: &str) -> bool {
         self.table.column(column).is_some() || self.constants.iter().any(|(name, _)| *name == column)
     }
 

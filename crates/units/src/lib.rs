@@ -7,6 +7,8 @@ mod named;
 mod number;
 mod pressure_range;
 mod quantity;
+mod quantity_error;
+mod quantity_kind;
 mod roughness;
 mod unit_scale;
 
@@ -15,6 +17,7 @@ pub use length_unit::{LengthUnit, UnknownLengthUnit};
 pub use named::UnknownName;
 pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
-pub use quantity::{Area, Force, Length, Modulus, Pressure, QuantityError, SignedLength};
+pub use quantity::{Area, Force, IndentationHardness, Length, Modulus, Pressure, SignedLength};
+pub use quantity_error::QuantityError;
 pub use roughness::Scale;
 pub use unit_scale::UnitScale;

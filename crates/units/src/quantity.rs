@@ -1,67 +1,12 @@
 //! Quantities as people type them: a number and its unit, `463 GPa`, `5um`, `1e-3 H`.
-//!
-//! No unit crate serves here: uom's parser wants a blank before the unit, knows no `um`, and turns 5 µm into
-//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number, by which the
-//! decimal text is multiplied before the one rounding to a double.
 
 use std::str::FromStr;
 
-use crate::length_unit::LengthUnit;
+use crate::quantity_error::QuantityError;
+use crate::quantity_kind::{
+    AREA, FORCE, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, VICKERS, VICKERS_UNIT, scaled,
+};
 use crate::unit_scale::UnitScale;
-
-/// What is wrong with a typed quantity.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum QuantityError {
-    /// No number at its start.
-    #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
-    NoNumber {
-        /// What was typed.
-        text: String,
-        /// The kind of quantity.
-        what: &'static str,
-        /// A good one.
-        example: &'static str,
-    },
-    /// A number without a unit.
-    #[error("'{text}' has no unit; a {what} needs one of {units}, as in '{example}'")]
-    NoUnit {
-        /// What was typed.
-        text: String,
-        /// The kind of quantity.
-        what: &'static str,
-        /// The accepted units.
-        units: String,
-        /// A good one.
-        example: &'static str,
-    },
-    /// A unit of something else, or of nothing.
-    #[error("'{text}' has the unit '{unit}'; a {what} needs one of {units}")]
-    WrongUnit {
-        /// What was typed.
-        text: String,
-        /// Its unit.
-        unit: String,
-        /// The kind of quantity.
-        what: &'static str,
-        /// The accepted units.
-        units: String,
-    },
-    /// Not a usable magnitude.
-    #[error("'{text}' is out of range; a {what} must be greater than 0 and finite")]
-    NotPositive {
-        /// What was typed.
-        text: String,
-        /// The kind of quantity.
-        what: &'static str,
-    },
-    /// Beyond the largest double.
-    #[error("'{text}' is out of range; it must be finite")]
-    NotFinite {
-        /// What was typed.
-        text: String,
-    },
-}
 
 /// A length > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,6 +43,13 @@ pub struct Modulus {
     pub pa: f64,
 }
 
+/// An indentation hardness > 0, a pressure or a Vickers number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IndentationHardness {
+    /// In pascals; of a Vickers number, the load over the area of the indent's facets, 9.80665 MPa for 1 HV (ISO 6507).
+    pub pa: f64,
+}
+
 /// A pressure > 0, in Pa or as a multiple of the hardness H = 3 S0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pressure {
@@ -116,156 +68,6 @@ impl Pressure {
             Pressure::Hardnesses(share) => hardness_pa.map(|hardness_pa| share * hardness_pa),
         }
     }
-}
-
-/// A kind of quantity: its name, its units, and an example.
-struct Kind {
-    what: &'static str,
-    units: Units,
-    example: &'static str,
-}
-
-/// Units with their spellings.
-enum Units {
-    /// Those of [`LengthUnit`].
-    Lengths,
-    /// Spellings, the first of which is the name, and sizes.
-    Listed(&'static [(&'static [&'static str], UnitScale)]),
-}
-
-const LENGTH: Kind = Kind { what: "length", units: Units::Lengths, example: "5 um" };
-
-/// 0.45359237 kg x 9.80665 m/s^2 / (25.4 mm)^2, to sixteen digits.
-const PSI: (u64, i32) = (6_894_757_293_168_361, -12);
-
-const fn ten(decimal_exponent: i32) -> UnitScale {
-    UnitScale::power_of_ten(decimal_exponent)
-}
-
-const PRESSURE: Kind = Kind {
-    what: "pressure",
-    units: Units::Listed(&[
-        (&["Pa", "N/m^2", "N/m2", "N/m²"], ten(0)),
-        (&["hPa"], ten(2)),
-        (&["kPa"], ten(3)),
-        (&["bar"], ten(5)),
-        (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], ten(6)),
-        (&["GPa"], ten(9)),
-        (&["TPa"], ten(12)),
-        (&["psi"], UnitScale::decimal(PSI.0, PSI.1)),
-        (&["ksi"], UnitScale::decimal(PSI.0, PSI.1 + 3)),
-    ]),
-    example: "5.4 MPa",
-};
-
-const MODULUS: Kind = Kind { what: "modulus", example: "210 GPa", ..PRESSURE };
-
-/// The unit of pressure that is the material's own.
-const HARDNESS_UNIT: &str = "H";
-
-const FORCE: Kind = Kind {
-    what: "force",
-    units: Units::Listed(&[
-        (&["N"], ten(0)),
-        (&["mN"], ten(-3)),
-        (&["uN", "µN", "μN"], ten(-6)),
-        (&["nN"], ten(-9)),
-        (&["kN"], ten(3)),
-        (&["MN"], ten(6)),
-    ]),
-    example: "10 N",
-};
-
-const AREA: Kind = Kind {
-    what: "area",
-    units: Units::Listed(&[
-        (&["m^2", "m2", "m²"], ten(0)),
-        (&["cm^2", "cm2", "cm²"], ten(-4)),
-        (&["mm^2", "mm2", "mm²"], ten(-6)),
-        (&["um^2", "um2", "um²", "µm^2", "µm2", "µm²", "μm^2", "μm2", "μm²"], ten(-12)),
-    ]),
-    example: "1 cm^2",
-};
-
-impl Kind {
-    /// Every unit under its first spelling.
-    fn unit_list(&self) -> String {
-        let mut names: Vec<&str> = match self.units {
-            Units::Lengths => LengthUnit::ALL.map(LengthUnit::ascii).to_vec(),
-            Units::Listed(units) => units.iter().map(|(spellings, _)| spellings[0]).collect(),
-        };
-        if self.what == PRESSURE.what {
-            names.push(HARDNESS_UNIT);
-        }
-        names.join(", ")
-    }
-
-    /// The value in SI units, which must be positive.
-    fn parse(&self, text: &str) -> Result<f64, QuantityError> {
-        self.positive(text, self.parse_signed(text)?)
-    }
-
-    /// The value in SI units, whatever its sign.
-    fn parse_signed(&self, text: &str) -> Result<f64, QuantityError> {
-        let (number, unit) = self.split(text)?;
-        let scale = match self.units {
-            Units::Lengths => LengthUnit::parse(unit).map(LengthUnit::scale),
-            Units::Listed(units) => {
-                units.iter().find(|(spellings, _)| spellings.contains(&unit)).map(|(_, scale)| *scale)
-            }
-        };
-        Ok(scaled(number, scale.ok_or_else(|| self.wrong_unit(text, unit))?))
-    }
-
-    /// The number's text and the unit's, both there.
-    fn split<'t>(&self, text: &'t str) -> Result<(&'t str, &'t str), QuantityError> {
-        let (number, unit) = split_number(text.trim()).ok_or_else(|| QuantityError::NoNumber {
-            text: text.to_owned(),
-            what: self.what,
-            example: self.example,
-        })?;
-        if unit.is_empty() {
-            return Err(QuantityError::NoUnit {
-                text: text.to_owned(),
-                what: self.what,
-                units: self.unit_list(),
-                example: self.example,
-            });
-        }
-        Ok((number, unit))
-    }
-
-    fn positive(&self, text: &str, value: f64) -> Result<f64, QuantityError> {
-        if value > 0.0 && value.is_finite() {
-            Ok(value)
-        } else {
-            Err(QuantityError::NotPositive { text: text.to_owned(), what: self.what })
-        }
-    }
-
-    fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
-        QuantityError::WrongUnit {
-            text: text.to_owned(),
-            unit: unit.to_owned(),
-            what: self.what,
-            units: self.unit_list(),
-        }
-    }
-}
-
-/// The longest prefix that reads as a decimal number, and the rest without blanks around it.
-fn split_number(text: &str) -> Option<(&str, &str)> {
-    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-    let longest = text.find(|c| !numeric(c)).unwrap_or(text.len());
-    (1..=longest)
-        .rev()
-        .find(|&end| text[..end].parse::<f64>().is_ok())
-        .map(|end| (&text[..end], text[end..].trim_start()))
-}
-
-/// The value in SI units of what [`split_number`] found.
-fn scaled(number: &str, scale: UnitScale) -> f64 {
-    scale.read(number).expect("it reads as a number")
 }
 
 impl FromStr for Length {
@@ -310,6 +112,18 @@ impl FromStr for Modulus {
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         Ok(Modulus { pa: MODULUS.parse(text)? })
+    }
+}
+
+impl FromStr for IndentationHardness {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let (number, unit) = HARDNESS.split(text)?;
+        if unit == VICKERS_UNIT {
+            return Ok(IndentationHardness { pa: HARDNESS.positive(text, scaled(number, VICKERS))? });
+        }
+        Ok(IndentationHardness { pa: HARDNESS.parse(text)? })
     }
 }
 
@@ -359,6 +173,24 @@ mod tests {
         assert_eq!("50 ksi".parse::<Modulus>().unwrap().pa, 344_737_864.65841805);
         assert_eq!("2.5 cm^2".parse::<Area>().unwrap().m2, 2.5e-4);
         assert_eq!("10 mN".parse::<Force>().unwrap().n, 10e-3);
+    }
+
+    #[test]
+    fn a_hardness_is_a_pressure_or_a_vickers_number_and_no_multiple_of_itself() {
+        let pascals = |text: &str| text.parse::<IndentationHardness>().map(|hardness| hardness.pa);
+        assert_eq!(pascals("3 GPa"), Ok(3e9));
+        assert_eq!(pascals("300 HV"), Ok(2_941_995_000.0));
+        assert_eq!(pascals("0.1HV"), Ok(980_665.0));
+        assert_eq!(
+            pascals("1 H").unwrap_err().to_string(),
+            "'1 H' has the unit 'H'; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV"
+        );
+        assert_eq!(
+            pascals("300").unwrap_err().to_string(),
+            "'300' has no unit; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV, as in '3 GPa'"
+        );
+        assert!(matches!(pascals("-1 HV"), Err(QuantityError::NotPositive { what: "hardness", .. })));
+        assert!("300 HV".parse::<Pressure>().is_err() && "300 HV".parse::<Modulus>().is_err());
     }
 
     #[test]

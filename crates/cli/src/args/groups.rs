@@ -7,7 +7,7 @@ use clap::Args as ClapArgs;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use study::plan::Sampling;
 use tables::Format;
-use units::{Length, Modulus, Pressure};
+use units::{IndentationHardness, Length, Modulus, Pressure};
 
 use super::parsers::{hardness, one_of, parse_count, parse_place};
 use crate::output::Place;
@@ -141,6 +141,10 @@ pub(crate) struct MaterialArgs {
     /// Yield strength of the rough body; elastic models do without
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub yield_strength: Option<Pressure>,
+    /// Indentation hardness H of the rough body, a pressure or a Vickers number, as 300HV; three times the yield strength
+    /// where not given, and where it alone is given, a third of it is the yield strength
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub indentation_hardness: Option<IndentationHardness>,
     /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub strain_gradient_length: Option<Length>,

@@ -2,6 +2,7 @@
 
 mod completions;
 mod man_pages;
+mod material_options;
 mod one_asperity;
 mod psd;
 mod row_by_row;
@@ -12,11 +13,10 @@ mod statistical;
 
 use std::time::{Duration, Instant};
 
-use asperity::ElasticBody;
 use spectrum::{ProfilePsd, ReadOptions};
 use staging::StagedFiles;
 
-use crate::args::{Args, Command, CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, SharedArgs};
+use crate::args::{Args, Command, FigureArg, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::interruption;
@@ -26,21 +26,18 @@ use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
+use answer::doubts::{Doubt, RealPressures};
 use report::doubt_words;
 use report::provenance::provenance;
 use report::summary::CurveCounts;
 use report::{plot, scan_words};
-use study::doubts::{Doubt, RealPressures};
 use study::figure::{Figure, FigureData, Shows};
-use study::material::{GivenMaterial, Material, MaterialError};
 use study::plan::{Curve, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError, Results, Sampling};
 use study::result_tables;
 use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table, TableWriter};
 use topography::Severity;
-use units::PressureRange;
 use units::display::length;
-use units::{Modulus, Pressure};
 
 /// Carries a command out; `typed` is the command line without the program's name.
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
@@ -319,72 +316,6 @@ fn refuse_idle_cutoff(cutoff_m: Option<f64>, surface: &Surface) -> Result<(), Fa
         ))),
         _ => Ok(()),
     }
-}
-
-/// Refuses a limit of the strength where no strength grows.
-fn refuse_idle_strength_cap(given: &MaterialArgs, model: &str, yields: bool) -> Result<(), Failure> {
-    match (given.strength_cap.strength_cap, given.strain_gradient_length) {
-        (None, _) => Ok(()),
-        (Some(_), Some(_)) if yields => Ok(()),
-        (Some(_), None) if yields => Err(Failure::input(
-            "--strength-cap limits a strength that grows at small depths, and without --strain-gradient-length none does; \
-             leave it out, or give that length",
-        )),
-        (Some(_), _) => Err(Failure::Input(format!(
-            "--strength-cap has no bearing on --model {model}, which does not yield; leave it out"
-        ))),
-    }
-}
-
-/// The rough body and its counterface, as given on the command line.
-fn material(given: &MaterialArgs) -> Result<Material, Failure> {
-    let missing = |flag: &str| Failure::Input(format!("{flag} is needed: every model is at least elastic"));
-    let modulus = given.youngs_modulus.ok_or_else(|| missing("--youngs-modulus"))?;
-    let poisson_ratio = given.poisson_ratio.ok_or_else(|| missing("--poisson-ratio"))?;
-    let body = elastic_body(modulus, "--poisson-ratio", poisson_ratio)?;
-    Ok(Material::new(GivenMaterial {
-        body,
-        counterface: counterface(&given.counterface)?,
-        yield_strength: given.yield_strength,
-        strength_cap: given.strength_cap.strength_cap,
-        strain_gradient_length_m: given.strain_gradient_length.map(|length| length.m),
-    }))
-}
-
-fn counterface(given: &CounterfaceArgs) -> Result<Option<ElasticBody>, Failure> {
-    let (Some(modulus), Some(ratio)) = (given.counterface_youngs_modulus, given.counterface_poisson_ratio)
-    else {
-        return Ok(None);
-    };
-    elastic_body(modulus, "--counterface-poisson-ratio", ratio).map(Some)
-}
-
-/// The loads given by `--pressure`, and the ranges behind them by `--pressures`.
-fn loads(
-    pressures: &[(Pressure, String)],
-    ranges: &[PressureRange],
-    material: &Material,
-) -> Result<(Vec<Load>, Vec<LoadRange>), Failure> {
-    let pascals = |option: &str, pressure| {
-        material.nominal_pressure(pressure).map_err(|error| {
-            let mend = if matches!(error, MaterialError::Missing(_)) { ": add --yield-strength" } else { "" };
-            Failure::Input(format!("{option}: {error}{mend}"))
-        })
-    };
-    let load = |(pressure, label): &(Pressure, String)| {
-        let nominal_pressure = pascals(&format!("--pressure {label}"), *pressure)?;
-        Ok(Load { nominal_pressure, label: label.clone() })
-    };
-    let range = |range: &PressureRange| {
-        let [from, to] = [range.from, range.to].map(|end| pascals("--pressures", end));
-        Ok(LoadRange::new(from?, to?, range.points))
-    };
-    let loads = pressures.iter().map(load).collect::<Result<_, Failure>>()?;
-    Ok((loads, ranges.iter().map(range).collect::<Result<_, Failure>>()?))
-}
-
-fn elastic_body(modulus: Modulus, ratio_flag: &str, ratio: f64) -> Result<ElasticBody, Failure> {
-    ElasticBody::new(modulus.pa, ratio).map_err(|error| Failure::Input(format!("{ratio_flag}: {error}")))
 }
 
 /// Says on stderr what a reader has to know about a spectrum.

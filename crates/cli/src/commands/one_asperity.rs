@@ -1,7 +1,8 @@
 //! `asperity`: the contact law of one asperity, row by row of a table.
 
+use super::Context;
+use super::material_options::counterface;
 use super::row_by_row::{self, Constants};
-use super::{Context, counterface};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
 use rows::Asperities;
@@ -15,7 +16,7 @@ pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failur
     };
     let mut constants = Constants::default();
     constants.add_elastic(args.youngs_modulus, args.poisson_ratio)?;
-    constants.add_strength(args.yield_strength)?;
+    constants.add_strength(args.indentation_hardness, args.yield_strength)?;
     row_by_row::run(
         &args.input,
         &constants,

@@ -1,6 +1,7 @@
 //! Tables of any length, checked as a whole and then computed block by block.
 
-use super::{Context, elastic_body, say_notes};
+use super::material_options::elastic_body;
+use super::{Context, say_notes};
 use crate::failure::Failure;
 use crate::files::open_table;
 use crate::output::{Place, Stopped, publish};
@@ -10,9 +11,10 @@ use report::row_notes;
 use rows::{RowByRow, RowsNote};
 use staging::StagedFiles;
 use study::Progress as _;
+use study::hardness_and_strength::HardnessAndStrength;
 use study::material::MaterialError;
 use tables::{Refusal, TableError};
-use units::{Modulus, Pressure};
+use units::{IndentationHardness, Modulus, Pressure};
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
@@ -48,12 +50,19 @@ impl Constants {
         Ok(())
     }
 
-    /// The strength of the rough body.
-    pub fn add_strength(&mut self, strength: Option<Pressure>) -> Result<(), Failure> {
+    /// The hardness and the strength of the rough body.
+    pub fn add_strength(
+        &mut self,
+        hardness: Option<IndentationHardness>,
+        strength: Option<Pressure>,
+    ) -> Result<HardnessAndStrength, Failure> {
         let pascals = |strength: Pressure| strength.pascals(None).ok_or(MaterialError::StrengthInHardnesses);
         let strength_pa = strength.map(pascals).transpose()?;
+        let both = HardnessAndStrength::new(hardness, strength).map_err(MaterialError::from)?;
         self.add_number("--yield-strength", "yield_strength_pa", strength_pa);
-        Ok(())
+        let hardness_pa = hardness.map(|hardness| hardness.pa);
+        self.add_number("--indentation-hardness", "indentation_hardness_pa", hardness_pa);
+        Ok(both)
     }
 }
 

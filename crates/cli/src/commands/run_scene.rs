@@ -5,7 +5,8 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::{Context, compute, counterface, refuse_idle_cutoff, say_notes, say_surface};
+use super::material_options::counterface;
+use super::{Context, compute, refuse_idle_cutoff, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -13,13 +14,13 @@ use crate::output::{Place, make_folder, utf8};
 use crate::targets::Targets;
 use crate::timings::Timings;
 use crate::{output, scene_errors};
+use answer::Answer;
 use report::explain::explain;
 use report::occasion::Occasion;
 use report::products::{self, Findings};
 use report::reasons::reasons;
 use report::scene_note_words;
 use report::summary::summary;
-use study::answer::Answer;
 use study::models::{Choice, CurveModel};
 use study::plan::PlanError;
 use study::scene::{Overrides, Scene};

@@ -1,10 +1,11 @@
 //! `stacked`: contact area against cutoff, scale upon scale.
 
-use super::{Context, Drawn, Spectrum, loads, material, refuse_idle_strength_cap, say_doubts};
+use super::material_options::{loads, material, refuse_idle_strength_cap, say_assumed_strength};
+use super::{Context, Drawn, Spectrum, say_doubts};
 use crate::args::StackedArgs;
 use crate::failure::Failure;
+use answer::doubts::Doubt;
 use report::summary::sampling_of;
-use study::doubts::Doubt;
 use study::models::{Choice, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
 
@@ -16,6 +17,7 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
         ..ModelOptions::default()
     };
     let model = args.model.build(&material, &options)?;
+    say_assumed_strength(&material, args.model);
     say_doubts(Doubt::of_material(&material));
     let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let mut needs = Needs {

@@ -1,15 +1,15 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
+use super::material_options::{counterface, loads, material, refuse_idle_strength_cap, say_assumed_strength};
 use super::row_by_row::{self, Constants};
-use super::{
-    Context, Drawn, Spectrum, counterface, loads, material, refuse_idle_strength_cap, say_doubts, say_notes,
-};
+use super::{Context, Drawn, Spectrum, say_doubts, say_notes};
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
+use crate::material_errors;
 use crate::output::Place;
+use answer::doubts::Doubt;
 use rows::Populations;
-use study::doubts::Doubt;
-use study::material::{MaterialError, NeededFor, hardness_pa};
+use study::material::{MaterialError, NeededFor};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Curve, Cutoffs, Needs};
 use units::number;
@@ -38,6 +38,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let model = args.model.ok_or_else(|| Failure::input("a spectrum needs --model"))?;
     refuse_idle_options(args, model)?;
     let material = material(&args.material)?;
+    say_assumed_strength(&material, model);
     say_doubts(Doubt::of_material(&material));
     let (loads, load_ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
     let mut needs = Needs {
@@ -103,18 +104,20 @@ fn constants(args: &StatisticalArgs) -> Result<Constants, Failure> {
     }
     let material = &args.material;
     constants.add_elastic(material.youngs_modulus, material.poisson_ratio)?;
-    constants.add_strength(material.yield_strength)?;
+    let hardness_and_strength =
+        constants.add_strength(material.indentation_hardness, material.yield_strength)?;
     let length_m = material.strain_gradient_length.map(|length| length.m);
     constants.add_number("--strain-gradient-length", "strain_gradient_length_m", length_m);
     if args.pressures.len() + args.separations.len() > 1 {
         return Err(Failure::input("the rows of a table take one --pressure or one --separation"));
     }
     for (pressure, label) in &args.pressures {
-        let strength_pa = material.yield_strength.and_then(|strength| strength.pascals(None));
         let pressure_pa = pressure
-            .pascals(strength_pa.map(hardness_pa))
+            .pascals(hardness_and_strength.hardness_pa())
             .ok_or(MaterialError::Missing(NeededFor::PressureInHardnesses))
-            .map_err(|error| Failure::Input(format!("--pressure {label}: {error}: add --yield-strength")))?;
+            .map_err(|error| {
+                Failure::Input(format!("--pressure {label}: {}", material_errors::told(&error)))
+            })?;
         constants.add_number("--pressure", "pressure_pa", Some(pressure_pa));
     }
     for separation in &args.separations {

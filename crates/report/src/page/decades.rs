@@ -60,7 +60,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
 
 /// The strips of each curve; neighbouring loads whose strips read the same share one.
 fn strips(report: &SceneReport<'_>, decades: &[DecadeShare]) -> Vec<(usize, Vec<Strip>)> {
-    let of_curve = |(curve, answers): (usize, Vec<(usize, &study::answer::LoadAnswer)>)| {
+    let of_curve = |(curve, answers): (usize, Vec<(usize, &answer::LoadAnswer)>)| {
         let mut strips: Vec<Strip> = Vec::new();
         for (load, answer) in answers.into_iter().filter(|(_, answer)| !answer.decades.is_empty()) {
             let share = |of: &DecadeShare| {

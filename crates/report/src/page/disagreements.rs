@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use study::answer::DISAGREEMENT;
+use answer::DISAGREEMENT;
 use units::display::{length, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {

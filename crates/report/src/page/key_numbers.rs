@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use study::answer::LoadAnswer;
+use answer::LoadAnswer;
 use study::features::Convergence;
 use units::display::{length, typeset_digits};
 

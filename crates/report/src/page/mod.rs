@@ -20,11 +20,11 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::in_full;
 use crate::occasion::Occasion;
-use study::answer::{Answer, LoadAnswer};
+use ::answer::{Answer, LoadAnswer};
+use sensitivity::Sensitivity;
 use study::figure::FigureData;
 use study::plan::Results;
 use study::scene::Scene;
-use study::sensitivity::Sensitivity;
 use units::display::{load_in_full, pressure, typeset_digits};
 
 /// What a report says about one scene.

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
-use study::sensitivity::Sensitivity;
+use sensitivity::Sensitivity;
 use units::display::typeset_digits;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {

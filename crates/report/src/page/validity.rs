@@ -6,7 +6,7 @@ use super::key_numbers::percent;
 use super::{SceneReport, Section, per_scene};
 use crate::doubt_words;
 use crate::summary::{beyond_fitted_range, statistical_notes};
-use study::doubts::Doubt;
+use answer::doubts::Doubt;
 use study::plan::CurveResult;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {

@@ -6,7 +6,8 @@ use serde_spanned::Spanned;
 use super::error::SceneError;
 use super::raw::{RawCounterface, RawMaterial, RawQuantity};
 use super::values::{optional, quantity};
-use crate::material::{GivenMaterial, Material};
+use crate::hardness_and_strength::HardnessAndStrength;
+use crate::material::{GivenMaterial, Material, MaterialError};
 use units::{Length, Modulus, Pressure};
 
 pub(super) fn resolve_material(
@@ -16,10 +17,16 @@ pub(super) fn resolve_material(
 ) -> Result<Material, SceneError> {
     let length: Option<Length> =
         optional("material.strain_gradient_length", raw.strain_gradient_length.as_ref())?;
+    let hardness = optional("material.indentation_hardness", raw.indentation_hardness.as_ref())?;
+    let strength = optional("material.yield_strength", raw.yield_strength.as_ref())?;
+    let hardness_and_strength = HardnessAndStrength::new(hardness, strength).map_err(|error| {
+        let span = raw.indentation_hardness.as_ref().map(RawQuantity::span);
+        SceneError { problem: MaterialError::from(error).into(), span }
+    })?;
     Ok(Material::new(GivenMaterial {
         body: elastic_body("material", &raw.youngs_modulus, &raw.poisson_ratio)?,
         counterface,
-        yield_strength: optional("material.yield_strength", raw.yield_strength.as_ref())?,
+        hardness_and_strength,
         strength_cap,
         strain_gradient_length_m: length.map(|length| length.m),
     }))

@@ -115,10 +115,14 @@ impl fmt::Display for SceneProblem {
             SceneProblem::Text(text) => f.write_str(text),
             SceneProblem::Material(error @ MaterialError::Missing(needed_for)) => {
                 let key = match needed_for.property() {
-                    MaterialProperty::YieldStrength => "yield_strength",
+                    MaterialProperty::IndentationHardness => "indentation_hardness or yield_strength",
+                    MaterialProperty::YieldStrength => "yield_strength or indentation_hardness",
                     MaterialProperty::StrainGradientLength => "strain_gradient_length",
                 };
                 write!(f, "{error}: add {key} in [material]")
+            }
+            SceneProblem::Material(error @ MaterialError::HardnessOffStrength(_)) => {
+                write!(f, "{error}: leave out indentation_hardness or yield_strength in [material]")
             }
             SceneProblem::UnknownKey { key, known, meant } => {
                 write!(f, "unknown key `{key}`{} the keys here are {}", hint(meant), known.join(", "))

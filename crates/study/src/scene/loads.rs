@@ -2,10 +2,10 @@
 
 use serde_spanned::Spanned;
 
-use super::error::SceneError;
+use super::error::{SceneError, SceneProblem};
 use super::raw::{RawLoads, RawQuantity};
 use super::values::{label, quantity, value_error};
-use crate::material::Material;
+use crate::material::{Material, MaterialError, NeededFor};
 use crate::plan::{Load, NominalPressure};
 use units::{Area, Force, Pressure};
 
@@ -46,10 +46,8 @@ pub(super) fn nominal_pressure(
 ) -> Result<NominalPressure, SceneError> {
     let pressure: Pressure = quantity(key, raw)?;
     let pressure_pa = pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
-        let message = format!(
-            "key {key}: a pressure in H, three times the yield strength, needs material.yield_strength"
-        );
-        SceneError::at(raw.span(), message)
+        let missing = MaterialError::Missing(NeededFor::PressureInHardnesses);
+        value_error(key, &label(raw), raw.span(), SceneProblem::from(missing))
     })?;
     NominalPressure::new(pressure_pa)
         .map_err(|error| value_error(key, &label(raw), raw.span(), format!("{}: {error}", label(raw))))

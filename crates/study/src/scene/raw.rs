@@ -77,6 +77,7 @@ pub(super) struct RawMaterial {
     pub youngs_modulus: RawQuantity,
     pub poisson_ratio: Spanned<f64>,
     pub yield_strength: Option<RawQuantity>,
+    pub indentation_hardness: Option<RawQuantity>,
     pub strain_gradient_length: Option<RawQuantity>,
 }
 

@@ -1,14 +1,12 @@
 //! The answer to a scene's question: how much touches, which scales decide it, and where the models disagree.
 
-mod tables;
-
 use serde::Serialize;
 use spectrum::Hole;
 use stacked_contact::setting_level;
 
-use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Results};
-use crate::scene::Scene;
 use features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
+use study::plan::{Curve, CurveModel, CurveResult, Cutoffs, Load, Results};
+use study::scene::Scene;
 use topography::InstrumentsDisagree;
 
 /// From so many scales on, over so many decades, a spectrum can tell which of them matter.
@@ -94,7 +92,7 @@ impl Answer {
         let enough = wavelengths_m.len() >= LEAST_SCALES && decades >= LEAST_DECADES;
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
-            let of_load = |(block, load): (usize, &crate::plan::Load)| {
+            let of_load = |(block, load): (usize, &Load)| {
                 let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
                 Some(answer.of_spectrum_with(scene.surface.holes()))
             };

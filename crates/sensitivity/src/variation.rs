@@ -7,9 +7,9 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 use units::display::pressure;
 
-use crate::choices_in_words;
-use crate::plan::CurveModel;
-use crate::scene::Scene;
+use study::choices_in_words;
+use study::plan::CurveModel;
+use study::scene::Scene;
 
 /// Densities of the spectrum that are tried, in scales per decade.
 const SCALES_PER_DECADE: [u32; 3] = [5, 10, 20];

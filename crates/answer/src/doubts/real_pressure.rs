@@ -1,7 +1,7 @@
 //! Real pressures above what asperities bear.
 
 use super::{Doubt, HighestPressure, MODULUS_OVER_LARGEST_PRESSURE};
-use crate::plan::{Curve, CurveResult, NominalPressure};
+use study::plan::{Curve, CurveResult, NominalPressure};
 
 /// Gathers the real pressures of curves, which may come part by part.
 pub struct RealPressures {

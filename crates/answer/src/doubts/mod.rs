@@ -5,10 +5,10 @@ mod real_pressure;
 use serde::Serialize;
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumulative_moments};
 
-use crate::answer::Answer;
-use crate::material::Material;
-use crate::plan::{Load, NominalPressure};
-use crate::scene::Scene;
+use crate::Answer;
+use study::material::Material;
+use study::plan::{Load, NominalPressure};
+use study::scene::Scene;
 
 pub use real_pressure::RealPressures;
 

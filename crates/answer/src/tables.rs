@@ -1,7 +1,7 @@
 //! The answer as tables that others script against.
 
-use super::Answer;
-use crate::plan::Needs;
+use crate::{Answer, LoadAnswer};
+use study::plan::Needs;
 use tables::Table;
 
 impl Answer {
@@ -18,7 +18,7 @@ impl Answer {
                     .filter_map(move |(load, answer)| Some((curve, load, answer.as_ref()?)))
             })
         };
-        let found = |of: fn(&super::LoadAnswer) -> Option<f64>| rows().map(move |(_, _, answer)| of(answer));
+        let found = |of: fn(&LoadAnswer) -> Option<f64>| rows().map(move |(_, _, answer)| of(answer));
         Table::default()
             .with_text("curve", rows().map(|(curve, _, _)| curve.name.clone()))
             .with_numbers("nominal_pressure_pa", rows().map(|(_, load, _)| load.nominal_pressure_pa()))
@@ -60,7 +60,7 @@ impl Answer {
     }
 }
 
-fn settled(answer: &super::LoadAnswer) -> &'static str {
+fn settled(answer: &LoadAnswer) -> &'static str {
     match (answer.followed, answer.settled) {
         (false, _) => "",
         (true, true) => "yes",

@@ -1,16 +1,15 @@
 //! Sensitivity to modelling choices: how much each open choice moves the areas that a scene ends in.
 
-mod variation;
-
 use std::borrow::Cow;
 
 use parallel::Progress;
 use serde::Serialize;
 use tables::Table;
 
-use crate::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
-use crate::scene::Scene;
-use variation::{Variation, variations};
+use study::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
+use study::scene::Scene;
+
+use crate::variation::{Variation, variations};
 
 /// One choice made another way.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,0 +1,55 @@
+//! What is wrong with a typed quantity.
+
+/// What is wrong with a typed quantity.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// No number at its start.
+    #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
+    NoNumber {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+        /// A good one.
+        example: &'static str,
+    },
+    /// A number without a unit.
+    #[error("'{text}' has no unit; a {what} needs one of {units}, as in '{example}'")]
+    NoUnit {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+        /// The accepted units.
+        units: String,
+        /// A good one.
+        example: &'static str,
+    },
+    /// A unit of something else, or of nothing.
+    #[error("'{text}' has the unit '{unit}'; a {what} needs one of {units}")]
+    WrongUnit {
+        /// What was typed.
+        text: String,
+        /// Its unit.
+        unit: String,
+        /// The kind of quantity.
+        what: &'static str,
+        /// The accepted units.
+        units: String,
+    },
+    /// Not a usable magnitude.
+    #[error("'{text}' is out of range; a {what} must be greater than 0 and finite")]
+    NotPositive {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+    },
+    /// Beyond the largest double.
+    #[error("'{text}' is out of range; it must be finite")]
+    NotFinite {
+        /// What was typed.
+        text: String,
+    },
+}

@@ -1,0 +1,171 @@
+//! Kinds of quantities, their units, and how text is read as one.
+//!
+//! No unit crate serves here: uom's parser wants a blank before the unit, knows no `um`, and turns 5 µm into
+//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number, by which the
+//! decimal text is multiplied before the one rounding to a double.
+
+use crate::length_unit::LengthUnit;
+use crate::quantity_error::QuantityError;
+use crate::unit_scale::UnitScale;
+
+/// A kind of quantity: its name, its units, the one that only this kind has beside them, and an example.
+pub(crate) struct Kind {
+    what: &'static str,
+    units: Units,
+    own_unit: Option<&'static str>,
+    example: &'static str,
+}
+
+/// Units with their spellings.
+enum Units {
+    /// Those of [`LengthUnit`].
+    Lengths,
+    /// Spellings, the first of which is the name, and sizes.
+    Listed(&'static [(&'static [&'static str], UnitScale)]),
+}
+
+pub(crate) const LENGTH: Kind =
+    Kind { what: "length", units: Units::Lengths, own_unit: None, example: "5 um" };
+
+/// 0.45359237 kg x 9.80665 m/s^2 / (25.4 mm)^2, to sixteen digits.
+const PSI: (u64, i32) = (6_894_757_293_168_361, -12);
+
+const fn ten(decimal_exponent: i32) -> UnitScale {
+    UnitScale::power_of_ten(decimal_exponent)
+}
+
+pub(crate) const PRESSURE: Kind = Kind {
+    what: "pressure",
+    units: Units::Listed(&[
+        (&["Pa", "N/m^2", "N/m2", "N/m²"], ten(0)),
+        (&["hPa"], ten(2)),
+        (&["kPa"], ten(3)),
+        (&["bar"], ten(5)),
+        (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], ten(6)),
+        (&["GPa"], ten(9)),
+        (&["TPa"], ten(12)),
+        (&["psi"], UnitScale::decimal(PSI.0, PSI.1)),
+        (&["ksi"], UnitScale::decimal(PSI.0, PSI.1 + 3)),
+    ]),
+    own_unit: Some(HARDNESS_UNIT),
+    example: "5.4 MPa",
+};
+
+/// The unit of pressure that is the material's own.
+pub(crate) const HARDNESS_UNIT: &str = "H";
+
+pub(crate) const MODULUS: Kind = Kind { what: "modulus", own_unit: None, example: "210 GPa", ..PRESSURE };
+
+pub(crate) const HARDNESS: Kind =
+    Kind { what: "hardness", own_unit: Some(VICKERS_UNIT), example: "3 GPa", ..PRESSURE };
+
+/// Vickers' number, kgf/mm^2 over the facets of the indent.
+pub(crate) const VICKERS_UNIT: &str = "HV";
+
+/// 1 kgf/mm^2 = 9.80665 MPa.
+pub(crate) const VICKERS: UnitScale = UnitScale::decimal(980_665, 1);
+
+pub(crate) const FORCE: Kind = Kind {
+    what: "force",
+    units: Units::Listed(&[
+        (&["N"], ten(0)),
+        (&["mN"], ten(-3)),
+        (&["uN", "µN", "μN"], ten(-6)),
+        (&["nN"], ten(-9)),
+        (&["kN"], ten(3)),
+        (&["MN"], ten(6)),
+    ]),
+    own_unit: None,
+    example: "10 N",
+};
+
+pub(crate) const AREA: Kind = Kind {
+    what: "area",
+    units: Units::Listed(&[
+        (&["m^2", "m2", "m²"], ten(0)),
+        (&["cm^2", "cm2", "cm²"], ten(-4)),
+        (&["mm^2", "mm2", "mm²"], ten(-6)),
+        (&["um^2", "um2", "um²", "µm^2", "µm2", "µm²", "μm^2", "μm2", "μm²"], ten(-12)),
+    ]),
+    own_unit: None,
+    example: "1 cm^2",
+};
+
+impl Kind {
+    /// Every unit under its first spelling.
+    fn unit_list(&self) -> String {
+        let mut names: Vec<&str> = match self.units {
+            Units::Lengths => LengthUnit::ALL.map(LengthUnit::ascii).to_vec(),
+            Units::Listed(units) => units.iter().map(|(spellings, _)| spellings[0]).collect(),
+        };
+        names.extend(self.own_unit);
+        names.join(", ")
+    }
+
+    /// The value in SI units, which must be positive.
+    pub(crate) fn parse(&self, text: &str) -> Result<f64, QuantityError> {
+        self.positive(text, self.parse_signed(text)?)
+    }
+
+    /// The value in SI units, whatever its sign.
+    pub(crate) fn parse_signed(&self, text: &str) -> Result<f64, QuantityError> {
+        let (number, unit) = self.split(text)?;
+        let scale = match self.units {
+            Units::Lengths => LengthUnit::parse(unit).map(LengthUnit::scale),
+            Units::Listed(units) => {
+                units.iter().find(|(spellings, _)| spellings.contains(&unit)).map(|(_, scale)| *scale)
+            }
+        };
+        Ok(scaled(number, scale.ok_or_else(|| self.wrong_unit(text, unit))?))
+    }
+
+    /// The number's text and the unit's, both there.
+    pub(crate) fn split<'t>(&self, text: &'t str) -> Result<(&'t str, &'t str), QuantityError> {
+        let (number, unit) = split_number(text.trim()).ok_or_else(|| QuantityError::NoNumber {
+            text: text.to_owned(),
+            what: self.what,
+            example: self.example,
+        })?;
+        if unit.is_empty() {
+            return Err(QuantityError::NoUnit {
+                text: text.to_owned(),
+                what: self.what,
+                units: self.unit_list(),
+                example: self.example,
+            });
+        }
+        Ok((number, unit))
+    }
+
+    pub(crate) fn positive(&self, text: &str, value: f64) -> Result<f64, QuantityError> {
+        if value > 0.0 && value.is_finite() {
+            Ok(value)
+        } else {
+            Err(QuantityError::NotPositive { text: text.to_owned(), what: self.what })
+        }
+    }
+
+    fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
+        QuantityError::WrongUnit {
+            text: text.to_owned(),
+            unit: unit.to_owned(),
+            what: self.what,
+            units: self.unit_list(),
+        }
+    }
+}
+
+/// The longest prefix that reads as a decimal number, and the rest without blanks around it.
+fn split_number(text: &str) -> Option<(&str, &str)> {
+    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+    let longest = text.find(|c| !numeric(c)).unwrap_or(text.len());
+    (1..=longest)
+        .rev()
+        .find(|&end| text[..end].parse::<f64>().is_ok())
+        .map(|end| (&text[..end], text[end..].trim_start()))
+}
+
+/// The value in SI units of what [`split_number`] found.
+pub(crate) fn scaled(number: &str, scale: UnitScale) -> f64 {
+    scale.read(number).expect("it reads as a number")
+}
