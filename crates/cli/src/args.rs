@@ -463,7 +463,7 @@ pub(crate) struct RunArgs {
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
-    /// Leave out the judge: no surface is pressed by boundary elements, and no model gets a verdict
+    /// Judge no model by boundary elements, whatever the scene says of it
     #[arg(long)]
     pub no_judge: bool,
     /// Print what the scene needs and what is skipped, and stop there, with nothing computed

@@ -5,6 +5,7 @@ pub mod figure;
 mod files;
 pub mod hardness_and_strength;
 pub mod material;
+pub mod measured;
 pub mod models;
 mod note;
 pub mod plan;

@@ -17,13 +17,22 @@ use crate::material::{Material, MaterialError};
 pub enum CurveModel {
     /// Scale upon scale.
     Stacked(StackedModel),
-    /// Asperities of one curvature and Gaussian heights.
+    /// Asperities of Gaussian heights.
     Statistical {
         /// The bodies in contact.
         pair: MaterialPair,
-        /// The law of one asperity.
-        law: AsperityLaw,
+        /// What is pressed.
+        law: StatisticalLaw,
     },
+}
+
+/// What a statistical model makes of the moments of a cutoff.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StatisticalLaw {
+    /// Asperities of one curvature, McCool's, under a law.
+    Asperities(AsperityLaw),
+    /// The summits of the surface, of every curvature, elastic (Bush, Gibson & Thomas).
+    Summits,
 }
 
 /// How a model gets from the roughness to the contact.
@@ -31,7 +40,7 @@ pub enum CurveModel {
 pub enum Framework {
     /// Scale upon scale.
     Stacked,
-    /// Asperities of one curvature.
+    /// A population of asperities.
     Statistical,
 }
 
@@ -106,7 +115,7 @@ pub static MODELS: &[ModelEntry] = &[
         framework: Framework::Statistical,
         choices: &[],
         build: |material, _| Ok(statistical(material, AsperityLaw::Hertz)),
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::Hertz, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::Hertz)),
     },
     ModelEntry {
         name: "ep-sphere",
@@ -118,7 +127,7 @@ pub static MODELS: &[ModelEntry] = &[
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSphere { strength, hardness: options.hardness }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSphere { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSphere { .. })),
     },
     ModelEntry {
         name: "elastic-sine",
@@ -129,7 +138,7 @@ pub static MODELS: &[ModelEntry] = &[
         build: |material, options| {
             Ok(statistical(material, AsperityLaw::ElasticSine { interference: options.interference }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::ElasticSine { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::ElasticSine { .. })),
     },
     ModelEntry {
         name: "ep-sine",
@@ -141,12 +150,27 @@ pub static MODELS: &[ModelEntry] = &[
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSine { strength }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSine { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSine { .. })),
+    },
+    ModelEntry {
+        name: "bgt",
+        full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
+        citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
+        framework: Framework::Statistical,
+        choices: &[],
+        build: |material, _| {
+            Ok(CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Summits })
+        },
+        is: |model| matches!(model, CurveModel::Statistical { law: StatisticalLaw::Summits, .. }),
     },
 ];
 
 fn statistical(material: &Material, law: AsperityLaw) -> CurveModel {
-    CurveModel::Statistical { pair: material.pair, law }
+    CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Asperities(law) }
+}
+
+fn has_law(model: &CurveModel, is: impl FnOnce(&AsperityLaw) -> bool) -> bool {
+    matches!(model, CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } if is(law))
 }
 
 /// The names of all models.
@@ -238,7 +262,8 @@ impl CurveModel {
     pub fn strength(&self) -> Option<NixGao> {
         match self {
             CurveModel::Stacked(model) => model.strength(),
-            CurveModel::Statistical { law, .. } => law.strength(),
+            CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } => law.strength(),
+            CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
         }
     }
 
@@ -294,9 +319,9 @@ impl CurveModel {
 
     fn with_law(self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
         match self {
-            CurveModel::Stacked(_) => None,
-            CurveModel::Statistical { pair, law } => {
-                Some(CurveModel::Statistical { pair, law: change(law)? })
+            CurveModel::Stacked(_) | CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+            CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(law) } => {
+                Some(CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(change(law)?) })
             }
         }
     }
@@ -350,7 +375,7 @@ mod tests {
     fn a_name_of_the_other_framework_is_none() {
         assert_eq!(
             named(Framework::Statistical, "elastic").unwrap_err().to_string(),
-            "reading the statistical model: 'elastic' is none of hertz, ep-sphere, elastic-sine, ep-sine"
+            "reading the statistical model: 'elastic' is none of hertz, ep-sphere, elastic-sine, ep-sine, bgt"
         );
     }
 }

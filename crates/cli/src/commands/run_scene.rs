@@ -75,7 +75,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
 /// Whether boundary elements are asked: a report has their verdict, and so has a scene that has a section for it.
 fn is_judged(args: &RunArgs, scene: &Scene) -> bool {
     let off = scene.judge.as_ref().is_some_and(|choices| choices.off);
-    !args.no_judge && !off && (!args.no_report || scene.judge.is_some())
+    !off && (!args.no_report || scene.judge.is_some())
 }
 
 /// What boundary elements say of the curves, where they are asked.
@@ -132,6 +132,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         strength_cap: args.strength_cap.strength_cap,
         cutoff: args.sampling.cutoff,
         counterface: counterface(&args.counterface)?,
+        no_judge: args.no_judge,
     })
 }
 

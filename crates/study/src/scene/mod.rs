@@ -8,7 +8,7 @@ mod error;
 mod figures;
 pub mod file_names;
 mod from_toml;
-mod judge_choices;
+mod judge;
 mod loads;
 mod notes;
 mod raw;
@@ -18,8 +18,8 @@ mod surfaces;
 mod template;
 mod values;
 
-pub use judge_choices::JudgeChoices;
 pub use error::{SceneError, SceneProblem};
+pub use judge::JudgeChoices;
 pub use notes::{Idle, SceneNote};
 pub use resolve::Overrides;
 pub use template::Template;
@@ -49,7 +49,7 @@ pub struct Scene {
     pub needs: Needs,
     /// The figures to draw.
     pub figures: Vec<Figure>,
-    /// What it chooses of the judge.
+    /// How its models are to be judged; absent where the scene has no section on it.
     pub judge: Option<JudgeChoices>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
