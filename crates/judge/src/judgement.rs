@@ -105,3 +105,14 @@ pub struct OfCurve {
     /// The assumption of its own that breaks first.
     pub broken: Option<Broken>,
 }
+
+impl OnWindow {
+    /// What the whole surface down to the end of the window would have in contact, with its error: the elements' area of the
+    /// window, times what Persson's theory leaves to it of a nominal pressure \[Pa\] by the longer waves.
+    #[must_use]
+    pub fn judged_of_whole(&self, nominal_pressure_pa: f64) -> Option<Judged> {
+        let left = nominal_pressure_pa / self.pressure_pa;
+        let Judged { area_fraction, standard_error } = self.judged?;
+        Some(Judged { area_fraction: left * area_fraction, standard_error: left * standard_error })
+    }
+}

@@ -5,6 +5,7 @@ pub mod curve_names;
 mod decade;
 pub mod doubt_words;
 pub mod explain;
+mod judged;
 mod listing;
 pub mod occasion;
 pub mod page;

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use crate::curve_names::with_full_names;
+use crate::judged;
 use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
 use crate::plot;
@@ -46,7 +47,7 @@ fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
 
 /// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
-fn reported_figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
+fn reported_figures(scene: &Scene, results: &Results, judgement: Option<&Judgement>) -> Vec<FigureData> {
     let mut own = scene.figures.clone();
     let mut first = Vec::new();
     let followed: Vec<usize> = (0..scene.needs.curves.len())
@@ -74,7 +75,11 @@ fn reported_figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
     let of = |figure: &Figure| {
         let data = data(scene, results, figure);
         let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
-        with_full_names(legible, &scene.needs.curves)
+        let named = with_full_names(legible, &scene.needs.curves);
+        match judgement {
+            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
+            _ => named,
+        }
     };
     first.iter().chain(&own).map(of).collect()
 }
@@ -156,7 +161,7 @@ impl Findings {
             answer: &self.answer,
             judgement,
             sensitivities: &self.sensitivities,
-            figures: reported_figures(scene, results),
+            figures: reported_figures(scene, results, judgement),
         }
     }
 

@@ -45,6 +45,7 @@ pub fn work_precision(
         y_label: "time per state (s)",
         series: series.into_iter().filter(|line| !line.points.is_empty()).collect(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     plot::svg(&figure, &format!("{population}, a line for each of d/σ = −3, 0, 3, 6, 20"), &provenance(facts))
 }
@@ -80,6 +81,7 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
         y_label: "processor time (s)",
         series: series.collect(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     plot::svg(&figure, "one thread, start-up and writing included", &provenance(facts))
 }

@@ -3,6 +3,7 @@
 mod decades;
 mod labels;
 mod legend;
+mod marks;
 mod style;
 mod thinned;
 
@@ -58,9 +59,12 @@ pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &st
 
 fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
-    let points = || beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter());
-    let x = Decades::around(points().map(|(x, _)| *x));
-    let y = Decades::around(points().map(|(_, y)| *y));
+    let points = || {
+        let lines = beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
+        lines.chain(beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends))
+    };
+    let x = Decades::around(points().map(|(x, _)| x));
+    let y = Decades::around(points().map(|(_, y)| y));
     let compared = figure.compares_curves();
     let drawn = |series: &Series| {
         let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
@@ -94,6 +98,9 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     add_minor_ticks(&mut scene, &computed, frame, x, y);
     for (from, to) in &figure.gaps {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
+    }
+    for mark in &figure.marks {
+        marks::draw(&mut scene, &computed, mark);
     }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
@@ -250,6 +257,7 @@ mod tests {
             y_label: "y",
             series: vec![series],
             gaps: Vec::new(),
+            marks: Vec::new(),
         }
     }
 

@@ -45,6 +45,7 @@ impl Figure {
             y_label,
             series,
             gaps: Vec::new(),
+            marks: Vec::new(),
         }
     }
 

@@ -53,6 +53,7 @@ mod tests {
                 Series::under("b", 0, vec![(2.0, 0.5), (0.5, 0.4)]),
             ],
             gaps: Vec::new(),
+            marks: Vec::new(),
         };
         let table = figure.table();
         let column = |name: &str| match table.column(name) {
