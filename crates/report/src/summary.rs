@@ -11,11 +11,12 @@ use crate::{answer_words, doubt_words, scan_words, verdict_words};
 use judge::Judgement;
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
-use rows::StateCounts;
+use rows::{NarrowSpectra, StateCounts};
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
+use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
 use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
+use units::number;
 
 /// The summary of a scene's results, which opens with what the judge found, where it was asked.
 pub fn summary(
@@ -154,7 +155,7 @@ fn stacked_remarks(
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
-    notes_of_curve(&counts.states)
+    counts.notes()
 }
 
 /// What there is to say of one block of a curve.
@@ -163,8 +164,7 @@ pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> 
     match result {
         CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
         CurveResult::Statistical(blocks) => {
-            let contacts = blocks[block].iter().filter_map(|row| row.contact.as_ref());
-            counts.states.add(contacts.map(|(_, state)| state));
+            counts.add_states(&blocks[block]);
         }
     }
     counts.notes()
@@ -181,6 +181,7 @@ pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
 #[derive(Debug, Default)]
 pub struct CurveCounts {
     states: StateCounts,
+    narrow: NarrowSpectra,
     levels: LevelCounts,
 }
 
@@ -190,16 +191,34 @@ impl CurveCounts {
         match part {
             CurveResult::Stacked(blocks) => self.levels.add(blocks),
             CurveResult::Statistical(blocks) => {
-                let contacts = blocks.iter().flatten().filter_map(|row| row.contact.as_ref());
-                self.states.add(contacts.map(|(_, state)| state));
+                blocks.iter().for_each(|rows| self.add_states(rows));
             }
         }
     }
 
+    fn add_states(&mut self, rows: &[CutoffState]) {
+        let contacts = rows.iter().filter_map(|row| row.contact.as_ref());
+        self.states.add(contacts.map(|(_, state)| state));
+        rows.iter().filter_map(|row| row.too_narrow_alpha).for_each(|alpha| self.narrow.add(alpha));
+    }
+
     /// What there is to say of them.
     pub fn notes(&self) -> Vec<String> {
-        notes_of_curve(&self.states).into_iter().chain(self.levels.note()).collect()
+        let all = counted(self.states.all + self.narrow.count, "row");
+        let narrow = narrow_spectra(&self.narrow, &all);
+        notes_of_curve(&self.states).into_iter().chain(narrow).chain(self.levels.note()).collect()
     }
+}
+
+/// What there is to say of spectra that have no summits, if there are any.
+pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String> {
+    // Rounded down, so that none is told to be 1.5.
+    let [lowest, highest] = narrow.alphas?.map(|alpha| number((1e3 * alpha).floor() / 1e3));
+    let alphas = if lowest == highest { lowest } else { format!("{lowest} to {highest}") };
+    Some(format!(
+        "{} of {of}: alpha = m0 m4/m2^2 is {alphas}, below the 1.5 that every surface reaches: no summits, no result",
+        narrow.count
+    ))
 }
 
 fn notes_of_curve(counts: &StateCounts) -> Vec<String> {

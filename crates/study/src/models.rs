@@ -85,6 +85,9 @@ pub struct ModelEntry {
     is: fn(&CurveModel) -> bool,
 }
 
+/// The name of the model of the summits of a surface.
+const SUMMITS: &str = "bgt";
+
 /// Every model, in the order of the documentation.
 pub static MODELS: &[ModelEntry] = &[
     ModelEntry {
@@ -153,7 +156,7 @@ pub static MODELS: &[ModelEntry] = &[
         is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSine { .. })),
     },
     ModelEntry {
-        name: "bgt",
+        name: SUMMITS,
         full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
         citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
         framework: Framework::Statistical,
@@ -203,6 +206,12 @@ impl ModelEntry {
     /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
     pub fn build(&self, material: &Material, options: &ModelOptions) -> Result<CurveModel, MaterialError> {
         (self.build)(material, options)
+    }
+
+    /// Whether it takes the moments of a surface, rather than the asperities that they make.
+    #[must_use]
+    pub fn takes_moments(&self) -> bool {
+        self.name == SUMMITS
     }
 
     /// Whether a choice is one of this model's.
