@@ -5,11 +5,13 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use judge::{JudgePlan, Judgement, Settings};
 use paper::{Evidence, Verdict};
 use report::occasion::Occasion;
 use report::page::{self, Report};
 use report::products::{self, Findings};
 use staging::{StagedFiles, write_file};
+use study::Unobserved;
 use study::scene::Template;
 use tables::Format;
 use tests::committed_file;
