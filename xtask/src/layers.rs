@@ -33,6 +33,7 @@ const LAYERS: &[Layer] = &[
         "truearea-study",
         &[
             "truearea-features",
+            "truearea-persson",
             "truearea-units",
             "truearea-numerics",
             "truearea-parallel",
@@ -48,6 +49,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-rows",
         &[
+            "truearea-persson",
             "truearea-units",
             "truearea-parallel",
             "truearea-tables",
@@ -82,6 +84,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-report",
         &[
+            "truearea-persson",
             "truearea-units",
             "truearea-rows",
             "truearea-answer",
