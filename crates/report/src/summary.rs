@@ -7,6 +7,7 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::curve_names::in_full;
+use crate::cut_counts::CutCounts;
 use crate::{answer_words, doubt_words, scan_words, verdict_words};
 use judge::Judgement;
 use answer::doubts::Doubt;
@@ -151,7 +152,7 @@ fn stacked_remarks(
     text
 }
 
-/// What the states of a statistical curve leave open or go beyond.
+/// What the states of a statistical curve, or the cuts of Persson's theory, leave open or go beyond.
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
@@ -163,6 +164,7 @@ pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> 
     let mut counts = CurveCounts::default();
     match result {
         CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
+        CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
         CurveResult::Statistical(blocks) => {
             counts.add_states(&blocks[block]);
         }
@@ -183,6 +185,7 @@ pub struct CurveCounts {
     states: StateCounts,
     narrow: NarrowSpectra,
     levels: LevelCounts,
+    cuts: CutCounts,
 }
 
 impl CurveCounts {
@@ -190,6 +193,7 @@ impl CurveCounts {
     pub fn add(&mut self, part: &CurveResult) {
         match part {
             CurveResult::Stacked(blocks) => self.levels.add(blocks),
+            CurveResult::Persson(blocks) => self.cuts.add(blocks),
             CurveResult::Statistical(blocks) => {
                 blocks.iter().for_each(|rows| self.add_states(rows));
             }
@@ -206,7 +210,8 @@ impl CurveCounts {
     pub fn notes(&self) -> Vec<String> {
         let all = counted(self.states.all + self.narrow.count, "row");
         let narrow = narrow_spectra(&self.narrow, &all);
-        notes_of_curve(&self.states).into_iter().chain(narrow).chain(self.levels.note()).collect()
+        let of_states = notes_of_curve(&self.states).into_iter().chain(narrow);
+        of_states.chain(self.levels.note()).chain(self.cuts.notes()).collect()
     }
 }
 
