@@ -51,8 +51,8 @@ pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{
-    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName,
-    UnitError, WorkbookError, is_psd, read_psd, series_names,
+    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadMend, ReadOption, ReadOptions, SeriesError,
+    SeriesName, UnitError, Wanted, WorkbookError, is_psd, read_psd, series_names,
 };
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
