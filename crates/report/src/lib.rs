@@ -18,5 +18,6 @@ pub mod row_notes;
 pub mod scan_words;
 pub mod scans_table;
 pub mod scene_note_words;
+pub mod spectrum_words;
 pub mod summary;
 mod verdict_words;

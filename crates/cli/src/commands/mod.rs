@@ -13,7 +13,7 @@ mod statistical;
 
 use std::time::{Duration, Instant};
 
-use spectrum::{ProfilePsd, ReadOptions};
+use spectrum::{ProfilePsd, ReadOption, ReadOptions};
 use staging::StagedFiles;
 
 use crate::args::{Args, Command, FigureArg, ReadingArgs, SharedArgs};
@@ -30,7 +30,7 @@ use answer::doubts::{Doubt, RealPressures};
 use report::doubt_words;
 use report::provenance::provenance;
 use report::summary::CurveCounts;
-use report::{plot, scan_words};
+use report::{plot, scan_words, spectrum_words};
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{Curve, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError, Results, Sampling};
 use study::result_tables;
@@ -190,6 +190,10 @@ impl Context<'_> {
                     SurfaceError::Scan { ref name, .. } => {
                         Failure::Input(format!("{error}; use `truearea psd {name}`"))
                     }
+                    SurfaceError::Spectrum { error: ref reading, .. } => {
+                        let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
+                        Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
+                    }
                     error => Failure::input(error),
                 },
             )?;
@@ -302,6 +306,19 @@ impl<'a> Drawn<'a> {
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
     let progress = Progress::towards(plan.statistical_states(), "states");
     plan.compute_observed(&progress)
+}
+
+/// The flag that gives an option of reading.
+fn flag_of(option: ReadOption) -> &'static str {
+    match option {
+        ReadOption::Column => "--column",
+        ReadOption::Convention => "--convention",
+        ReadOption::X => "--x",
+        ReadOption::Series => "--series",
+        ReadOption::Subject => "--subject",
+        ReadOption::XUnit => "--x-unit",
+        ReadOption::PsdUnit => "--psd-unit",
+    }
 }
 
 /// Refuses a cutoff below all data.
