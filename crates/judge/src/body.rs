@@ -1,9 +1,11 @@
 //! What a curve's body does under pressure, and so which elements it is held against.
 
 use serde::Serialize;
+use study::persson_law::PerssonLaw;
 use study::plan::CurveModel;
 
-/// Hardness over yield strength (Tabor 1951).
+
+/// Hardness over yield strength (Tabor 1951), where no indentation gave the hardness itself.
 const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
 /// How a body yields.
@@ -28,9 +30,9 @@ impl Body {
         match model.strength() {
             None => Body::Elastic,
             Some(_) if model.strength_grows() => Body::Growing,
-            Some(strength) => {
-                Body::Hard { hardness_pa: HARDNESS_OVER_STRENGTH * strength.macroscopic_strength_pa() }
-            }
+            Some(strength) => Body::Hard {
+                hardness_pa: hardness_over_strength(model) * strength.macroscopic_strength_pa(),
+            },
         }
     }
 
@@ -41,5 +43,15 @@ impl Body {
             Body::Hard { hardness_pa } => Some(hardness_pa),
             Body::Elastic | Body::Growing => None,
         }
+    }
+}
+
+/// The laws of asperities flow at three times their strength, Persson's theory at the hardness that it was given.
+fn hardness_over_strength(model: &CurveModel) -> f64 {
+    match model {
+        CurveModel::Persson { law: PerssonLaw::ElasticPlastic { hardness_over_strength, .. }, .. } => {
+            *hardness_over_strength
+        }
+        _ => HARDNESS_OVER_STRENGTH,
     }
 }

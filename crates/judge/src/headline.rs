@@ -48,11 +48,14 @@ impl Headline {
     /// That of a load; `None` where no curve has an area under it.
     pub(crate) fn of(load: usize, windows: &[OnWindow], curves: &[OfCurve]) -> Option<Self> {
         let of_load = || curves.iter().filter(move |curve| curve.load == load);
-        let candidates = of_load().filter(|curve| curve.broken.is_none() && curve.verdict.compares());
+        let stands = |curve: &&OfCurve| {
+            let whole = widest(windows, curve);
+            curve.broken.is_none() && whole.is_some_and(|on| on.verdict == Verdict::Agrees)
+        };
+        let candidates = of_load().filter(stands);
         let standing = candidates.filter_map(|curve| {
             let own = || windows.iter().filter(|on| (on.curve, on.load) == (curve.curve, load));
-            let agreeing = own().filter(|on| on.verdict == Verdict::Agrees).count();
-            (agreeing > 0).then_some((curve, agreeing))
+            Some((curve, own().filter(|on| on.verdict == Verdict::Agrees).count()))
         });
         // Of several that agree as often the first stays.
         let best = standing.reduce(|best, other| if other.1 > best.1 { other } else { best });
@@ -65,19 +68,17 @@ impl Headline {
     fn of_curve(curve: &OfCurve, agreeing: usize, windows: &[OnWindow]) -> Option<Self> {
         let area_fraction = curve.area_fraction?;
         let own = windows.iter().filter(|on| (on.curve, on.load) == (curve.curve, curve.load));
-        let ratios: Vec<(f64, f64)> = own.filter_map(OnWindow::counted).collect();
+        let judged_windows = own.filter_map(OnWindow::counted).count();
+        let judged = widest(windows, curve)?.judged?;
+        let given = ERRORS_GIVEN * judged.standard_error;
         // The curve's own area belongs to what is left open.
-        let (mut low, mut high) = (area_fraction, area_fraction);
-        for (ratio, error) in &ratios {
-            let given = 1.0 + ERRORS_GIVEN * error;
-            low = low.min(area_fraction / (ratio * given));
-            high = high.max(area_fraction / ratio * given);
-        }
+        let low = area_fraction.min(judged.area_fraction - given);
+        let high = area_fraction.max(judged.area_fraction + given);
         let rests_on = RestsOn::Curve {
             curve: curve.curve,
             area_fraction,
             agreeing,
-            windows: ratios.len(),
+            windows: judged_windows,
             whole_band: curve.judged.is_some(),
         };
         Some(Headline { load: curve.load, rests_on, low, high: high.min(1.0) })
@@ -91,6 +92,11 @@ impl Headline {
         let rests_on = RestsOn::RangeOfModels { least: least.0, most: most.0 };
         Some(Headline { load, rests_on, low: least.1, high: most.1 })
     }
+}
+
+/// What is known of a curve on the widest band: the whole one, which stands behind the windows.
+fn widest<'w>(windows: &'w [OnWindow], curve: &OfCurve) -> Option<&'w OnWindow> {
+    windows.iter().rev().find(|on| (on.curve, on.load) == (curve.curve, curve.load))
 }
 
 impl Judgement {

@@ -40,6 +40,9 @@ pub struct OnWindow {
     pub longest_m: f64,
     /// The shortest wave of the window \[m\].
     pub shortest_m: f64,
+    /// Whether this is no window but the whole band, of which the last window was pressed on what Persson's theory says the
+    /// longer waves leave.
+    pub is_whole_band: bool,
     /// The mean pressure on the window \[Pa\]: the real pressure that the longer waves leave.
     pub pressure_pa: f64,
     /// The same over E* times the rms gradient of the window.

@@ -21,6 +21,10 @@ use crate::verdict::{ERRORS_GIVEN, Verdict};
 use crate::window::Band;
 use crate::yielding::Yielding;
 
+/// What Persson's theory for the longer waves and a uniform pressure on the last window leave open of a whole band's area,
+/// relatively: one standard error.
+const SEAM_ERROR: f64 = 0.1;
+
 /// The rms pressure of full contact over E* from which on slopes are too large for a half-space.
 pub const STEEP: f64 = 0.1;
 
@@ -202,6 +206,10 @@ impl<'s> Case<'s> {
             }
         }
         let whole_band = layout.windows.len() == 1;
+        if !whole_band {
+            let of_whole: Vec<OnWindow> = self.on_whole_band(&windows, &broken);
+            windows.extend(of_whole);
+        }
         let curves = (0..self.bodies.len())
             .flat_map(|curve| (0..loads).map(move |load| (curve, load)))
             .map(|(curve, load)| self.of_curve(curve, load, &windows, broken[curve][load], whole_band))
@@ -218,6 +226,36 @@ impl<'s> Case<'s> {
             budget: settings.budget,
         };
         Ok(self.concluded(Some(extent), windows, curves))
+    }
+
+    /// Every curve on the whole band, held against the elements' area on the last window times what Persson's theory says the
+    /// longer waves leave to it.
+    fn on_whole_band(&self, windows: &[OnWindow], broken: &[Vec<Option<Broken>>]) -> Vec<OnWindow> {
+        let psd = &self.results.psd;
+        let band = Band { longest_m: psd.longest_wavelength_m(), shortest_m: psd.shortest_wavelength_m() };
+        let gradient_pa = 2.0 * self.rms_pressure_pa(band.shortest_m);
+        let loads = 0..self.scene.needs.loads.len();
+        let places = (0..self.bodies.len()).flat_map(|curve| loads.clone().map(move |load| (curve, load)));
+        let of_place = |(curve, load): (usize, usize)| {
+            let last = windows.iter().rev().find(|on| (on.curve, on.load) == (curve, load))?;
+            let nominal_pa = self.scene.needs.loads[load].nominal_pressure_pa();
+            let judged = last.judged_of_whole(nominal_pa).map(|judged| Judged {
+                standard_error: judged.standard_error.hypot(SEAM_ERROR * judged.area_fraction),
+                ..judged
+            });
+            let place = Place {
+                curve,
+                load,
+                band,
+                pressure_pa: nominal_pa,
+                gradient_pa,
+                area_fraction: self.final_area(curve, load),
+                judged: judged.ok_or(last.reason),
+                broken: broken[curve][load],
+            };
+            Some(OnWindow { is_whole_band: true, ..self.on_window(place) })
+        };
+        places.filter_map(of_place).collect()
     }
 
     fn without_elements(&self, reason: Reason) -> Judgement {
@@ -317,6 +355,7 @@ impl<'s> Case<'s> {
             load,
             longest_m: band.longest_m,
             shortest_m: band.shortest_m,
+            is_whole_band: false,
             pressure_pa,
             pressure_over_gradient,
             area_fraction,

@@ -12,7 +12,8 @@ const SATURATED: &str = "boundary elements, saturated at the hardness";
 pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scene) -> FigureData {
     let shown = |load: usize| figure.series.iter().any(|series| series.colour == load);
     let mut marks: Vec<Mark> = Vec::new();
-    for on in judgement.windows.iter().filter(|on| shown(on.load)) {
+    let of_windows = judgement.windows.iter().filter(|on| !on.is_whole_band);
+    for on in of_windows.filter(|on| shown(on.load)) {
         let nominal_pa = scene.needs.loads[on.load].nominal_pressure_pa();
         let Some(judged) = on.judged_of_whole(nominal_pa) else { continue };
         let given = ERRORS_GIVEN * judged.standard_error;

@@ -73,14 +73,18 @@ fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
             of_windows.clone().map(|(agreeing, windows, _)| format!("{agreeing} of {windows}")).collect();
         let mut distinct = shares.clone();
         distinct.dedup();
-        let where_held = if of_windows.clone().all(|(.., whole_band)| whole_band) {
-            "with the whole band of the spectrum".to_owned()
+        let (held, bracket) = if of_windows.clone().all(|(.., whole_band)| whole_band) {
+            ("on the whole band of the spectrum".to_owned(), "theirs")
         } else {
-            format!("on {} windows of the spectrum", listed(&distinct.iter().map(String::as_str).collect::<Vec<_>>()))
+            let shares = listed(&distinct.iter().map(String::as_str).collect::<Vec<_>>());
+            (
+                format!("on {shares} windows of the spectrum"),
+                "theirs on the last window, pressed by what the longer waves leave",
+            )
         };
         format!(
-            "{} the number is that of {}, whose assumptions hold and which agrees with boundary elements {where_held}; the \
-             bracket is what its worst windows leave open.",
+            "{} the number is that of {}, whose assumptions hold and which agrees with boundary elements {held}; the bracket is \
+             {bracket}.",
             capital(&at_loads(scene, &loads)),
             in_full(&scene.needs.curves[curve])
         )
