@@ -8,6 +8,7 @@ pub mod doubt_words;
 pub mod explain;
 pub mod occasion;
 pub mod page;
+pub mod persson_words;
 pub mod plot;
 pub mod products;
 pub mod provenance;

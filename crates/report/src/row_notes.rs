@@ -21,6 +21,9 @@ pub fn told(note: &RowsNote) -> Vec<String> {
             "{rows} of {all} rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3"
         )],
         RowsNote::States(counts) => state_notes(counts),
+        RowsNote::FlowingEverywhere { rows, all } => vec![format!(
+            "{rows} of {all} rows: the pressure is not below the hardness; everything touches and flows"
+        )],
         RowsNote::BeyondRange { rows, all, range } => {
             vec![format!("{rows} of {all} rows lie beyond {range}")]
         }

@@ -2,11 +2,13 @@
 
 mod asperities;
 pub mod asperity_table;
+mod flattened;
 mod populations;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
+pub use flattened::Flattened;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::StateCounts;
 
@@ -76,6 +78,13 @@ pub enum RowsNote {
     States(StateCounts),
     /// Rows with a hardness and no yield strength, for which a third of the hardness was taken.
     AssumedStrengths {
+        /// How many.
+        rows: usize,
+        /// Of how many.
+        all: usize,
+    },
+    /// Rows whose pressure is not below their hardness: all of them touches and flows.
+    FlowingEverywhere {
         /// How many.
         rows: usize,
         /// Of how many.
