@@ -10,6 +10,7 @@ mod judged;
 mod listing;
 pub mod occasion;
 pub mod page;
+pub mod persson_words;
 pub mod plot;
 pub mod products;
 pub mod provenance;

@@ -4,6 +4,7 @@ mod completions;
 mod man_pages;
 mod material_options;
 mod one_asperity;
+mod persson;
 mod psd;
 mod row_by_row;
 mod run_scene;
@@ -55,6 +56,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
         Command::Statistical(args) => statistical::run(&args, &context),
+        Command::Persson(args) => persson::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),
