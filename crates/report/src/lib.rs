@@ -16,3 +16,4 @@ pub mod scan_words;
 pub mod scans_table;
 pub mod scene_note_words;
 pub mod summary;
+mod yardstick_words;

@@ -7,6 +7,7 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::curve_names::in_full;
+use crate::yardstick_words::yardsticks;
 use crate::{answer_words, doubt_words, scan_words};
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
@@ -105,6 +106,7 @@ fn curve_summary(
         ]);
     }
     let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
+    text.extend(yardsticks(scene, results, curve).map(|sentence| format!("  {sentence}\n")));
     match (&curve.model, result) {
         (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
             text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
