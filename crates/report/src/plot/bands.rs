@@ -1,24 +1,23 @@
-//! Bands that lines are held against: pale, between two thin lines, named once.
+//! Bands that lines are held against: pale, between two thin lines. The legend names them.
 
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
+use kuva::render::render::{PathData, Primitive, Scene};
 
-use super::labels::{Box, SIZE_PX};
+use super::labels::Box;
 use super::style::colour;
-use super::text_width_px;
 use study::figure::Band;
 
-const OPACITY: f64 = 0.18;
-const GAP_PX: f64 = 4.0;
+/// How much of its colour a band has.
+pub(super) const OPACITY: f64 = 0.18;
 
-/// Draws the bands as far as they lie inside the frame, and the name of the first beside it.
+/// Draws the bands as far as they lie inside the frame.
 pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, bands: &[Band]) {
-    let mut named = false;
     for band in bands {
         let inside = visible(computed, frame, band);
-        let [Some(first), Some(last)] = [inside.first(), inside.last()] else { continue };
-        let (left, right) = if first.0 < last.0 { (first, last) } else { (last, first) };
+        if inside.is_empty() {
+            continue;
+        }
         scene.add(Primitive::Path(std::boxed::Box::new(PathData {
             d: outline(&inside),
             fill: Some(Color::from(colour(band.colour).as_str())),
@@ -27,20 +26,6 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, ban
             opacity: Some(OPACITY),
             stroke_dasharray: None,
         })));
-        let room_px = right.0 - left.0 - 2.0 * GAP_PX;
-        if !named && text_width_px(band.label, SIZE_PX) < room_px {
-            named = true;
-            scene.add(Primitive::Text {
-                x: right.0 - GAP_PX,
-                y: (right.1[1] - GAP_PX).max(frame.top + SIZE_PX),
-                content: band.label.to_owned(),
-                size: SIZE_PX as u32,
-                anchor: TextAnchor::End,
-                rotate: None,
-                bold: false,
-                color: Some(Color::from("#606060")),
-            });
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
+use super::bands::OPACITY;
 use super::style::{NEUTRAL, colour, dash, tint};
 use super::text_width_px;
 use study::figure::FigureData;
@@ -41,7 +42,27 @@ pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f
             x += width;
         }
     }
+    if let Some(band) = figure.bands.first() {
+        baseline += ROW_PX;
+        draw_band(scene, band.label, left, baseline - GAP_PX);
+    }
     scene.height = baseline + if baseline > scene.height { GAP_PX } else { 0.0 };
+}
+
+/// A pale stretch for bands of any colour.
+fn draw_band(scene: &mut Scene, label: &str, x: f64, baseline: f64) {
+    const HEIGHT_PX: f64 = 8.0;
+    scene.add(Primitive::Rect {
+        x,
+        y: baseline - 0.35 * SIZE_PX - 0.5 * HEIGHT_PX,
+        width: SAMPLE_PX,
+        height: HEIGHT_PX,
+        fill: Color::from(colour(NEUTRAL).as_str()),
+        stroke: None,
+        stroke_width: None,
+        opacity: Some(OPACITY),
+    });
+    draw_label(scene, label, x, baseline);
 }
 
 fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
@@ -55,10 +76,14 @@ fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
         stroke_width: entry.width_px,
         stroke_dasharray: dash(entry.dash).dasharray(),
     });
+    draw_label(scene, entry.label, x, baseline);
+}
+
+fn draw_label(scene: &mut Scene, label: &str, x: f64, baseline: f64) {
     scene.add(Primitive::Text {
         x: x + SAMPLE_PX + GAP_PX,
         y: baseline,
-        content: entry.label.to_owned(),
+        content: label.to_owned(),
         size: SIZE_PX as u32,
         anchor: TextAnchor::Start,
         rotate: None,

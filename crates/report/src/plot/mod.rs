@@ -299,7 +299,8 @@ mod tests {
         figure.bands = vec![band(0, 1.0), band(1, 100.0), band(2, 1e30)];
         let banded = svg(&figure, "", &[]);
         let count = |svg: &str, what: &str| svg.matches(what).count();
-        assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 2, "{banded}");
+        // Two bands, and the sample of the legend.
+        assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 3, "{banded}");
         assert_eq!(count(&banded, ">linear laws</text>"), 1);
     }
 
