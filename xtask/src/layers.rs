@@ -24,9 +24,20 @@ const LAYERS: &[Layer] = &[
         &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
     ),
     ("truearea-half-space", &["truearea-units", "truearea-parallel"]),
+    (
+        "truearea-elements",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-gaussian-surfaces",
+            "truearea-half-space",
+        ],
+    ),
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
+    ("truearea-persson", &["truearea-units", "truearea-numerics"]),
     ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",

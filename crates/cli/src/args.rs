@@ -463,6 +463,9 @@ pub(crate) struct RunArgs {
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
+    /// Judge no model by boundary elements, whatever the scene says of it
+    #[arg(long)]
+    pub no_judge: bool,
     /// Print what the scene needs and what is skipped, and stop there, with nothing computed
     #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
     pub dry_run: bool,

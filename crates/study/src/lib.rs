@@ -6,6 +6,7 @@ mod files;
 pub mod hardness_and_strength;
 pub mod linear_laws;
 pub mod material;
+pub mod measured;
 pub mod models;
 mod note;
 pub mod plan;

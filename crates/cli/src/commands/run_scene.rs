@@ -106,6 +106,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         strength_cap: args.strength_cap.strength_cap,
         cutoff: args.sampling.cutoff,
         counterface: counterface(&args.counterface)?,
+        no_judge: args.no_judge,
     })
 }
 
