@@ -22,3 +22,4 @@ pub mod scene_note_words;
 pub mod spectrum_words;
 pub mod summary;
 mod verdict_words;
+mod yardstick_words;

@@ -102,8 +102,9 @@ fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
     let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
     // Of an area against cutoff the colour is the load.
     let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
+    let bands = figure.bands.into_iter().filter(|band| kept.contains(&Some(band.colour))).collect();
     let title = format!("{}, under the smallest and the largest load", figure.title);
-    FigureData { series, title, ..figure }
+    FigureData { series, bands, title, ..figure }
 }
 
 fn drawn(scene: &Scene, figure: &FigureData) -> String {

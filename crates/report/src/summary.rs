@@ -8,6 +8,7 @@ use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pre
 
 use crate::curve_names::in_full;
 use crate::cut_counts::CutCounts;
+use crate::yardstick_words::yardsticks;
 use crate::{answer_words, doubt_words, scan_words, verdict_words};
 use judge::Judgement;
 use answer::doubts::Doubt;
@@ -118,6 +119,7 @@ fn curve_summary(
         ]);
     }
     let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
+    text.extend(yardsticks(scene, results, curve).map(|sentence| format!("  {sentence}\n")));
     match (&curve.model, result) {
         (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
             text.push_str(&stacked_remarks(model, results, levels, hardness_pa));

@@ -4,6 +4,7 @@ pub mod choices_in_words;
 pub mod figure;
 mod files;
 pub mod hardness_and_strength;
+pub mod linear_laws;
 pub mod material;
 pub mod measured;
 pub mod models;

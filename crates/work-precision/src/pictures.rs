@@ -44,6 +44,7 @@ pub fn work_precision(
         x_label: X_LABEL.to_owned(),
         y_label: "time per state (s)",
         series: series.into_iter().filter(|line| !line.points.is_empty()).collect(),
+        bands: Vec::new(),
         gaps: Vec::new(),
         marks: Vec::new(),
     };
@@ -80,6 +81,7 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
         x_label: x_label.to_owned(),
         y_label: "processor time (s)",
         series: series.collect(),
+        bands: Vec::new(),
         gaps: Vec::new(),
         marks: Vec::new(),
     };

@@ -114,6 +114,7 @@ fn picture(
         x_label: x_label.to_owned(),
         y_label,
         series,
+        bands: Vec::new(),
         gaps: Vec::new(),
         marks: Vec::new(),
     };

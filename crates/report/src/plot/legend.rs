@@ -4,6 +4,7 @@
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
+use super::bands::OPACITY;
 use super::marks;
 use super::style::{NEUTRAL, colour, dash, tint};
 use super::text_width_px;
@@ -14,6 +15,7 @@ const ROW_PX: f64 = 18.0;
 /// Long enough to tell dash patterns apart.
 const SAMPLE_PX: f64 = 34.0;
 const GAP_PX: f64 = 6.0;
+const BAND_PX: f64 = 8.0;
 
 struct Entry<'a> {
     label: &'a str,
@@ -25,12 +27,14 @@ struct Entry<'a> {
 enum Sample {
     Line { dash: usize, width_px: f64 },
     Disc,
+    /// A pale stretch, for bands of any colour.
+    Band,
 }
 
 /// Draws the legend below what is there, between two abscissas, and lengthens the picture by what it takes.
 pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f64) {
     let mut baseline = scene.height;
-    let groups = [conditions(figure), curves(figure), marked(figure)];
+    let groups = [conditions(figure), curves(figure), marked(figure), banded(figure)];
     let width = |entry: &Entry<'_>| SAMPLE_PX + GAP_PX + text_width_px(entry.label, SIZE_PX) + 2.0 * GAP_PX;
     // A name too long for the place under the axes begins further to the left, and all of them with it.
     let longest = groups.iter().flatten().map(width).fold(0.0, f64::max);
@@ -63,6 +67,16 @@ fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
             stroke_dasharray: dash(pattern).dasharray(),
         }),
         Sample::Disc => marks::disc(scene, x + 0.5 * SAMPLE_PX, y, &entry.colour),
+        Sample::Band => scene.add(Primitive::Rect {
+            x,
+            y: y - 0.5 * BAND_PX,
+            width: SAMPLE_PX,
+            height: BAND_PX,
+            fill: Color::from(entry.colour.as_str()),
+            stroke: None,
+            stroke_width: None,
+            opacity: Some(OPACITY),
+        }),
     }
     scene.add(Primitive::Text {
         x: x + SAMPLE_PX + GAP_PX,
@@ -112,4 +126,10 @@ fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
         }
     }
     entries
+}
+
+/// The bands have one name.
+fn banded(figure: &FigureData) -> Vec<Entry<'_>> {
+    let first = figure.bands.first().into_iter();
+    first.map(|band| Entry { label: band.label, colour: colour(NEUTRAL), sample: Sample::Band }).collect()
 }

@@ -1,5 +1,6 @@
 //! Figures as SVG, with logarithmic axes, fit to print: the one module that knows the plotting library.
 
+mod bands;
 mod decades;
 mod labels;
 mod legend;
@@ -99,6 +100,7 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     for (from, to) in &figure.gaps {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
     }
+    bands::draw(&mut scene, &computed, frame, &figure.bands);
     for mark in &figure.marks {
         marks::draw(&mut scene, &computed, mark);
     }
@@ -256,6 +258,7 @@ mod tests {
             x_label: "x".to_owned(),
             y_label: "y",
             series: vec![series],
+            bands: Vec::new(),
             gaps: Vec::new(),
             marks: Vec::new(),
         }
@@ -289,6 +292,24 @@ mod tests {
         let broken = svg(&figure, "", &[]);
         assert_eq!(lines(&broken), lines(&whole) + 1, "{broken}");
         assert!(broken.contains("opacity=\"0.15\"") && !whole.contains("opacity=\"0.15\""), "{broken}");
+    }
+
+    #[test]
+    fn a_band_is_drawn_inside_the_frame_and_named_once() {
+        let mut figure = figure("a");
+        let whole = svg(&figure, "", &[]);
+        let band = |colour, share: f64| study::figure::Band {
+            label: "linear laws",
+            colour,
+            points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
+        };
+        // The last lies beside the decades that are drawn.
+        figure.bands = vec![band(0, 1.0), band(1, 100.0), band(2, 1e30)];
+        let banded = svg(&figure, "", &[]);
+        let count = |svg: &str, what: &str| svg.matches(what).count();
+        // Two bands, and the sample of the legend.
+        assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 3, "{banded}");
+        assert_eq!(count(&banded, ">linear laws</text>"), 1);
     }
 
     #[test]

@@ -73,6 +73,17 @@ impl Series {
     }
 }
 
+/// An area between two lines, to hold lines against; it is not part of tables.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Band {
+    /// What it shows.
+    pub label: &'static str,
+    /// The colour of the lines that are held against it.
+    pub colour: usize,
+    /// Abscissa, and the lower and the upper ordinate, of each point.
+    pub points: Vec<(f64, [f64; 2])>,
+}
+
 /// A figure with its data; all axes are logarithmic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FigureData {
@@ -90,6 +101,8 @@ pub struct FigureData {
     pub y_label: &'static str,
     /// The lines.
     pub series: Vec<Series>,
+    /// What lines are held against.
+    pub bands: Vec<Band>,
     /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
     pub gaps: Vec<(f64, f64)>,
     /// Values with their errors that belong to no line.
@@ -145,6 +158,7 @@ pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
         x_label: WAVEVECTOR.label.to_owned(),
         y_label: PSD,
         series,
+        bands: Vec::new(),
         gaps: Vec::new(),
         marks: Vec::new(),
     }
