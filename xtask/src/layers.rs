@@ -91,6 +91,8 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-report",
         &[
+            "truearea-elements",
+            "truearea-gaussian-surfaces",
             "truearea-units",
             "truearea-rows",
             "truearea-answer",
