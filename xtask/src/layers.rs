@@ -95,6 +95,8 @@ const LAYERS: &[Layer] = &[
         "truearea-report",
         &[
             "truearea-persson",
+            "truearea-elements",
+            "truearea-gaussian-surfaces",
             "truearea-units",
             "truearea-rows",
             "truearea-answer",

@@ -1,5 +1,6 @@
 //! One module per command: from what was typed to a plan, and from its results to the output.
 
+mod bem;
 mod completions;
 mod man_pages;
 mod material_options;
@@ -52,6 +53,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
         Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
+        Command::Bem(args) => bem::run(&args, &context),
         Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
@@ -175,16 +177,7 @@ impl Context<'_> {
     }
 
     fn load(&self, spectrum: &Spectrum<'_>) -> Result<Surface, Failure> {
-        let reading = spectrum.reading;
-        let options = ReadOptions {
-            column: reading.column.clone(),
-            x: reading.x,
-            convention: reading.convention,
-            series: reading.series.clone(),
-            subject: reading.subject.clone(),
-            x_unit: reading.x_unit.clone(),
-            psd_unit: reading.psd_unit.clone(),
-        };
+        let options = reading_options(spectrum.reading);
         let targets = self.targets(spectrum.figure.as_ref().map(|figure| figure.picture))?;
         let surface =
             Surface::load(spectrum.psd, &Folder::current(targets), &options).map_err(
@@ -250,6 +243,19 @@ impl Context<'_> {
             }
             Ok::<(), Stopped>(())
         })
+    }
+}
+
+/// How a spectrum is read.
+fn reading_options(reading: &ReadingArgs) -> ReadOptions {
+    ReadOptions {
+        column: reading.column.clone(),
+        x: reading.x,
+        convention: reading.convention,
+        series: reading.series.clone(),
+        subject: reading.subject.clone(),
+        x_unit: reading.x_unit.clone(),
+        psd_unit: reading.psd_unit.clone(),
     }
 }
 
