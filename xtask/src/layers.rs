@@ -27,11 +27,13 @@ const LAYERS: &[Layer] = &[
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
+    ("truearea-persson", &["truearea-units", "truearea-numerics"]),
     ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",
         &[
             "truearea-features",
+            "truearea-persson",
             "truearea-units",
             "truearea-numerics",
             "truearea-parallel",
@@ -47,6 +49,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-rows",
         &[
+            "truearea-persson",
             "truearea-units",
             "truearea-parallel",
             "truearea-tables",
@@ -81,6 +84,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-report",
         &[
+            "truearea-persson",
             "truearea-units",
             "truearea-rows",
             "truearea-answer",

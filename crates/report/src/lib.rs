@@ -2,6 +2,7 @@
 
 mod answer_words;
 pub mod curve_names;
+mod cut_counts;
 mod decade;
 pub mod doubt_words;
 pub mod explain;

@@ -7,6 +7,7 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::curve_names::in_full;
+use crate::cut_counts::CutCounts;
 use crate::{answer_words, doubt_words, scan_words};
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
@@ -138,11 +139,11 @@ fn stacked_remarks(
     text
 }
 
-/// What the states of a statistical curve leave open or go beyond.
+/// What the states of a statistical curve, or the cuts of Persson's theory, leave open or go beyond.
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
-    notes_of_curve(&counts.states)
+    notes_of_curve(&counts.states).into_iter().chain(counts.cuts.notes()).collect()
 }
 
 /// What there is to say of one block of a curve.
@@ -150,6 +151,7 @@ pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> 
     let mut counts = CurveCounts::default();
     match result {
         CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
+        CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
         CurveResult::Statistical(blocks) => {
             let contacts = blocks[block].iter().filter_map(|row| row.contact.as_ref());
             counts.states.add(contacts.map(|(_, state)| state));
@@ -170,6 +172,7 @@ pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
 pub struct CurveCounts {
     states: StateCounts,
     levels: LevelCounts,
+    cuts: CutCounts,
 }
 
 impl CurveCounts {
@@ -177,6 +180,7 @@ impl CurveCounts {
     pub fn add(&mut self, part: &CurveResult) {
         match part {
             CurveResult::Stacked(blocks) => self.levels.add(blocks),
+            CurveResult::Persson(blocks) => self.cuts.add(blocks),
             CurveResult::Statistical(blocks) => {
                 let contacts = blocks.iter().flatten().filter_map(|row| row.contact.as_ref());
                 self.states.add(contacts.map(|(_, state)| state));
@@ -186,7 +190,7 @@ impl CurveCounts {
 
     /// What there is to say of them.
     pub fn notes(&self) -> Vec<String> {
-        notes_of_curve(&self.states).into_iter().chain(self.levels.note()).collect()
+        notes_of_curve(&self.states).into_iter().chain(self.levels.note()).chain(self.cuts.notes()).collect()
     }
 }
 

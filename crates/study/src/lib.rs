@@ -7,6 +7,7 @@ pub mod hardness_and_strength;
 pub mod material;
 pub mod models;
 mod note;
+pub mod persson_law;
 pub mod plan;
 pub mod result_tables;
 pub mod scene;
