@@ -60,10 +60,12 @@ impl ElementsRow {
         }
     }
 
-    /// Standard error over the area, the rest that the grid leaves (0.7 %, as `docs/judge.md` has it) in quadrature.
+    /// Standard error over the area, with what the grid leaves in quadrature: 0.7 % (`docs/judge.md`), or half of what the
+    /// step to finer grids changes where that is more, as it is where contacts are a few points wide.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        (self.standard_error / self.area_fraction).hypot(GRID_REST)
+        let step = (self.area_fraction_corrected / self.area_fraction - 1.0).abs();
+        (self.standard_error / self.area_fraction).hypot(GRID_REST.max(0.5 * step))
     }
 }
 

@@ -14,6 +14,15 @@ pub enum TrialError {
     /// A surface cannot be pressed.
     #[error(transparent)]
     Elements(#[from] HalfSpaceError),
+    /// A model cannot be built.
+    #[error("building a model: {0}")]
+    Material(#[from] study::material::MaterialError),
+    /// A load is none.
+    #[error("asking the models: {0}")]
+    Load(#[from] units::OutOfBounds),
+    /// The models cannot be asked.
+    #[error("asking the models: {0}")]
+    Plan(#[from] study::plan::PlanError),
     /// A table of results cannot be read or written.
     #[error("the table of results: {0}")]
     Table(#[from] csv::Error),

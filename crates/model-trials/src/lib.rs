@@ -4,9 +4,15 @@
 
 pub mod elements;
 mod error;
+pub mod gluing;
+pub mod models;
 pub mod pressing;
 pub mod programme;
+pub mod ratios;
+pub mod refit;
 pub mod spectra;
 pub mod statistics;
+pub mod window_law;
+pub mod windows;
 
 pub use error::TrialError;

@@ -51,7 +51,7 @@ pub fn widest(hurst_exponent: f64) -> WaveBand {
 /// Everything that is pressed, the quick ones first.
 #[must_use]
 pub fn programme() -> Vec<Trial> {
-    let mut trials = vec![trial(WaveBand::fractal(0.8, 24.0, 32.0), 256, 6)];
+    let mut trials = vec![trial(WaveBand::fractal(0.8, 12.0, 16.0), 256, 12)];
     let mut of_each = |first: f64, rolloff: f64, last: f64, grid: usize, realisations: u64| {
         trials.extend(HURST_EXPONENTS.map(|hurst_exponent| {
             let band = WaveBand { hurst_exponent, first_wave: first, rolloff_wave: rolloff, last_wave: last };
