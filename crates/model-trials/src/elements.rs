@@ -107,11 +107,11 @@ pub fn known<'r>(table: &'r [ElementsRow], trial: &Trial) -> Option<Vec<&'r Elem
     trial.loads.iter().map(|load| table.iter().filter(same).find(|row| row.load() == *load)).collect()
 }
 
-/// Reads the table.
+/// Reads a table, a row per record.
 ///
 /// # Errors
 /// Where it is not one.
-pub fn read(from: impl Read) -> Result<Vec<ElementsRow>, TrialError> {
+pub fn read<R: serde::de::DeserializeOwned>(from: impl Read) -> Result<Vec<R>, TrialError> {
     Ok(csv::Reader::from_reader(from).deserialize().collect::<Result<_, _>>()?)
 }
 

@@ -23,6 +23,9 @@ pub enum TrialError {
     /// The models cannot be asked.
     #[error("asking the models: {0}")]
     Plan(#[from] study::plan::PlanError),
+    /// The page has no place for a table.
+    #[error("{0}")]
+    Page(String),
     /// A table of results cannot be read or written.
     #[error("the table of results: {0}")]
     Table(#[from] csv::Error),

@@ -5,11 +5,14 @@
 pub mod elements;
 mod error;
 pub mod gluing;
+pub mod hardness;
 pub mod models;
+pub mod pictures;
 pub mod pressing;
 pub mod programme;
 pub mod ratios;
 pub mod refit;
+pub mod sections;
 pub mod spectra;
 pub mod statistics;
 pub mod window_law;

@@ -44,7 +44,8 @@ pub fn yields(entry: &ModelEntry) -> bool {
 /// # Errors
 /// Where a spectrum or a plan cannot be made.
 pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelArea>, TrialError> {
-    let psd = surface.profile(&surface.profile_wavelengths_m(LEVEL_PART * surface.longest_m(), PER_DECADE))?;
+    let psd =
+        surface.profile(&surface.profile_wavelengths_m(LEVEL_PART * surface.longest_m(), PER_DECADE))?;
     let mut hardnesses: Vec<Option<f64>> = loads.iter().map(|load| load.spread_over_hardness).collect();
     hardnesses.sort_by(|a, b| a.unwrap_or(0.0).total_cmp(&b.unwrap_or(0.0)));
     hardnesses.dedup();
@@ -116,7 +117,8 @@ fn material(load: &TrialLoad) -> Result<Material, TrialError> {
     let youngs_modulus_pa = CONTACT_MODULUS_PA * (1.0 - POISSON_RATIO * POISSON_RATIO);
     let hardness = load.hardness_pa().map(|pa| IndentationHardness { pa });
     Ok(Material::new(GivenMaterial {
-        body: ElasticBody::new(youngs_modulus_pa, POISSON_RATIO).map_err(study::material::MaterialError::from)?,
+        body: ElasticBody::new(youngs_modulus_pa, POISSON_RATIO)
+            .map_err(study::material::MaterialError::from)?,
         counterface: None,
         hardness_and_strength: HardnessAndStrength::new(hardness, None)
             .map_err(study::material::MaterialError::from)?,

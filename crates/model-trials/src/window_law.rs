@@ -20,10 +20,8 @@ impl WindowLaw {
     #[must_use]
     pub fn of(elements: &[ElementsRow], hurst_exponent: f64) -> Option<Self> {
         let band = one_decade(hurst_exponent);
-        let mut rows: Vec<&ElementsRow> = elements
-            .iter()
-            .filter(|row| row.band() == band && row.spread_over_hardness.is_none())
-            .collect();
+        let mut rows: Vec<&ElementsRow> =
+            elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()).collect();
         rows.sort_by(|a, b| a.pressure_over_gradient.total_cmp(&b.pressure_over_gradient));
         let knot = |row: &&ElementsRow| {
             (row.pressure_over_gradient.ln(), row.area_fraction / persson(row.pressure_over_gradient))
@@ -36,7 +34,8 @@ impl WindowLaw {
     /// Area over nominal area under p/(E* h') >= 0; proportional to the load below the lightest that was pressed.
     #[must_use]
     pub fn area_fraction(&self, pressure_over_gradient: f64) -> f64 {
-        (self.between(pressure_over_gradient, |at| self.knots[at].1) * persson(pressure_over_gradient)).min(1.0)
+        (self.between(pressure_over_gradient, |at| self.knots[at].1) * persson(pressure_over_gradient))
+            .min(1.0)
     }
 
     /// The relative error of that.

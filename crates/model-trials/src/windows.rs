@@ -49,10 +49,8 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
     let mut rows = Vec::new();
     for band in wide_bands() {
         let Some(law) = WindowLaw::of(elements, band.hurst_exponent) else { continue };
-        let whole: Vec<&ElementsRow> = elements
-            .iter()
-            .filter(|row| row.band() == band && row.spread_over_hardness.is_none())
-            .collect();
+        let whole: Vec<&ElementsRow> =
+            elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()).collect();
         let loads: Vec<TrialLoad> = whole.iter().map(|row| row.load()).collect();
         let on_whole = areas(&band.spectrum()?, &loads)?;
         for (load, judged) in whole.iter().enumerate() {
@@ -71,7 +69,8 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
             };
             for found in on_whole.iter().filter(|found| found.load == load) {
                 let of_window = |(at, window): (usize, &Window)| {
-                    let same = |area: &&crate::models::ModelArea| area.model == found.model && area.load == at;
+                    let same =
+                        |area: &&crate::models::ModelArea| area.model == found.model && area.load == at;
                     let model = on_windows.iter().find(same)?.area_fraction;
                     let (area, error) = (law.area_fraction(window.load), law.relative_error(window.load));
                     Some((model / area, error))

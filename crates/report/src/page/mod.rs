@@ -14,7 +14,7 @@ mod provenance;
 mod sensitivities;
 mod validity;
 
-pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
+pub use ledger::{Finding, Ledger, LedgerRow, OtherFinding, OtherModel, Verdict};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
