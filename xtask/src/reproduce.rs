@@ -48,7 +48,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
         files.publish()?;
         println!("{}: {} files in {}", scene.title, names.len(), folder.display());
     }
-    let checked = checked(&ledger);
+    let checked = checked(&ledger, &paper::other_models(&evidence)?);
     let scenes = evidence.iter().zip(&findings).zip(&judgements);
     let report = Report {
         title: "Real contact area of ultrananocrystalline diamond",
@@ -85,7 +85,7 @@ fn label(spectrum: &str) -> &str {
 }
 
 /// The ledger as the report shows it.
-fn checked(ledger: &[paper::Row]) -> page::Ledger {
+fn checked(ledger: &[paper::Row], others: &[paper::OtherModel]) -> page::Ledger {
     let finding = |(spectrum, finding): &(&'static str, paper::Finding)| page::Finding {
         label: label(spectrum).to_owned(),
         found: finding.found.clone(),
@@ -98,7 +98,17 @@ fn checked(ledger: &[paper::Row]) -> page::Ledger {
         how: row.statement.how.to_owned(),
         findings: row.findings.iter().map(finding).collect(),
     };
-    page::Ledger { rows: ledger.iter().map(row).collect() }
+    let other_finding = |(spectrum, finding): &(&'static str, paper::OtherFinding)| page::OtherFinding {
+        label: label(spectrum).to_owned(),
+        found: finding.found.clone(),
+        remark: finding.remark.clone(),
+    };
+    let other = |other: &paper::OtherModel| page::OtherModel {
+        model: other.model.to_owned(),
+        statement: other.statement.to_owned(),
+        findings: other.findings.iter().map(other_finding).collect(),
+    };
+    page::Ledger { rows: ledger.iter().map(row).collect(), other_models: others.iter().map(other).collect() }
 }
 
 fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {

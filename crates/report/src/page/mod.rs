@@ -15,7 +15,7 @@ mod sensitivities;
 mod validity;
 mod verdict;
 
-pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
+pub use ledger::{Finding, Ledger, LedgerRow, OtherFinding, OtherModel, Verdict};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
