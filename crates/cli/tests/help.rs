@@ -15,6 +15,7 @@ fn every_command_shows_an_example() {
         &["run"],
         &["scene"],
         &["statistical"],
+        &["persson"],
         &["completions"],
         &["man"],
         &["asperity"],
@@ -55,11 +56,12 @@ fn a_closed_pipe_ends_quietly() {
 }
 
 /// The commands that `--help` lists.
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 11] = [
     "asperity",
     "moments",
     "amplitude",
     "stacked",
+    "persson",
     "statistical",
     "fit",
     "run",
