@@ -9,7 +9,7 @@ use half_space::HalfSpaceError;
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture};
 use spectrum::ReadOptions;
-use staging::StagedFiles;
+use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::{Surface, SurfaceError};
 use study::topography::{MapOfFile, ScanRequest};
@@ -20,10 +20,9 @@ use super::{Context, psd, reading_options, say_notes, say_surface};
 use crate::args::BemArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Place, make_folder, publish, stage};
+use crate::output::{publish, stage};
 use crate::picture::png_of_field;
 use crate::progress::Progress;
-use crate::targets::Targets;
 use crate::timings::Timings;
 
 const GRID: u32 = 512;
@@ -91,6 +90,7 @@ fn pressing(args: &BemArgs) -> Result<Pressing, Failure> {
         pressures_pa: loads.iter().map(|load| load.nominal_pressure_pa()).chain(of_ranges).collect(),
         saturation_pa: saturation_pa.transpose()?,
         tolerance: args.tolerance,
+        stiffness: true,
         ..Pressing::elastic(material.pair.composite_modulus_pa())
     };
     pressing.check().map_err(|error| match error {
@@ -203,30 +203,28 @@ fn random_surfaces(
 /// The files of pressures and gaps, in a folder of their own.
 struct FieldFiles {
     folder: PathBuf,
-    /// Whether the folder is to be taken away where nothing comes of it.
-    is_new: bool,
+    /// The folder where it was made for them, which goes again where nothing comes of it.
+    made: Option<NewFolder>,
 }
 
 impl FieldFiles {
     fn new(folder: &Path, args: &BemArgs) -> Result<Self, Failure> {
-        let is_new = !folder.exists();
-        make_folder("--fields", folder)?;
-        let files = FieldFiles { folder: folder.to_owned(), is_new };
-        if let Place::File(surface) = Place::from(args.surface.path.as_str())
-            && surface.parent().is_some_and(|parent| parent == folder)
-        {
-            Targets::default()
-                .with_file("--fields", &surface)?
-                .spare_place(&Place::File(surface.clone()))
-                .map_err(|_| {
-                    Failure::Input(format!(
-                        "--fields {}: this is the surface's own folder, whose file \
-                                                      might be replaced; name another",
-                        folder.display()
-                    ))
-                })?;
+        let name = folder.display();
+        if folder.is_file() {
+            return Err(Failure::Input(format!(
+                "--fields {name}: results go into a folder, and this is a file; name a folder"
+            )));
         }
-        Ok(files)
+        let surface = Path::new(&args.surface.path);
+        let beside =
+            surface.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if surface.is_file() && folder.canonicalize().ok() == beside.canonicalize().ok() {
+            return Err(Failure::Input(format!(
+                "--fields {name}: the surface is a file of this folder, and results might replace it; name another folder"
+            )));
+        }
+        let made = NewFolder::make(folder).map_err(|error| Failure::writing(&name.to_string(), &error))?;
+        Ok(FieldFiles { folder: folder.to_owned(), made })
     }
 
     /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures.
@@ -251,16 +249,9 @@ impl FieldFiles {
     }
 
     /// The folder stays, with what is in it.
-    fn keep(mut self) {
-        self.is_new = false;
-    }
-}
-
-impl Drop for FieldFiles {
-    fn drop(&mut self) {
-        if self.is_new {
-            // Only an empty folder goes.
-            let _ = std::fs::remove_dir(&self.folder);
+    fn keep(self) {
+        if let Some(made) = self.made {
+            made.keep();
         }
     }
 }
