@@ -14,6 +14,7 @@ use crate::headline::Headline;
 use crate::judgement::{Judged, Judgement, OfCurve, OnWindow};
 use crate::layout::{Asked, Extent, Ground, Layout};
 use crate::on_windows;
+use crate::phases::{OfMap, Pressed, of_maps};
 use crate::reason::Reason;
 use crate::settings::Settings;
 use crate::solve::{Solutions, Solved, solve};
@@ -63,7 +64,9 @@ impl<'s> JudgePlan<'s> {
             Ok(layout) => {
                 let modulus_pa = self.case.composite_modulus_pa;
                 let solutions = solve(layout, modulus_pa, self.settings.seed, progress)?;
-                self.case.judgement(layout, &solutions, &self.settings)
+                let maps = self.case.maps(layout, self.settings.seed, progress)?;
+                let judgement = self.case.judgement(layout, &solutions, &self.settings)?;
+                Ok(Judgement { maps, ..judgement })
             }
         }
     }
@@ -166,6 +169,29 @@ impl<'s> Case<'s> {
     fn pressure_pa(&self, body: usize, load: usize, wavelength_m: f64) -> f64 {
         let nominal_pa = self.scene.needs.loads[load].nominal_pressure_pa();
         mean_real_pressure_pa(nominal_pa, self.rms_pressure_pa(wavelength_m), self.saturations_pa[body])
+    }
+
+    /// The measured maps that the spectrum was made of, beside Gaussian surfaces of their waves.
+    fn maps(
+        &self,
+        layout: &Layout,
+        seed: u64,
+        progress: &dyn Progress,
+    ) -> Result<Vec<OfMap>, JudgeError> {
+        let maps = self.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
+        let nominal_pa = |load: usize| self.scene.needs.loads[load].nominal_pressure_pa();
+        let pressures_pa = |length_m: f64| {
+            let rms_pa = self.rms_pressure_pa(length_m);
+            let left = |load: &usize| (*load, mean_real_pressure_pa(nominal_pa(*load), rms_pa, None));
+            layout.loads.iter().map(left).collect()
+        };
+        let pressed = Pressed {
+            composite_modulus_pa: self.composite_modulus_pa,
+            seed,
+            grid: layout.grid,
+            pressures_pa: &pressures_pa,
+        };
+        of_maps(maps, &pressed, progress)
     }
 
     fn judgement(
@@ -286,6 +312,7 @@ impl<'s> Case<'s> {
             windows,
             curves,
             headlines,
+            maps: Vec::new(),
             yielding: loads.map(|load| self.yielding(load)).collect(),
             steep_from_m: self.moments.iter().find(steep).map(|moments| moments.wavelength_m),
             rms_gradient: self.moments.last().map_or(0.0, |moments| (2.0 * moments.m2).sqrt()),

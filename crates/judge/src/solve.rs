@@ -10,7 +10,7 @@ use crate::student::widening;
 use crate::window::Window;
 
 /// Complementarity of a solution. Tightened a thousand times, areas move by a thousandth at most.
-const TOLERANCE: f64 = 1e-4;
+pub(crate) const TOLERANCE: f64 = 1e-4;
 /// What the grid leaves open of a corrected area, relatively, at four points on the shortest wavelength.
 const GRID_ERROR: f64 = 0.007;
 
@@ -117,7 +117,7 @@ fn pressed(
 
 impl Solved {
     /// The mean of the areas on several surfaces, with its error.
-    fn of(areas: &[f64]) -> Self {
+    pub fn of(areas: &[f64]) -> Self {
         let count = areas.len() as f64;
         let area_fraction = areas.iter().sum::<f64>() / count;
         let deviations = areas.iter().map(|area| (area - area_fraction).powi(2)).sum::<f64>();
