@@ -109,7 +109,9 @@ fn pressed(
             progress,
         )?;
         outcome.operators += contact.operators;
-        *area = Some(contact.area_fraction_corrected);
+        // Where everything in contact flows, the load alone decides, whatever the perimeter.
+        let least = press.saturation_pa.map_or(0.0, |bound_pa| press.pressure_pa / bound_pa);
+        *area = Some(contact.area_fraction_corrected.max(least));
         progress.advance(1);
     }
     Ok(outcome)
