@@ -43,6 +43,7 @@ const LAYERS: &[Layer] = &[
         "truearea-study",
         &[
             "truearea-features",
+            "truearea-persson",
             "truearea-units",
             "truearea-numerics",
             "truearea-parallel",
@@ -58,6 +59,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-rows",
         &[
+            "truearea-persson",
             "truearea-units",
             "truearea-parallel",
             "truearea-tables",
@@ -92,6 +94,9 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-report",
         &[
+            "truearea-persson",
+            "truearea-elements",
+            "truearea-gaussian-surfaces",
             "truearea-units",
             "truearea-rows",
             "truearea-answer",

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 
 use crate::netcdf_classic::{Attribute, NetcdfFile, Variable};
-use crate::relief::Relief;
+use crate::relief::{Boundary, Relief};
 
 /// One surface under one load, point by point.
 #[derive(Clone, Copy, Debug)]
@@ -27,24 +27,38 @@ pub struct Field<'s> {
 }
 
 impl Field<'_> {
-    /// Writes it as a file of NetCDF's classic format: dimensions `y` and `x` with their coordinates in m, the variables
-    /// `heights`, `pressure` and `gap` over both, and the attributes `nominal_pressure_pa`, `contact_modulus_pa`,
-    /// `length_x_m`, `length_y_m` and `boundary`.
+    /// Writes it as a file of NetCDF's classic format in the layout of contact.engineering: dimensions `y` and `x` with their
+    /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes `nominal_pressure_pa`,
+    /// `contact_modulus_pa` and `boundary`.
     ///
     /// # Errors
     /// Those of `out`.
     pub fn write_netcdf(&self, out: &mut dyn Write) -> io::Result<()> {
         let Relief { rows, columns, length_x_m, length_y_m, boundary, ref heights_m } = *self.relief;
+        // The unit by the names of contact.engineering, whose layout this is, and of the CF conventions.
+        let in_unit = |unit: &str| {
+            ["unit", "units"]
+                .map(|name| (name, Attribute::Text(unit.to_owned())))
+                .into_iter()
+                .collect::<Vec<_>>()
+        };
+        let periodic = f64::from(u8::from(boundary == Boundary::Periodic));
         let coordinate = |name, dimension, points: usize, length_m: f64| Variable {
             name,
             dimensions: vec![dimension],
-            unit: "m",
+            attributes: [
+                in_unit("m"),
+                vec![("length", Attribute::Number(length_m)), ("periodic", Attribute::Number(periodic))],
+            ]
+            .into_iter()
+            .flatten()
+            .collect(),
             values: (0..points).map(|point| point as f64 * length_m / points as f64).collect(),
         };
         let over_both = |name, unit, values| Variable {
             name,
             dimensions: vec![0, 1],
-            unit,
+            attributes: in_unit(unit),
             values: Cow::Borrowed(values),
         };
         let file = NetcdfFile {
@@ -52,8 +66,6 @@ impl Field<'_> {
             attributes: vec![
                 ("nominal_pressure_pa", Attribute::Number(self.nominal_pressure_pa)),
                 ("contact_modulus_pa", Attribute::Number(self.contact_modulus_pa)),
-                ("length_x_m", Attribute::Number(length_x_m)),
-                ("length_y_m", Attribute::Number(length_y_m)),
                 ("boundary", Attribute::Text(boundary.to_string())),
             ],
             variables: vec![

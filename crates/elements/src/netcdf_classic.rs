@@ -29,13 +29,14 @@ pub(crate) enum Attribute {
     Text(String),
 }
 
-/// A variable with its unit.
+/// A variable with its values.
 #[derive(Debug)]
 pub(crate) struct Variable<'v> {
     pub(crate) name: &'static str,
     /// Its dimensions by their index, the slowest first.
     pub(crate) dimensions: Vec<usize>,
-    pub(crate) unit: &'static str,
+    /// What is said of it.
+    pub(crate) attributes: Vec<(&'static str, Attribute)>,
     /// As many values as the dimensions ask for.
     pub(crate) values: std::borrow::Cow<'v, [f64]>,
 }
@@ -77,7 +78,7 @@ impl NetcdfFile<'_> {
             header.text(variable.name);
             header.number(variable.dimensions.len() as u32);
             variable.dimensions.iter().for_each(|dimension| header.number(*dimension as u32));
-            header.attributes(&[("units", Attribute::Text(variable.unit.to_owned()))]);
+            header.attributes(&variable.attributes);
             header.number(DOUBLE);
             // A size beyond 32 bits is written as the largest number, and readers take it from the dimensions.
             header.number(u32::try_from(8 * variable.values.len()).unwrap_or(u32::MAX));

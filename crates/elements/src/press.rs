@@ -1,12 +1,13 @@
 //! Every surface under every load.
 
-use half_space::{Contact, PROGRESS_STEPS};
+use half_space::PROGRESS_STEPS;
 use parallel::Progress;
 
 use crate::error::ElementsError;
 use crate::field::Field;
 use crate::mean::PressedLoad;
 use crate::pressing::Pressing;
+use crate::relief::Relief;
 use crate::state::PressedState;
 use crate::surfaces::Surfaces;
 
@@ -56,11 +57,13 @@ fn press_once<E: From<ElementsError>>(
     let loading = pressing.loading(load);
     let relief = surfaces.relief(surface).map_err(ElementsError::from)?;
     let coarser = surfaces.coarser(&relief);
-    let press = |relief: &crate::Relief, progress: &dyn Progress| -> Result<Contact, ElementsError> {
-        Ok(relief.press(&loading, progress)?)
+    let pressed = |relief: Relief| relief.press(&loading, &Untold(progress));
+    let coarser = coarser.map(pressed).transpose().map_err(ElementsError::from)?;
+    let (contact, stiffness_pa_per_m) = if pressing.stiffness {
+        relief.press_with_stiffness(&loading, progress).map_err(ElementsError::from)?
+    } else {
+        (relief.press(&loading, progress).map_err(ElementsError::from)?, None)
     };
-    let coarser = coarser.map(|coarser| press(&coarser, &Untold(progress))).transpose()?;
-    let contact = press(&relief, progress)?;
     see(&Field {
         load,
         surface,
@@ -70,7 +73,7 @@ fn press_once<E: From<ElementsError>>(
         pressures_pa: &contact.pressures_pa,
         gaps_m: &contact.gaps_m,
     })?;
-    Ok(PressedState::of(&contact, coarser.as_ref()))
+    Ok(PressedState::of(&contact, stiffness_pa_per_m, coarser.as_ref()))
 }
 
 /// Work that may be ended and of whose steps nobody is told, as there are few of them.

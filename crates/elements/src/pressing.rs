@@ -13,16 +13,24 @@ pub struct Pressing {
     pub saturation_pa: Option<f64>,
     /// The largest residual: sum of p|g| over the sum of p h_rms, above 0 and at most 0.1.
     pub tolerance: f64,
+    /// Whether the stiffness is asked for, which costs about half of a solve more.
+    pub stiffness: bool,
 }
 
 impl Pressing {
     /// The tolerance where none is asked for: areas are then exact to a point or two.
     pub const TOLERANCE: f64 = 1e-6;
 
-    /// An elastic material of this contact modulus \[Pa\], without loads yet.
+    /// An elastic material of this contact modulus \[Pa\], without loads yet, and without the stiffness.
     #[must_use]
     pub fn elastic(contact_modulus_pa: f64) -> Self {
-        Self { contact_modulus_pa, pressures_pa: Vec::new(), saturation_pa: None, tolerance: Self::TOLERANCE }
+        Self {
+            contact_modulus_pa,
+            pressures_pa: Vec::new(),
+            saturation_pa: None,
+            tolerance: Self::TOLERANCE,
+            stiffness: false,
+        }
     }
 
     /// Refuses what no surface can carry, before any is made.

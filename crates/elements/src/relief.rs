@@ -1,6 +1,6 @@
 //! Heights as they are pressed.
 
-use half_space::{Contact, Grid, HalfSpaceError, Loading, PeriodicElements};
+use half_space::{Contact, FreeElements, Grid, HalfSpaceError, Loading, PeriodicElements};
 use parallel::Progress;
 use serde::{Deserialize, Serialize};
 use units::named;
@@ -51,10 +51,41 @@ impl Relief {
     /// # Errors
     /// [`HalfSpaceError`] for heights or loads that cannot be pressed, and where the work is ended from outside.
     pub fn press(&self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
-        let grid = Grid::new(self.rows, self.columns, self.length_x_m, self.length_y_m)?;
+        let grid = self.grid()?;
         match self.boundary {
             Boundary::Periodic => PeriodicElements::new(grid, &self.heights_m)?.press(loading, progress),
-            Boundary::Free => PeriodicElements::new(grid, &self.heights_m)?.press(loading, progress),
+            Boundary::Free => FreeElements::new(grid, &self.heights_m)?.press(loading, progress),
         }
+    }
+
+    /// Presses it once, and asks how much more pressure would close the bodies by 1 m \[Pa/m\]: `None` where no gap is left
+    /// to close.
+    ///
+    /// # Errors
+    /// As [`Relief::press`].
+    pub fn press_with_stiffness(
+        &self,
+        loading: &Loading,
+        progress: &dyn Progress,
+    ) -> Result<(Contact, Option<f64>), HalfSpaceError> {
+        let (grid, modulus_pa) = (self.grid()?, loading.contact_modulus_pa);
+        Ok(match self.boundary {
+            Boundary::Periodic => {
+                let mut elements = PeriodicElements::new(grid, &self.heights_m)?;
+                let contact = elements.press(loading, progress)?;
+                let stiffness_pa_per_m = elements.stiffness_pa_per_m(&contact, modulus_pa, progress)?;
+                (contact, stiffness_pa_per_m)
+            }
+            Boundary::Free => {
+                let mut elements = FreeElements::new(grid, &self.heights_m)?;
+                let contact = elements.press(loading, progress)?;
+                let stiffness_pa_per_m = elements.stiffness_pa_per_m(&contact, modulus_pa, progress)?;
+                (contact, stiffness_pa_per_m)
+            }
+        })
+    }
+
+    fn grid(&self) -> Result<Grid, HalfSpaceError> {
+        Grid::new(self.rows, self.columns, self.length_x_m, self.length_y_m)
     }
 }

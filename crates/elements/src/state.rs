@@ -22,7 +22,7 @@ pub struct PressedState {
     pub mean_plastic_depth_m: f64,
     /// The largest pressure \[Pa\].
     pub largest_pressure_pa: f64,
-    /// How much more pressure it takes to press the bodies nearer \[Pa/m\].
+    /// How much more pressure it takes to press the bodies nearer \[Pa/m\]; `None` where no gap is left, or nobody asked.
     pub stiffness_pa_per_m: Option<f64>,
     /// Steps of the solver.
     pub iterations: usize,
@@ -35,8 +35,8 @@ pub struct PressedState {
 }
 
 impl PressedState {
-    /// A solved contact, and the one on every second point where there is one.
-    pub(crate) fn of(contact: &Contact, coarser: Option<&Contact>) -> Self {
+    /// A solved contact, its stiffness where asked for, and the contact on every second point where there is one.
+    pub(crate) fn of(contact: &Contact, stiffness_pa_per_m: Option<f64>, coarser: Option<&Contact>) -> Self {
         PressedState {
             area_fraction: contact.area_fraction,
             area_fraction_corrected: contact.area_fraction_corrected,
@@ -46,7 +46,7 @@ impl PressedState {
             mean_gap_m: contact.mean_gap_m,
             mean_plastic_depth_m: contact.mean_plastic_depth_m,
             largest_pressure_pa: contact.largest_pressure_pa,
-            stiffness_pa_per_m: None,
+            stiffness_pa_per_m,
             iterations: contact.iterations,
             operators: contact.operators,
             residual: contact.residual,

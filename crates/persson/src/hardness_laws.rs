@@ -3,8 +3,6 @@
 //! None of these laws comes with Persson's theory: which one holds is a choice. A hardness may only grow towards short
 //! wavelengths; one that falls would have the plastic area press harder than it can.
 
-use std::f64::consts::TAU;
-
 use thiserror::Error;
 use units::{Bound, OutOfBounds};
 
@@ -177,11 +175,14 @@ impl Hardness {
                     least_depth_m = least_depth_m.min(place.amplitude_m);
                     hardness_pa * (1.0 + length_m / least_depth_m).sqrt()
                 }
-                HardnessGrowth::Table(table) => table.hardness_pa(place.wavelength_m()),
+                HardnessGrowth::Table(table) => table.hardness_pa(place.wavelength_m),
             };
             if let Some(&before_pa) = all.last().filter(|&&before_pa| hardness_pa < before_pa) {
-                let wavelength_m = TAU / place.wavevector_rad_per_m;
-                return Err(HardnessError::Falling { wavelength_m, hardness_pa, before_pa });
+                return Err(HardnessError::Falling {
+                    wavelength_m: place.wavelength_m,
+                    hardness_pa,
+                    before_pa,
+                });
             }
             all.push(hardness_pa);
         }
@@ -221,13 +222,13 @@ mod tests {
 
     fn roughness(amplitudes_m: [f64; 4]) -> Roughness {
         let sample = |(i, amplitude_m): (usize, &f64)| RoughnessSample {
-            wavevector_rad_per_m: TAU * 10f64.powi(i as i32),
+            wavelength_m: 10f64.powi(-(i as i32)),
             c1d_m3: 1e-3f64.powi(i as i32),
             moments: [i as f64; 3],
             amplitude_m: *amplitude_m,
         };
         let samples: Vec<RoughnessSample> = amplitudes_m.iter().enumerate().map(sample).collect();
-        Roughness::new(&samples, Band::Profile)
+        Roughness::new(&samples, &[], Band::Profile)
     }
 
     fn along(growth: HardnessGrowth) -> Result<Vec<f64>, HardnessError> {

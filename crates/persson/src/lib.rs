@@ -25,5 +25,5 @@ pub mod variance;
 
 pub use areas::ContactAreas;
 pub use hardness_path::{HardnessKnot, HardnessPath};
-pub use model::PerssonModel;
+pub use model::{Cut, PerssonModel};
 pub use roughness::{Place, Roughness, RoughnessSample};

@@ -14,6 +14,8 @@ pub struct Roughness {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Place {
+    /// Wavelength \[m\] as given.
+    pub wavelength_m: f64,
     /// Wavevector q \[rad/m\].
     pub wavevector_rad_per_m: f64,
     /// h'^2 up to there.
@@ -29,8 +31,8 @@ pub struct Place {
 /// A sample of a spectrum with what is known of the roughness above its wavelength.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughnessSample {
-    /// Wavevector q > 0 \[rad/m\].
-    pub wavevector_rad_per_m: f64,
+    /// Wavelength > 0 \[m\].
+    pub wavelength_m: f64,
     /// C1D > 0 there \[m^3\].
     pub c1d_m3: f64,
     /// m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles, from the first sample up to here: 0 at the first.
@@ -40,23 +42,31 @@ pub struct RoughnessSample {
 }
 
 impl Roughness {
-    /// The roughness of samples that come by rising wavevector.
+    /// The roughness of samples that come from long to short wavelengths. `beyond` are samples at shorter wavelengths
+    /// (\[m\], \[m^3\]), which are no cutoffs but count where the surface is cut off.
     #[must_use]
-    pub fn new(samples: &[RoughnessSample], band: Band) -> Self {
-        let of_spectrum: Vec<SpectrumSample> = samples
+    pub fn new(samples: &[RoughnessSample], beyond: &[(f64, f64)], band: Band) -> Self {
+        let mut of_spectrum: Vec<SpectrumSample> = samples
             .iter()
             .map(|sample| SpectrumSample {
-                wavevector_rad_per_m: sample.wavevector_rad_per_m,
+                wavevector_rad_per_m: TAU / sample.wavelength_m,
                 c1d_m3: sample.c1d_m3,
                 mean_square_slope: sample.moments[1],
             })
             .collect();
+        let last_slope = of_spectrum.last().map_or(0.0, |last| last.mean_square_slope);
+        of_spectrum.extend(beyond.iter().map(|&(wavelength_m, c1d_m3)| SpectrumSample {
+            wavevector_rad_per_m: TAU / wavelength_m,
+            c1d_m3,
+            mean_square_slope: last_slope,
+        }));
         let gradients = mean_square_gradients(&of_spectrum, band);
         let exponents = spectral_exponents(&of_spectrum);
         let place = |(at, sample): (usize, &RoughnessSample)| {
             let [m0, m2, m4] = sample.moments;
             Place {
-                wavevector_rad_per_m: sample.wavevector_rad_per_m,
+                wavelength_m: sample.wavelength_m,
+                wavevector_rad_per_m: TAU / sample.wavelength_m,
                 mean_square_gradient: gradients[at],
                 alpha: if m2 > 0.0 { (m0 / m2) * (m4 / m2) } else { f64::INFINITY },
                 amplitude_m: sample.amplitude_m,
@@ -74,12 +84,6 @@ impl Roughness {
 }
 
 impl Place {
-    /// Wavelength \[m\].
-    #[must_use]
-    pub fn wavelength_m(&self) -> f64 {
-        TAU / self.wavevector_rad_per_m
-    }
-
     /// Rms gradient h' of the surface up to here.
     #[must_use]
     pub fn rms_gradient(&self) -> f64 {

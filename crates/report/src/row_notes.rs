@@ -25,6 +25,9 @@ pub fn told(note: &RowsNote) -> Vec<String> {
             narrow_spectra(narrow, &counted(*all, "row")).into_iter().collect()
         }
         RowsNote::States(counts) => state_notes(counts),
+        RowsNote::FlowingEverywhere { rows, all } => vec![format!(
+            "{rows} of {all} rows: the pressure is not below the hardness; everything touches and flows"
+        )],
         RowsNote::BeyondRange { rows, all, range } => {
             vec![format!("{rows} of {all} rows lie beyond {range}")]
         }

@@ -7,8 +7,10 @@ use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::curve_names::in_full;
+use crate::cut_counts::CutCounts;
 use crate::yardstick_words::yardsticks;
-use crate::{answer_words, doubt_words, scan_words};
+use crate::{answer_words, doubt_words, scan_words, verdict_words};
+use judge::Judgement;
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
 use rows::{NarrowSpectra, StateCounts};
@@ -18,16 +20,27 @@ use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
 use units::number;
 
-/// The summary of a scene's results.
-pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
-    let mut text = format!("{}\n{}\n", scene.title, sampling(results));
+/// The summary of a scene's results, which opens with what the judge found, where it was asked.
+pub fn summary(
+    scene: &Scene,
+    results: &Results,
+    answer: &Answer,
+    judgement: Option<&Judgement>,
+) -> String {
+    // Names of curves are hyphenated and stay whole.
+    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
+    let mut text = String::new();
+    if let Some(first) = judgement.and_then(|judgement| verdict_words::first_line(judgement, scene)) {
+        let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
+    }
+    let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
     for warning in scan_words::warnings(&scene.surface) {
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
-    // Names of curves are hyphenated and stay whole.
-    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
-    let mut paragraphs = answer_words::sentences(answer, scene, results);
+    let mut paragraphs = judgement
+        .map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
+    paragraphs.extend(answer_words::sentences(answer, scene, results));
     paragraphs.extend(answer_words::shortcomings(answer, scene, results));
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
@@ -141,7 +154,7 @@ fn stacked_remarks(
     text
 }
 
-/// What the states of a statistical curve leave open or go beyond.
+/// What the states of a statistical curve, or the cuts of Persson's theory, leave open or go beyond.
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
@@ -153,6 +166,7 @@ pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> 
     let mut counts = CurveCounts::default();
     match result {
         CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
+        CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
         CurveResult::Statistical(blocks) => {
             counts.add_states(&blocks[block]);
         }
@@ -173,6 +187,7 @@ pub struct CurveCounts {
     states: StateCounts,
     narrow: NarrowSpectra,
     levels: LevelCounts,
+    cuts: CutCounts,
 }
 
 impl CurveCounts {
@@ -180,6 +195,7 @@ impl CurveCounts {
     pub fn add(&mut self, part: &CurveResult) {
         match part {
             CurveResult::Stacked(blocks) => self.levels.add(blocks),
+            CurveResult::Persson(blocks) => self.cuts.add(blocks),
             CurveResult::Statistical(blocks) => {
                 blocks.iter().for_each(|rows| self.add_states(rows));
             }
@@ -196,7 +212,8 @@ impl CurveCounts {
     pub fn notes(&self) -> Vec<String> {
         let all = counted(self.states.all + self.narrow.count, "row");
         let narrow = narrow_spectra(&self.narrow, &all);
-        notes_of_curve(&self.states).into_iter().chain(narrow).chain(self.levels.note()).collect()
+        let of_states = notes_of_curve(&self.states).into_iter().chain(narrow);
+        of_states.chain(self.levels.note()).chain(self.cuts.notes()).collect()
     }
 }
 

@@ -3,12 +3,14 @@
 mod asperities;
 pub mod asperity_table;
 mod narrow_spectra;
+mod flattened;
 mod populations;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
 pub use narrow_spectra::NarrowSpectra;
+pub use flattened::Flattened;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::StateCounts;
 
@@ -85,6 +87,13 @@ pub enum RowsNote {
     States(StateCounts),
     /// Rows with a hardness and no yield strength, for which a third of the hardness was taken.
     AssumedStrengths {
+        /// How many.
+        rows: usize,
+        /// Of how many.
+        all: usize,
+    },
+    /// Rows whose pressure is not below their hardness: all of them touches and flows.
+    FlowingEverywhere {
         /// How many.
         rows: usize,
         /// Of how many.

@@ -9,6 +9,7 @@ pub mod material;
 pub mod measured;
 pub mod models;
 mod note;
+pub mod persson_law;
 pub mod plan;
 pub mod result_tables;
 pub mod scene;

@@ -10,7 +10,8 @@ use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 use units::UnknownName;
 
-use crate::material::{Material, MaterialError};
+use crate::material::{Material, MaterialError, NeededFor};
+use crate::persson_law::PerssonLaw;
 
 /// One of the two frameworks, with its law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +24,13 @@ pub enum CurveModel {
         pair: MaterialPair,
         /// What is pressed.
         law: StatisticalLaw,
+    },
+    /// Persson's theory, without asperities.
+    Persson {
+        /// The bodies in contact.
+        pair: MaterialPair,
+        /// How the surface deforms.
+        law: PerssonLaw,
     },
 }
 
@@ -42,6 +50,18 @@ pub enum Framework {
     Stacked,
     /// A population of asperities.
     Statistical,
+    /// The pressure spreads as roughness is taken in, without asperities.
+    Persson,
+}
+
+impl std::fmt::Display for Framework {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Framework::Stacked => "stacked",
+            Framework::Statistical => "statistical",
+            Framework::Persson => "persson",
+        })
+    }
 }
 
 /// What a model may leave to choose, besides the elastic constants.
@@ -166,6 +186,30 @@ pub static MODELS: &[ModelEntry] = &[
         },
         is: |model| matches!(model, CurveModel::Statistical { law: StatisticalLaw::Summits, .. }),
     },
+    ModelEntry {
+        name: "persson",
+        full_name: "Persson's theory, elastic",
+        citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
+        framework: Framework::Persson,
+        choices: &[],
+        build: |material, _| Ok(CurveModel::Persson { pair: material.pair, law: PerssonLaw::Elastic }),
+        is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::Elastic, .. }),
+    },
+    ModelEntry {
+        name: "persson-plastic",
+        full_name: "Persson's theory, elastic-plastic",
+        citation: "Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006), Surf. Sci. Rep. 61:201",
+        framework: Framework::Persson,
+        choices: &[Choice::Strength, Choice::StrainGradient],
+        build: |material, options| {
+            let strength = material.strength(options.strain_gradient)?;
+            let hardness_pa = material.hardness_pa().ok_or(MaterialError::Missing(NeededFor::Yielding))?;
+            let hardness_over_strength = hardness_pa / strength.macroscopic_strength_pa();
+            let law = PerssonLaw::ElasticPlastic { strength, hardness_over_strength };
+            Ok(CurveModel::Persson { pair: material.pair, law })
+        },
+        is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::ElasticPlastic { .. }, .. }),
+    },
 ];
 
 fn statistical(material: &Material, law: AsperityLaw) -> CurveModel {
@@ -193,6 +237,7 @@ pub fn named(framework: Framework, name: &str) -> Result<&'static ModelEntry, Un
         what: match framework {
             Framework::Stacked => "stacked model",
             Framework::Statistical => "statistical model",
+            Framework::Persson => "model of Persson's theory",
         },
         given: name.to_owned(),
         accepted: of_framework(framework).map(|entry| entry.name).collect::<Vec<_>>().join(", "),
@@ -273,7 +318,24 @@ impl CurveModel {
             CurveModel::Stacked(model) => model.strength(),
             CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } => law.strength(),
             CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+            CurveModel::Persson { law, .. } => law.strength(),
         }
+    }
+
+    /// Whether it stands on the amplitudes of scales.
+    #[must_use]
+    pub fn needs_amplitudes(&self) -> bool {
+        match self {
+            CurveModel::Stacked(_) => true,
+            CurveModel::Statistical { .. } => false,
+            CurveModel::Persson { .. } => self.strength_grows(),
+        }
+    }
+
+    /// Whether it stands on spectral moments.
+    #[must_use]
+    pub fn needs_moments(&self) -> bool {
+        !matches!(self, CurveModel::Stacked(_))
     }
 
     /// Whether its strength grows at small depths.
@@ -289,7 +351,8 @@ impl CurveModel {
             CurveModel::Stacked(
                 StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. },
             )
-            | CurveModel::Statistical { pair, .. } => pair,
+            | CurveModel::Statistical { pair, .. }
+            | CurveModel::Persson { pair, .. } => pair,
         }
     }
 
@@ -299,6 +362,9 @@ impl CurveModel {
         match self {
             CurveModel::Stacked(model) => model.with_strength(strength).map(CurveModel::Stacked),
             CurveModel::Statistical { .. } => self.with_law(|law| law.with_strength(strength)),
+            CurveModel::Persson { pair, law } => {
+                Some(CurveModel::Persson { pair, law: law.with_strength(strength)? })
+            }
         }
     }
 
@@ -328,7 +394,9 @@ impl CurveModel {
 
     fn with_law(self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
         match self {
-            CurveModel::Stacked(_) | CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+            CurveModel::Stacked(_)
+            | CurveModel::Persson { .. }
+            | CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
             CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(law) } => {
                 Some(CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(change(law)?) })
             }

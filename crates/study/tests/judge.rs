@@ -43,7 +43,7 @@ fn values_out_of_bounds_are_refused_with_key_value_and_bound() {
     for (typed, key, message) in [
         ("grid = 31", "judge.grid", "the number of points per side is 31; it must be from 32 to 8192"),
         ("grid = 8193", "judge.grid", "the number of points per side is 8193; it must be from 32 to 8192"),
-        ("realisations = 0", "judge.realisations", "the number of surfaces is 0; it must be from 1 to 10000"),
+        ("realisations = 1", "judge.realisations", "the number of surfaces is 1; it must be from 2 to 10000"),
         ("seed = -1", "judge.seed", "the seed is -1; it must be finite and at least 0"),
         (
             "budget = 0.0",

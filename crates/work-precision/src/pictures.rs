@@ -46,6 +46,7 @@ pub fn work_precision(
         series: series.into_iter().filter(|line| !line.points.is_empty()).collect(),
         bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     plot::svg(&figure, &format!("{population}, a line for each of d/σ = −3, 0, 3, 6, 20"), &provenance(facts))
 }
@@ -82,6 +83,7 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
         series: series.collect(),
         bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     plot::svg(&figure, "one thread, start-up and writing included", &provenance(facts))
 }

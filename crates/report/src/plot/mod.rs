@@ -4,6 +4,7 @@ mod bands;
 mod decades;
 mod labels;
 mod legend;
+mod marks;
 mod style;
 mod thinned;
 
@@ -59,9 +60,12 @@ pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &st
 
 fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
-    let points = || beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter());
-    let x = Decades::around(points().map(|(x, _)| *x));
-    let y = Decades::around(points().map(|(_, y)| *y));
+    let points = || {
+        let lines = beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
+        lines.chain(beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends))
+    };
+    let x = Decades::around(points().map(|(x, _)| x));
+    let y = Decades::around(points().map(|(_, y)| y));
     let compared = figure.compares_curves();
     let drawn = |series: &Series| {
         let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
@@ -97,6 +101,9 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
     }
     bands::draw(&mut scene, &computed, frame, &figure.bands);
+    for mark in &figure.marks {
+        marks::draw(&mut scene, &computed, mark);
+    }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
     };
@@ -253,6 +260,7 @@ mod tests {
             series: vec![series],
             bands: Vec::new(),
             gaps: Vec::new(),
+            marks: Vec::new(),
         }
     }
 

@@ -105,6 +105,25 @@ pub struct FigureData {
     pub bands: Vec<Band>,
     /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
     pub gaps: Vec<(f64, f64)>,
+    /// Values with their errors that belong to no line.
+    pub marks: Vec<Mark>,
+}
+
+/// A value with its error, drawn beside the lines.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mark {
+    /// What it is, for the legend.
+    pub label: &'static str,
+    /// Which lines it shares its colour with.
+    pub colour: usize,
+    /// The abscissa.
+    pub x: f64,
+    /// The ordinate.
+    pub y: f64,
+    /// The least that the ordinate may be, > 0.
+    pub low: f64,
+    /// The largest.
+    pub high: f64,
 }
 
 /// An abscissa: its column in a table and its label in a picture.
@@ -141,6 +160,7 @@ pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
         series,
         bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     }
 }
 

@@ -47,6 +47,7 @@ impl Figure {
             series,
             bands: if self.shows == Shows::Area { self.linear_bands(results, needs) } else { Vec::new() },
             gaps: Vec::new(),
+            marks: Vec::new(),
         }
     }
 

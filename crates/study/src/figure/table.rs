@@ -54,6 +54,7 @@ mod tests {
             ],
             bands: Vec::new(),
             gaps: Vec::new(),
+            marks: Vec::new(),
         };
         let table = figure.table();
         let column = |name: &str| match table.column(name) {

@@ -8,7 +8,9 @@ use super::condition::{Condition, contact_of};
 use super::distinct::Distinct;
 use super::run::Run;
 use super::states::Statistical;
-use super::{Curve, CurveModel, CurveResult, Cutoffs, Ground, NominalPressure, Plan, PlanError, stack};
+use super::{
+    Curve, CurveModel, CurveResult, Cutoffs, Ground, NominalPressure, Plan, PlanError, persson_cuts, stack,
+};
 
 /// The rows of a part, about: enough to keep every core busy, and few beside what a spectrum holds.
 const PART: usize = 1 << 14;
@@ -64,6 +66,7 @@ impl Stream<'_> {
         let needs = &self.plan.needs;
         match curve.model {
             CurveModel::Stacked(_) => self.ground.scales.len() * needs.load_count(),
+            CurveModel::Persson { .. } => self.ground.psd.len() * needs.load_count(),
             CurveModel::Statistical { .. } => {
                 self.ground.cutoff_count(curve.cutoffs) * needs.condition_count()
             }
@@ -89,6 +92,22 @@ impl Stream<'_> {
                 in_parts(pressures, scales.len(), |pressures_pa| {
                     let (blocks, _) = stack::blocks(&model, &pressures_pa, scales, curve.cutoffs, run)?;
                     each(Part { pressures_pa, rows: CurveResult::Stacked(blocks) })
+                })
+            }
+            CurveModel::Persson { pair, law } => {
+                let normalisation = self.plan.needs.moments.unwrap_or_default();
+                let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
+                in_parts(pressures, self.ground.psd.len(), |pressures_pa| {
+                    let blocks = persson_cuts::blocks(
+                        &pair,
+                        &law,
+                        &pressures_pa,
+                        &self.ground,
+                        normalisation,
+                        curve.cutoffs,
+                        run,
+                    )?;
+                    each(Part { pressures_pa, rows: CurveResult::Persson(blocks) })
                 })
             }
             CurveModel::Statistical { pair, law } => {

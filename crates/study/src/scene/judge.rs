@@ -11,15 +11,16 @@ use super::values::value_error;
 /// transforms.
 const GRID: Bound = Bound::Within { at_least: 32.0, at_most: 8192.0 };
 
-/// Surfaces that the judge may press; the standard error of 10,000 is far below what their grid leaves.
-const REALISATIONS: Bound = Bound::Within { at_least: 1.0, at_most: 10_000.0 };
+/// Surfaces that the judge may press: of one there is no scatter; the standard error of 10,000 is far below what their grid
+/// leaves.
+const REALISATIONS: Bound = Bound::Within { at_least: 2.0, at_most: 10_000.0 };
 
 /// What a scene says of its judge; what is left out is for the judge to choose.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JudgeChoices {
     /// Points per side of a surface, from 32 to 8192.
     pub grid: Option<usize>,
-    /// Surfaces of a spectrum, from 1 to 10,000.
+    /// Surfaces of a spectrum, from 2 to 10,000.
     pub realisations: Option<usize>,
     /// What the phases of the surfaces are drawn from.
     pub seed: Option<u64>,

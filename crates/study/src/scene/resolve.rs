@@ -19,7 +19,7 @@ use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
 use crate::files::Files;
 use crate::models::ModelOptions;
-use crate::plan::{CurveModel, Needs, Sampling};
+use crate::plan::{Needs, Sampling};
 use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.
@@ -86,8 +86,8 @@ pub(super) fn resolve(
     if curves.is_empty() && figures.is_empty() {
         return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
     }
-    let any_statistical = curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. }));
-    let any_stacked = curves.iter().any(|curve| matches!(curve.model, CurveModel::Stacked(_)));
+    let any_with_moments = curves.iter().any(|curve| curve.model.needs_moments());
+    let any_with_amplitudes = curves.iter().any(|curve| curve.model.needs_amplitudes());
     let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
     let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
@@ -107,8 +107,9 @@ pub(super) fn resolve(
             cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),
         },
         needs: Needs {
-            moments: (any_statistical || shows(&[Shows::Moments])).then_some(normalisation),
-            amplitudes: (any_stacked || shows(&[Shows::Amplitude, Shows::AspectRatio])).then_some(amplitude),
+            moments: (any_with_moments || shows(&[Shows::Moments])).then_some(normalisation),
+            amplitudes: (any_with_amplitudes || shows(&[Shows::Amplitude, Shows::AspectRatio]))
+                .then_some(amplitude),
             curves,
             loads,
             sweeps,
