@@ -42,7 +42,7 @@ def constant(p, s):
         return contact, plastic, density
 
     def modes():
-        count = 4 + int(8 / s)
+        count = 4 + int(16 / s)
         e = lambda n: exp(-n * n * pi**2 * v / 2)
         contact = p + 2 / pi * sum(sin(n * pi * p) / n * e(n) for n in range(1, count))
         plastic = p + 2 / pi * sum((-1) ** n * sin(n * pi * p) / n * e(n) for n in range(1, count))
