@@ -15,6 +15,8 @@ fn every_command_shows_an_example() {
         &["run"],
         &["scene"],
         &["statistical"],
+        &["bem"],
+        &["persson"],
         &["completions"],
         &["man"],
         &["asperity"],
@@ -55,12 +57,14 @@ fn a_closed_pipe_ends_quietly() {
 }
 
 /// The commands that `--help` lists.
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 12] = [
     "asperity",
     "moments",
     "amplitude",
     "stacked",
+    "persson",
     "statistical",
+    "bem",
     "fit",
     "run",
     "scene",

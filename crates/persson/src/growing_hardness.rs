@@ -179,6 +179,10 @@ impl<'a> March<'a> {
             steep = self.approaching && distance(to_pa2) <= first_distance;
         }
         self.approaching = steep;
+        if self.panels.is_empty() && first_distance > UNREACHED {
+            (self.reached_pa2, self.approaching) = (to_pa2, true);
+            return;
+        }
         let last_distance = distance(to_pa2);
         let panel = Panel { from_pa2, to_pa2, piece, steep, last_distance, plastic: None, held: [0.0; SIZE] };
         self.panels.push(panel);
@@ -386,6 +390,7 @@ impl Arc {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::HardnessKnot;
 
     #[test]
     fn the_whole_curve_is_what_each_of_its_places_is_alone() {
@@ -408,6 +413,34 @@ mod tests {
         assert!((areas[0].contact() / growing.contact() - 1.0).abs() < 1e-11, "{areas:?} {growing:?}");
         assert!((areas[2].contact() / (0.1 / 3f64.sqrt()) - 1.0).abs() < 1e-8, "{:?}", areas[2]);
         assert!(areas[2].elastic < 1e-10 && areas[1].elastic > 1e-3, "{areas:?}");
+    }
+
+    #[test]
+    fn a_hardness_that_outgrows_the_stress_at_first_and_falls_behind_later_is_followed() {
+        // V = q^4 - 1 under H = 3 q^0.5 grows from nothing to many times H^2.
+        let knot = |i: i32| {
+            let q = 1.0 + 1e-6 * 10f64.powf(f64::from(i) / 5.0);
+            HardnessKnot {
+                wavevector_rad_per_m: q,
+                variance_pa2: libm::expm1(4.0 * q.ln()),
+                hardness_pa: 3.0 * q.sqrt(),
+                variance_exponent: 4.0,
+            }
+        };
+        let mut knots: Vec<HardnessKnot> = (0..=37).map(knot).collect();
+        knots.insert(
+            0,
+            HardnessKnot { wavevector_rad_per_m: 1.0, variance_pa2: 0.0, hardness_pa: 1e-3, ..knots[0] },
+        );
+        let path = HardnessPath::through(&knots);
+        let variances_pa2: Vec<f64> = knots.iter().map(|knot| knot.variance_pa2).collect();
+        let areas = areas_along(&path, 5e-4, &variances_pa2);
+        for (areas, knot) in areas.iter().zip(&knots) {
+            assert!((areas.elastic + areas.plastic + areas.gap - 1.0).abs() < 1e-12, "{areas:?}");
+            assert!(areas.plastic * knot.hardness_pa <= 5e-4, "{areas:?}");
+        }
+        let last = areas.last().unwrap();
+        assert!(last.plastic > 0.9 * last.contact(), "{last:?}");
     }
 
     #[test]
