@@ -39,6 +39,12 @@ pub fn one_decade(hurst_exponent: f64) -> WaveBand {
     WaveBand::fractal(hurst_exponent, 4.0, 40.0)
 }
 
+/// A decade and a half without a roll-off.
+#[must_use]
+pub fn one_and_a_half_decades(hurst_exponent: f64) -> WaveBand {
+    WaveBand::fractal(hurst_exponent, 2.0, 64.0)
+}
+
 /// Two decades, which are two windows of one: those that are glued.
 #[must_use]
 pub fn two_decades(hurst_exponent: f64) -> WaveBand {
@@ -92,7 +98,7 @@ fn trial(band: WaveBand, grid: usize, realisations: u64) -> Trial {
 
 /// Whether a spectrum is pressed with hardnesses too: one and a half decades of each exponent, and one and two of 0.8.
 fn hardens(band: &WaveBand) -> bool {
-    *band == WaveBand::fractal(band.hurst_exponent, 2.0, 64.0)
+    *band == one_and_a_half_decades(band.hurst_exponent)
         || *band == one_decade(0.8)
         || *band == two_decades(0.8)
 }
