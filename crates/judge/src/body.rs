@@ -4,7 +4,6 @@ use serde::Serialize;
 use study::persson_law::PerssonLaw;
 use study::plan::CurveModel;
 
-
 /// Hardness over yield strength (Tabor 1951), where no indentation gave the hardness itself.
 const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
@@ -30,9 +29,9 @@ impl Body {
         match model.strength() {
             None => Body::Elastic,
             Some(_) if model.strength_grows() => Body::Growing,
-            Some(strength) => Body::Hard {
-                hardness_pa: hardness_over_strength(model) * strength.macroscopic_strength_pa(),
-            },
+            Some(strength) => {
+                Body::Hard { hardness_pa: hardness_over_strength(model) * strength.macroscopic_strength_pa() }
+            }
         }
     }
 

@@ -1,8 +1,10 @@
 //! The models of a scene on a window of its spectrum.
 
-use study::plan::{Curve, CurveModel, Cutoffs, Load, Needs, NominalPressure, Plan, Sampling, scales_per_decade};
-use study::scene::Scene;
 use spectrum::ProfilePsd;
+use study::plan::{
+    Curve, CurveModel, Cutoffs, Load, Needs, NominalPressure, Plan, Sampling, scales_per_decade,
+};
+use study::scene::Scene;
 
 use crate::JudgeError;
 use crate::window::Window;
@@ -27,12 +29,9 @@ pub(crate) fn area_fractions(
         if places.is_empty() {
             continue;
         }
-        let profile =
-            if stacks { window.stacked_profile(per_decade)? } else { window.fine_profile()? };
-        let chosen: Vec<Curve> = places
-            .iter()
-            .map(|&at| Curve { cutoffs: Cutoffs::Shortest, ..curves[at].clone() })
-            .collect();
+        let profile = if stacks { window.stacked_profile(per_decade)? } else { window.fine_profile()? };
+        let chosen: Vec<Curve> =
+            places.iter().map(|&at| Curve { cutoffs: Cutoffs::Shortest, ..curves[at].clone() }).collect();
         let needs = Needs {
             moments: (!stacks).then(|| scene.needs.moments.unwrap_or_default()),
             amplitudes: Some(scene.needs.amplitudes.unwrap_or_default()),

@@ -51,15 +51,17 @@ pub enum Reason {
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Reason::Compared { longest_m, shortest_m, ratio, pressure_over_gradient, agreeing, windows } => write!(
-                f,
-                "{} times the area of boundary elements from {} to {} at p/(E* h') = {}; agrees on {agreeing} of {windows} \
+            Reason::Compared { longest_m, shortest_m, ratio, pressure_over_gradient, agreeing, windows } => {
+                write!(
+                    f,
+                    "{} times the area of boundary elements from {} to {} at p/(E* h') = {}; agrees on {agreeing} of {windows} \
                  windows",
-                three_digits(ratio),
-                length(longest_m),
-                length(shortest_m),
-                three_digits(pressure_over_gradient)
-            ),
+                    three_digits(ratio),
+                    length(longest_m),
+                    length(shortest_m),
+                    three_digits(pressure_over_gradient)
+                )
+            }
             Reason::Broken(Broken::Yields(above)) => write!(
                 f,
                 "takes no yielding into account, and its real pressure exceeds the hardness from {} on: {} over {}",

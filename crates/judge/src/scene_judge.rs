@@ -146,7 +146,8 @@ impl<'s> Case<'s> {
     /// The rms pressure \[Pa\] of full contact with all waves down to a wavelength \[m\].
     fn rms_pressure_pa(&self, wavelength_m: f64) -> f64 {
         let m2 = |moments: &Moments| moments.m2;
-        let down_to = self.moments.partition_point(|moments| moments.wavelength_m >= wavelength_m * (1.0 - 1e-12));
+        let down_to =
+            self.moments.partition_point(|moments| moments.wavelength_m >= wavelength_m * (1.0 - 1e-12));
         let above = down_to.checked_sub(1).map(|at| &self.moments[at]);
         let m2 = match (above, self.moments.get(down_to)) {
             (Some(above), Some(below)) => {
@@ -211,8 +212,7 @@ impl<'s> Case<'s> {
                 .flat_map(|body| (0..loads).map(move |load| (body, load)))
                 .map(|(body, load)| self.pressure_pa(body, load, window.band.longest_m))
                 .collect();
-            let areas =
-                on_windows::area_fractions(self.scene, &self.results.psd, window, &pressures_pa)?;
+            let areas = on_windows::area_fractions(self.scene, &self.results.psd, window, &pressures_pa)?;
             for curve in 0..self.bodies.len() {
                 let body = self.body_index(curve);
                 for load in 0..loads {
@@ -351,9 +351,8 @@ impl<'s> Case<'s> {
     fn on_window(&self, place: Place) -> OnWindow {
         let Place { curve, load, band, pressure_pa, gradient_pa, area_fraction, judged, broken } = place;
         let pressure_over_gradient = pressure_pa / gradient_pa;
-        let grown = (self.bodies[curve] == Body::Growing)
-            .then(|| self.yields_while_growing(curve, load))
-            .flatten();
+        let grown =
+            (self.bodies[curve] == Body::Growing).then(|| self.yields_while_growing(curve, load)).flatten();
         let (judged, reason) = match (judged, grown) {
             (_, Some(above)) => (None, Reason::StrengthGrows { wavelength_m: above.wavelength_m }),
             (Ok(judged), None) => (Some(judged), Reason::NoArea),
@@ -373,10 +372,11 @@ impl<'s> Case<'s> {
             (verdict, reason)
         });
         // What breaks at some scale is broken at all shorter ones.
-        let (verdict, reason) = match broken.filter(|broken| broken.wavelength_m() >= band.shortest_m * (1.0 - 1e-9)) {
-            Some(broken) => (Verdict::OutOfRange, Reason::Broken(broken)),
-            None => of_areas.unwrap_or((Verdict::NotJudged, reason)),
-        };
+        let (verdict, reason) =
+            match broken.filter(|broken| broken.wavelength_m() >= band.shortest_m * (1.0 - 1e-9)) {
+                Some(broken) => (Verdict::OutOfRange, Reason::Broken(broken)),
+                None => of_areas.unwrap_or((Verdict::NotJudged, reason)),
+            };
         OnWindow {
             curve,
             load,
@@ -402,7 +402,8 @@ impl<'s> Case<'s> {
         whole_band: bool,
     ) -> OfCurve {
         let own = || windows.iter().filter(move |on| (on.curve, on.load) == (curve, load));
-        let worst = own().filter(|on| on.counted().is_some()).max_by(|a, b| badness(a).total_cmp(&badness(b)));
+        let worst =
+            own().filter(|on| on.counted().is_some()).max_by(|a, b| badness(a).total_cmp(&badness(b)));
         let agreeing = own().filter(|on| on.verdict == Verdict::Agrees).count();
         let judged_windows = own().filter(|on| on.counted().is_some()).count();
         let (verdict, reason) = match (broken, worst) {
@@ -449,9 +450,8 @@ struct Place {
 
 /// How far a ratio is from one, either way, beyond the errors that it is given.
 fn badness(on: &OnWindow) -> f64 {
-    on.counted().map_or(f64::NEG_INFINITY, |(ratio, error)| {
-        ratio.ln().abs() - (1.0 + ERRORS_GIVEN * error).ln()
-    })
+    on.counted()
+        .map_or(f64::NEG_INFINITY, |(ratio, error)| ratio.ln().abs() - (1.0 + ERRORS_GIVEN * error).ln())
 }
 
 fn counted(reason: Reason, agreeing: usize, windows: usize) -> Reason {

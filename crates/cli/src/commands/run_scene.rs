@@ -58,8 +58,14 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let judgement = judgement(args, &scene, &results)?;
     timings.lap("judging");
     make_folder("--out", &folder)?;
-    let written =
-        output::write_products(&scene, &results, findings.as_ref(), judgement.as_ref(), context.shared.format, &folder)?;
+    let written = output::write_products(
+        &scene,
+        &results,
+        findings.as_ref(),
+        judgement.as_ref(),
+        context.shared.format,
+        &folder,
+    )?;
     timings.lap("writing");
     let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
     let others = output::other_files(&folder, &written)?;
@@ -113,7 +119,9 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in products::file_names(&scene, !args.no_report, is_judged(args, &scene), context.shared.format) {
+        for name in
+            products::file_names(&scene, !args.no_report, is_judged(args, &scene), context.shared.format)
+        {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;
