@@ -37,11 +37,13 @@ const LAYERS: &[Layer] = &[
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
+    ("truearea-persson", &["truearea-units", "truearea-numerics"]),
     ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",
         &[
             "truearea-features",
+            "truearea-persson",
             "truearea-units",
             "truearea-numerics",
             "truearea-parallel",
@@ -57,6 +59,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-rows",
         &[
+            "truearea-persson",
             "truearea-units",
             "truearea-parallel",
             "truearea-tables",
@@ -91,6 +94,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-report",
         &[
+            "truearea-persson",
             "truearea-elements",
             "truearea-gaussian-surfaces",
             "truearea-units",

@@ -129,7 +129,7 @@ impl LoadAnswer {
             _ => None,
         };
         let out_of_range = match result {
-            CurveResult::Stacked(_) => None,
+            CurveResult::Stacked(_) | CurveResult::Persson(_) => None,
             CurveResult::Statistical(blocks) => blocks[block].last().and_then(|row| row.contact),
         };
         Some(LoadAnswer {

@@ -4,6 +4,7 @@ mod bem;
 mod groups;
 mod misplaced;
 mod parsers;
+mod persson;
 
 pub(crate) use bem::BemArgs;
 pub(crate) use groups::{
@@ -11,6 +12,7 @@ pub(crate) use groups::{
     ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
+pub(crate) use persson::{Deformation, GrowthArg, PerssonArgs};
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
@@ -124,6 +126,30 @@ Examples:
   truearea moments psd.csv | truearea statistical --input - \\
       --model hertz --pressure 1MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
     Statistical(StatisticalArgs),
+    /// Contact area, mean gap and stiffness by Persson's theory: over all cutoffs, or row by row
+    #[command(after_help = "\
+With a spectrum: columns wavelength_m, area_fraction, elastic_area_fraction,
+plastic_area_fraction, real_pressure_pa, rms_gradient, mean_gap_m,
+stiffness_pa_per_m; a row per wavelength from long to short. With several
+pressures a first column nominal_pressure_pa, in blocks in the order given. Gap
+and stiffness are those of the elastic theory: their cells are empty where more
+than 3 % of the contact is plastic.
+
+With --input, a table with the columns pressure_pa, rms_pressure_pa (of the
+pressure that would flatten the roughness, E* h'/2), and, where it yields,
+hardness_pa and hardness_growth (c of H^2 = H0^2 + c V with V the square of
+rms_pressure_pa; empty for none). area_fraction, elastic_area_fraction and
+plastic_area_fraction are filled in. What is the same in every row may be given
+as --pressure and --indentation-hardness instead.
+
+Examples:
+  truearea persson psd.csv --model elastic --pressure 5.4MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea persson psd.csv --model elastic-plastic --hardness-law power:0.2 \\
+      --pressures 1kPa:1GPa:40 --youngs-modulus 463GPa --poisson-ratio 0.2 \\
+      --indentation-hardness 5.4GPa
+  truearea persson --input rows.csv --output rows.csv")]
+    Persson(PerssonArgs),
     /// Contact area by boundary elements: of a map as scanned, or of random surfaces of a spectrum
     #[command(after_help = "\
 Columns: nominal_pressure_pa, area_fraction (share of the points in contact),
@@ -485,6 +511,9 @@ pub(crate) struct RunArgs {
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
+    /// Judge no model by boundary elements, whatever the scene says of it
+    #[arg(long)]
+    pub no_judge: bool,
     /// Print what the scene needs and what is skipped, and stop there, with nothing computed
     #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
     pub dry_run: bool,

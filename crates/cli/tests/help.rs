@@ -16,6 +16,7 @@ fn every_command_shows_an_example() {
         &["scene"],
         &["statistical"],
         &["bem"],
+        &["persson"],
         &["completions"],
         &["man"],
         &["asperity"],
@@ -56,11 +57,12 @@ fn a_closed_pipe_ends_quietly() {
 }
 
 /// The commands that `--help` lists.
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "asperity",
     "moments",
     "amplitude",
     "stacked",
+    "persson",
     "statistical",
     "bem",
     "fit",

@@ -7,8 +7,9 @@ use units::Bound;
 
 use crate::area::{Count, count};
 use crate::contact::Contact;
-use crate::descent::{Operators, Outcome, Problem, State, descend};
+use crate::descent::{Outcome, descend};
 use crate::loading::Loading;
+use crate::problem::{Operators, Problem, State};
 use crate::stiffness::approach_per_pressure;
 use crate::{Grid, HalfSpaceError, sums};
 

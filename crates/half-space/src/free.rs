@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use parallel::Progress;
 
 use crate::contact::Contact;
-use crate::descent::Operators;
 use crate::elements::{Elements, unit_wave_number_per_m};
 use crate::loading::Loading;
 use crate::love::LoveFactors;
 use crate::periodic::wave_number;
+use crate::problem::Operators;
 use crate::transform::Convolution;
 use crate::{Grid, HalfSpaceError};
 

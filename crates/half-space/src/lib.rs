@@ -16,6 +16,7 @@ mod grid;
 mod loading;
 mod love;
 mod periodic;
+mod problem;
 mod projection;
 mod stiffness;
 mod sums;

@@ -3,9 +3,9 @@
 use parallel::Progress;
 
 use crate::contact::Contact;
-use crate::descent::Operators;
 use crate::elements::{Elements, unit_wave_number_per_m};
 use crate::loading::Loading;
+use crate::problem::Operators;
 use crate::transform::Convolution;
 use crate::{Grid, HalfSpaceError};
 

@@ -1,6 +1,6 @@
 //! How a contact answers a little more load, while the same points touch.
 
-use crate::descent::{Operators, State};
+use crate::problem::{Operators, State};
 use crate::sums;
 
 /// The relative error of the stiffness, as the preconditioner estimates it.

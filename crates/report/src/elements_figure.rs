@@ -32,5 +32,7 @@ pub fn area_against_load(loads: &[PressedLoad]) -> FigureData {
         y_label: AREA,
         series: lines.into_iter().filter(is_seen).collect(),
         gaps: Vec::new(),
+        bands: Vec::new(),
+        marks: Vec::new(),
     }
 }

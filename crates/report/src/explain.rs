@@ -10,7 +10,8 @@ use units::display::{length, three_digits};
 
 type IsFramework = fn(&CurveModel) -> bool;
 
-const FRAMEWORKS: [(&str, IsFramework); 2] = [("stacked", is_stacked), ("statistical", is_statistical)];
+const FRAMEWORKS: [(&str, IsFramework); 3] =
+    [("stacked", is_stacked), ("statistical", is_statistical), ("persson", is_persson)];
 
 fn is_stacked(model: &CurveModel) -> bool {
     matches!(model, CurveModel::Stacked(_))
@@ -18,6 +19,10 @@ fn is_stacked(model: &CurveModel) -> bool {
 
 fn is_statistical(model: &CurveModel) -> bool {
     matches!(model, CurveModel::Statistical { .. })
+}
+
+fn is_persson(model: &CurveModel) -> bool {
+    matches!(model, CurveModel::Persson { .. })
 }
 
 /// The explanation of a scene.
@@ -47,7 +52,7 @@ pub fn explain(scene: &Scene) -> String {
     row(
         if_needed(needs.amplitudes.is_some()),
         match needs.amplitudes {
-            Some(definition) if !needs.curves.iter().any(|curve| is_stacked(&curve.model)) => {
+            Some(definition) if !needs.curves.iter().any(|curve| curve.model.needs_amplitudes()) => {
                 format!(
                     "amplitudes, {definition}: {} ({})",
                     choices_in_words::amplitude(definition),

@@ -102,6 +102,15 @@ fn what_sets_it(
     }
     match result {
         CurveResult::Stacked(_) => None,
+        CurveResult::Persson(blocks) => {
+            let cut = blocks[block].last()?;
+            Some(format!(
+                "the rms gradient {} of all scales down to {} sets it; {} of the contact flows",
+                three_digits(cut.rms_gradient),
+                length(cut.wavelength_m),
+                percent(cut.areas.plastic / cut.areas.contact())
+            ))
+        }
         CurveResult::Statistical(blocks) => {
             let last = blocks[block].last()?;
             let (asperities, _) = last.contact?;

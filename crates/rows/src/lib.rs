@@ -2,11 +2,15 @@
 
 mod asperities;
 pub mod asperity_table;
+mod narrow_spectra;
+mod flattened;
 mod populations;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
+pub use narrow_spectra::NarrowSpectra;
+pub use flattened::Flattened;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::StateCounts;
 
@@ -72,10 +76,24 @@ pub enum RowsNote {
         /// Of how many.
         all: usize,
     },
+    /// Rows of a spectrum narrower than that of any surface, for a model of its summits: their results are empty.
+    NarrowSpectra {
+        /// How many, and how narrow.
+        narrow: NarrowSpectra,
+        /// Of how many.
+        all: usize,
+    },
     /// States at a bound, or outside the range of their law.
     States(StateCounts),
     /// Rows with a hardness and no yield strength, for which a third of the hardness was taken.
     AssumedStrengths {
+        /// How many.
+        rows: usize,
+        /// Of how many.
+        all: usize,
+    },
+    /// Rows whose pressure is not below their hardness: all of them touches and flows.
+    FlowingEverywhere {
         /// How many.
         rows: usize,
         /// Of how many.

@@ -193,12 +193,12 @@ fn plan<'s>(scene: &'s Scene, variation: Option<Variation>, models: &[CurveModel
         Some(Variation::ScalesPerDecade(density)) => sampling.scales_per_decade = Some(density),
         _ => {}
     }
-    let statistical = |model: &CurveModel| matches!(model, CurveModel::Statistical { .. });
-    let (any_statistical, any_stacked) = (models.iter().any(statistical), !models.iter().all(statistical));
+    let any_with_moments = models.iter().any(CurveModel::needs_moments);
+    let any_with_amplitudes = models.iter().any(CurveModel::needs_amplitudes);
     let curve = |model: &CurveModel| Curve { name: String::new(), model: *model, cutoffs: Cutoffs::Shortest };
     let needs = Needs {
-        moments: normalisation.filter(|_| any_statistical),
-        amplitudes: amplitude.filter(|_| any_stacked),
+        moments: normalisation.filter(|_| any_with_moments),
+        amplitudes: amplitude.filter(|_| any_with_amplitudes),
         curves: models.iter().map(curve).collect(),
         loads: scene.needs.loads.clone(),
         tolerance: scene.needs.tolerance,

@@ -92,7 +92,7 @@ impl Variation {
         let statistical = matches!(model, CurveModel::Statistical { .. });
         let varied = match (*self, *model) {
             (Variation::Normalisation(_), _) if statistical => return Some(*model),
-            (Variation::Amplitude(_), _) if !statistical => return Some(*model),
+            (Variation::Amplitude(_), _) if model.needs_amplitudes() => return Some(*model),
             (Variation::ScalesPerDecade(_), _) => return Some(*model),
             (Variation::Hardness(hardness), model) => model.with_hardness(hardness)?,
             (Variation::Interference(interference), model) => model.with_interference(interference)?,

@@ -4,7 +4,7 @@ use units::display::pressure;
 use units::{IndentationHardness, Pressure, number};
 
 /// H/S0.
-const HARDNESS_OVER_STRENGTH: f64 = 3.0;
+pub const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
 /// The share of 3 that H/S0 may be off by where both are given, so that rounded values of a data sheet pass.
 const MISFIT: f64 = 0.01;

@@ -10,20 +10,37 @@ use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 use units::UnknownName;
 
-use crate::material::{Material, MaterialError};
+use crate::material::{Material, MaterialError, NeededFor};
+use crate::persson_law::PerssonLaw;
 
 /// One of the two frameworks, with its law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CurveModel {
     /// Scale upon scale.
     Stacked(StackedModel),
-    /// Asperities of one curvature and Gaussian heights.
+    /// Asperities of Gaussian heights.
     Statistical {
         /// The bodies in contact.
         pair: MaterialPair,
-        /// The law of one asperity.
-        law: AsperityLaw,
+        /// What is pressed.
+        law: StatisticalLaw,
     },
+    /// Persson's theory, without asperities.
+    Persson {
+        /// The bodies in contact.
+        pair: MaterialPair,
+        /// How the surface deforms.
+        law: PerssonLaw,
+    },
+}
+
+/// What a statistical model makes of the moments of a cutoff.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StatisticalLaw {
+    /// Asperities of one curvature, McCool's, under a law.
+    Asperities(AsperityLaw),
+    /// The summits of the surface, of every curvature, elastic (Bush, Gibson & Thomas).
+    Summits,
 }
 
 /// How a model gets from the roughness to the contact.
@@ -31,8 +48,20 @@ pub enum CurveModel {
 pub enum Framework {
     /// Scale upon scale.
     Stacked,
-    /// Asperities of one curvature.
+    /// A population of asperities.
     Statistical,
+    /// The pressure spreads as roughness is taken in, without asperities.
+    Persson,
+}
+
+impl std::fmt::Display for Framework {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Framework::Stacked => "stacked",
+            Framework::Statistical => "statistical",
+            Framework::Persson => "persson",
+        })
+    }
 }
 
 /// What a model may leave to choose, besides the elastic constants.
@@ -76,6 +105,9 @@ pub struct ModelEntry {
     is: fn(&CurveModel) -> bool,
 }
 
+/// The name of the model of the summits of a surface.
+const SUMMITS: &str = "bgt";
+
 /// Every model, in the order of the documentation.
 pub static MODELS: &[ModelEntry] = &[
     ModelEntry {
@@ -106,7 +138,7 @@ pub static MODELS: &[ModelEntry] = &[
         framework: Framework::Statistical,
         choices: &[],
         build: |material, _| Ok(statistical(material, AsperityLaw::Hertz)),
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::Hertz, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::Hertz)),
     },
     ModelEntry {
         name: "ep-sphere",
@@ -118,7 +150,7 @@ pub static MODELS: &[ModelEntry] = &[
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSphere { strength, hardness: options.hardness }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSphere { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSphere { .. })),
     },
     ModelEntry {
         name: "elastic-sine",
@@ -129,7 +161,7 @@ pub static MODELS: &[ModelEntry] = &[
         build: |material, options| {
             Ok(statistical(material, AsperityLaw::ElasticSine { interference: options.interference }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::ElasticSine { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::ElasticSine { .. })),
     },
     ModelEntry {
         name: "ep-sine",
@@ -141,12 +173,51 @@ pub static MODELS: &[ModelEntry] = &[
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSine { strength }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSine { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSine { .. })),
+    },
+    ModelEntry {
+        name: SUMMITS,
+        full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
+        citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
+        framework: Framework::Statistical,
+        choices: &[],
+        build: |material, _| {
+            Ok(CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Summits })
+        },
+        is: |model| matches!(model, CurveModel::Statistical { law: StatisticalLaw::Summits, .. }),
+    },
+    ModelEntry {
+        name: "persson",
+        full_name: "Persson's theory, elastic",
+        citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
+        framework: Framework::Persson,
+        choices: &[],
+        build: |material, _| Ok(CurveModel::Persson { pair: material.pair, law: PerssonLaw::Elastic }),
+        is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::Elastic, .. }),
+    },
+    ModelEntry {
+        name: "persson-plastic",
+        full_name: "Persson's theory, elastic-plastic",
+        citation: "Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006), Surf. Sci. Rep. 61:201",
+        framework: Framework::Persson,
+        choices: &[Choice::Strength, Choice::StrainGradient],
+        build: |material, options| {
+            let strength = material.strength(options.strain_gradient)?;
+            let hardness_pa = material.hardness_pa().ok_or(MaterialError::Missing(NeededFor::Yielding))?;
+            let hardness_over_strength = hardness_pa / strength.macroscopic_strength_pa();
+            let law = PerssonLaw::ElasticPlastic { strength, hardness_over_strength };
+            Ok(CurveModel::Persson { pair: material.pair, law })
+        },
+        is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::ElasticPlastic { .. }, .. }),
     },
 ];
 
 fn statistical(material: &Material, law: AsperityLaw) -> CurveModel {
-    CurveModel::Statistical { pair: material.pair, law }
+    CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Asperities(law) }
+}
+
+fn has_law(model: &CurveModel, is: impl FnOnce(&AsperityLaw) -> bool) -> bool {
+    matches!(model, CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } if is(law))
 }
 
 /// The names of all models.
@@ -166,6 +237,7 @@ pub fn named(framework: Framework, name: &str) -> Result<&'static ModelEntry, Un
         what: match framework {
             Framework::Stacked => "stacked model",
             Framework::Statistical => "statistical model",
+            Framework::Persson => "model of Persson's theory",
         },
         given: name.to_owned(),
         accepted: of_framework(framework).map(|entry| entry.name).collect::<Vec<_>>().join(", "),
@@ -179,6 +251,12 @@ impl ModelEntry {
     /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
     pub fn build(&self, material: &Material, options: &ModelOptions) -> Result<CurveModel, MaterialError> {
         (self.build)(material, options)
+    }
+
+    /// Whether it takes the moments of a surface, rather than the asperities that they make.
+    #[must_use]
+    pub fn takes_moments(&self) -> bool {
+        self.name == SUMMITS
     }
 
     /// Whether a choice is one of this model's.
@@ -238,8 +316,26 @@ impl CurveModel {
     pub fn strength(&self) -> Option<NixGao> {
         match self {
             CurveModel::Stacked(model) => model.strength(),
-            CurveModel::Statistical { law, .. } => law.strength(),
+            CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } => law.strength(),
+            CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+            CurveModel::Persson { law, .. } => law.strength(),
         }
+    }
+
+    /// Whether it stands on the amplitudes of scales.
+    #[must_use]
+    pub fn needs_amplitudes(&self) -> bool {
+        match self {
+            CurveModel::Stacked(_) => true,
+            CurveModel::Statistical { .. } => false,
+            CurveModel::Persson { .. } => self.strength_grows(),
+        }
+    }
+
+    /// Whether it stands on spectral moments.
+    #[must_use]
+    pub fn needs_moments(&self) -> bool {
+        !matches!(self, CurveModel::Stacked(_))
     }
 
     /// Whether its strength grows at small depths.
@@ -255,7 +351,8 @@ impl CurveModel {
             CurveModel::Stacked(
                 StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. },
             )
-            | CurveModel::Statistical { pair, .. } => pair,
+            | CurveModel::Statistical { pair, .. }
+            | CurveModel::Persson { pair, .. } => pair,
         }
     }
 
@@ -265,6 +362,9 @@ impl CurveModel {
         match self {
             CurveModel::Stacked(model) => model.with_strength(strength).map(CurveModel::Stacked),
             CurveModel::Statistical { .. } => self.with_law(|law| law.with_strength(strength)),
+            CurveModel::Persson { pair, law } => {
+                Some(CurveModel::Persson { pair, law: law.with_strength(strength)? })
+            }
         }
     }
 
@@ -294,9 +394,11 @@ impl CurveModel {
 
     fn with_law(self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
         match self {
-            CurveModel::Stacked(_) => None,
-            CurveModel::Statistical { pair, law } => {
-                Some(CurveModel::Statistical { pair, law: change(law)? })
+            CurveModel::Stacked(_)
+            | CurveModel::Persson { .. }
+            | CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+            CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(law) } => {
+                Some(CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(change(law)?) })
             }
         }
     }
@@ -350,7 +452,7 @@ mod tests {
     fn a_name_of_the_other_framework_is_none() {
         assert_eq!(
             named(Framework::Statistical, "elastic").unwrap_err().to_string(),
-            "reading the statistical model: 'elastic' is none of hertz, ep-sphere, elastic-sine, ep-sine"
+            "reading the statistical model: 'elastic' is none of hertz, ep-sphere, elastic-sine, ep-sine, bgt"
         );
     }
 }

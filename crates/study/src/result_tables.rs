@@ -1,5 +1,6 @@
 //! Results as the tables that others script against.
 
+use persson::Cut;
 use spectrum::AsperityParameters;
 use stacked_contact::Level;
 use stat_contact::ContactState;
@@ -68,6 +69,7 @@ pub fn part_of_curve(curve: &CurveResult, pressures_pa: &[f64], several: bool, d
     match curve {
         CurveResult::Stacked(blocks) => stacked(blocks, pressures_pa, several, details),
         CurveResult::Statistical(blocks) => statistical(blocks, details),
+        CurveResult::Persson(blocks) => persson(blocks, pressures_pa, several),
     }
 }
 
@@ -104,16 +106,35 @@ pub const STATE_DETAILS: [StateColumn; 5] = [
     ("ln_area_fraction", |state| Some(state.ln_area_fraction)),
 ];
 
-/// A stacked curve; which load a row belongs to is told where there are several.
-fn stacked(curve: &[Vec<Level>], pressures_pa: &[f64], several: bool, details: bool) -> Table {
-    let mut table = Table::default();
-    if several {
-        let of_block =
-            |(levels, &pressure_pa): (&Vec<Level>, &f64)| std::iter::repeat_n(pressure_pa, levels.len());
-        table = table.with_numbers("nominal_pressure_pa", curve.iter().zip(pressures_pa).flat_map(of_block));
+/// A curve of Persson's theory.
+fn persson(curve: &[Vec<Cut>], pressures_pa: &[f64], several: bool) -> Table {
+    let column = |of: fn(&Cut) -> f64| curve.iter().flatten().map(of);
+    let optional = |of: fn(&Cut) -> Option<f64>| curve.iter().flatten().map(of);
+    with_loads(curve, pressures_pa, several)
+        .with_numbers("wavelength_m", column(|cut| cut.wavelength_m))
+        .with_numbers("area_fraction", column(|cut| cut.areas.contact()))
+        .with_numbers("elastic_area_fraction", column(|cut| cut.areas.elastic))
+        .with_numbers("plastic_area_fraction", column(|cut| cut.areas.plastic))
+        .with_numbers("real_pressure_pa", column(|cut| cut.real_pressure_pa))
+        .with_numbers("rms_gradient", column(|cut| cut.rms_gradient))
+        .with_numbers("mean_gap_m", optional(|cut| cut.mean_gap_m))
+        .with_numbers("stiffness_pa_per_m", optional(|cut| cut.stiffness_pa_per_m))
+}
+
+/// A table that tells which load a row belongs to, where there are several.
+fn with_loads<T>(curve: &[Vec<T>], pressures_pa: &[f64], several: bool) -> Table {
+    let of_block = |(rows, &pressure_pa): (&Vec<T>, &f64)| std::iter::repeat_n(pressure_pa, rows.len());
+    let table = Table::default();
+    if !several {
+        return table;
     }
+    table.with_numbers("nominal_pressure_pa", curve.iter().zip(pressures_pa).flat_map(of_block))
+}
+
+/// A stacked curve.
+fn stacked(curve: &[Vec<Level>], pressures_pa: &[f64], several: bool, details: bool) -> Table {
     let column = |of: fn(&Level) -> f64| curve.iter().flatten().map(of);
-    table = table
+    let mut table = with_loads(curve, pressures_pa, several)
         .with_numbers("wavelength_m", column(|level| level.wavelength_m))
         .with_numbers("amplitude_m", column(|level| level.amplitude_m))
         .with_numbers("area_fraction", column(|level| level.area_fraction))

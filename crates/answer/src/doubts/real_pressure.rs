@@ -51,6 +51,9 @@ impl RealPressures {
                 CurveResult::Stacked(blocks) => {
                     blocks[block].iter().map(|level| level.real_pressure_pa).fold(0.0, f64::max)
                 }
+                CurveResult::Persson(blocks) => {
+                    blocks[block].iter().map(|cut| cut.real_pressure_pa).fold(0.0, f64::max)
+                }
                 CurveResult::Statistical(blocks) => blocks[block]
                     .iter()
                     .filter_map(|row| row.contact)

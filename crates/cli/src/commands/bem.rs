@@ -35,7 +35,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     let (surfaces, comments) = load(args, &pressing, context)?;
     let fields = args.fields.as_deref().map(|folder| FieldFiles::new(folder, args)).transpose()?;
     timings.lap("reading");
-    let progress = Progress::towards(elements::progress_steps(&surfaces, &pressing));
+    let progress = Progress::towards(elements::progress_steps(&surfaces, &pressing), "steps");
     let files = Mutex::new(StagedFiles::default());
     let see = |field: &Field<'_>| match &fields {
         Some(fields) => fields.stage(field, &files),

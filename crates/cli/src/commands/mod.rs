@@ -5,6 +5,7 @@ mod completions;
 mod man_pages;
 mod material_options;
 mod one_asperity;
+mod persson;
 mod psd;
 mod row_by_row;
 mod run_scene;
@@ -14,7 +15,7 @@ mod statistical;
 
 use std::time::{Duration, Instant};
 
-use spectrum::{ProfilePsd, ReadOptions};
+use spectrum::{ProfilePsd, ReadOption, ReadOptions};
 use staging::StagedFiles;
 
 use crate::args::{Args, Command, FigureArg, ReadingArgs, SharedArgs};
@@ -31,7 +32,7 @@ use answer::doubts::{Doubt, RealPressures};
 use report::doubt_words;
 use report::provenance::provenance;
 use report::summary::CurveCounts;
-use report::{plot, scan_words};
+use report::{plot, scan_words, spectrum_words};
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{Curve, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError, Results, Sampling};
 use study::result_tables;
@@ -57,6 +58,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
         Command::Statistical(args) => statistical::run(&args, &context),
+        Command::Persson(args) => persson::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),
@@ -159,7 +161,7 @@ impl Context<'_> {
                 }
                 None => {
                     for curve in &plan.needs.curves {
-                        let progress = Progress::towards(stream.rows(curve));
+                        let progress = Progress::towards(stream.rows(curve), "states");
                         stream.parts::<Stopped>(curve, &progress, |part| write(curve, part))?;
                     }
                 }
@@ -182,6 +184,10 @@ impl Context<'_> {
                 |error| match error {
                     SurfaceError::Scan { ref name, .. } => {
                         Failure::Input(format!("{error}; use `truearea psd {name}`"))
+                    }
+                    SurfaceError::Spectrum { error: ref reading, .. } => {
+                        let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
+                        Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
                     }
                     error => Failure::input(error),
                 },
@@ -306,8 +312,21 @@ impl<'a> Drawn<'a> {
 
 /// Carries a plan out, with a progress bar where it takes long.
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
-    let progress = Progress::towards(plan.statistical_states());
+    let progress = Progress::towards(plan.statistical_states(), "states");
     plan.compute_observed(&progress)
+}
+
+/// The flag that gives an option of reading.
+fn flag_of(option: ReadOption) -> &'static str {
+    match option {
+        ReadOption::Column => "--column",
+        ReadOption::Convention => "--convention",
+        ReadOption::X => "--x",
+        ReadOption::Series => "--series",
+        ReadOption::Subject => "--subject",
+        ReadOption::XUnit => "--x-unit",
+        ReadOption::PsdUnit => "--psd-unit",
+    }
 }
 
 /// Refuses a cutoff below all data.

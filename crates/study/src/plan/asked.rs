@@ -56,6 +56,9 @@ impl Asked {
                 CurveResult::Stacked(repeated(blocks, &index_of[..self.loads], cutoffs))
             }
             CurveResult::Statistical(blocks) => CurveResult::Statistical(repeated(blocks, index_of, cutoffs)),
+            CurveResult::Persson(blocks) => {
+                CurveResult::Persson(repeated(blocks, &index_of[..self.loads], cutoffs))
+            }
         }
     }
 }

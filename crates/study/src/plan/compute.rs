@@ -8,7 +8,7 @@ use super::ground::Ground;
 use super::run::Run;
 use super::states::Statistical;
 use super::work::counted;
-use super::{CurveModel, CurveResult, Cutoffs, Plan, PlanError, Results, Work, stack, sweeps};
+use super::{CurveModel, CurveResult, Cutoffs, Plan, PlanError, Results, Work, persson_cuts, stack, sweeps};
 
 impl Plan<'_> {
     /// Carries the plan out. Curves and loads run in parallel; the digits do not depend on the number of threads.
@@ -39,7 +39,7 @@ impl Plan<'_> {
         let models: Vec<(CurveModel, Cutoffs)> =
             asked.models.items.iter().copied().zip(asked.cutoffs.iter().copied()).collect();
         let computed = parallel::try_map(&models, |&(model, cutoffs)| {
-            rows_of_model(&model, cutoffs, &asked, &ground, run)
+            self.rows_of_model(&model, cutoffs, &asked, &ground, run)
         })?;
         let (rows_of_models, work_of_curves) = counted(computed);
         let (sweeps, work_of_sweeps) = sweeps::results(&self.needs, &asked, &rows_of_models, &ground, run)?;
@@ -57,26 +57,35 @@ impl Plan<'_> {
         };
         Ok(Results { psd, moments, scales, fit, curves, sweeps, work })
     }
-}
 
-/// The rows of one model, a block for each differing load and separation.
-fn rows_of_model(
-    model: &CurveModel,
-    cutoffs: Cutoffs,
-    asked: &Asked,
-    ground: &Ground,
-    run: Run<'_>,
-) -> Result<(CurveResult, Work), PlanError> {
-    match *model {
-        CurveModel::Stacked(model) => {
-            let (blocks, work) = stack::blocks(&model, &asked.pressures_pa(), &ground.scales, cutoffs, run)?;
-            Ok((CurveResult::Stacked(blocks), work))
-        }
-        CurveModel::Statistical { pair, law } => {
-            let conditions: &[Condition] = &asked.conditions.items;
-            let cutoffs = ground.cutoffs(cutoffs, 0..ground.cutoff_count(cutoffs));
-            let (blocks, work) = Statistical { pair, law, run }.over_cutoffs(&cutoffs, conditions)?;
-            Ok((CurveResult::Statistical(blocks), work))
+    /// The rows of one model, a block for each differing load and separation.
+    fn rows_of_model(
+        &self,
+        model: &CurveModel,
+        cutoffs: Cutoffs,
+        asked: &Asked,
+        ground: &Ground,
+        run: Run<'_>,
+    ) -> Result<(CurveResult, Work), PlanError> {
+        match *model {
+            CurveModel::Stacked(model) => {
+                let (blocks, work) =
+                    stack::blocks(&model, &asked.pressures_pa(), &ground.scales, cutoffs, run)?;
+                Ok((CurveResult::Stacked(blocks), work))
+            }
+            CurveModel::Statistical { pair, law } => {
+                let conditions: &[Condition] = &asked.conditions.items;
+                let cutoffs = ground.cutoffs(cutoffs, 0..ground.cutoff_count(cutoffs));
+                let (blocks, work) = Statistical { pair, law, run }.over_cutoffs(&cutoffs, conditions)?;
+                Ok((CurveResult::Statistical(blocks), work))
+            }
+            CurveModel::Persson { pair, law } => {
+                let normalisation = self.needs.moments.unwrap_or_default();
+                let pressures_pa = asked.pressures_pa();
+                let blocks =
+                    persson_cuts::blocks(&pair, &law, &pressures_pa, ground, normalisation, cutoffs, run)?;
+                Ok((CurveResult::Persson(blocks), Work::default()))
+            }
         }
     }
 }

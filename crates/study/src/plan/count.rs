@@ -13,7 +13,7 @@ impl Plan<'_> {
     pub fn statistical_states(&self) -> usize {
         let asked = Asked::by(&self.needs);
         let of_model = |(model, cutoffs): (&CurveModel, &Cutoffs)| match (model, cutoffs) {
-            (CurveModel::Stacked(_), _) => 0,
+            (CurveModel::Stacked(_) | CurveModel::Persson { .. }, _) => 0,
             (CurveModel::Statistical { .. }, Cutoffs::Every) => {
                 self.most_scales() * asked.conditions.items.len()
             }

@@ -3,6 +3,7 @@
 use std::num::NonZeroU32;
 
 use asperity::AsperityError;
+use persson::hardness_laws::HardnessError;
 use spectrum::FitError;
 use units::display::{length, three_digits};
 
@@ -59,6 +60,9 @@ pub enum PlanError {
     /// The fit has too little to go by.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// A hardness that cannot be used with this spectrum, or cannot carry a load.
+    #[error(transparent)]
+    Hardness(#[from] HardnessError),
     /// A value that no model takes.
     #[error(transparent)]
     Value(#[from] AsperityError),

@@ -1,7 +1,7 @@
 //! What is needed, computed once: every table, figure and reported number comes from one plan.
 //!
 //! `needs` is what can be asked for and `results` what comes out. `ground` makes of the spectrum what curves stand on,
-//! `asked` finds out which of the curves and loads are the same, `stack` and `states` compute the rows of a model and
+//! `asked` finds out which of the curves and loads are the same, `stack`, `states` and `persson_cuts` compute the rows of a model and
 //! `sweeps` those over loads, `compute` puts them together; `stream` hands curves on in parts that are not held.
 
 mod asked;
@@ -13,6 +13,7 @@ mod error;
 mod ground;
 mod load;
 mod needs;
+mod persson_cuts;
 mod results;
 mod run;
 mod stack;

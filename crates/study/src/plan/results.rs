@@ -1,5 +1,6 @@
 //! What a plan yields.
 
+use persson::Cut;
 use serde::Serialize;
 use spectrum::{AsperityParameters, Moments, ProfilePsd, SelfAffineFit};
 use stacked_contact::{Level, Scale};
@@ -34,6 +35,8 @@ pub enum CurveResult {
     Stacked(Vec<Vec<Level>>),
     /// States of the population that each cutoff leaves; the separations follow the loads.
     Statistical(Vec<Vec<CutoffState>>),
+    /// Cuts of Persson's theory.
+    Persson(Vec<Vec<Cut>>),
 }
 
 /// The contact of the asperities that a spectrum has up to a cutoff.
@@ -43,6 +46,9 @@ pub struct CutoffState {
     pub wavelength_m: f64,
     /// The asperities and their contact; none at the longest wavelength, where there are no moments yet.
     pub contact: Option<(AsperityParameters, ContactState)>,
+    /// Alpha of a spectrum narrower than that of any surface, where a model needs the summits of one: no contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub too_narrow_alpha: Option<f64>,
 }
 
 /// A curve against load.
@@ -61,6 +67,7 @@ impl CurveResult {
         match self {
             CurveResult::Stacked(blocks) => blocks.len(),
             CurveResult::Statistical(blocks) => blocks.len(),
+            CurveResult::Persson(blocks) => blocks.len(),
         }
     }
 
@@ -78,6 +85,9 @@ impl CurveResult {
                 .iter()
                 .filter_map(|row| row.contact.map(|(_, state)| (row.wavelength_m, state.area_fraction)))
                 .collect(),
+            CurveResult::Persson(blocks) => {
+                blocks[block].iter().map(|cut| (cut.wavelength_m, cut.areas.contact())).collect()
+            }
         }
     }
 
@@ -85,14 +95,14 @@ impl CurveResult {
     pub(super) fn levels(&self) -> usize {
         match self {
             CurveResult::Stacked(blocks) => blocks.iter().map(Vec::len).sum(),
-            CurveResult::Statistical(_) => 0,
+            CurveResult::Statistical(_) | CurveResult::Persson(_) => 0,
         }
     }
 
     /// How many states a statistical curve has.
     pub(super) fn states(&self) -> usize {
         match self {
-            CurveResult::Stacked(_) => 0,
+            CurveResult::Stacked(_) | CurveResult::Persson(_) => 0,
             CurveResult::Statistical(blocks) => {
                 blocks.iter().flatten().filter(|row| row.contact.is_some()).count()
             }

@@ -4,11 +4,13 @@ use parallel::Progress;
 use spectrum::ProfilePsd;
 
 use super::asked::repeated;
-use super::condition::{Asperities, Condition};
+use super::condition::{Condition, contact_of};
 use super::distinct::Distinct;
 use super::run::Run;
 use super::states::Statistical;
-use super::{Curve, CurveModel, CurveResult, Cutoffs, Ground, NominalPressure, Plan, PlanError, stack};
+use super::{
+    Curve, CurveModel, CurveResult, Cutoffs, Ground, NominalPressure, Plan, PlanError, persson_cuts, stack,
+};
 
 /// The rows of a part, about: enough to keep every core busy, and few beside what a spectrum holds.
 const PART: usize = 1 << 14;
@@ -34,8 +36,12 @@ impl Plan<'_> {
     /// Those of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
         let ground = self.ground()?;
-        for asperities in ground.moments.iter().filter_map(|(_, asperities)| asperities.as_ref()) {
-            Asperities::of(asperities).population()?;
+        for curve in &self.needs.curves {
+            let CurveModel::Statistical { pair, law } = curve.model else { continue };
+            let cutoffs = ground.cutoffs(curve.cutoffs, 0..ground.cutoff_count(curve.cutoffs));
+            for roughness in cutoffs.iter().filter_map(|cutoff| cutoff.roughness.as_ref()) {
+                contact_of(&pair, &law, roughness)?;
+            }
         }
         Ok(Stream { plan: self, ground })
     }
@@ -60,6 +66,7 @@ impl Stream<'_> {
         let needs = &self.plan.needs;
         match curve.model {
             CurveModel::Stacked(_) => self.ground.scales.len() * needs.load_count(),
+            CurveModel::Persson { .. } => self.ground.psd.len() * needs.load_count(),
             CurveModel::Statistical { .. } => {
                 self.ground.cutoff_count(curve.cutoffs) * needs.condition_count()
             }
@@ -85,6 +92,22 @@ impl Stream<'_> {
                 in_parts(pressures, scales.len(), |pressures_pa| {
                     let (blocks, _) = stack::blocks(&model, &pressures_pa, scales, curve.cutoffs, run)?;
                     each(Part { pressures_pa, rows: CurveResult::Stacked(blocks) })
+                })
+            }
+            CurveModel::Persson { pair, law } => {
+                let normalisation = self.plan.needs.moments.unwrap_or_default();
+                let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
+                in_parts(pressures, self.ground.psd.len(), |pressures_pa| {
+                    let blocks = persson_cuts::blocks(
+                        &pair,
+                        &law,
+                        &pressures_pa,
+                        &self.ground,
+                        normalisation,
+                        curve.cutoffs,
+                        run,
+                    )?;
+                    each(Part { pressures_pa, rows: CurveResult::Persson(blocks) })
                 })
             }
             CurveModel::Statistical { pair, law } => {

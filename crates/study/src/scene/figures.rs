@@ -117,11 +117,12 @@ fn load_sweeps(
     material: Option<&Material>,
 ) -> Result<Vec<LoadSweep>, SceneError> {
     let figure = spanned.get_ref();
-    if let Some(&stacked) = drawn.iter().find(|&&curve| matches!(curves[curve].model, CurveModel::Stacked(_)))
+    if let Some(&other) =
+        drawn.iter().find(|&&curve| !matches!(curves[curve].model, CurveModel::Statistical { .. }))
     {
-        let name = &curves[stacked].name;
+        let (name, framework) = (&curves[other].name, curves[other].model.entry().framework);
         let message = format!(
-            "area-against-load draws statistical curves only, and {name:?} is stacked; list curves = [...]"
+            "area-against-load draws statistical curves only, and {name:?} is {framework}; list curves = [...]"
         );
         return Err(SceneError::at(spanned.span(), message));
     }

@@ -11,6 +11,7 @@ use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
+use super::judge::{JudgeChoices, resolve_judge};
 use super::loads::resolve_loads;
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
@@ -18,7 +19,7 @@ use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
 use crate::files::Files;
 use crate::models::ModelOptions;
-use crate::plan::{CurveModel, Needs, Sampling};
+use crate::plan::{Needs, Sampling};
 use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.
@@ -38,6 +39,8 @@ pub struct Overrides {
     pub cutoff: Option<Length>,
     /// Counterface.
     pub counterface: Option<ElasticBody>,
+    /// Whether nothing is to be judged.
+    pub no_judge: bool,
 }
 
 pub(super) fn resolve(
@@ -83,11 +86,12 @@ pub(super) fn resolve(
     if curves.is_empty() && figures.is_empty() {
         return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
     }
-    let any_statistical = curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. }));
-    let any_stacked = curves.iter().any(|curve| matches!(curve.model, CurveModel::Stacked(_)));
+    let any_with_moments = curves.iter().any(|curve| curve.model.needs_moments());
+    let any_with_amplitudes = curves.iter().any(|curve| curve.model.needs_amplitudes());
     let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
     let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
+    let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
@@ -103,8 +107,9 @@ pub(super) fn resolve(
             cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),
         },
         needs: Needs {
-            moments: (any_statistical || shows(&[Shows::Moments])).then_some(normalisation),
-            amplitudes: (any_stacked || shows(&[Shows::Amplitude, Shows::AspectRatio])).then_some(amplitude),
+            moments: (any_with_moments || shows(&[Shows::Moments])).then_some(normalisation),
+            amplitudes: (any_with_amplitudes || shows(&[Shows::Amplitude, Shows::AspectRatio]))
+                .then_some(amplitude),
             curves,
             loads,
             sweeps,
@@ -112,6 +117,10 @@ pub(super) fn resolve(
             ..Needs::default()
         },
         figures,
+        judge: match overrides.no_judge {
+            true => Some(JudgeChoices::OFF),
+            false => judge,
+        },
         notes: Vec::new(),
     })
 }

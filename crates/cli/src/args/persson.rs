@@ -1,0 +1,122 @@
+//! Options of `persson`.
+
+use std::path::PathBuf;
+
+use clap::Args as ClapArgs;
+use persson::corrections::Correction;
+use persson::variance::Band;
+use study::persson_law::PerssonLaw;
+use units::{Bound, Pressure, PressureRange};
+
+use super::parsers::{one_of, parse_labelled_pressure, parse_place};
+use super::{AmplitudeArg, FigureArg, MaterialArgs, ReadingArgs, SamplingArgs};
+use crate::output::Place;
+
+/// How the surface deforms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Deformation {
+    Elastic,
+    ElasticPlastic,
+}
+
+units::named!(Deformation, "model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
+
+/// How a hardness grows towards short wavelengths.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum GrowthArg {
+    /// As a power of the wavevector.
+    Power(f64),
+    /// With the amplitudes of scales.
+    NixGao,
+    /// As a file says.
+    Table(PathBuf),
+}
+
+/// Options that mean nothing without a spectrum.
+const OF_SPECTRA: [&str; 18] = [
+    "column",
+    "x",
+    "convention",
+    "series",
+    "subject",
+    "x_unit",
+    "psd_unit",
+    "scales_per_decade",
+    "cutoff",
+    "figure",
+    "amplitude",
+    "correction",
+    "band",
+    "hardness_law",
+    "gamma",
+    "pressure_ranges",
+    "youngs_modulus",
+    "poisson_ratio",
+];
+
+/// Options of the material that mean nothing in rows.
+const OF_MATERIALS: [&str; 4] =
+    ["yield_strength", "strain_gradient_length", "strength_cap", "counterface_youngs_modulus"];
+
+#[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
+#[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges"]))]
+pub(crate) struct PerssonArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    #[arg(requires = "model", requires = "pressed")]
+    pub psd: Option<String>,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// A table of pressures instead, CSV or JSON: a path, or - for standard input
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = OF_MATERIALS)]
+    pub input: Option<Place>,
+    /// How the surface deforms; of rows, those with a hardness yield where it is left out
+    #[arg(long, value_parser = one_of::<Deformation, _>(Deformation::ALL))]
+    pub model: Option<Deformation>,
+    /// A corrected form of the elastic theory, fitted to simulations
+    #[arg(long, value_parser = one_of::<Correction, _>(Correction::ALL))]
+    pub correction: Option<Correction>,
+    /// What is cut off at a wavelength: 1d, the spectrum of profiles, which is the default, or 2d, that of the surface
+    #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]
+    pub band: Option<Band>,
+    /// How the hardness grows towards short wavelengths: power:N, with the wavevector to that power; nix-gao, with the
+    /// amplitudes of scales and --strain-gradient-length; table:FILE, with the columns contact_size_m and hardness_pa
+    #[arg(long, value_name = "power:N|nix-gao|table:FILE", value_parser = parse_growth)]
+    pub hardness_law: Option<GrowthArg>,
+    /// Elastic energy factor of the mean separation, in (0, 1]
+    #[arg(long, value_name = "G", default_value_t = PerssonLaw::ENERGY_FACTOR, value_parser = parse_gamma, allow_hyphen_values = true)]
+    pub gamma: f64,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub material: MaterialArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
+    #[command(flatten)]
+    pub figure: FigureArg,
+}
+
+fn parse_growth(text: &str) -> Result<GrowthArg, String> {
+    match text.split_once(':') {
+        None if text == "nix-gao" => Ok(GrowthArg::NixGao),
+        Some(("power", exponent)) => {
+            let exponent = exponent.parse().map_err(|_| format!("'{exponent}' is not a number"))?;
+            let checked = Bound::AtLeast(0.0).check("the exponent of the hardness", exponent);
+            checked.map(GrowthArg::Power).map_err(|error| error.to_string())
+        }
+        Some(("table", path)) if !path.is_empty() => Ok(GrowthArg::Table(path.into())),
+        _ => Err(format!("'{text}' is none of power:N, nix-gao, table:FILE")),
+    }
+}
+
+fn parse_gamma(text: &str) -> Result<f64, String> {
+    let gamma = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
+    let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
+    bound.check("the elastic energy factor", gamma).map_err(|error| error.to_string())
+}

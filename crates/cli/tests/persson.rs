@@ -1,0 +1,324 @@
+//! `persson`: from a spectrum under loads, and row by row.
+
+mod support;
+
+use support::{Bench, column, numbers};
+
+const ELASTIC: [&str; 6] = ["--model", "elastic", "--youngs-modulus", "463GPa", "--poisson-ratio", "0.2"];
+const PLASTIC: [&str; 8] = [
+    "--model",
+    "elastic-plastic",
+    "--youngs-modulus",
+    "463GPa",
+    "--poisson-ratio",
+    "0.2",
+    "--indentation-hardness",
+    "5.4GPa",
+];
+const COLUMNS: &str = "wavelength_m,area_fraction,elastic_area_fraction,plastic_area_fraction,real_pressure_pa,\
+                       rms_gradient,mean_gap_m,stiffness_pa_per_m";
+
+fn of_diamond(bench: &Bench, options: &[&[&str]]) -> support::Ran {
+    bench.run(&[&["persson", "builtin:uncd-reconstructed"], &options.concat()[..]].concat())
+}
+
+/// C1D = q^-2.6 from 1e4 to 1e6 rad/m under a modulus of 1 Pa: two samples say it all.
+fn power_law(bench: &Bench) {
+    let row =
+        |q: f64| format!("{:e},{:e}\n", std::f64::consts::TAU / q, 1.8e-7 * (q / 1e4).powf(-2.6) * 1e-6);
+    bench.write("psd.csv", format!("lambda_m,C1D_m3\n{}{}", row(1e4), row(1e6)));
+}
+
+#[test]
+fn an_elastic_curve_follows_the_error_function_and_carries_the_load() {
+    let bench = Bench::new();
+    let table = of_diamond(&bench, &[&ELASTIC, &["--pressure", "540kPa"]]).ok();
+    assert_eq!(table.lines().next().unwrap(), COLUMNS);
+    let [areas, gradients, pressures] =
+        ["area_fraction", "rms_gradient", "real_pressure_pa"].map(|name| numbers(&table, name));
+    assert_eq!((areas[0], gradients[0]), (1.0, 0.0));
+    let modulus = 463e9 / (1.0 - 0.2 * 0.2);
+    let light = (8.0 / std::f64::consts::PI).sqrt() * 540e3 / (modulus * gradients.last().unwrap());
+    assert!((areas.last().unwrap() / light - 1.0).abs() < 1e-9, "{areas:?}");
+    for (area, pressure) in areas.iter().zip(pressures) {
+        assert!((area * pressure / 540e3 - 1.0).abs() < 1e-14);
+    }
+    assert!(numbers(&table, "plastic_area_fraction").iter().all(|&share| share == 0.0));
+    assert!(column(&table, "mean_gap_m").iter().all(|cell| !cell.is_empty()));
+    assert_eq!(column(&table, "stiffness_pa_per_m")[0], "");
+}
+
+#[test]
+fn several_loads_stand_in_blocks_of_a_table_with_their_pressure_first() {
+    let bench = Bench::new();
+    let loads = ["--pressure", "1e-2H", "--pressures", "1MPa:10MPa:2"];
+    let table = of_diamond(&bench, &[&PLASTIC, &loads]).ok();
+    assert_eq!(table.lines().next().unwrap(), format!("nominal_pressure_pa,{COLUMNS}"));
+    let pressures = numbers(&table, "nominal_pressure_pa");
+    assert_eq!(pressures.len(), 3 * 74);
+    assert_eq!([pressures[0], pressures[74], pressures[148]], [54e6, 1e6, 1e7]);
+}
+
+#[test]
+fn constant_hardness_ends_in_the_load_over_it_and_has_no_elastic_gap_there() {
+    let bench = Bench::new();
+    let table = of_diamond(&bench, &[&PLASTIC, &["--pressure", "540kPa"]]).ok();
+    let [areas, elastic, plastic] =
+        ["area_fraction", "elastic_area_fraction", "plastic_area_fraction"].map(|name| numbers(&table, name));
+    assert!((areas.last().unwrap() / 1e-4 - 1.0).abs() < 1e-12);
+    for at in 0..areas.len() {
+        assert!((elastic[at] + plastic[at] - areas[at]).abs() <= 1e-15 * areas[at]);
+        for name in ["mean_gap_m", "stiffness_pa_per_m"] {
+            let empty = column(&table, name)[at].is_empty();
+            let plastic = plastic[at] > 0.03 * areas[at];
+            assert_eq!(empty, plastic || (at == 0 && name == "stiffness_pa_per_m"), "{name} {at}");
+        }
+    }
+}
+
+#[test]
+fn a_hardness_that_grows_leaves_less_area_than_a_constant_one() {
+    let bench = Bench::new();
+    bench.write("sizes.csv", "contact_size_m,hardness_pa\n1e-9,20e9\n1e-6,5.4e9\n");
+    let last = |law: &[&str]| {
+        let table = of_diamond(&bench, &[&PLASTIC, &["--pressure", "540kPa"], law]).ok();
+        *numbers(&table, "area_fraction").last().unwrap()
+    };
+    let elastic = of_diamond(&bench, &[&ELASTIC, &["--pressure", "540kPa"]]).ok();
+    let elastic = *numbers(&elastic, "area_fraction").last().unwrap();
+    let constant = last(&[]);
+    assert!((last(&["--hardness-law", "power:0"]) / constant - 1.0).abs() < 1e-12);
+    let power = last(&["--hardness-law", "power:0.2"]);
+    let table = last(&["--hardness-law", "table:sizes.csv"]);
+    assert!(elastic < power && power < constant && elastic < table && table < constant);
+    let gradient = last(&["--hardness-law", "nix-gao", "--strain-gradient-length", "5um"]);
+    assert!((gradient / elastic - 1.0).abs() < 1e-6, "{gradient} {elastic}");
+    assert_eq!(last(&["--strain-gradient-length", "5um"]), gradient);
+    let capped = last(&["--hardness-law", "power:0.2", "--strength-cap", "5GPa"]);
+    assert!((capped / (540e3 / 15e9) - 1.0).abs() < 1e-6, "{capped}");
+}
+
+#[test]
+fn the_load_at_the_hardness_flows_everywhere_and_is_refused_where_hardness_grows() {
+    let bench = Bench::new();
+    let ran = of_diamond(&bench, &[&PLASTIC, &["--pressure", "1H"]]);
+    assert!(ran.stderr.contains("1 load: the nominal pressure is not below the hardness"), "{}", ran.stderr);
+    let table = ran.ok();
+    for (name, share) in
+        [("area_fraction", "1"), ("elastic_area_fraction", "0"), ("plastic_area_fraction", "1")]
+    {
+        assert!(column(&table, name).iter().all(|cell| *cell == share), "{name}");
+    }
+    let message =
+        of_diamond(&bench, &[&PLASTIC, &["--pressure", "1H", "--hardness-law", "power:0.2"]]).refused();
+    assert!(message.contains("is not below the hardness") && message.contains("at the longest wavelength"));
+}
+
+#[test]
+fn a_hardness_that_falls_is_refused_with_the_wavelength() {
+    let bench = Bench::new();
+    bench.write("sizes.csv", "contact_size_m,hardness_pa\n1e-9,2e9\n1e-6,5.4e9\n");
+    let law = ["--pressure", "1MPa", "--hardness-law", "table:sizes.csv"];
+    let message = of_diamond(&bench, &[&PLASTIC, &law]).refused();
+    assert!(
+        message.contains("the hardness falls from") && message.contains("at a wavelength of"),
+        "{message}"
+    );
+}
+
+#[test]
+fn corrected_forms_say_that_they_are_fitted_and_touch_more() {
+    let bench = Bench::new();
+    let areas = |options: &[&str]| {
+        let ran = of_diamond(&bench, &[&ELASTIC, &["--pressure", "540kPa"], options]);
+        let fitted =
+            ran.stderr.contains("is fitted to boundary elements, alpha = m0 m4/m2^2 from 1.5 to 140");
+        assert_eq!(fitted, !options.is_empty(), "{}", ran.stderr);
+        *numbers(&ran.ok(), "area_fraction").last().unwrap()
+    };
+    let plain = areas(&[]);
+    // At light loads the factor is sqrt(9/5) and 1/sqrt(0.45).
+    for (name, factor) in [("wang-muser", 1.8f64.sqrt()), ("yang-persson", 0.45f64.sqrt().recip())] {
+        assert!((areas(&["--correction", name]) / plain / factor - 1.0).abs() < 1e-4, "{name}");
+    }
+    assert!(areas(&["--correction", "algebraic-nayak"]) > plain);
+}
+
+#[test]
+fn a_cut_of_the_surface_lets_less_through_than_one_of_its_profiles_and_does_not_depend_on_the_cutoff() {
+    let bench = Bench::new();
+    let gradients = |options: &[&str]| {
+        let table = of_diamond(&bench, &[&ELASTIC, &["--pressure", "540kPa"], options]).ok();
+        (numbers(&table, "wavelength_m"), numbers(&table, "rms_gradient"))
+    };
+    let (wavelengths, profile) = gradients(&["--band", "1d"]);
+    let (_, surface) = gradients(&["--band", "2d"]);
+    let at = wavelengths.iter().position(|&wavelength| wavelength < 290e-9).unwrap();
+    let ratio = (surface[at] / profile[at]).powi(2);
+    assert!((0.70..0.74).contains(&ratio), "{ratio}");
+    let (shorter, cut) = gradients(&["--band", "2d", "--cutoff", "100nm"]);
+    for (at, gradient) in cut.iter().enumerate().filter(|(at, _)| shorter[*at] == wavelengths[*at]) {
+        assert!((gradient - surface[at]).abs() <= 1e-12 * surface[at], "{at}");
+    }
+}
+
+#[test]
+fn a_spectrum_without_roll_off_and_loads_that_few_asperities_carry_are_noted() {
+    let bench = Bench::new();
+    power_law(&bench);
+    let material = ["--model", "elastic", "--youngs-modulus", "1Pa", "--poisson-ratio", "0"];
+    let ran = bench.run(&[&["persson", "psd.csv", "--pressure", "1e-4Pa"], &material[..]].concat());
+    assert!(ran.stderr.contains("the first decade of wavevectors makes"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("the mean gap exceeds 3 rms heights"), "{}", ran.stderr);
+    let smooth = of_diamond(&bench, &[&ELASTIC, &["--pressure", "5GPa"]]);
+    assert!(
+        !smooth.stderr.contains("first decade") && !smooth.stderr.contains("rms heights"),
+        "{}",
+        smooth.stderr
+    );
+    assert!(smooth.stderr.contains("from 142 nm down: the rms gradient h' exceeds 0.2"), "{}", smooth.stderr);
+}
+
+#[test]
+fn options_without_bearing_are_refused() {
+    let bench = Bench::new();
+    for (options, option) in [
+        ([&ELASTIC[..], &["--hardness-law", "power:0.2"]].concat(), "--hardness-law"),
+        ([&ELASTIC[..], &["--strength-cap", "5GPa"]].concat(), "--strength-cap"),
+        ([&PLASTIC[..], &["--correction", "wang-muser"]].concat(), "--correction"),
+        ([&PLASTIC[..], &["--strength-cap", "5GPa"]].concat(), "--strength-cap"),
+        (
+            [&PLASTIC[..], &["--hardness-law", "power:0.2", "--strain-gradient-length", "5um"]].concat(),
+            "--strain-gradient-length",
+        ),
+    ] {
+        let message = of_diamond(&bench, &[&options, &["--pressure", "1MPa"]]).refused();
+        assert!(message.contains(&format!("{option} has no bearing on --model")), "{message}");
+    }
+    let message =
+        of_diamond(&bench, &[&PLASTIC, &["--pressure", "1MPa", "--hardness-law", "power:-1"]]).refused();
+    assert!(message.contains("the exponent of the hardness is -1"), "{message}");
+    let message = of_diamond(&bench, &[&ELASTIC, &["--pressure", "1MPa", "--gamma", "0"]]).refused();
+    assert!(
+        message.contains("the elastic energy factor is 0; it must be greater than 0 and at most 1"),
+        "{message}"
+    );
+    let without = &PLASTIC[..6];
+    let message = of_diamond(&bench, &[without, &["--pressure", "1MPa"]]).refused();
+    assert!(message.contains("needs the yield strength") || message.contains("hardness"), "{message}");
+}
+
+const ROWS: &str = "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth
+54e6,1.62e9,,
+54e6,1.62e9,5.4e9,
+54000000.0,5400000000.0,5400000000.0,0
+270000000.0,10800000000.0,5400000000.0,0.25
+6e9,1e9,5.4e9,
+";
+
+#[test]
+fn rows_are_elastic_plastic_or_of_growing_hardness_each_by_itself() {
+    let bench = Bench::new();
+    let ran = bench.run_with_input(&["persson", "--input", "-"], ROWS);
+    assert_eq!(
+        ran.stderr,
+        "note: 1 of 5 rows: the pressure is not below the hardness; everything touches and flows\n"
+    );
+    let table = ran.ok();
+    let expected = [
+        (
+            "area_fraction",
+            [
+                0.026_591_227_634_184_21,
+                0.026_591_227_646_161_207,
+                0.010_143_814_061_406_779,
+                0.036_834_283_128_668_274,
+                1.0,
+            ],
+        ),
+        (
+            "elastic_area_fraction",
+            [
+                0.026_591_227_634_184_21,
+                0.026_385_205_279_316_117,
+                0.000_287_628_015_872_435_3,
+                0.004_328_263_305_259_235,
+                0.0,
+            ],
+        ),
+        (
+            "plastic_area_fraction",
+            [0.0, 0.000_206_022_366_845_089_83, 0.009_856_186_045_534_344, 0.032_506_019_823_409_04, 1.0],
+        ),
+    ];
+    for (name, expected) in expected {
+        for (at, (found, expected)) in numbers(&table, name).iter().zip(expected).enumerate() {
+            let tolerance = if at == 3 { 1e-10 } else { 1e-13 };
+            assert!((found - expected).abs() <= tolerance * expected, "{name} {at}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn what_is_the_same_in_every_row_is_given_as_an_option() {
+    let bench = Bench::new();
+    let input = "rms_pressure_pa\n1.62e9\n";
+    let args = ["persson", "--input", "-", "--pressure", "1e-2H", "--indentation-hardness", "5.4GPa"];
+    let table = bench.run_with_input(&args, input).ok();
+    assert!((numbers(&table, "plastic_area_fraction")[0] / 2.060_223_668_450_898e-4 - 1.0).abs() < 1e-12);
+    let elastic = ["persson", "--input", "-", "--model", "elastic", "--pressure", "54MPa"];
+    let table = bench.run_with_input(&elastic, "rms_pressure_pa,hardness_pa\n1.62e9,5.4e9\n").ok();
+    assert_eq!(numbers(&table, "plastic_area_fraction"), [0.0]);
+}
+
+#[test]
+fn bad_rows_are_refused_with_their_line() {
+    let bench = Bench::new();
+    let refused = |input: &str| bench.run_with_input(&["persson", "--input", "-"], input).refused();
+    let header = "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth";
+    let message = refused(&format!("{header}\n6e9,1e9,5.4e9,0.5\n"));
+    assert!(message.contains("line 2, column pressure_pa: 6000000000 is not below hardness_pa"), "{message}");
+    let message = refused(&format!("{header}\n1,-1,,\n"));
+    assert!(message.contains("line 2, column rms_pressure_pa") && message.contains("-1"), "{message}");
+    let message = refused(&format!("{header}\n1,1,2,-3\n"));
+    assert!(message.contains("column hardness_growth") && message.contains("-3"), "{message}");
+    let message = refused(&format!("{header}\n1,1,,3\n"));
+    assert!(message.contains("there is no hardness_pa that could grow"), "{message}");
+    assert!(refused("pressure_pa\n1\n").contains("rms_pressure_pa"));
+    let args = ["persson", "--input", "-", "--model", "elastic-plastic"];
+    let message = bench.run_with_input(&args, "pressure_pa,rms_pressure_pa,hardness_pa\n1,1,\n").refused();
+    assert!(message.contains("column hardness_pa"), "{message}");
+}
+
+#[test]
+fn a_figure_is_drawn_of_what_the_table_holds() {
+    let bench = Bench::new();
+    let options = ["--pressure", "540kPa", "--figure", "area.svg", "--hardness-law", "power:0.2"];
+    of_diamond(&bench, &[&PLASTIC, &options]).ok();
+    assert!(bench.read("area.svg").contains("persson"));
+}
+
+#[test]
+fn scenes_take_both_models_and_their_tables_are_those_of_the_command() {
+    let bench = Bench::new();
+    bench.write(
+        "scene.toml",
+        "[surface]\npsd = 'builtin:uncd-reconstructed'\n[material]\nyoungs_modulus = '463 GPa'\npoisson_ratio = 0.2\n\
+         indentation_hardness = '5.4 GPa'\nstrain_gradient_length = '5 um'\n[loads]\npressures = ['540 kPa']\n\
+         [[curve]]\nmodel = 'persson'\n[[curve]]\nmodel = 'persson-plastic'\n\
+         [[curve]]\nmodel = 'persson-plastic'\nstrain_gradient = true\n",
+    );
+    let summary = bench.run(&["run", "scene.toml", "--out", "out", "--no-report"]).ok();
+    assert!(summary.contains("Persson's theory, elastic"), "{summary}");
+    for (table, options) in [
+        ("persson", &ELASTIC[..]),
+        ("persson-plastic", &PLASTIC),
+        ("persson-plastic-strain-gradient", &[&PLASTIC[..], &["--strain-gradient-length", "5um"]].concat()),
+    ] {
+        let of_command = of_diamond(&bench, &[options, &["--pressure", "540kPa"]]).ok();
+        let of_scene = bench.read(&format!("out/{table}.csv"));
+        for name in COLUMNS.split(',') {
+            assert_eq!(column(&of_scene, name), column(&of_command, name), "{table} {name}");
+        }
+    }
+}

@@ -1,0 +1,455 @@
+//! Elastic-plastic contact of a hardness that grows towards small scales: Persson (2006), Surf. Sci. Rep. 61:201.
+//!
+//! What is plastic stays at the hardness H(V) of the scale and gives area back to the elastic part as H grows; area and
+//! force are conserved at every scale. For the mean excess C(sigma, V) = E[(X - sigma)+] of the stress X of a random
+//! point that is a plain heat equation between two fixed values:
+//!
+//! C_V = C''/2,  C(0) = p,  C(H(V)) = 0,  C(sigma, 0) = (p - sigma)+;  A = -C'(0),  A_pl = -C'(H).
+//!
+//! Continued by zero above H, C is the elastic solution less what sources of strength A_pl(V')/2 along the path
+//! sigma = H(V') have taken away since. Its slope on that path is an integral equation of the second kind for A_pl alone,
+//! and the area follows from A_pl by an integral of positive terms:
+//!
+//! A_pl(V) = D(V) + Int_0^V A_pl(V') [(H + H') g(H + H') - (H - H') g(H - H')] dV',
+//! A(V) = erf(p/(sqrt2 s)) + Int_0^V A_pl(V') H' g(H') dV',
+//!
+//! with g(d) = exp(-d^2/(2 (V - V')))/(sqrt(2 pi) (V - V')^(3/2)), H' = H(V') and
+//! D = erfc((H - p)/(sqrt2 s)) - erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use nalgebra::{SMatrix, SVector};
+use numerics::GaussLegendre;
+
+use crate::areas::ContactAreas;
+use crate::constant_hardness::image;
+use crate::elastic;
+use crate::hardness_path::{HardnessPath, Piece};
+
+/// Unknowns of a panel: the coefficients of a polynomial.
+const SIZE: usize = 9;
+/// The widest panel, by sqrt(V - V_i) over sqrt(V), with V_i where its piece of the path begins.
+const WIDEST: f64 = 0.2;
+/// E = (H - p)^2/(2V) above which nothing is plastic that a double could hold.
+const UNREACHED: f64 = 600.0;
+/// exp(-45) is nothing beside 1.
+const NEGLIGIBLE: f64 = 45.0;
+
+/// The shares of the nominal area at each of some variances of the flattening pressure, which do not fall, under a nominal
+/// pressure 0 < p < H(0) \[Pa\]. Areas are good to 1e-9 and better.
+#[must_use]
+pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64]) -> Vec<ContactAreas> {
+    if path.is_constant() {
+        let hardness_pa = path.hardness_pa(0.0);
+        return variances_pa2
+            .iter()
+            .map(|variance_pa2| {
+                crate::constant_hardness::areas(pressure_pa, variance_pa2.sqrt(), hardness_pa)
+            })
+            .collect();
+    }
+    let mut march = March::new(path, pressure_pa);
+    march.go_on_to(variances_pa2.last().copied().unwrap_or(0.0));
+    variances_pa2.iter().map(|&variance_pa2| march.areas_at(variance_pa2)).collect()
+}
+
+/// The shares under a nominal pressure 0 < p < H_0, a spread s >= 0 and a hardness of H^2 = H_0^2 + c s^2, c >= 0.
+#[must_use]
+pub fn areas_of_squared_growth(
+    pressure_pa: f64,
+    spread_pa: f64,
+    hardness_pa: f64,
+    growth: f64,
+) -> ContactAreas {
+    let relative = spread_pa / hardness_pa;
+    let grown = growth * relative * relative;
+    // The time of the diffusion in units of the interval's length; the slowest mode decays faster than exp(-pi^2/2 of it).
+    let elapsed = if grown > 0.0 { libm::log1p(grown) / growth } else { relative * relative };
+    if growth > 0.0 && elapsed > STEADY {
+        return steady(pressure_pa / (hardness_pa * (1.0 + grown).sqrt()), growth);
+    }
+    let path = HardnessPath::of_squared_growth(hardness_pa, growth);
+    areas_along(&path, pressure_pa, &[spread_pa * spread_pa])[0]
+}
+
+/// From here on the beginning is forgotten: exp(-8 pi^2/2) = 7e-18.
+const STEADY: f64 = 8.0;
+
+/// What a hardness of H^2 = H_0^2 + c V tends to under p = `pressure` H:
+/// A = (p/H) sqrt(2c/pi)/erf(sqrt(c/2)), A_pl = A exp(-c/2).
+fn steady(pressure: f64, growth: f64) -> ContactAreas {
+    let root = (0.5 * growth).sqrt();
+    let contact = pressure * 2.0 / PI.sqrt() * root / libm::erf(root);
+    let (elastic, plastic) = (-contact * libm::expm1(-0.5 * growth), contact * (-0.5 * growth).exp());
+    ContactAreas { elastic, plastic, gap: 1.0 - contact }
+}
+
+/// The plastic area up to some variance, panel by panel.
+struct March<'a> {
+    path: &'a HardnessPath,
+    pressure_pa: f64,
+    rules: Rules,
+    panels: Vec<Panel>,
+    /// Where the last panel ends \[Pa^2\].
+    reached_pa2: f64,
+    /// Whether what could be reached has only come nearer so far.
+    approaching: bool,
+}
+
+/// A stretch of V on which A_pl and what it adds to the area are polynomials, or such times exp(-E) where they still
+/// grow as steeply as that.
+struct Panel {
+    from_pa2: f64,
+    to_pa2: f64,
+    piece: Piece,
+    steep: bool,
+    /// E at the end.
+    last_distance: f64,
+    /// Of A_pl; none while it is being solved for.
+    plastic: Option<Polynomial>,
+    /// Of A less the elastic theory's.
+    held: Polynomial,
+}
+
+/// Coefficients by rising power.
+type Polynomial = [f64; SIZE];
+
+/// A variance with its hardness.
+#[derive(Clone, Copy)]
+struct Place {
+    variance_pa2: f64,
+    hardness_pa: f64,
+}
+
+impl<'a> March<'a> {
+    fn new(path: &'a HardnessPath, pressure_pa: f64) -> Self {
+        let distance_pa = path.hardness_pa(0.0) - pressure_pa;
+        let reached_pa2 = 0.5 * distance_pa * distance_pa / UNREACHED;
+        March { path, pressure_pa, rules: Rules::new(), panels: Vec::new(), reached_pa2, approaching: true }
+    }
+
+    /// The areas at a variance that has been reached.
+    fn areas_at(&self, variance_pa2: f64) -> ContactAreas {
+        let spread_pa = variance_pa2.sqrt();
+        let elastic = elastic::area_fraction(self.pressure_pa, spread_pa);
+        let gap = elastic::gap_fraction(self.pressure_pa, spread_pa);
+        let at = self.panels.partition_point(|panel| panel.to_pa2 < variance_pa2);
+        let panel = self.panels.get(at).filter(|panel| panel.from_pa2 < variance_pa2);
+        let Some((panel, coefficients)) = panel.and_then(|panel| Some((panel, panel.plastic.as_ref()?)))
+        else {
+            return ContactAreas { elastic, plastic: 0.0, gap };
+        };
+        let place = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
+        let t = panel.variable((variance_pa2 - panel.piece.from_variance_pa2).sqrt());
+        let scale = if panel.steep { (-place.distance(self.pressure_pa)).exp() } else { 1.0 };
+        let [plastic, held] = [coefficients, &panel.held].map(|polynomial| scale * value(polynomial, t));
+        let plastic = plastic.clamp(0.0, 1.0);
+        let contact = (elastic + held).min(1.0);
+        ContactAreas { elastic: (contact - plastic).max(0.0), plastic, gap: (gap - held).max(0.0) }
+    }
+
+    /// Appends the panels up to a variance, split where a piece of the path begins.
+    fn go_on_to(&mut self, variance_pa2: f64) {
+        while self.reached_pa2 < variance_pa2 {
+            let pieces = self.path.pieces();
+            let next = pieces.partition_point(|piece| piece.from_variance_pa2 <= self.reached_pa2);
+            let piece = pieces[next.saturating_sub(1)];
+            let until_pa2 =
+                pieces.get(next).map_or(variance_pa2, |next| next.from_variance_pa2.min(variance_pa2));
+            self.append(piece, until_pa2);
+        }
+    }
+
+    /// Appends the next panel, which ends at `until_pa2` at the latest.
+    fn append(&mut self, piece: Piece, until_pa2: f64) {
+        let from_pa2 = self.reached_pa2;
+        let place = |variance_pa2| Place { variance_pa2, hardness_pa: piece.hardness_pa(variance_pa2) };
+        let distance = |variance_pa2| place(variance_pa2).distance(self.pressure_pa);
+        let first_distance = distance(from_pa2);
+        let kink_pa2 = piece.from_variance_pa2;
+        let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * from_pa2.sqrt();
+        let mut to_pa2 = until_pa2.min(kink_pa2 + widest_pa * widest_pa);
+        let mut steep = self.approaching && distance(to_pa2) <= first_distance;
+        // A hardness that runs away from the stress takes the plastic area with it, as steeply as exp(-E).
+        while !steep
+            && distance(to_pa2).min(first_distance) < NEGLIGIBLE
+            && (distance(to_pa2) - first_distance).abs() > 1.0
+        {
+            to_pa2 = from_pa2 + 0.5 * (to_pa2 - from_pa2);
+            steep = self.approaching && distance(to_pa2) <= first_distance;
+        }
+        self.approaching = steep;
+        if self.panels.is_empty() && first_distance > UNREACHED {
+            (self.reached_pa2, self.approaching) = (to_pa2, true);
+            return;
+        }
+        let last_distance = distance(to_pa2);
+        let panel = Panel { from_pa2, to_pa2, piece, steep, last_distance, plastic: None, held: [0.0; SIZE] };
+        self.panels.push(panel);
+        self.reached_pa2 = to_pa2;
+        self.solve_last();
+    }
+
+    /// The polynomials of the last panel, from the integral equation at as many places of it.
+    fn solve_last(&mut self) {
+        let Some(panel) = self.panels.last() else { return };
+        let mut matrix = SMatrix::<f64, SIZE, SIZE>::zeros();
+        let mut to_held = matrix;
+        let [mut right, mut held] = [SVector::<f64, SIZE>::zeros(); 2];
+        for (row, &t) in self.rules.places.iter().enumerate() {
+            let variance_pa2 = panel.variance_pa2(t);
+            let here = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
+            let relief = if panel.steep { here.distance(self.pressure_pa) } else { 0.0 };
+            let [plastic, contact] = self.history(here, relief);
+            let direct = image(here.hardness_pa, self.pressure_pa, variance_pa2.sqrt()) * relief.exp();
+            right[row] = direct + plastic.known;
+            held[row] = contact.known;
+            for column in 0..SIZE {
+                matrix[(row, column)] = self.rules.powers[(row, column)] - plastic.powers[column];
+                to_held[(row, column)] = contact.powers[column];
+            }
+        }
+        // The equation is of the second kind: its matrix is that of a polynomial through points, less something small.
+        let plastic = matrix.lu().solve(&right).unwrap_or_default();
+        let held = self.rules.powers.lu().solve(&(held + to_held * plastic)).unwrap_or_default();
+        if let Some(panel) = self.panels.last_mut() {
+            panel.plastic = Some(plastic.into());
+            panel.held = held.into();
+        }
+    }
+
+    /// exp(relief) Int A_pl(V') kernel dV' over the panels for the kernels of A_pl and of A.
+    fn history(&self, here: Place, relief: f64) -> [Integral; 2] {
+        let mut integrals = [Integral::default(); 2];
+        let resolved_pa = self.resolved_pa(here);
+        for (back, panel) in self.panels.iter().rev().enumerate() {
+            let faded = panel.steep && panel.last_distance - relief > NEGLIGIBLE;
+            if back > 0 && (faded || panel.to_pa2 < 1e-17 * here.variance_pa2) {
+                break;
+            }
+            let arc = Arc::of(panel, here.variance_pa2);
+            self.rules.over(&arc, resolved_pa, |root_pa, from_kink_pa, weight| {
+                let variance_pa2 = panel.piece.from_variance_pa2 + from_kink_pa * from_kink_pa;
+                let there = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
+                let weight = match panel.steep {
+                    true => weight * (relief - there.distance(self.pressure_pa)).exp(),
+                    false => weight * relief.exp(),
+                };
+                let t = panel.variable(from_kink_pa);
+                let kernels =
+                    [here.passage_to_the_hardness(there, root_pa), passage(there.hardness_pa, root_pa)];
+                for (integral, kernel) in integrals.iter_mut().zip(kernels) {
+                    match &panel.plastic {
+                        Some(polynomial) => integral.known += weight * kernel * value(polynomial, t),
+                        None => integral.add_powers(weight * kernel, t),
+                    }
+                }
+            });
+        }
+        integrals
+    }
+
+    /// The root of V - V' below which every kernel and weight is smooth.
+    fn resolved_pa(&self, here: Place) -> f64 {
+        let steepness_pa = here.variance_pa2 / (here.hardness_pa - self.pressure_pa);
+        0.25 * here.hardness_pa.min(steepness_pa)
+    }
+}
+
+impl Panel {
+    /// -1 at the beginning, 1 at the end, for a distance sqrt(V - V_i) from where its piece of the path begins: A_pl
+    /// answers to a kink of the hardness with the root of that distance.
+    fn variable(&self, from_kink_pa: f64) -> f64 {
+        let [first_pa, last_pa] = self.kink_distances_pa();
+        2.0 * (from_kink_pa - first_pa) / (last_pa - first_pa) - 1.0
+    }
+
+    fn variance_pa2(&self, t: f64) -> f64 {
+        let [first_pa, last_pa] = self.kink_distances_pa();
+        if t == 1.0 {
+            return self.to_pa2;
+        }
+        self.piece.from_variance_pa2 + (first_pa + 0.5 * (1.0 + t) * (last_pa - first_pa)).powi(2)
+    }
+
+    /// sqrt(V - V_i) at both ends.
+    fn kink_distances_pa(&self) -> [f64; 2] {
+        [self.from_pa2, self.to_pa2].map(|variance_pa2| (variance_pa2 - self.piece.from_variance_pa2).sqrt())
+    }
+}
+
+/// A polynomial at t.
+fn value(polynomial: &Polynomial, t: f64) -> f64 {
+    polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * t + coefficient)
+}
+
+/// An integral over the panels: over those whose A_pl is known, and over the last one with each power of its variable in
+/// place of the polynomial.
+#[derive(Default, Clone, Copy)]
+struct Integral {
+    known: f64,
+    powers: Polynomial,
+}
+
+impl Integral {
+    fn add_powers(&mut self, weight: f64, t: f64) {
+        let mut power = weight;
+        for sum in &mut self.powers {
+            *sum += power;
+            power *= t;
+        }
+    }
+}
+
+impl Place {
+    /// E = (H - p)^2/(2V): how far the hardness is from the stress.
+    fn distance(&self, pressure_pa: f64) -> f64 {
+        let distance_pa = self.hardness_pa - pressure_pa;
+        0.5 * distance_pa * distance_pa / self.variance_pa2
+    }
+
+    /// The kernel of A_pl times dV'/dx = 2x, x = sqrt(V - V'); that of A is the passage from H' to 0.
+    fn passage_to_the_hardness(&self, there: Place, root_pa: f64) -> f64 {
+        passage(self.hardness_pa + there.hardness_pa, root_pa)
+            - passage(self.hardness_pa - there.hardness_pa, root_pa)
+    }
+}
+
+/// 2 x d g(d) = sqrt(2/pi) (d/x^2) exp(-d^2/(2x^2)).
+fn passage(distance_pa: f64, root_pa: f64) -> f64 {
+    let ratio = distance_pa / root_pa;
+    (2.0 / PI).sqrt() * ratio / root_pa * (-0.5 * ratio * ratio).exp()
+}
+
+/// The rules of Gauss and Legendre that the integrals take, and the places at which the equation is to hold.
+struct Rules {
+    coarse: GaussLegendre,
+    medium: GaussLegendre,
+    fine: GaussLegendre,
+    places: [f64; SIZE],
+    /// Their powers, a row for each.
+    powers: SMatrix<f64, SIZE, SIZE>,
+}
+
+impl Rules {
+    fn new() -> Self {
+        let mut places = [1.0; SIZE];
+        places[..SIZE - 1].copy_from_slice(GaussLegendre::new(SIZE - 1).nodes());
+        let powers = SMatrix::from_fn(|row, column| places[row].powi(column as i32));
+        Rules {
+            powers,
+            coarse: GaussLegendre::new(4),
+            medium: GaussLegendre::new(6),
+            fine: GaussLegendre::new(12),
+            places,
+        }
+    }
+
+    /// Calls `term` with x, sqrt(V' - V_i) and the weight of dx along an arc, in pieces over which x does not fall to less
+    /// than half, down to `resolved_pa`.
+    fn over(&self, arc: &Arc, resolved_pa: f64, mut term: impl FnMut(f64, f64, f64)) {
+        // Of panels before the last the hardness has left, which makes the kernel as steep as x is small.
+        let least_pa = if arc.to == FRAC_PI_2 { resolved_pa } else { 0.0 };
+        let mut start = arc.from;
+        while start < arc.to {
+            let root_pa = arc.radius_pa * start.cos();
+            let halved = if root_pa > least_pa { (0.5 * start.cos()).acos() } else { arc.to };
+            let end = halved.min(arc.to);
+            let rule = match end.cos() / start.cos() {
+                0.92.. => &self.coarse,
+                0.75.. => &self.medium,
+                _ => &self.fine,
+            };
+            for (angle, weight) in rule.over(start, end) {
+                let (sine, cosine) = angle.sin_cos();
+                let from_kink_pa = arc.radius_pa * sine;
+                term(arc.radius_pa * cosine, from_kink_pa, weight * from_kink_pa);
+            }
+            start = end;
+        }
+    }
+}
+
+/// A panel as seen from a variance V above it: V' = V_i + R^2 sin^2 and x = sqrt(V - V') = R cos of an angle, in which both
+/// the root of the kernel, in x, and that of A_pl, in sqrt(V' - V_i), are smooth.
+struct Arc {
+    radius_pa: f64,
+    from: f64,
+    to: f64,
+}
+
+impl Arc {
+    fn of(panel: &Panel, variance_pa2: f64) -> Self {
+        let kink_pa2 = panel.piece.from_variance_pa2;
+        let angle = |at_pa2: f64| (at_pa2 - kink_pa2).sqrt().atan2((variance_pa2 - at_pa2).sqrt());
+        let to_pa2 = panel.to_pa2.min(variance_pa2);
+        Arc { radius_pa: (variance_pa2 - kink_pa2).sqrt(), from: angle(panel.from_pa2), to: angle(to_pa2) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::HardnessKnot;
+
+    #[test]
+    fn the_whole_curve_is_what_each_of_its_places_is_alone() {
+        let path = HardnessPath::of_squared_growth(1.0, 2.0);
+        let variances_pa2: Vec<f64> = (0..40).map(|i| 1e-4 * 10f64.powf(f64::from(i) / 8.0)).collect();
+        let together = areas_along(&path, 0.2, &variances_pa2);
+        for (at, areas) in together.iter().enumerate() {
+            let alone = areas_of_squared_growth(0.2, variances_pa2[at].sqrt(), 1.0, 2.0);
+            assert!((areas.contact() / alone.contact() - 1.0).abs() < 1e-9, "{at}");
+            assert!((areas.plastic - alone.plastic).abs() <= 1e-9 * alone.contact(), "{at}");
+        }
+    }
+
+    #[test]
+    fn growth_that_ends_leaves_the_law_of_constant_hardness_to_take_over() {
+        // Grown to sqrt(3) at V = 1 and constant from there: late, A = p/H.
+        let path = HardnessPath::of_squared_growth(1.0, 2.0).capped(3f64.sqrt());
+        let areas = areas_along(&path, 0.1, &[0.5, 1.0, 40.0]);
+        let growing = areas_of_squared_growth(0.1, 0.5f64.sqrt(), 1.0, 2.0);
+        assert!((areas[0].contact() / growing.contact() - 1.0).abs() < 1e-11, "{areas:?} {growing:?}");
+        assert!((areas[2].contact() / (0.1 / 3f64.sqrt()) - 1.0).abs() < 1e-8, "{:?}", areas[2]);
+        assert!(areas[2].elastic < 1e-10 && areas[1].elastic > 1e-3, "{areas:?}");
+    }
+
+    #[test]
+    fn a_hardness_that_outgrows_the_stress_at_first_and_falls_behind_later_is_followed() {
+        // V = q^4 - 1 under H = 3 q^0.5 grows from nothing to many times H^2.
+        let knot = |i: i32| {
+            let q = 1.0 + 1e-6 * 10f64.powf(f64::from(i) / 5.0);
+            HardnessKnot {
+                wavevector_rad_per_m: q,
+                variance_pa2: libm::expm1(4.0 * q.ln()),
+                hardness_pa: 3.0 * q.sqrt(),
+                variance_exponent: 4.0,
+            }
+        };
+        let mut knots: Vec<HardnessKnot> = (0..=37).map(knot).collect();
+        knots.insert(
+            0,
+            HardnessKnot { wavevector_rad_per_m: 1.0, variance_pa2: 0.0, hardness_pa: 1e-3, ..knots[0] },
+        );
+        let path = HardnessPath::through(&knots);
+        let variances_pa2: Vec<f64> = knots.iter().map(|knot| knot.variance_pa2).collect();
+        let areas = areas_along(&path, 5e-4, &variances_pa2);
+        for (areas, knot) in areas.iter().zip(&knots) {
+            assert!((areas.elastic + areas.plastic + areas.gap - 1.0).abs() < 1e-12, "{areas:?}");
+            assert!(areas.plastic * knot.hardness_pa <= 5e-4, "{areas:?}");
+        }
+        let last = areas.last().unwrap();
+        assert!(last.plastic > 0.9 * last.contact(), "{last:?}");
+    }
+
+    #[test]
+    fn late_and_early_meet() {
+        let growth = 0.5f64;
+        let at = |elapsed: f64| (libm::expm1(growth * elapsed) / growth).sqrt();
+        let [before, after] = [STEADY - 1e-9, STEADY + 1e-9]
+            .map(|elapsed| areas_of_squared_growth(0.3, at(elapsed), 1.0, growth));
+        assert!((before.contact() / after.contact() - 1.0).abs() < 2e-9, "{before:?} {after:?}");
+        assert!((before.plastic / after.plastic - 1.0).abs() < 2e-9);
+    }
+}

@@ -1,0 +1,282 @@
+//! How the hardness depends on the scale.
+//!
+//! None of these laws comes with Persson's theory: which one holds is a choice. A hardness may only grow towards short
+//! wavelengths; one that falls would have the plastic area press harder than it can.
+
+use thiserror::Error;
+use units::{Bound, OutOfBounds};
+
+use crate::hardness_path::{HardnessKnot, HardnessPath};
+use crate::roughness::Roughness;
+
+/// A hardness along a spectrum: a law, and where its growth ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hardness {
+    growth: HardnessGrowth,
+    /// The hardness that it does not grow beyond \[Pa\].
+    cap_pa: Option<f64>,
+}
+
+/// How a hardness grows towards short wavelengths.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum HardnessGrowth {
+    /// Not at all.
+    Constant {
+        /// H > 0 \[Pa\].
+        hardness_pa: f64,
+    },
+    /// H = H_0 (q/q_first)^n.
+    Power {
+        /// H_0 > 0 at the longest wavelength of the spectrum \[Pa\].
+        hardness_pa: f64,
+        /// n >= 0.
+        exponent: f64,
+    },
+    /// H = H_0 sqrt(1 + h*/h_p), with the amplitude of the scale for the depth h_p, of those so far the least
+    /// (Nix & Gao 1998, J. Mech. Phys. Solids 46:411).
+    NixGao {
+        /// H_0 > 0 \[Pa\].
+        hardness_pa: f64,
+        /// The strain-gradient length h* > 0 \[m\].
+        length_m: f64,
+    },
+    /// Measured against the size of the contact, for which the wavelength stands.
+    Table(HardnessTable),
+}
+
+/// Hardness against the size of contacts, as indentations give it: a power law between neighbours, constant beyond the ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HardnessTable {
+    /// Sizes \[m\] and hardnesses \[Pa\], by rising size.
+    rows: Vec<(f64, f64)>,
+}
+
+/// Why a hardness cannot be used.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum HardnessError {
+    /// A number out of its range.
+    #[error(transparent)]
+    Bound(#[from] OutOfBounds),
+    /// A table without rows.
+    #[error("the table of hardnesses is empty")]
+    Empty,
+    /// A size that stands twice.
+    #[error("the table of hardnesses gives the size {size_m:e} m twice")]
+    Repeated {
+        /// The size \[m\].
+        size_m: f64,
+    },
+    /// It falls towards short wavelengths.
+    #[error(
+        "the hardness falls from {before_pa:e} Pa to {hardness_pa:e} Pa at a wavelength of {wavelength_m:e} m; it may only grow towards short wavelengths"
+    )]
+    Falling {
+        /// The wavelength \[m\] of the spectrum at which it is first less than at the one before.
+        wavelength_m: f64,
+        /// The hardness there \[Pa\].
+        hardness_pa: f64,
+        /// The hardness at the wavelength before \[Pa\].
+        before_pa: f64,
+    },
+    /// A growing hardness cannot carry the load at the longest wavelength.
+    #[error(
+        "the nominal pressure {pressure_pa:e} Pa is not below the hardness {hardness_pa:e} Pa at the longest wavelength, {wavelength_m:e} m"
+    )]
+    Exceeded {
+        /// The nominal pressure \[Pa\].
+        pressure_pa: f64,
+        /// The hardness \[Pa\] at the longest wavelength.
+        hardness_pa: f64,
+        /// The longest wavelength \[m\].
+        wavelength_m: f64,
+    },
+}
+
+impl HardnessTable {
+    /// The table of sizes \[m\] and hardnesses \[Pa\], in any order.
+    ///
+    /// # Errors
+    /// [`HardnessError`] for an empty table, a size that stands twice, and numbers that are no magnitudes.
+    pub fn new(rows: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, HardnessError> {
+        let mut rows: Vec<(f64, f64)> = rows.into_iter().collect();
+        for &(size_m, hardness_pa) in &rows {
+            Bound::Magnitude.check("the size of a contact in m", size_m)?;
+            Bound::Magnitude.check("the hardness in Pa", hardness_pa)?;
+        }
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some(pair) = rows.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(HardnessError::Repeated { size_m: pair[0].0 });
+        }
+        if rows.is_empty() { Err(HardnessError::Empty) } else { Ok(HardnessTable { rows }) }
+    }
+
+    /// The hardness \[Pa\] of a contact of a size \[m\].
+    #[must_use]
+    pub fn hardness_pa(&self, size_m: f64) -> f64 {
+        let above = self.rows.partition_point(|row| row.0 <= size_m);
+        let (lower, upper) = (self.rows[above.saturating_sub(1)], self.rows[above.min(self.rows.len() - 1)]);
+        if above == 0 || above == self.rows.len() {
+            return lower.1;
+        }
+        let share = (size_m / lower.0).ln() / (upper.0 / lower.0).ln();
+        lower.1 * (upper.1 / lower.1).powf(share)
+    }
+}
+
+impl Hardness {
+    /// A hardness of a law, which grows up to `cap_pa` where there is one.
+    ///
+    /// # Errors
+    /// [`HardnessError::Bound`] for numbers out of the range that the law states, and for a cap below the hardness at long
+    /// wavelengths.
+    pub fn new(growth: HardnessGrowth, cap_pa: Option<f64>) -> Result<Self, HardnessError> {
+        let least_pa = match growth {
+            HardnessGrowth::Constant { hardness_pa } => hardness_pa,
+            HardnessGrowth::Power { hardness_pa, exponent } => {
+                Bound::AtLeast(0.0).check("the exponent of the hardness", exponent)?;
+                hardness_pa
+            }
+            HardnessGrowth::NixGao { hardness_pa, length_m } => {
+                Bound::Magnitude.check("the strain-gradient length in m", length_m)?;
+                hardness_pa
+            }
+            HardnessGrowth::Table(ref table) => table.rows[table.rows.len() - 1].1,
+        };
+        Bound::Magnitude.check("the hardness in Pa", least_pa)?;
+        if let Some(cap_pa) = cap_pa {
+            Bound::AtLeast(least_pa).check("the upper limit of the hardness in Pa", cap_pa)?;
+        }
+        Ok(Hardness { growth, cap_pa })
+    }
+
+    /// How it grows.
+    #[must_use]
+    pub fn growth(&self) -> &HardnessGrowth {
+        &self.growth
+    }
+
+    /// The hardness \[Pa\] at each wavevector of a roughness.
+    ///
+    /// # Errors
+    /// [`HardnessError::Falling`] where it is less than at the wavevector before.
+    pub fn along(&self, roughness: &Roughness) -> Result<Vec<f64>, HardnessError> {
+        let mut all: Vec<f64> = Vec::with_capacity(roughness.places().len());
+        let mut least_depth_m = f64::INFINITY;
+        let first = roughness.places().first().map_or(1.0, |place| place.wavevector_rad_per_m);
+        for place in roughness.places() {
+            let hardness_pa = match &self.growth {
+                HardnessGrowth::Constant { hardness_pa } => *hardness_pa,
+                HardnessGrowth::Power { hardness_pa, exponent } => {
+                    hardness_pa * (place.wavevector_rad_per_m / first).powf(*exponent)
+                }
+                HardnessGrowth::NixGao { hardness_pa, length_m } => {
+                    least_depth_m = least_depth_m.min(place.amplitude_m);
+                    hardness_pa * (1.0 + length_m / least_depth_m).sqrt()
+                }
+                HardnessGrowth::Table(table) => table.hardness_pa(place.wavelength_m),
+            };
+            if let Some(&before_pa) = all.last().filter(|&&before_pa| hardness_pa < before_pa) {
+                return Err(HardnessError::Falling {
+                    wavelength_m: place.wavelength_m,
+                    hardness_pa,
+                    before_pa,
+                });
+            }
+            all.push(hardness_pa);
+        }
+        Ok(all)
+    }
+
+    /// The hardness as a function of the variance of the flattening pressure, for a contact modulus E* > 0 \[Pa\].
+    ///
+    /// # Errors
+    /// [`HardnessError::Falling`] as of [`along`](Self::along).
+    pub fn path(
+        &self,
+        roughness: &Roughness,
+        contact_modulus_pa: f64,
+    ) -> Result<HardnessPath, HardnessError> {
+        let knot = |(place, hardness_pa): (&crate::roughness::Place, f64)| HardnessKnot {
+            wavevector_rad_per_m: place.wavevector_rad_per_m,
+            variance_pa2: place.variance_pa2(contact_modulus_pa),
+            hardness_pa,
+            variance_exponent: place.variance_exponent,
+        };
+        let knots: Vec<HardnessKnot> =
+            roughness.places().iter().zip(self.along(roughness)?).map(knot).collect();
+        let path = HardnessPath::through(&knots);
+        Ok(match self.cap_pa {
+            Some(cap_pa) => path.capped(cap_pa),
+            None => path,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roughness::RoughnessSample;
+    use crate::variance::Band;
+
+    fn roughness(amplitudes_m: [f64; 4]) -> Roughness {
+        let sample = |(i, amplitude_m): (usize, &f64)| RoughnessSample {
+            wavelength_m: 10f64.powi(-(i as i32)),
+            c1d_m3: 1e-3f64.powi(i as i32),
+            moments: [i as f64; 3],
+            amplitude_m: *amplitude_m,
+        };
+        let samples: Vec<RoughnessSample> = amplitudes_m.iter().enumerate().map(sample).collect();
+        Roughness::new(&samples, &[], Band::Profile)
+    }
+
+    fn along(growth: HardnessGrowth) -> Result<Vec<f64>, HardnessError> {
+        Hardness::new(growth, None)?.along(&roughness([1e-6, 1e-8, 4e-8, 1e-10]))
+    }
+
+    #[test]
+    fn each_law_gives_what_it_says() {
+        assert_eq!(along(HardnessGrowth::Constant { hardness_pa: 5.0 }), Ok(vec![5.0; 4]));
+        let power = along(HardnessGrowth::Power { hardness_pa: 5.0, exponent: 0.5 }).unwrap();
+        assert!((power[2] / 50.0 - 1.0).abs() < 1e-15);
+        // The third amplitude is larger than the second: the depth stays at the least so far.
+        let gradient = along(HardnessGrowth::NixGao { hardness_pa: 5.0, length_m: 3e-8 }).unwrap();
+        assert!((gradient[1] / 10.0 - 1.0).abs() < 1e-15);
+        assert_eq!(gradient[2], gradient[1]);
+        let table = HardnessTable::new([(0.01, 8.0), (1.0, 2.0)]).unwrap();
+        assert_eq!(along(HardnessGrowth::Table(table)), Ok(vec![2.0, 4.0, 8.0, 8.0]));
+    }
+
+    #[test]
+    fn a_hardness_that_falls_is_refused_with_its_wavelength() {
+        let table = HardnessTable::new([(0.01, 8.0), (0.1, 9.0), (1.0, 2.0)]).unwrap();
+        let error = along(HardnessGrowth::Table(table)).unwrap_err();
+        let HardnessError::Falling { wavelength_m, hardness_pa, before_pa } = error else {
+            panic!("{error}")
+        };
+        assert!((wavelength_m / 0.01 - 1.0).abs() < 1e-12);
+        assert!((hardness_pa / 8.0 - 1.0).abs() < 1e-12 && (before_pa / 9.0 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_no_hardness_is_refused() {
+        let refused = |growth, cap_pa| Hardness::new(growth, cap_pa).unwrap_err().to_string();
+        let power = |hardness_pa, exponent| HardnessGrowth::Power { hardness_pa, exponent };
+        assert_eq!(
+            refused(power(1.0, -0.1), None),
+            "the exponent of the hardness is -0.1; it must be finite and at least 0"
+        );
+        assert_eq!(
+            refused(power(0.0, 0.1), None),
+            "the hardness in Pa is 0; it must be finite and greater than 0"
+        );
+        assert_eq!(
+            refused(power(2.0, 0.1), Some(1.0)),
+            "the upper limit of the hardness in Pa is 1; it must be finite and at least 2"
+        );
+        assert_eq!(HardnessTable::new([]), Err(HardnessError::Empty));
+        let twice = HardnessTable::new([(1.0, 2.0), (1.0, 3.0)]);
+        assert_eq!(twice, Err(HardnessError::Repeated { size_m: 1.0 }));
+    }
+}

@@ -1,0 +1,248 @@
+//! The hardness H along a spectrum, as a function of the variance V of the flattening pressure.
+
+/// Pieces of H = H_i [1 + k (V - V_i)]^n from V_i on: a power of the wavevector on an interval on which the spectrum is
+/// a power law, a hardness whose square grows in proportion to V, and a constant one are all of this form.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HardnessPath {
+    pieces: Vec<Piece>,
+}
+
+/// One piece, up to where the next begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Piece {
+    /// V_i \[Pa^2\].
+    pub(crate) from_variance_pa2: f64,
+    /// H_i > 0 \[Pa\].
+    hardness_pa: f64,
+    /// k \[1/Pa^2\].
+    growth_per_pa2: f64,
+    /// n.
+    exponent: f64,
+}
+
+/// A place along the spectrum where the hardness is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HardnessKnot {
+    /// Wavevector q > 0 \[rad/m\].
+    pub wavevector_rad_per_m: f64,
+    /// Variance V >= 0 of the flattening pressure up to there \[Pa^2\].
+    pub variance_pa2: f64,
+    /// Hardness H > 0 \[Pa\].
+    pub hardness_pa: f64,
+    /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
+    pub variance_exponent: f64,
+}
+
+impl HardnessPath {
+    /// H^2 = H_0^2 + c V with H_0 > 0 \[Pa\] and c >= 0.
+    #[must_use]
+    pub fn of_squared_growth(hardness_pa: f64, growth: f64) -> Self {
+        let growth_per_pa2 = growth / (hardness_pa * hardness_pa);
+        HardnessPath {
+            pieces: vec![Piece { from_variance_pa2: 0.0, hardness_pa, growth_per_pa2, exponent: 0.5 }],
+        }
+    }
+
+    /// The hardness through knots of rising wavevector and of variance and hardness that do not fall: a power of the
+    /// wavevector between neighbours, that of the last two beyond the last. There is at least one knot.
+    ///
+    /// Neighbours that one power joins within 1e-10 of the hardness are joined; where that leaves more than 500 pieces, the
+    /// next power of ten is tried, for the work grows with their square.
+    #[must_use]
+    pub fn through(knots: &[HardnessKnot]) -> Self {
+        let mut pieces = joined(knots, FINEST);
+        let mut tolerance = FINEST;
+        while pieces.len() > MOST_PIECES {
+            tolerance *= 10.0;
+            pieces = joined(knots, tolerance);
+        }
+        if pieces.is_empty() {
+            let (variance_pa2, hardness_pa) =
+                knots.last().map_or((0.0, f64::INFINITY), |knot| (knot.variance_pa2, knot.hardness_pa));
+            let constant =
+                Piece { from_variance_pa2: variance_pa2, hardness_pa, growth_per_pa2: 0.0, exponent: 0.0 };
+            pieces.push(constant);
+        }
+        HardnessPath { pieces }
+    }
+
+    /// The hardness \[Pa\] at a variance \[Pa^2\].
+    #[must_use]
+    pub fn hardness_pa(&self, variance_pa2: f64) -> f64 {
+        let after = self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2);
+        self.pieces[after.saturating_sub(1)].hardness_pa(variance_pa2)
+    }
+
+    /// Whether it is the same all along.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        let first_pa = self.pieces[0].hardness_pa;
+        self.pieces.iter().all(|piece| piece.is_constant() && piece.hardness_pa == first_pa)
+    }
+
+    /// The same path, constant from where it reaches `cap_pa` > 0 \[Pa\].
+    #[must_use]
+    pub fn capped(self, cap_pa: f64) -> Self {
+        let mut pieces: Vec<Piece> = Vec::with_capacity(self.pieces.len() + 1);
+        for (at, piece) in self.pieces.iter().enumerate() {
+            let from_variance_pa2 = match piece.variance_pa2_of(cap_pa) {
+                _ if piece.hardness_pa >= cap_pa => Some(piece.from_variance_pa2),
+                Some(reached_pa2)
+                    if self.pieces.get(at + 1).is_none_or(|next| reached_pa2 < next.from_variance_pa2) =>
+                {
+                    pieces.push(*piece);
+                    Some(reached_pa2)
+                }
+                _ => None,
+            };
+            match from_variance_pa2 {
+                None => pieces.push(*piece),
+                Some(from_variance_pa2) => {
+                    let constant =
+                        Piece { growth_per_pa2: 0.0, exponent: 0.0, hardness_pa: cap_pa, from_variance_pa2 };
+                    pieces.push(constant);
+                    break;
+                }
+            }
+        }
+        HardnessPath { pieces }
+    }
+
+    pub(crate) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+}
+
+/// The most pieces of a path, and how well knots that are left out have to lie on one.
+const MOST_PIECES: usize = 500;
+const FINEST: f64 = 1e-10;
+
+/// Pieces through knots, each as long as the knots that it passes over lie on it within a tolerance.
+fn joined(knots: &[HardnessKnot], tolerance: f64) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    while start + 1 < knots.len() {
+        let mut piece = Piece::between(&knots[start], &knots[start + 1]);
+        let mut end = start + 1;
+        // Twice as far each time: what is passed over is looked at twice in all.
+        let mut ahead = 2;
+        while let Some(further) = knots.get(start + ahead).filter(|_| piece.is_some()) {
+            let longer = Piece::between(&knots[start], further);
+            let between = &knots[start + 1..start + ahead];
+            let holds = |longer: &Piece| between.iter().all(|knot| longer.meets(knot, tolerance));
+            let Some(longer) = longer.filter(holds) else { break };
+            (piece, end, ahead) = (Some(longer), start + ahead, 2 * ahead);
+        }
+        pieces.extend(piece);
+        start = end;
+    }
+    pieces
+}
+
+impl Piece {
+    /// Whether a knot lies on it within a relative tolerance.
+    fn meets(&self, knot: &HardnessKnot, tolerance: f64) -> bool {
+        (self.hardness_pa(knot.variance_pa2) / knot.hardness_pa - 1.0).abs() <= tolerance
+    }
+
+    /// The piece between two knots; none where the variance does not grow.
+    fn between(start: &HardnessKnot, end: &HardnessKnot) -> Option<Self> {
+        let rise_pa2 = end.variance_pa2 - start.variance_pa2;
+        if rise_pa2 <= 0.0 {
+            return None;
+        }
+        let ln_q = (end.wavevector_rad_per_m / start.wavevector_rad_per_m).ln();
+        // V - V_i = rise (x^e - 1)/(x_1^e - 1) with x = q/q_i; where e vanishes a small one stands for the logarithm.
+        let e = start.variance_exponent;
+        let e = if e.abs() < 1e-9 { 1e-9 } else { e };
+        let growth_per_pa2 = libm::expm1(e * ln_q) / rise_pa2;
+        let exponent = (end.hardness_pa / start.hardness_pa).ln() / (ln_q * e);
+        let hardness_pa = start.hardness_pa;
+        Some(Piece { from_variance_pa2: start.variance_pa2, hardness_pa, growth_per_pa2, exponent })
+    }
+
+    pub(crate) fn hardness_pa(&self, variance_pa2: f64) -> f64 {
+        let growth = self.growth_per_pa2 * (variance_pa2 - self.from_variance_pa2);
+        if self.exponent == 0.5 {
+            return self.hardness_pa * (1.0 + growth).sqrt();
+        }
+        self.hardness_pa * (self.exponent * libm::log1p(growth)).exp()
+    }
+
+    /// The variance at which it reaches a hardness above that of its beginning, if it ever does.
+    fn variance_pa2_of(&self, hardness_pa: f64) -> Option<f64> {
+        let growth = libm::expm1((hardness_pa / self.hardness_pa).ln() / self.exponent);
+        let variance_pa2 = self.from_variance_pa2 + growth / self.growth_per_pa2;
+        variance_pa2.is_finite().then_some(variance_pa2)
+    }
+
+    fn is_constant(&self) -> bool {
+        self.exponent == 0.0 || self.growth_per_pa2 == 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// V = q^0.4 - 1 and H = q^0.3 from q = 1 to 1e3.
+    fn path() -> HardnessPath {
+        let knots: Vec<HardnessKnot> = (0..=3)
+            .map(|i| {
+                let q = 10f64.powi(i);
+                HardnessKnot {
+                    wavevector_rad_per_m: q,
+                    variance_pa2: q.powf(0.4) - 1.0,
+                    hardness_pa: q.powf(0.3),
+                    variance_exponent: 0.4,
+                }
+            })
+            .collect();
+        HardnessPath::through(&knots)
+    }
+
+    #[test]
+    fn a_power_of_the_wavevector_is_met_between_the_knots_too() {
+        for q in [1.0, 1.7, 10.0, 33.0, 999.0f64] {
+            let hardness_pa = path().hardness_pa(q.powf(0.4) - 1.0);
+            assert!((hardness_pa / q.powf(0.3) - 1.0).abs() < 1e-14, "{q}");
+        }
+        assert!(!path().is_constant());
+    }
+
+    #[test]
+    fn knots_on_one_power_are_one_piece_and_many_others_are_thinned() {
+        let knot = |i: i32, factor: f64| {
+            let q = 10f64.powf(f64::from(i) / 1e3);
+            HardnessKnot {
+                wavevector_rad_per_m: q,
+                variance_pa2: q.powf(0.4) - 1.0,
+                hardness_pa: factor * q.powf(0.3),
+                variance_exponent: 0.4,
+            }
+        };
+        let smooth: Vec<HardnessKnot> = (0..=1024).map(|i| knot(i, 1.0)).collect();
+        assert_eq!(HardnessPath::through(&smooth).pieces.len(), 1);
+        let rough: Vec<HardnessKnot> = (0..5000).map(|i| knot(i, 1.0 + 1e-5 * f64::from(i % 3))).collect();
+        let path = HardnessPath::through(&rough);
+        assert!(path.pieces.len() <= MOST_PIECES);
+        assert!(rough.iter().all(|knot| path.pieces.iter().any(|piece| piece.meets(knot, 3e-5))));
+    }
+
+    #[test]
+    fn a_cap_is_reached_where_the_law_reaches_it() {
+        let capped = path().capped(50f64.powf(0.3));
+        for (q, expected) in [(49.0f64, 49f64.powf(0.3)), (51.0, 50f64.powf(0.3)), (900.0, 50f64.powf(0.3))] {
+            let hardness_pa = capped.hardness_pa(q.powf(0.4) - 1.0);
+            assert!((hardness_pa / expected - 1.0).abs() < 1e-14, "{q}");
+        }
+        assert_eq!(path().capped(1e3).hardness_pa(14.0), path().hardness_pa(14.0));
+        assert!(path().capped(1.0).is_constant());
+    }
+
+    #[test]
+    fn a_square_that_grows_with_the_variance() {
+        assert_eq!(HardnessPath::of_squared_growth(3.0, 2.0).hardness_pa(8.0), 5.0);
+        assert!(HardnessPath::of_squared_growth(3.0, 0.0).is_constant());
+    }
+}

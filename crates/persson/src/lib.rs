@@ -1,0 +1,29 @@
+#![doc = include_str!("../README.md")]
+//!
+//! A formula is found by its subject:
+//! * [`variance`]: what a cutoff lets through, by the spectrum of profiles or of the surface; [`Roughness`] holds it.
+//! * [`elastic`]: area and stress of the elastic theory.
+//! * [`constant_hardness`]: the same up to a hardness.
+//! * [`growing_hardness`]: a hardness that grows towards short wavelengths, along a [`HardnessPath`];
+//!   [`hardness_laws`]: which ones there are.
+//! * [`corrections`]: forms fitted to simulations.
+//! * [`separation`]: mean gap and stiffness.
+//! * [`PerssonModel`]: all of this along a spectrum, one pass per load.
+#![deny(missing_docs)]
+
+mod areas;
+pub mod constant_hardness;
+pub mod corrections;
+pub mod elastic;
+pub mod growing_hardness;
+pub mod hardness_laws;
+mod hardness_path;
+mod model;
+mod roughness;
+pub mod separation;
+pub mod variance;
+
+pub use areas::ContactAreas;
+pub use hardness_path::{HardnessKnot, HardnessPath};
+pub use model::{Cut, PerssonModel};
+pub use roughness::{Place, Roughness, RoughnessSample};

@@ -1,0 +1,230 @@
+//! The theory as a model: one pass along a spectrum under one load.
+
+use crate::areas::ContactAreas;
+use crate::corrections::Correction;
+use crate::growing_hardness::areas_along;
+use crate::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
+use crate::roughness::{Place, Roughness};
+use crate::separation::{Separation, SeparationKnot, SeparationLaw};
+use crate::{constant_hardness, elastic};
+
+/// How the surface deforms.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum PerssonModel {
+    /// Elastically.
+    Elastic {
+        /// The contact modulus E* > 0 \[Pa\].
+        contact_modulus_pa: f64,
+        /// A fitted correction.
+        correction: Option<Correction>,
+    },
+    /// Elastically up to a hardness.
+    ElasticPlastic {
+        /// The contact modulus E* > 0 \[Pa\].
+        contact_modulus_pa: f64,
+        /// The hardness.
+        hardness: Hardness,
+    },
+}
+
+/// The contact with the spectrum cut off at a wavelength.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[non_exhaustive]
+pub struct Cut {
+    /// The cutoff \[m\].
+    pub wavelength_m: f64,
+    /// How the nominal area is shared.
+    pub areas: ContactAreas,
+    /// Mean pressure \[Pa\] on what touches.
+    pub real_pressure_pa: f64,
+    /// Rms gradient of the surface up to the cutoff. From 0.2 on the flattening pressure exceeds E*/10.
+    pub rms_gradient: f64,
+    /// Mean separation \[m\] of the elastic theory; absent where more than 3 % of the contact is plastic.
+    pub mean_gap_m: Option<f64>,
+    /// Stiffness \[Pa/m\], likewise; absent too where nothing has been flattened.
+    pub stiffness_pa_per_m: Option<f64>,
+}
+
+/// The share of the contact that may be plastic where the elastic separation still says something.
+const MOST_PLASTIC: f64 = 0.03;
+
+impl PerssonModel {
+    /// The contact at each cutoff of a roughness under a nominal pressure p > 0 \[Pa\], with the separation of that
+    /// roughness.
+    ///
+    /// # Errors
+    /// Those of [`areas`](Self::areas).
+    pub fn along(
+        &self,
+        roughness: &Roughness,
+        separation: &SeparationLaw,
+        pressure_pa: f64,
+    ) -> Result<Vec<Cut>, HardnessError> {
+        let areas = self.areas(roughness, pressure_pa)?;
+        let separations = separation.along(pressure_pa);
+        let cut = |((place, areas), separation): ((&Place, ContactAreas), Separation)| {
+            let elastic = areas.plastic <= MOST_PLASTIC * areas.contact();
+            let if_elastic = |value: f64| Some(value).filter(|value| elastic && value.is_finite());
+            Cut {
+                wavelength_m: place.wavelength_m,
+                areas,
+                real_pressure_pa: pressure_pa / areas.contact(),
+                rms_gradient: place.rms_gradient(),
+                mean_gap_m: if_elastic(separation.mean_gap_m),
+                stiffness_pa_per_m: if_elastic(separation.stiffness_pa_per_m),
+            }
+        };
+        Ok(roughness.places().iter().zip(areas).zip(separations).map(cut).collect())
+    }
+
+    /// The contact modulus E* \[Pa\].
+    #[must_use]
+    pub fn contact_modulus_pa(&self) -> f64 {
+        match *self {
+            PerssonModel::Elastic { contact_modulus_pa, .. }
+            | PerssonModel::ElasticPlastic { contact_modulus_pa, .. } => contact_modulus_pa,
+        }
+    }
+
+    /// The shares of the nominal area under a nominal pressure p > 0 \[Pa\], with the spectrum cut off at each place of a
+    /// roughness.
+    ///
+    /// # Errors
+    /// [`HardnessError::Falling`], and [`HardnessError::Exceeded`] where a hardness that grows is not above p from the
+    /// beginning; under a constant one everything touches and flows then.
+    pub fn areas(&self, roughness: &Roughness, pressure_pa: f64) -> Result<Vec<ContactAreas>, HardnessError> {
+        let variances_pa2: Vec<f64> =
+            roughness.places().iter().map(|place| place.variance_pa2(self.contact_modulus_pa())).collect();
+        match self {
+            PerssonModel::Elastic { correction, .. } => {
+                let effective_pa2 = match correction {
+                    None => variances_pa2,
+                    Some(correction) => {
+                        let alpha: Vec<f64> = roughness.places().iter().map(|place| place.alpha).collect();
+                        correction.effective_variances_pa2(pressure_pa, &variances_pa2, &alpha)
+                    }
+                };
+                let areas = |variance_pa2: &f64| ContactAreas {
+                    elastic: elastic::area_fraction(pressure_pa, variance_pa2.sqrt()),
+                    plastic: 0.0,
+                    gap: elastic::gap_fraction(pressure_pa, variance_pa2.sqrt()),
+                };
+                Ok(effective_pa2.iter().map(areas).collect())
+            }
+            PerssonModel::ElasticPlastic { hardness, .. } => {
+                if let HardnessGrowth::Constant { hardness_pa } = *hardness.growth() {
+                    let areas =
+                        |variance: &f64| constant_hardness::areas(pressure_pa, variance.sqrt(), hardness_pa);
+                    return Ok(variances_pa2.iter().map(areas).collect());
+                }
+                let path = hardness.path(roughness, self.contact_modulus_pa())?;
+                let hardness_pa = path.hardness_pa(0.0);
+                if pressure_pa >= hardness_pa {
+                    let wavelength_m =
+                        roughness.places().first().map_or(f64::INFINITY, |place| place.wavelength_m);
+                    return Err(HardnessError::Exceeded { pressure_pa, hardness_pa, wavelength_m });
+                }
+                Ok(areas_along(&path, pressure_pa, &variances_pa2))
+            }
+        }
+    }
+
+    /// Mean separation and stiffness of the elastic theory along a roughness, with an elastic energy factor 0 < g <= 1.
+    /// They say nothing where more than a few per cent of the contact is plastic.
+    #[must_use]
+    pub fn separation(&self, roughness: &Roughness, energy_factor: f64) -> SeparationLaw {
+        let knots: Vec<SeparationKnot> = roughness
+            .places()
+            .iter()
+            .map(|place| SeparationKnot {
+                wavevector_rad_per_m: place.wavevector_rad_per_m,
+                variance_pa2: place.variance_pa2(self.contact_modulus_pa()),
+                variance_exponent: place.variance_exponent,
+            })
+            .collect();
+        SeparationLaw::new(&knots, self.contact_modulus_pa(), energy_factor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::roughness::RoughnessSample;
+    use crate::variance::Band;
+
+    /// C1D ~ q^-2.6 over two decades, h' = 1 at its end.
+    fn roughness() -> Roughness {
+        let moment = |q: f64, k: f64| (q.powf(k) - 1.0) / k / 10.0;
+        let sample = |i: i32| {
+            let q = 10f64.powf(f64::from(i) / 10.0);
+            let moments = [moment(q, -1.6), moment(q, 0.4), moment(q, 2.4)];
+            RoughnessSample { wavelength_m: TAU / q, c1d_m3: q.powf(-2.6), moments, amplitude_m: 1.0 / q }
+        };
+        Roughness::new(&(0..=20).map(sample).collect::<Vec<_>>(), &[], Band::Profile)
+    }
+
+    fn plastic(growth: HardnessGrowth) -> PerssonModel {
+        PerssonModel::ElasticPlastic {
+            contact_modulus_pa: 1.0,
+            hardness: Hardness::new(growth, None).unwrap(),
+        }
+    }
+
+    #[test]
+    fn nothing_is_flattened_at_the_longest_wavelength() {
+        let elastic =
+            PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: Some(Correction::WangMuser) };
+        let yielding = plastic(HardnessGrowth::Power { hardness_pa: 0.5, exponent: 0.2 });
+        for model in [elastic.clone(), yielding, plastic(HardnessGrowth::Constant { hardness_pa: 0.5 })] {
+            let areas = model.areas(&roughness(), 0.01).unwrap();
+            assert_eq!(areas[0], ContactAreas::FULL);
+            assert!(areas.is_sorted_by(|long, short| long.contact() > short.contact()), "{model:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_plastic_has_no_elastic_separation() {
+        let along = |model: &PerssonModel| {
+            let separation = model.separation(&roughness(), 0.45);
+            model.along(&roughness(), &separation, 0.01).unwrap()
+        };
+        let elastic = along(&PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: None });
+        assert_eq!((elastic[0].mean_gap_m, elastic[0].stiffness_pa_per_m), (Some(0.0), None));
+        assert!(elastic[1..].iter().all(|cut| cut.mean_gap_m.is_some() && cut.stiffness_pa_per_m.is_some()));
+        let yielding = along(&plastic(HardnessGrowth::Constant { hardness_pa: 0.6 }));
+        for cut in &yielding[1..] {
+            let is_plastic = cut.areas.plastic > 0.03 * cut.areas.contact();
+            assert_eq!(
+                (cut.mean_gap_m.is_none(), cut.stiffness_pa_per_m.is_none()),
+                (is_plastic, is_plastic)
+            );
+            assert!((cut.real_pressure_pa * cut.areas.contact() / 0.01 - 1.0).abs() < 1e-15);
+        }
+        assert!(yielding.last().unwrap().mean_gap_m.is_none() && yielding[1].mean_gap_m.is_some());
+    }
+
+    #[test]
+    fn a_growing_hardness_lies_between_a_constant_one_and_none() {
+        let last = |model: &PerssonModel| model.areas(&roughness(), 0.01).unwrap()[20];
+        let elastic = last(&PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: None });
+        let constant = last(&plastic(HardnessGrowth::Constant { hardness_pa: 0.3 }));
+        let growing = last(&plastic(HardnessGrowth::Power { hardness_pa: 0.3, exponent: 0.1 }));
+        assert!(elastic.contact() < growing.contact() && growing.contact() < constant.contact());
+        assert!(0.0 < growing.plastic && growing.plastic < constant.plastic);
+    }
+
+    #[test]
+    fn more_than_the_hardness_flows_where_it_is_constant_and_is_refused_where_it_grows() {
+        let constant = plastic(HardnessGrowth::Constant { hardness_pa: 0.3 });
+        assert!(constant.areas(&roughness(), 0.3).unwrap().iter().all(|areas| areas.plastic == 1.0));
+        let growing = plastic(HardnessGrowth::Power { hardness_pa: 0.3, exponent: 0.1 });
+        let error = growing.areas(&roughness(), 0.3).unwrap_err();
+        assert!(
+            matches!(error, HardnessError::Exceeded { pressure_pa: 0.3, hardness_pa: 0.3, .. }),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,252 @@
+//! Mean separation and stiffness: Persson (2007), Phys. Rev. Lett. 99:125502; Yang & Persson (2008), J. Phys.: Condens.
+//! Matter 20:215214; Almqvist et al. (2011), J. Mech. Phys. Solids 59:2355.
+//!
+//! From p = -dU/du with the elastic energy U of the flattened waves in contact, over v = sqrt(2 V) in place of the
+//! wavevector, one integral with a bounded integrand:
+//!
+//! u(p) = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) dv/q(v),  G(x) = Int_x^inf \[g + 3 (1 - g) erf(t)^2\] exp(-t^2) dt/t,
+//! 1/K = -du/dp = (1/p) (2/(sqrt(pi) E*)) Int_0^v1 \[g + 3 (1 - g) erf(p/v)^2\] exp(-(p/v)^2) dv/q(v).
+//!
+//! u is measured from the mean plane of the deformed rough surface to the flat. Both integrals take the whole spectrum:
+//! its longest wavelengths make them.
+
+use std::f64::consts::PI;
+
+use numerics::GaussLegendre;
+
+/// A place along the spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeparationKnot {
+    /// Wavevector q > 0 \[rad/m\].
+    pub wavevector_rad_per_m: f64,
+    /// Variance V >= 0 of the flattening pressure up to there \[Pa^2\].
+    pub variance_pa2: f64,
+    /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
+    pub variance_exponent: f64,
+}
+
+/// What is known of the gap under a load with the spectrum cut off somewhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Separation {
+    /// Mean separation u > 0 of the flat from the mean plane of the deformed surface \[m\].
+    pub mean_gap_m: f64,
+    /// K = -dp/du \[Pa/m\]; infinite where nothing has been flattened.
+    pub stiffness_pa_per_m: f64,
+}
+
+/// The law that light loads follow, u = u_0 ln(p_00/p) and K = p/u_0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LightLoads {
+    /// u_0 \[m\].
+    pub decay_length_m: f64,
+    /// p_00 \[Pa\].
+    pub reference_pressure_pa: f64,
+    /// The share of u_0 that comes from the first decade of wavevectors, in (0, 1\]. Without a roll-off there, what lies
+    /// below the first wavevector and is not known decides.
+    pub share_of_first_decade: f64,
+}
+
+/// The theory for one elastic energy factor g and one spectrum, whose knots come by rising wavevector and variance.
+#[derive(Debug, Clone)]
+pub struct SeparationLaw {
+    energy: Energy,
+    contact_modulus_pa: f64,
+    stretches: Vec<Option<Stretch>>,
+    rule: GaussLegendre,
+}
+
+/// One interval of the spectrum: q = q_i \[1 + k (V - V_i)\]^(1/e).
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    wavevector_rad_per_m: f64,
+    end_rad_per_m: f64,
+    variance_pa2: f64,
+    end_pa2: f64,
+    growth_per_pa2: f64,
+    exponent: f64,
+}
+
+impl SeparationLaw {
+    /// The law under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1, 0.45 as a rule
+    /// (Almqvist et al. 2011), 1 in Persson (2007).
+    #[must_use]
+    pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: f64) -> Self {
+        let stretches = knots.windows(2).map(|pair| Stretch::between(&pair[0], &pair[1])).collect();
+        let rule = GaussLegendre::new(16);
+        SeparationLaw { energy: Energy::new(energy_factor), contact_modulus_pa, stretches, rule }
+    }
+
+    /// Separation and stiffness under a nominal pressure p > 0 \[Pa\] with the spectrum cut off at each knot; 0 and
+    /// infinite at the first.
+    #[must_use]
+    pub fn along(&self, pressure_pa: f64) -> Vec<Separation> {
+        let factor = self.factor();
+        let (mut gap, mut compliance) = (0.0, 0.0);
+        let of_sums = |gap: f64, compliance: f64| Separation {
+            mean_gap_m: factor * gap,
+            stiffness_pa_per_m: pressure_pa / (factor * compliance),
+        };
+        let mut all = vec![of_sums(0.0, 0.0)];
+        all.extend(self.stretches.iter().map(|stretch| {
+            // Where p/v is beyond 27 the integrands are below the smallest double.
+            self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
+                let x = pressure_pa / v_pa;
+                gap += per_rad_m * self.energy.beyond(x);
+                compliance += per_rad_m * self.energy.density(x);
+            });
+            of_sums(gap, compliance)
+        }));
+        all
+    }
+
+    /// The law of light loads of the whole spectrum; `None` where there is no roughness.
+    #[must_use]
+    pub fn light_loads(&self) -> Option<LightLoads> {
+        let first = self.stretches.first().copied().flatten()?;
+        let decade_rad_per_m = 10.0 * first.wavevector_rad_per_m;
+        let (mut sum, mut in_first_decade, mut logarithms) = (0.0, 0.0, 0.0);
+        for stretch in &self.stretches {
+            self.over(stretch, 0.0, |v_pa, per_rad_m| {
+                sum += per_rad_m;
+                logarithms += per_rad_m * v_pa.ln();
+            });
+            let inside = stretch.and_then(|stretch| stretch.up_to(decade_rad_per_m));
+            self.over(&inside, 0.0, |_, per_rad_m| in_first_decade += per_rad_m);
+        }
+        let g = self.energy.factor;
+        Some(LightLoads {
+            decay_length_m: g * self.factor() * sum,
+            reference_pressure_pa: (logarithms / sum + self.energy.constant / g).exp(),
+            share_of_first_decade: (in_first_decade / sum).min(1.0),
+        })
+    }
+
+    /// 2/(sqrt(pi) E*).
+    fn factor(&self) -> f64 {
+        2.0 / (PI.sqrt() * self.contact_modulus_pa)
+    }
+
+    /// Calls `term` with v and the weight of dv/q over a stretch, from v = `from_pa` up, in pieces on which neither v nor
+    /// the wavevector grows much.
+    fn over(&self, stretch: &Option<Stretch>, from_pa: f64, mut term: impl FnMut(f64, f64)) {
+        const MOST_GROWTH: f64 = 1.6;
+        let Some(stretch) = stretch else { return };
+        let last_pa = (2.0 * stretch.end_pa2).sqrt();
+        let first_pa = (2.0 * stretch.variance_pa2).sqrt().max(from_pa).max(1e-18 * last_pa);
+        let mut end_pa = last_pa;
+        while end_pa > first_pa {
+            let slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / MOST_GROWTH;
+            let start_pa = first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
+            for (v_pa, weight) in self.rule.over(start_pa, end_pa) {
+                term(v_pa, weight / stretch.wavevector_rad_per_m(v_pa));
+            }
+            end_pa = start_pa;
+        }
+    }
+}
+
+impl Stretch {
+    /// The stretch between two knots; none where nothing is added.
+    fn between(start: &SeparationKnot, end: &SeparationKnot) -> Option<Self> {
+        let rise_pa2 = end.variance_pa2 - start.variance_pa2;
+        if rise_pa2 <= 0.0 {
+            return None;
+        }
+        let exponent = start.variance_exponent;
+        let exponent = if exponent.abs() < 1e-9 { 1e-9 } else { exponent };
+        let ln_q = (end.wavevector_rad_per_m / start.wavevector_rad_per_m).ln();
+        Some(Stretch {
+            wavevector_rad_per_m: start.wavevector_rad_per_m,
+            end_rad_per_m: end.wavevector_rad_per_m,
+            variance_pa2: start.variance_pa2,
+            end_pa2: end.variance_pa2,
+            growth_per_pa2: libm::expm1(exponent * ln_q) / rise_pa2,
+            exponent,
+        })
+    }
+
+    /// The part up to a wavevector, if there is any.
+    fn up_to(self, wavevector_rad_per_m: f64) -> Option<Self> {
+        if wavevector_rad_per_m >= self.end_rad_per_m {
+            return Some(self);
+        }
+        let end_pa2 = 0.5 * self.v_pa(wavevector_rad_per_m).powi(2);
+        (wavevector_rad_per_m > self.wavevector_rad_per_m).then_some(Stretch {
+            end_rad_per_m: wavevector_rad_per_m,
+            end_pa2,
+            ..self
+        })
+    }
+
+    fn wavevector_rad_per_m(&self, v_pa: f64) -> f64 {
+        let grown = self.growth_per_pa2 * (0.5 * v_pa * v_pa - self.variance_pa2);
+        self.wavevector_rad_per_m * (libm::log1p(grown) / self.exponent).exp()
+    }
+
+    /// v at a wavevector, that of the beginning where it is smaller.
+    fn v_pa(&self, wavevector_rad_per_m: f64) -> f64 {
+        let ln_q = (wavevector_rad_per_m / self.wavevector_rad_per_m).max(1.0).ln();
+        (2.0 * (self.variance_pa2 + libm::expm1(self.exponent * ln_q) / self.growth_per_pa2)).sqrt()
+    }
+}
+
+/// The energy of the waves in contact: its density over ln(p) and what is left above a pressure.
+#[derive(Debug, Clone)]
+struct Energy {
+    /// g.
+    factor: f64,
+    /// G at the multiples of [`STEP`], from the second on.
+    beyond: Vec<f64>,
+    /// Int_0 of what is left of the integrand of G without its logarithm: G(x) + g ln(x) as x vanishes.
+    constant: f64,
+    rule: GaussLegendre,
+}
+
+/// Between its multiples the density is a polynomial to rounding.
+const STEP: f64 = 0.25;
+/// The last one; exp(-27.5^2) is the smallest double.
+const STEPS: usize = 110;
+
+impl Energy {
+    fn new(factor: f64) -> Self {
+        let mut energy =
+            Energy { factor, beyond: vec![0.0; STEPS + 1], constant: 0.0, rule: GaussLegendre::new(10) };
+        for step in (0..STEPS).rev() {
+            let at = STEP * (step + 1) as f64;
+            let next = energy.beyond.get(step + 1).copied().unwrap_or(0.0);
+            energy.beyond[step] = next + energy.integral(at, at + STEP);
+        }
+        energy.constant = energy.beyond[0] + factor * STEP.ln() + energy.regular(0.0, STEP);
+        energy
+    }
+
+    /// [g + 3 (1 - g) erf(x)^2] exp(-x^2).
+    fn density(&self, x: f64) -> f64 {
+        let contact = libm::erf(x);
+        (self.factor + 3.0 * (1.0 - self.factor) * contact * contact) * (-x * x).exp()
+    }
+
+    /// G(x).
+    fn beyond(&self, x: f64) -> f64 {
+        if x < STEP {
+            return self.beyond[0] + self.factor * (STEP / x).ln() + self.regular(x, STEP);
+        }
+        let step = (x / STEP) as usize;
+        let Some(&beyond) = self.beyond.get(step) else { return 0.0 };
+        beyond + self.integral(x, STEP * (step + 1) as f64)
+    }
+
+    fn integral(&self, from: f64, to: f64) -> f64 {
+        self.rule.over(from, to).map(|(t, weight)| weight * self.density(t) / t).sum()
+    }
+
+    /// The integral without g/t, which is what diverges at 0.
+    fn regular(&self, from: f64, to: f64) -> f64 {
+        let regular = |t: f64| {
+            let contact = libm::erf(t);
+            let slipped = 3.0 * (1.0 - self.factor) * contact * contact * (-t * t).exp();
+            (self.factor * libm::expm1(-t * t) + slipped) / t
+        };
+        self.rule.over(from, to).map(|(t, weight)| weight * regular(t)).sum()
+    }
+}

@@ -1,0 +1,165 @@
+//! How much of the roughness a cutoff lets through: the mean square gradient of the surface, and with it the variance
+//! V = E*^2 h'^2/4 of the pressure that would flatten it.
+//!
+//! A cutoff of the spectrum of profiles is none of the surface: C1D at q holds every wave of the surface with |q'| > q.
+
+use std::f64::consts::PI;
+
+use numerics::GaussLegendre;
+use serde::{Deserialize, Serialize};
+use units::named;
+
+/// What is cut off at a wavevector.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Band {
+    /// The spectrum of profiles: h'^2 = 2 m2 up to there.
+    #[default]
+    #[serde(rename = "1d")]
+    Profile,
+    /// The spectrum of the surface: its waves up to there.
+    #[serde(rename = "2d")]
+    Surface,
+}
+
+named!(Band, "band", { Profile => "1d", Surface => "2d" });
+
+/// One sample of a spectrum of profiles; those of a spectrum come by rising wavevector, and it is a power law between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectrumSample {
+    /// Wavevector q > 0 \[rad/m\].
+    pub wavevector_rad_per_m: f64,
+    /// C1D > 0 there \[m^3\], normalised so that the variance of heights is (1/pi) Int C1D dq.
+    pub c1d_m3: f64,
+    /// m2 of profiles from the first sample up to here, (1/pi) Int q^2 C1D dq.
+    pub mean_square_slope: f64,
+}
+
+/// h'^2 up to each of the samples. None falls behind the one before, and the first is 0.
+#[must_use]
+pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64> {
+    let of_profiles = |sample: &SpectrumSample| 2.0 * sample.mean_square_slope;
+    match band {
+        Band::Profile => samples.iter().map(of_profiles).collect(),
+        Band::Surface => {
+            let tail = Tails::new(samples);
+            let cut = samples.iter().enumerate().map(|(at, sample)| of_profiles(sample) - tail.beyond(at));
+            // At the longest wavelengths the spectrum of profiles holds less than its continuation takes away: what
+            // would have to stand below its first sample is taken to be absent.
+            cut.scan(0.0, |most: &mut f64, gradient| {
+                *most = most.max(gradient);
+                Some(*most)
+            })
+            .collect()
+        }
+    }
+}
+
+/// The power of the wavevector that the spectrum follows from each sample to the next, and after the last.
+#[must_use]
+pub fn spectral_exponents(samples: &[SpectrumSample]) -> Vec<f64> {
+    let between = |pair: &[SpectrumSample]| {
+        (pair[1].c1d_m3 / pair[0].c1d_m3).ln()
+            / (pair[1].wavevector_rad_per_m / pair[0].wavevector_rad_per_m).ln()
+    };
+    let mut exponents: Vec<f64> = samples.windows(2).map(between).collect();
+    exponents.extend(exponents.last().copied());
+    exponents
+}
+
+/// What the waves shorter than a cutoff add to the profile's m2 below it.
+struct Tails<'a> {
+    samples: &'a [SpectrumSample],
+    exponents: Vec<f64>,
+    narrow: GaussLegendre,
+    wide: GaussLegendre,
+}
+
+impl<'a> Tails<'a> {
+    fn new(samples: &'a [SpectrumSample]) -> Self {
+        let mut exponents = spectral_exponents(samples);
+        // A spectrum of profiles cannot rise for ever: no surface has one.
+        if let Some(last) = exponents.last_mut() {
+            *last = last.min(0.0);
+        }
+        Tails { samples, exponents, narrow: GaussLegendre::new(6), wide: GaussLegendre::new(12) }
+    }
+
+    /// (2/3pi) c^3 C(c) + (1/pi) Int_c^inf C'(p) I_3(p; c) dp at the cutoff c of a sample, the spectrum being continued
+    /// with its last slope.
+    fn beyond(&self, at: usize) -> f64 {
+        let SpectrumSample { wavevector_rad_per_m: cutoff, c1d_m3, .. } = self.samples[at];
+        let integral: f64 = (at..self.samples.len()).map(|from| self.stretch(from, cutoff)).sum();
+        (2.0 / 3.0 * c1d_m3 * cutoff.powi(3) + integral) / PI
+    }
+
+    /// Int C'(p) I_3(p; c) dp from a sample to the next, from the last one to infinity.
+    ///
+    /// With p = c cosh(theta) and E = exp(-theta) the kernel (2/3) p^3 - sqrt(p^2 - c^2) (2 p^2 + c^2)/3 is
+    /// c^3 (3 E + E^3)/6, which loses nothing to cancellation.
+    fn stretch(&self, from: usize, cutoff: f64) -> f64 {
+        let SpectrumSample { wavevector_rad_per_m: start, c1d_m3, .. } = self.samples[from];
+        let exponent = self.exponents[from.min(self.exponents.len() - 1)];
+        let theta = |wavevector: f64| (wavevector / cutoff).max(1.0).acosh();
+        let first = theta(start);
+        let last = match self.samples.get(from + 1) {
+            Some(next) => theta(next.wavevector_rad_per_m),
+            // The integrand falls like exp((exponent - 1) theta), down to 1e-18 of itself.
+            None => first + 42.0 / (1.0 - exponent),
+        };
+        let density = |theta: f64| {
+            let decay = (-theta).exp();
+            let square = decay * decay;
+            let wavevector = 0.5 * cutoff * (1.0 + square) / decay;
+            let tanh = (1.0 - square) / (1.0 + square);
+            let kernel = decay * (3.0 + square) / 6.0;
+            exponent * c1d_m3 * (wavevector / start).powf(exponent) * tanh * kernel
+        };
+        let rule = if last - first < 0.3 { &self.narrow } else { &self.wide };
+        let pieces = (last - first).ceil().max(1.0) as usize;
+        let width = (last - first) / pieces as f64;
+        let over = (0..pieces).map(|i| {
+            let begin = first + width * i as f64;
+            rule.over(begin, begin + width).map(|(theta, weight)| weight * density(theta)).sum::<f64>()
+        });
+        cutoff.powi(3) * over.sum::<f64>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A power law from 1 to 1e8 rad/m.
+    fn power_law(exponent: f64) -> Vec<SpectrumSample> {
+        let moment = |q: f64| (q.powf(3.0 + exponent) - 1.0) / (3.0 + exponent) / PI;
+        let sample = |i: i32| {
+            let q = 10f64.powf(f64::from(i) / 5.0);
+            SpectrumSample { wavevector_rad_per_m: q, c1d_m3: q.powf(exponent), mean_square_slope: moment(q) }
+        };
+        (0..=40).map(sample).collect()
+    }
+
+    #[test]
+    fn a_cut_of_the_surface_lets_less_through_than_one_of_its_profiles() {
+        // Far from the beginning of a power law it is sqrt(pi) Gamma(1 + H)/(2 Gamma(H + 1/2)), exponent = -1 - 2 H.
+        for (exponent, ratio) in [(-2.0, PI / 4.0), (-2.6, 0.919_715_127), (-2.2, 0.832_350_576)] {
+            let samples = power_law(exponent);
+            let [profile, surface] =
+                [Band::Profile, Band::Surface].map(|band| mean_square_gradients(&samples, band)[40]);
+            let found = surface / profile;
+            let unaffected = 1e8f64.powf(-(3.0 + exponent));
+            assert!((found / ratio - 1.0).abs() < 1e-6 + 2.0 * unaffected, "{exponent}: {found} {ratio}");
+        }
+    }
+
+    #[test]
+    fn no_cutoff_lets_less_through_than_a_longer_one() {
+        let mut samples = power_law(-2.6);
+        samples[20].c1d_m3 *= 3.0;
+        for band in Band::ALL {
+            let gradients = mean_square_gradients(&samples, *band);
+            assert!(gradients.is_sorted() && gradients[0] == 0.0, "{band}: {gradients:?}");
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! What Persson's theory leaves open, in words.
+
+use persson::Roughness;
+use persson::corrections::Correction;
+use persson::separation::LightLoads;
+use units::display::{length, pressure, three_digits};
+
+/// The share of u0 that the first decade of wavevectors may have where the spectrum has no roll-off.
+const MOST_OF_FIRST_DECADE: f64 = 0.3;
+
+/// From this exponent of dV/dq = q^(e-1) on, C1D falls more slowly than q^-0.5: a roll-off.
+const FLAT: f64 = 2.5;
+
+/// Above so many rms heights only the highest summits of a finite sample touch.
+const FEW_TOUCH: f64 = 3.0;
+
+/// That a corrected form is a fit, and where the roughness lies outside the range that it was fitted in.
+#[must_use]
+pub fn correction(correction: Correction, roughness: &Roughness) -> Vec<String> {
+    let [least, most] = Correction::FITTED_ALPHA;
+    let mut notes = vec![format!(
+        "{correction} is fitted to boundary elements, alpha = m0 m4/m2^2 from {least} to {most}"
+    )];
+    let outside: Vec<_> =
+        roughness.places().iter().skip(1).filter(|place| !(least..=most).contains(&place.alpha)).collect();
+    if let (Some(first), Some(last)) = (outside.first(), outside.last()) {
+        notes.push(format!(
+            "alpha lies outside that range at {} of {} cutoffs between {} and {}: {} to {}",
+            outside.len(),
+            roughness.places().len() - 1,
+            length(first.wavelength_m),
+            length(last.wavelength_m),
+            three_digits(first.alpha),
+            three_digits(last.alpha)
+        ));
+    }
+    notes
+}
+
+/// Where mean gap and stiffness mean little: a spectrum that begins inside the fractal range, and loads (the least of them
+/// in Pa) under which few asperities touch.
+#[must_use]
+pub fn separation(
+    light: &LightLoads,
+    roughness: &Roughness,
+    rms_height_m: f64,
+    least_pa: f64,
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    let places = roughness.places();
+    let decade = places.first().map_or(0.0, |place| 10.0 * place.wavevector_rad_per_m);
+    let mut in_decade = places.iter().take_while(|place| place.wavevector_rad_per_m < decade);
+    if light.share_of_first_decade > MOST_OF_FIRST_DECADE
+        && !in_decade.any(|place| place.variance_exponent > FLAT)
+    {
+        notes.push(format!(
+            "the first decade of wavevectors makes {} % of the mean gap, and the spectrum has no roll-off there: gap and \
+             stiffness hang on longer wavelengths, which it does not hold",
+            three_digits(100.0 * light.share_of_first_decade)
+        ));
+    }
+    let few_touch_pa = light.reference_pressure_pa * (-FEW_TOUCH * rms_height_m / light.decay_length_m).exp();
+    if least_pa < few_touch_pa {
+        notes.push(format!(
+            "below {} the mean gap exceeds {FEW_TOUCH} rms heights: of a finite sample only a few asperities touch then",
+            pressure(few_touch_pa)
+        ));
+    }
+    notes
+}
