@@ -42,9 +42,14 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
         let (scene, results) = (&evidence.scene, &evidence.results);
         std::fs::create_dir_all(&folder)?;
         let mut files = StagedFiles::default();
-        let names = products::each_file(scene, results, Some(findings), Some(judgement), Format::Csv, |name, content| {
-            files.stage(&folder.join(name), |out| content(out))
-        })?;
+        let names = products::each_file(
+            scene,
+            results,
+            Some(findings),
+            Some(judgement),
+            Format::Csv,
+            |name, content| files.stage(&folder.join(name), |out| content(out)),
+        )?;
         files.publish()?;
         println!("{}: {} files in {}", scene.title, names.len(), folder.display());
     }

@@ -9,6 +9,7 @@ use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
 use answer::Answer;
+use judge::Judgement;
 use sensitivity::{Sensitivity, counted_sensitivities};
 use study::Unobserved;
 use study::figure::{Figure, FigureData, Shows};
@@ -16,7 +17,6 @@ use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
 use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES};
-use judge::Judgement;
 use tables::{Format, Table};
 
 /// The page on everything that a scene found.
@@ -179,10 +179,7 @@ impl Findings {
 /// The verdict on every curve, and on every window.
 fn judge_tables(judgement: &Judgement, scene: &Scene) -> [(&'static str, Table); 2] {
     let [models, windows] = JUDGE_TABLES;
-    [
-        (models, judgement.models_table(&scene.needs)),
-        (windows, judgement.windows_table(&scene.needs)),
-    ]
+    [(models, judgement.models_table(&scene.needs)), (windows, judgement.windows_table(&scene.needs))]
 }
 
 /// The names of the files that a scene may have, for whoever looks before they are made; `reported` with those of the

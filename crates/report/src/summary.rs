@@ -10,9 +10,9 @@ use crate::curve_names::in_full;
 use crate::cut_counts::CutCounts;
 use crate::yardstick_words::yardsticks;
 use crate::{answer_words, doubt_words, scan_words, verdict_words};
-use judge::Judgement;
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
+use judge::Judgement;
 use rows::{NarrowSpectra, StateCounts};
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
@@ -21,12 +21,7 @@ use units::display::{counted, length, pressure, three_digits};
 use units::number;
 
 /// The summary of a scene's results, which opens with what the judge found, where it was asked.
-pub fn summary(
-    scene: &Scene,
-    results: &Results,
-    answer: &Answer,
-    judgement: Option<&Judgement>,
-) -> String {
+pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Option<&Judgement>) -> String {
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
@@ -38,8 +33,8 @@ pub fn summary(
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
-    let mut paragraphs = judgement
-        .map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
+    let mut paragraphs =
+        judgement.map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
     paragraphs.extend(answer_words::sentences(answer, scene, results));
     paragraphs.extend(answer_words::shortcomings(answer, scene, results));
     paragraphs.extend(answer_words::disagreements(answer, scene));

@@ -36,7 +36,9 @@ fn number(headline: &Headline, scene: &Scene) -> String {
             )
         }
         RestsOn::RangeOfModels { .. } => {
-            format!("between {low} and {high} of the nominal area at {load}, the range of the models, none of which stands")
+            format!(
+                "between {low} and {high} of the nominal area at {load}, the range of the models, none of which stands"
+            )
         }
     }
 }
@@ -106,7 +108,9 @@ fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
         let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
             (true, None) => ", but not a hardness that grows at small scales as the material's does",
-            (true, Some(_)) => ", and at some scale that of a hardness which grows at small scales as the material's does",
+            (true, Some(_)) => {
+                ", and at some scale that of a hardness which grows at small scales as the material's does"
+            }
         };
         let text = match constant {
             None => "stays below the hardness at every scale: nothing yields on the whole".to_owned(),
@@ -150,10 +154,9 @@ fn of_curve(scene: &Scene, curve: usize, told: &[&OfCurve]) -> String {
     let loads: Vec<usize> = told.iter().map(|of| of.load).collect();
     let ratios: Vec<f64> = told.iter().filter_map(|of| of.ratio).collect();
     let worst = match (ratios.is_empty(), told[0].verdict.compares()) {
-        (false, true) => format!(
-            " ({} times the area on the worst window)",
-            range(ratios.into_iter(), three_digits)
-        ),
+        (false, true) => {
+            format!(" ({} times the area on the worst window)", range(ratios.into_iter(), three_digits))
+        }
         _ => format!(" ({})", range_of_reasons(told)),
     };
     if loads.len() == scene.needs.loads.len() {

@@ -2,15 +2,15 @@
 
 mod asperities;
 pub mod asperity_table;
-mod narrow_spectra;
 mod flattened;
+mod narrow_spectra;
 mod populations;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
-pub use narrow_spectra::NarrowSpectra;
 pub use flattened::Flattened;
+pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::StateCounts;
 

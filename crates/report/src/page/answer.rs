@@ -4,9 +4,9 @@ use maud::{Markup, html};
 
 use super::SceneReport;
 use crate::answer_words;
-use crate::verdict_words;
 use crate::scan_words;
 use crate::summary::sampling;
+use crate::verdict_words;
 use units::display::typeset;
 
 pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {

@@ -25,7 +25,10 @@ struct Entry<'a> {
 
 /// What stands before a label.
 enum Sample {
-    Line { dash: usize, width_px: f64 },
+    Line {
+        dash: usize,
+        width_px: f64,
+    },
     Disc,
     /// A pale stretch, for bands of any colour.
     Band,

@@ -61,7 +61,8 @@ pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &st
 fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
     let points = || {
-        let lines = beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
+        let lines =
+            beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
         lines.chain(beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends))
     };
     let x = Decades::around(points().map(|(x, _)| x));
