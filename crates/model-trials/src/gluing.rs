@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::TrialError;
 use crate::elements::{ElementsRow, digits};
 use crate::pressing::contact;
-use crate::programme::{HURST_EXPONENTS, two_decades};
+use crate::programme::{HURST_EXPONENTS, one_decade, two_decades};
 use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, TrialLoad, WaveBand};
 use crate::statistics::Mean;
 use crate::window_law::WindowLaw;
@@ -44,7 +44,7 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
     let mut rows = Vec::new();
     for hurst_exponent in HURST_EXPONENTS {
         let band = two_decades(hurst_exponent);
-        let Some(law) = WindowLaw::of(elements, hurst_exponent) else { continue };
+        let Some(law) = WindowLaw::of(elements, &one_decade(hurst_exponent)) else { continue };
         let seam_m = 0.1 * BOX_M / band.first_wave;
         let spectrum = band.spectrum()?;
         let long = spectrum.cut(BOX_M / band.first_wave, seam_m)?.mean_square_gradient().sqrt();

@@ -6,10 +6,10 @@ use asperity::ElasticBody;
 use gaussian_surfaces::AreaSpectrum;
 use persson::corrections::Correction;
 use persson::elastic;
-use spectrum::ProfilePsd;
+use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material};
-use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
+use study::models::{Choice, Framework, MODELS, ModelEntry, ModelOptions};
 use study::plan::{Curve, Cutoffs, Load, Needs, NominalPressure, Plan, Sampling};
 use units::IndentationHardness;
 
@@ -20,6 +20,8 @@ const POISSON_RATIO: f64 = 0.3;
 
 /// A profile of the surface is sampled from this many times its longest wavelength on, this closely.
 const LEVEL_PART: f64 = 100.0;
+/// Scales of a stack, as the spectra that come with the program have them.
+const SCALES_PER_DECADE: f64 = 10.0;
 const PER_DECADE: NonZeroU32 = NonZeroU32::new(20).unwrap();
 
 /// The area that a model gives under a load.
@@ -44,8 +46,9 @@ pub fn yields(entry: &ModelEntry) -> bool {
 /// # Errors
 /// Where a spectrum or a plan cannot be made.
 pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelArea>, TrialError> {
-    let psd =
-        surface.profile(&surface.profile_wavelengths_m(LEVEL_PART * surface.longest_m(), PER_DECADE))?;
+    let from_m = LEVEL_PART * surface.longest_m();
+    let fine = surface.profile(&surface.profile_wavelengths_m(from_m, PER_DECADE))?;
+    let scales = surface.profile(&scales_m(from_m, surface.shortest_m()))?;
     let mut hardnesses: Vec<Option<f64>> = loads.iter().map(|load| load.spread_over_hardness).collect();
     hardnesses.sort_by(|a, b| a.unwrap_or(0.0).total_cmp(&b.unwrap_or(0.0)));
     hardnesses.dedup();
@@ -53,7 +56,8 @@ pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelAre
     for hardness in hardnesses {
         let numbered = loads.iter().enumerate().filter(|(_, load)| load.spread_over_hardness == hardness);
         let of_hardness: Vec<(usize, TrialLoad)> = numbered.map(|(at, &load)| (at, load)).collect();
-        found.extend(planned(&psd, &of_hardness)?);
+        found.extend(planned(&fine, &of_hardness, |entry| entry.framework != Framework::Stacked)?);
+        found.extend(planned(&scales, &of_hardness, |entry| entry.framework == Framework::Stacked)?);
         if hardness.is_none() {
             found.extend(corrected(surface, &of_hardness));
         }
@@ -61,11 +65,22 @@ pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelAre
     Ok(found)
 }
 
-/// What the program's own plan gives under loads that share a hardness.
-fn planned(psd: &ProfilePsd, loads: &[(usize, TrialLoad)]) -> Result<Vec<ModelArea>, TrialError> {
+/// The wavelengths \[m\] of scales to be stacked, evenly spaced in their logarithms and above the shortest of the surface, at
+/// which its profiles end.
+fn scales_m(from_m: f64, shortest_m: f64) -> Vec<f64> {
+    let scales = ((from_m / shortest_m).log10() * SCALES_PER_DECADE).round();
+    (0..scales as u32).map(|at| from_m * (shortest_m / from_m).powf(f64::from(at) / scales)).collect()
+}
+
+/// What the program's own plan gives for some of the models under loads that share a hardness.
+fn planned(
+    psd: &ProfilePsd,
+    loads: &[(usize, TrialLoad)],
+    chosen: impl Fn(&ModelEntry) -> bool,
+) -> Result<Vec<ModelArea>, TrialError> {
     let Some((_, first)) = loads.first() else { return Ok(Vec::new()) };
     let material = material(first)?;
-    let wanted = |entry: &&ModelEntry| yields(entry) == first.spread_over_hardness.is_some();
+    let wanted = |entry: &&ModelEntry| chosen(entry) && yields(entry) == first.spread_over_hardness.is_some();
     let entries: Vec<&ModelEntry> = MODELS.iter().filter(wanted).collect();
     let curve = |entry: &&ModelEntry| {
         let model = entry.build(&material, &ModelOptions::default())?;
@@ -77,6 +92,8 @@ fn planned(psd: &ProfilePsd, loads: &[(usize, TrialLoad)]) -> Result<Vec<ModelAr
         Ok(Load { nominal_pressure, label: nominal_pressure.label() })
     };
     let needs = Needs {
+        moments: Some(Normalisation::default()),
+        amplitudes: Some(AmplitudeDefinition::default()),
         curves,
         loads: loads.iter().map(load).collect::<Result<_, TrialError>>()?,
         ..Needs::default()

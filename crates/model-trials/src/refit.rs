@@ -119,3 +119,29 @@ fn rms(values: &[f64]) -> f64 {
 fn worst(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, |worst, value| if value.abs() > worst.abs() { value } else { worst })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements;
+
+    #[test]
+    fn the_constants_of_areas_that_follow_the_form_are_found_again() {
+        let form = NayakForm { a: 0.5, b: 0.02 };
+        let mut text = "hurst_exponent,first_wave,rolloff_wave,last_wave,alpha,pressure_over_gradient,spread_over_hardness,\
+                        area_fraction,area_fraction_corrected,plastic_area_fraction,standard_error,\
+                        plastic_standard_error,realisations,grid\n"
+            .to_owned();
+        for alpha in [2.0, 8.0, 60.0] {
+            for load in [0.003, 0.04, 0.4] {
+                let area = form.area_fraction(load, alpha);
+                text += &format!("0.8,1,1,100,{alpha},{load},,{area},{area},0,0,0,4,256\n");
+            }
+        }
+        let rows: Vec<ElementsRow> = elements::read(text.as_bytes()).unwrap();
+        let found = NayakForm::fitted(&rows);
+        assert!((found.a - form.a).abs() < 1e-6 && (found.b - form.b).abs() < 1e-6, "{found:?}");
+        let misfit = NayakForm::OF_THE_PROGRAM.misfit(&rows);
+        assert!(misfit.well_known == 9 && misfit.worst > 0.01 && misfit.rms < misfit.worst, "{misfit:?}");
+    }
+}

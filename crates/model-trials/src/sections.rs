@@ -151,7 +151,9 @@ fn windows(rows: &[WindowsRow]) -> String {
                 of_model().flat_map(|row| [row.least_on_windows, row.largest_on_windows]).flatten();
             let none = || "-".to_owned();
             vec![
-                format!("`{name}`").replace("`window estimate`", "p/p_w × last window"),
+                format!("`{name}`")
+                    .replace("`last decade`", "p/p_w × last decade")
+                    .replace("`last decade and a half`", "p/p_w × last decade and a half"),
                 range(of_model().map(|row| row.whole)),
                 if beyond.is_empty() { none() } else { range(on_windows) },
                 if beyond.is_empty() { none() } else { format!("{within} of {}", beyond.len()) },

@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::TrialError;
 use crate::elements::{ElementsRow, digits};
 use crate::models::areas;
-use crate::programme::{HURST_EXPONENTS, one_decade, two_decades, widest};
+use crate::programme::{HURST_EXPONENTS, one_and_a_half_decades, one_decade, two_decades, widest};
 use crate::spectra::{BOX_M, RMS_GRADIENT, TrialLoad, WaveBand};
 use crate::window_law::{WindowLaw, persson};
 
@@ -20,8 +20,8 @@ pub struct WindowsRow {
     pub decades: f64,
     /// p/(E* h') on the whole band.
     pub pressure_over_gradient: f64,
-    /// The model; `window estimate` is the area that the longer waves leave by Persson's theory times that of the last
-    /// window by elements.
+    /// The model; `last decade` is the area that the longer waves leave by Persson's theory times that of the last decade by
+    /// elements, `last decade and a half` likewise.
     pub model: String,
     /// Its area over that of elements on the whole band.
     pub whole: f64,
@@ -48,7 +48,7 @@ fn wide_bands() -> Vec<WaveBand> {
 pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
     let mut rows = Vec::new();
     for band in wide_bands() {
-        let Some(law) = WindowLaw::of(elements, band.hurst_exponent) else { continue };
+        let Some(law) = WindowLaw::of(elements, &one_decade(band.hurst_exponent)) else { continue };
         let whole: Vec<&ElementsRow> =
             elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()).collect();
         let loads: Vec<TrialLoad> = whole.iter().map(|row| row.load()).collect();
@@ -78,12 +78,32 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
                 let ratios: Vec<(f64, f64)> = windows.iter().enumerate().filter_map(of_window).collect();
                 rows.push(row(&found.model, found.area_fraction).beside(&ratios, judged.relative_error()));
             }
-            if let Some(last) = windows.last() {
-                rows.push(row("window estimate", last.area_left * law.area_fraction(last.load)));
+            for (name, window, law) in last_windows(&band, judged.pressure_over_gradient, elements)? {
+                rows.push(row(name, window.area_left * law.area_fraction(window.load)));
             }
         }
     }
     Ok(rows)
+}
+
+/// The last windows of a band under a load, each with its name and its law.
+fn last_windows(
+    band: &WaveBand,
+    pressure_over_gradient: f64,
+    elements: &[ElementsRow],
+) -> Result<Vec<(&'static str, Window, WindowLaw)>, TrialError> {
+    let bands = [
+        ("last decade", one_decade(band.hurst_exponent)),
+        ("last decade and a half", one_and_a_half_decades(band.hurst_exponent)),
+    ];
+    let mut found = Vec::new();
+    for (name, form) in bands {
+        let Some(law) = WindowLaw::of(elements, &form) else { continue };
+        let short_m = BOX_M / band.last_wave;
+        let long_m = short_m * (form.last_wave / form.first_wave);
+        found.push((name, window(band, pressure_over_gradient, long_m, short_m)?, law));
+    }
+    Ok(found)
 }
 
 /// A window of a band under a load.
@@ -97,23 +117,32 @@ struct Window {
 
 /// The windows of a decade, half a decade apart, under the pressure that Persson's theory leaves at their long ends.
 fn windows(band: &WaveBand, pressure_over_gradient: f64) -> Result<Vec<Window>, TrialError> {
-    let spectrum = band.spectrum()?;
     let first_m = BOX_M / band.first_wave;
     let count = (2.0 * (band.decades() - 1.0)).round() as i32 + 1;
-    let window = |at: i32| {
+    let numbered = |at: i32| {
         let long_m = first_m * 10f64.powf(-0.5 * f64::from(at));
-        let short_m = (0.1 * long_m).max(BOX_M / band.last_wave);
-        let area_left = match at {
-            0 => 1.0,
-            _ => persson(
-                pressure_over_gradient * RMS_GRADIENT
-                    / spectrum.cut(first_m, long_m)?.mean_square_gradient().sqrt(),
-            ),
-        };
-        let gradient = spectrum.cut(long_m, short_m)?.mean_square_gradient().sqrt();
-        Ok(Window { area_left, load: pressure_over_gradient / area_left * (RMS_GRADIENT / gradient) })
+        window(band, pressure_over_gradient, long_m, (0.1 * long_m).max(BOX_M / band.last_wave))
     };
-    (0..count).map(window).collect()
+    (0..count).map(numbered).collect()
+}
+
+/// The window from a longest to a shortest wavelength.
+fn window(
+    band: &WaveBand,
+    pressure_over_gradient: f64,
+    long_m: f64,
+    short_m: f64,
+) -> Result<Window, TrialError> {
+    let spectrum = band.spectrum()?;
+    let first_m = BOX_M / band.first_wave;
+    let area_left = if long_m < first_m {
+        let gradient = spectrum.cut(first_m, long_m)?.mean_square_gradient().sqrt();
+        persson(pressure_over_gradient * (RMS_GRADIENT / gradient))
+    } else {
+        1.0
+    };
+    let gradient = spectrum.cut(long_m, short_m)?.mean_square_gradient().sqrt();
+    Ok(Window { area_left, load: pressure_over_gradient / area_left * (RMS_GRADIENT / gradient) })
 }
 
 /// Every model on the windows. A self-affine decade without a roll-off has the same form wherever it lies, and an elastic

@@ -77,7 +77,7 @@ impl Curves {
         };
         let curves =
             vec![curve("persson", false)?, curve("persson-plastic", false)?, curve("persson-plastic", true)?];
-        let needs = Needs { curves, loads: scene.needs.loads.clone(), ..Needs::default() };
+        let needs = Needs { curves, sweeps: Vec::new(), ..scene.needs.clone() };
         let results = Plan { psd: &scene.surface.psd, sampling: scene.sampling, needs }.compute()?;
         let cuts = |result: CurveResult| match result {
             CurveResult::Persson(blocks) => Ok(blocks),
