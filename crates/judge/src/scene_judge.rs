@@ -462,7 +462,7 @@ impl<'s> Case<'s> {
         let (verdict, reason) = match (broken, worst) {
             (Some(broken), _) => (Verdict::OutOfRange, Reason::Broken(broken)),
             (None, Some(worst)) => (worst.verdict, counted(worst.reason, agreeing, judged_windows)),
-            (None, None) => (Verdict::NotJudged, own().last().map_or(Reason::NoSurface, |on| on.reason)),
+            (None, None) => (Verdict::NotJudged, own().next_back().map_or(Reason::NoSurface, |on| on.reason)),
         };
         OfCurve {
             curve,

@@ -12,7 +12,7 @@ use crate::window::Window;
 /// Complementarity of a solution. Tightened a thousand times, areas move by a thousandth at most.
 pub(crate) const TOLERANCE: f64 = 1e-4;
 /// What the grid leaves open of a corrected area, relatively, at four points on the shortest wavelength.
-const GRID_ERROR: f64 = 0.007;
+const GRID_ERROR: f64 = 0.015;
 
 /// The area of one press, from all surfaces of its window.
 #[derive(Debug, Clone, Copy, PartialEq)]
