@@ -51,7 +51,7 @@ fn curves_of(prefix: &str, figure: &FigureData) -> Vec<GoldenCurve> {
         match curves.iter_mut().find(|known| known.name == name) {
             Some(known) => known.data.series.push(series.clone()),
             None => {
-                let data = FigureData { series: vec![series.clone()], ..figure.clone() };
+                let data = FigureData { series: vec![series.clone()], bands: Vec::new(), ..figure.clone() };
                 curves.push(GoldenCurve { name, data });
             }
         }

@@ -24,6 +24,16 @@ const LAYERS: &[Layer] = &[
         &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
     ),
     ("truearea-half-space", &["truearea-units", "truearea-parallel"]),
+    (
+        "truearea-elements",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-gaussian-surfaces",
+            "truearea-half-space",
+        ],
+    ),
     ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
@@ -85,6 +95,8 @@ const LAYERS: &[Layer] = &[
         "truearea-report",
         &[
             "truearea-persson",
+            "truearea-elements",
+            "truearea-gaussian-surfaces",
             "truearea-units",
             "truearea-rows",
             "truearea-answer",

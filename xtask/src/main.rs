@@ -1,9 +1,10 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `stress`, `bench`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `stress`, `bench`, `judge`.
 
 mod bench;
 mod docs;
 mod golden;
 mod instructions;
+mod judge;
 mod layers;
 mod reproduce;
 mod shared;
@@ -26,6 +27,8 @@ cargo xtask shared             the tests that need the folder shared/ beside the
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                random extreme states against what every result promises: docs/stress.md
 cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
+cargo xtask judge [--anew]       every model held against boundary elements: rewrites the tables and figures of
+                               docs/which-model.md; presses what has not been pressed, --anew everything (minutes)
 ";
 
 enum Task {
@@ -37,6 +40,7 @@ enum Task {
     Shared,
     Stress { arguments: Vec<OsString> },
     Bench,
+    Judge { anew: bool },
 }
 
 fn main() -> ExitCode {
@@ -49,6 +53,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Shared)) => shared::run(),
         Ok(Some(Task::Stress { arguments })) => stress::run(&arguments),
         Ok(Some(Task::Bench)) => bench::run(),
+        Ok(Some(Task::Judge { anew })) => judge::run(anew),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -78,6 +83,8 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
                 task = Some(Task::Stress { arguments });
             }
             (Value(name), None) if name == "bench" => task = Some(Task::Bench),
+            (Value(name), None) if name == "judge" => task = Some(Task::Judge { anew: false }),
+            (Long("anew"), Some(Task::Judge { anew })) => *anew = true,
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),

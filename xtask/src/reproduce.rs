@@ -5,11 +5,13 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use judge::{JudgePlan, Judgement, Settings};
 use paper::{Evidence, Verdict};
 use report::occasion::Occasion;
 use report::page::{self, Report};
 use report::products::{self, Findings};
 use staging::{StagedFiles, write_file};
+use study::Unobserved;
 use study::scene::Template;
 use tables::Format;
 use tests::committed_file;
@@ -32,26 +34,33 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
     let findings = evidence.iter().map(found).collect::<Result<Vec<_>, _>>()?;
+    let judgements = evidence.iter().map(judged).collect::<Result<Vec<_>, _>>()?;
     let ledger = paper::ledger(&evidence);
     let computing = start.elapsed();
-    for (evidence, findings) in evidence.iter().zip(&findings) {
+    for ((evidence, findings), judgement) in evidence.iter().zip(&findings).zip(&judgements) {
         let folder = folder.join(evidence.template.name());
         let (scene, results) = (&evidence.scene, &evidence.results);
         std::fs::create_dir_all(&folder)?;
         let mut files = StagedFiles::default();
-        let names = products::each_file(scene, results, Some(findings), Format::Csv, |name, content| {
-            files.stage(&folder.join(name), |out| content(out))
-        })?;
+        let names = products::each_file(
+            scene,
+            results,
+            Some(findings),
+            Some(judgement),
+            Format::Csv,
+            |name, content| files.stage(&folder.join(name), |out| content(out)),
+        )?;
         files.publish()?;
         println!("{}: {} files in {}", scene.title, names.len(), folder.display());
     }
-    let checked = checked(&ledger);
-    let scenes = evidence.iter().zip(&findings);
+    let checked = checked(&ledger, &paper::other_models(&evidence)?);
+    let scenes = evidence.iter().zip(&findings).zip(&judgements);
     let report = Report {
         title: "Real contact area of ultrananocrystalline diamond",
         scenes: scenes
-            .map(|(evidence, findings)| {
-                findings.report(label(evidence.template.name()), &evidence.scene, &evidence.results)
+            .map(|((evidence, findings), judgement)| {
+                let label = label(evidence.template.name());
+                findings.report(label, &evidence.scene, &evidence.results, Some(judgement))
             })
             .collect(),
         ledger: Some(&checked),
@@ -81,7 +90,7 @@ fn label(spectrum: &str) -> &str {
 }
 
 /// The ledger as the report shows it.
-fn checked(ledger: &[paper::Row]) -> page::Ledger {
+fn checked(ledger: &[paper::Row], others: &[paper::OtherModel]) -> page::Ledger {
     let finding = |(spectrum, finding): &(&'static str, paper::Finding)| page::Finding {
         label: label(spectrum).to_owned(),
         found: finding.found.clone(),
@@ -94,11 +103,27 @@ fn checked(ledger: &[paper::Row]) -> page::Ledger {
         how: row.statement.how.to_owned(),
         findings: row.findings.iter().map(finding).collect(),
     };
-    page::Ledger { rows: ledger.iter().map(row).collect() }
+    let other_finding = |(spectrum, finding): &(&'static str, paper::OtherFinding)| page::OtherFinding {
+        label: label(spectrum).to_owned(),
+        found: finding.found.clone(),
+        remark: finding.remark.clone(),
+    };
+    let other = |other: &paper::OtherModel| page::OtherModel {
+        model: other.model.to_owned(),
+        statement: other.statement.to_owned(),
+        findings: other.findings.iter().map(other_finding).collect(),
+    };
+    page::Ledger { rows: ledger.iter().map(row).collect(), other_models: others.iter().map(other).collect() }
 }
 
 fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {
     Findings::of(&evidence.scene, &evidence.results).map_err(Into::into)
+}
+
+fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {
+    let settings = Settings::of(evidence.scene.judge.as_ref());
+    let plan = JudgePlan::of(&evidence.scene, &evidence.results, &settings)?;
+    plan.carry_out(&Unobserved).map_err(Into::into)
 }
 
 /// How many statements each spectrum reproduces.

@@ -2,9 +2,9 @@
 //!
 //! The nouns:
 //! * [`MaterialPair`]: the body that yields and what presses on it; its composite modulus.
-//! * the laws: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`ElasticSinusoid`]
-//!   and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an interference, with its mean gap, and
-//!   [`BemSinusoid`], the elastic one by boundary elements.
+//! * the laws: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`HertzEllipse`] for a summit of two
+//!   curvatures, [`ElasticSinusoid`] and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an
+//!   interference, with its mean gap, and [`BemSinusoid`], the elastic one by boundary elements.
 //! * [`NixGao`]: the yield strength, growing where the deformation is shallow.
 //! * [`elementary`]: exponentials and logarithms for many arguments at once.
 //! * [`Break`]: where a law bends or jumps, for those who integrate it.
@@ -19,6 +19,7 @@ mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
 pub mod elementary;
 mod hertz;
+mod hertz_ellipse;
 mod jackson_green;
 mod material;
 mod mean_gap;
@@ -34,6 +35,7 @@ pub use breaks::Break;
 pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
 pub use elastic_sinusoid::ElasticSinusoid;
 pub use hertz::Hertz;
+pub use hertz_ellipse::HertzEllipse;
 pub use jackson_green::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, JacksonGreen,
     YIELD_INTERFERENCE_RATIO,

@@ -1,10 +1,12 @@
 //! What may be typed on the command line.
 
+mod bem;
 mod groups;
 mod misplaced;
 mod parsers;
 mod persson;
 
+pub(crate) use bem::BemArgs;
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
     ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
@@ -148,6 +150,26 @@ Examples:
       --indentation-hardness 5.4GPa
   truearea persson --input rows.csv --output rows.csv")]
     Persson(PerssonArgs),
+    /// Contact area by boundary elements: of a map as scanned, or of random surfaces of a spectrum
+    #[command(after_help = "\
+Columns: nominal_pressure_pa, area_fraction (share of the points in contact),
+area_fraction_corrected (less the staircase around each spot),
+area_fraction_extrapolated (what a finer grid would show), standard_error,
+plastic_area_fraction, mean_gap_m, mean_plastic_depth_m, largest_pressure_pa,
+stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected; a
+row per load, the mean of all surfaces. With --per-realisation a row for each
+surface, and the column realisation behind the first.
+
+A map is pressed as scanned, less the trend that `psd` subtracts. Of a spectrum
+as many surfaces are made as --realisations asks for, the same ones for a seed
+on every grid; which band of the spectrum they show is said.
+
+Examples:
+  truearea bem map.nc --pressure 1MPa --pressure 10MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --saturation 3GPa
+  truearea bem psd.csv --shortest 100nm --pressures 1MPa:1GPa:7 \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --figure area.svg")]
+    Bem(Box<BemArgs>),
     /// The power spectrum of scans, each in the band that shows the surface, and their composite
     #[command(after_help = "\
 Reads text (profiles, points, matrices), Nanoscope/Dimension, NetCDF-3, X3P,
@@ -489,6 +511,9 @@ pub(crate) struct RunArgs {
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
+    /// Judge no model by boundary elements, whatever the scene says of it
+    #[arg(long)]
+    pub no_judge: bool,
     /// Print what the scene needs and what is skipped, and stop there, with nothing computed
     #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
     pub dry_run: bool,

@@ -7,6 +7,7 @@ use staging::StagedFiles;
 
 use crate::failure::Failure;
 use crate::interruption;
+use judge::Judgement;
 use report::products::{self, Findings};
 use study::plan::{PlanError, Results};
 use study::scene::Scene;
@@ -195,11 +196,12 @@ pub fn write_products(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
+    judgement: Option<&Judgement>,
     format: Format,
     folder: &Path,
 ) -> Result<Vec<String>, Failure> {
     let mut files = StagedFiles::default();
-    let names = products::each_file(scene, results, findings, format, |name, content| {
+    let names = products::each_file(scene, results, findings, judgement, format, |name, content| {
         stage(&mut files, &folder.join(name), |out| content(out))
     })?;
     publish(files)?;

@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use report::field_picture::FieldPicture;
+
 /// A file for a picture, in the format that its name ends in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Picture {
@@ -77,11 +79,30 @@ impl Picture {
     }
 }
 
+/// The PNG of a field; none where the program draws no PNG.
+///
+/// # Errors
+/// What the drawing library says.
+#[cfg(feature = "png")]
+pub(crate) fn png_of_field(picture: &FieldPicture) -> Result<Option<Vec<u8>>, PictureError> {
+    png::of_field(picture).map(Some).map_err(|why| PictureError::Drawing { path: PathBuf::new(), why })
+}
+
+/// The PNG of a field; none where the program draws no PNG.
+///
+/// # Errors
+/// None.
+#[cfg(not(feature = "png"))]
+pub(crate) fn png_of_field(_: &FieldPicture) -> Result<Option<Vec<u8>>, PictureError> {
+    Ok(None)
+}
+
 #[cfg(feature = "png")]
 mod png {
     use std::sync::Arc;
 
-    use resvg::tiny_skia::{Color, Pixmap, Transform};
+    use report::field_picture::FieldPicture;
+    use resvg::tiny_skia::{Color, FilterQuality, IntSize, Pixmap, PixmapPaint, Transform};
     use resvg::usvg::fontdb::Database;
     use resvg::usvg::{Options, Tree};
 
@@ -90,9 +111,35 @@ mod png {
 
     const FONT: &str = "DejaVu Sans";
 
-    /// The PNG of an SVG document, or what is wrong with that. Its letters are those of a font that comes with the program,
-    /// so that it is the same picture everywhere.
+    /// The PNG of an SVG document, or what is wrong with that.
     pub(super) fn of(svg: &str) -> Result<Vec<u8>, String> {
+        drawn(svg)?.encode_png().map_err(|error| error.to_string())
+    }
+
+    /// The PNG of a field: its points over its frame.
+    pub(super) fn of_field(picture: &FieldPicture) -> Result<Vec<u8>, String> {
+        let mut drawn = drawn(&picture.svg)?;
+        let rows = picture.colours.len() / picture.columns;
+        let [red_green_blue_alpha, size] = [4 * picture.colours.len(), picture.columns];
+        let mut bytes = Vec::with_capacity(red_green_blue_alpha);
+        picture.colours.iter().for_each(|[red, green, blue]| bytes.extend([*red, *green, *blue, 255]));
+        let too_large = || format!("a picture of {size} by {rows} points is too large");
+        let [columns, lines] = [size, rows].map(|points| u32::try_from(points).ok());
+        let size = columns.zip(lines).and_then(|(columns, lines)| IntSize::from_wh(columns, lines));
+        let points = size.and_then(|size| Pixmap::from_vec(bytes, size)).ok_or_else(too_large)?;
+        let [left, top, width, height] = picture.place.map(|px| px as f32 * SCALE);
+        let (x, y) = (width / points.width() as f32, height / points.height() as f32);
+        // Points larger than pixels keep their edges; smaller ones are averaged as far as the library does.
+        let quality = if x >= 1.0 { FilterQuality::Nearest } else { FilterQuality::Bilinear };
+        let paint = PixmapPaint { quality, ..PixmapPaint::default() };
+        let place = Transform::from_row(x, 0.0, 0.0, y, left, top);
+        drawn.draw_pixmap(0, 0, points.as_ref(), &paint, place, None);
+        drawn.encode_png().map_err(|error| error.to_string())
+    }
+
+    /// An SVG document in pixels. Its letters are those of a font that comes with the program, so that it is the same picture
+    /// everywhere.
+    fn drawn(svg: &str) -> Result<Pixmap, String> {
         let mut fonts = Database::new();
         for font in [dejavu::sans::regular(), dejavu::sans::bold()] {
             fonts.load_font_data(font.to_vec());
@@ -106,6 +153,6 @@ mod png {
             .ok_or_else(|| format!("a picture of {width} by {height} pixels is too large"))?;
         picture.fill(Color::WHITE);
         resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut picture.as_mut());
-        picture.encode_png().map_err(|error| error.to_string())
+        Ok(picture)
     }
 }

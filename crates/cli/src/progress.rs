@@ -18,8 +18,8 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Progress towards `total` steps.
-    pub fn towards(total: usize) -> Self {
+    /// Progress towards so many of something, e.g. `states`.
+    pub fn towards(total: usize, things: &str) -> Self {
         let target = if std::io::stderr().is_terminal() {
             ProgressDrawTarget::stderr()
         } else {
@@ -27,8 +27,9 @@ impl Progress {
         };
         let bar = ProgressBar::with_draw_target(Some(total as u64), target);
         bar.set_style(
-            ProgressStyle::with_template("{wide_bar} {pos}/{len} states, {eta} left").expect("a template"),
+            ProgressStyle::with_template("{wide_bar} {pos}/{len} {msg}, {eta} left").expect("a template"),
         );
+        bar.set_message(things.to_owned());
         Progress { bar, begun: Instant::now(), done: AtomicU64::new(0) }
     }
 

@@ -1,8 +1,9 @@
 //! What is wrong in a scene, drawn like a compiler's message.
 
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
-use report::scan_words;
+use report::{scan_words, spectrum_words};
 use scans::ScanOption;
+use spectrum::ReadOption;
 use study::scene::{SceneError, SceneProblem};
 use study::surface::SurfaceError;
 
@@ -31,9 +32,25 @@ fn mended(error: &SceneError) -> String {
     };
     match error.as_ref() {
         SurfaceError::Scan { .. } => "; give it in scans = [...] instead of psd".to_owned(),
+        SurfaceError::Spectrum { error, .. } => {
+            error.mend().map_or_else(String::new, |mend| spectrum_words::mend(&mend, reading_key))
+        }
         SurfaceError::Scans(error) => {
             error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, key))
         }
         _ => String::new(),
+    }
+}
+
+/// The key of a surface that gives an option of reading.
+fn reading_key(option: ReadOption) -> &'static str {
+    match option {
+        ReadOption::Column => "column",
+        ReadOption::Convention => "convention",
+        ReadOption::X => "x",
+        ReadOption::Series => "series",
+        ReadOption::Subject => "subject",
+        ReadOption::XUnit => "x_unit",
+        ReadOption::PsdUnit => "psd_unit",
     }
 }

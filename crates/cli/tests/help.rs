@@ -15,6 +15,7 @@ fn every_command_shows_an_example() {
         &["run"],
         &["scene"],
         &["statistical"],
+        &["bem"],
         &["persson"],
         &["completions"],
         &["man"],
@@ -56,13 +57,14 @@ fn a_closed_pipe_ends_quietly() {
 }
 
 /// The commands that `--help` lists.
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "asperity",
     "moments",
     "amplitude",
     "stacked",
     "persson",
     "statistical",
+    "bem",
     "fit",
     "run",
     "scene",

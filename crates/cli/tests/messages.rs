@@ -23,6 +23,12 @@ moments psd.csv --figure m.gif
 moments psd.csv --figure m.svg --output m.svg
 moments psd.csv --output psd.csv
 moments psd.csv --output folder
+moments bare.txt
+moments areas.csv
+moments several.csv
+moments series.csv
+moments psd.csv --x-unit furlong
+moments psd.csv --x-unit um
 moments map.001
 moments map.nc
 moments absent.csv
@@ -69,6 +75,9 @@ run hard.toml
 run in-hardnesses.toml
 run scene.toml --explain --no-report
 run of-scan.toml
+run bare.toml
+run series.toml
+run furlong.toml
 man --out psd.csv
 completions bash --output folder
 ";
@@ -81,6 +90,16 @@ fn all_messages() {
     bench.write("psd.csv", PSD).write("scene.toml", SCENE).write("line.txt", line);
     bench.write("map.001", "\\*File list\r\n\\Version: 0x05120000\r\n").write("map.nc", "CDF\x01\0\0\0\0");
     bench.write("rows.csv", "model\nhertz\n").write("of-scan.toml", SCENE.replace("psd.csv", "map.001"));
+    bench.write("bare.txt", "1e-5 1e-20\n1e-6 1e-23\n").write("areas.csv", "q,psd_m4\n1,2\n2,3\n");
+    bench.write("several.csv", "lambda_m,psd_m3,Ciso_m4\n1,2,3\n2,3,4\n");
+    bench.write(
+        "series.csv",
+        "Subject,Series,Wavevector (1/m),PSD (m\u{b3})\na,x,1,2\na,x,2,1\nb,y,1,2\nb,y,2,1\n",
+    );
+    for (name, psd) in [("bare", "bare.txt"), ("series", "series.csv")] {
+        bench.write(&format!("{name}.toml"), SCENE.replace("psd.csv", psd));
+    }
+    bench.write("furlong.toml", SCENE.replace("[material]", "x_unit = \"furlong\"\n[material]"));
     let spheres = "youngs_modulus_pa,poisson_ratio,radius_m,interference_m\n1e11,0.3,1e-6,1e-9\n";
     let strengths = |cells: &str| {
         let [header, row] = ["yield_strength_pa,indentation_hardness_pa,", cells].map(str::to_owned);

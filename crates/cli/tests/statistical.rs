@@ -436,3 +436,100 @@ fn f_a_13_and_19_a_tolerance_that_cannot_be_had_and_doubts_are_told() {
     }
     assert_eq!(ran.status, 0);
 }
+
+const SUMMITS_HEADER: &str =
+    "model,youngs_modulus_pa,poisson_ratio,m0_m2,m2,m4_per_m2,separation_m,pressure_pa";
+
+/// A row of tests/reference/bgt.csv, alpha = 10 and d = 2 sqrt(m0), in metres and pascals: E* = 1e11 Pa.
+const SUMMITS: &str = "bgt,1e11,0,1e-16,0.04,1.6e14,2e-8,";
+
+#[test]
+fn rows_of_bgt_take_moments_and_are_computed_either_way() {
+    let bench = Bench::new();
+    let table = format!("{SUMMITS_HEADER}\n{SUMMITS}\n");
+    let there = bench.run_with_input(&["statistical", "--input", "-", "--details"], &table).ok();
+    let (area, pressure) = (numbers(&there, "area_fraction")[0], numbers(&there, "pressure_pa")[0]);
+    assert!((area / 8.2691519084e-3 - 1.0).abs() < 1e-10, "{area}");
+    assert!((pressure / (6.3176910226e-3 * 1e11 * 0.2) - 1.0).abs() < 1e-10, "{pressure}");
+    assert!(numbers(&there, "error_estimate")[0] < 1e-11 && numbers(&there, "evaluations")[0] < 200.0);
+    let back = table.replace("2e-8,", &format!(",{pressure}"));
+    let back = bench.run_with_input(&["statistical", "--input", "-"], &back).ok();
+    assert!((numbers(&back, "separation_m")[0] / 2e-8 - 1.0).abs() < 1e-12);
+    // A table of spheres and summits has the columns of both.
+    let mixed = format!("{SUMMITS_HEADER}\n{SUMMITS}\nhertz,1e11,0,,,,2e-8,\n");
+    let message = bench.run_with_input(&["statistical", "--input", "-"], &mixed).refused();
+    assert!(message.contains("radius_m"), "{message}");
+    let spheres = "hertz,1e11,0,1e-6,1e12,1e-8,2e-8,";
+    let asperities = SUMMITS_HEADER.replace("m0_m2,m2,m4_per_m2", "radius_m,density_per_m2,sigma_s_m");
+    let message = bench
+        .run_with_input(&["statistical", "--input", "-"], &format!("{asperities}\n{spheres}\n{SUMMITS}\n"))
+        .refused();
+    assert!(message.contains("m0_m2"), "{message}");
+}
+
+#[test]
+fn rows_without_summits_stay_empty_and_are_noted_once() {
+    let bench = Bench::new();
+    // alpha is m4/1.6e13; the last row but one has 1.5, the last one no moments at all.
+    let with_m4 = |m4: &str| SUMMITS.replace("1.6e14", m4);
+    let rows = ["1.6e14", "2.3e13", "1.7e13", "2.4e13"].map(with_m4).join("\n") + "\nbgt,1e11,0,,,,2e-8,";
+    let ran = bench.run_with_input(&["statistical", "--input", "-"], &format!("{SUMMITS_HEADER}\n{rows}\n"));
+    let note = "note: 2 of 5 rows: alpha = m0 m4/m2^2 is 1.062 to 1.437, below the 1.5 that every surface reaches: no summits, \
+                no result\n";
+    assert_eq!(ran.stderr.matches("alpha").count(), 1, "{}", ran.stderr);
+    assert!(ran.stderr.contains(note), "{}", ran.stderr);
+    assert!(ran.stderr.contains("note: 1 of 5 rows have no asperities: their results are empty\n"));
+    let out = ran.ok();
+    let areas = column(&out, "area_fraction");
+    assert!(areas[0].starts_with("0.008269") && areas[3].starts_with("0.010"), "{areas:?}");
+    assert_eq!([areas[1], areas[2], areas[4]], [""; 3]);
+    // The given separation stays where the row was asked for something.
+    assert_eq!(column(&out, "separation_m")[1], "2e-8");
+}
+
+#[test]
+fn over_cutoffs_bgt_has_the_states_of_the_moments() {
+    let bench = Bench::new();
+    let args = ["statistical", "builtin:uncd-measured", "--model", "bgt", "--pressure", "1MPa"];
+    let ran = bench.run(&[&args, &DIAMOND[..4]].concat());
+    assert!(
+        ran.stderr.contains("note: 6 of 45 rows: alpha = m0 m4/m2^2 is 1.048 to 1.467, below the 1.5"),
+        "{}",
+        ran.stderr
+    );
+    let over_cutoffs = ran.ok();
+    let moments = bench.run(&["moments", "builtin:uncd-measured"]).ok();
+    let args = ["statistical", "--input", "-", "--model", "bgt", "--pressure", "1MPa"];
+    let row_by_row = bench.run_with_input(&[&args, &DIAMOND[..4]].concat(), &moments).ok();
+    for name in ["separation_m", "pressure_pa", "area_fraction"] {
+        let [of_cutoffs, of_rows] = [&over_cutoffs, &row_by_row].map(|table| column(table, name));
+        // A row that holds nothing to press keeps what it was asked at.
+        let differing = of_cutoffs.iter().zip(&of_rows).filter(|(a, b)| a != b && !a.is_empty()).count();
+        assert_eq!((of_cutoffs.len(), differing), (46, 0), "{name}");
+    }
+    let alphas = column(&moments, "nayak_alpha");
+    let areas = column(&over_cutoffs, "area_fraction");
+    for (alpha, area) in alphas.iter().zip(areas).skip(1) {
+        assert_eq!(area.is_empty(), alpha.parse::<f64>().unwrap() < 1.5, "{alpha}: {area}");
+    }
+}
+
+#[test]
+fn elastic_areas_of_a_scene_have_the_linear_laws_beside_them() {
+    let bench = Bench::new();
+    bench.write(
+        "scene.toml",
+        "title = \"t\"\n[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"463 GPa\"\n\
+         poisson_ratio = 0.2\nyield_strength = \"1.8 GPa\"\n[loads]\npressures = [\"1 MPa\"]\n\
+         [[curve]]\nmodel = \"bgt\"\n[[curve]]\nmodel = \"ep-sphere\"\n",
+    );
+    let summary = bench.run(&["run", "scene.toml"]).ok();
+    // kappa p/(E* h'), E* = 482.29 GPa and h' = sqrt(2 m2) = 0.55028 at the last cutoff.
+    assert_eq!(summary.matches("linear laws").count(), 1, "{summary}");
+    assert!(summary.contains("h' = 0.55: 6.01e-6 to 9.44e-6 at 1 MPa"), "{summary}");
+    let report = bench.read("scene-results/report.html");
+    assert!(report.contains("Beside the elastic areas: linear laws"));
+    assert!(report.matches("linear laws</text>").count() >= 1);
+    assert!(!bench.read("scene-results/bgt.csv").contains("linear"));
+    assert!(!bench.read("scene-results/area-fraction.csv").contains("linear"));
+}

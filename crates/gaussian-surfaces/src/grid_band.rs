@@ -1,5 +1,6 @@
 //! Which band of a spectrum a square grid holds.
 
+use crate::area_spectrum::AreaSpectrum;
 use crate::error::SurfaceError;
 
 /// A band of wavelengths laid out on a square grid.
@@ -53,6 +54,31 @@ impl GridBand {
             });
         }
         Ok(Self { points, length_m: lengths * longest_m * room.max(1.0).sqrt(), longest_m, shortest_m })
+    }
+
+    /// The band of a spectrum on a grid, both ends and the side \[m\] as asked for. Left open, the shortest wavelength is
+    /// that of the spectrum, and the longest as long as the grid holds and the spectrum goes; with a side that is given the
+    /// band ends at the fewest points and lengths that it has room for.
+    ///
+    /// # Errors
+    /// [`SurfaceError::GridTooSmall`] where the points do not hold the band; with a side that is given, the surfaces
+    /// themselves are refused where not even two points and one length are left.
+    pub fn in_spectrum(
+        spectrum: &AreaSpectrum,
+        points: usize,
+        longest_m: Option<f64>,
+        shortest_m: Option<f64>,
+        side_m: Option<f64>,
+    ) -> Result<Self, SurfaceError> {
+        let Some(length_m) = side_m else {
+            let shortest_m = shortest_m.unwrap_or(spectrum.shortest_m());
+            let widest_m = Self::widest_to(shortest_m, points).longest_m;
+            return Self::of(longest_m.unwrap_or(widest_m.min(spectrum.longest_m())), shortest_m, points);
+        };
+        let finest_m = Self::POINTS_PER_SHORTEST * length_m / points as f64;
+        let longest_m = longest_m.unwrap_or((length_m / Self::LENGTHS).min(spectrum.longest_m()));
+        let shortest_m = shortest_m.unwrap_or(finest_m.max(spectrum.shortest_m()));
+        Ok(Self { points, length_m, longest_m, shortest_m })
     }
 
     /// Points for the shortest wavelength.

@@ -11,43 +11,9 @@
 //! the pressures, and is computed anew from them only before it is believed.
 
 use crate::contact::Ending;
-use crate::projection::shift_to_sum;
+use crate::problem::{Operators, Problem, State};
+use crate::projection::bring_to_sum;
 use crate::sums;
-use crate::transform::Convolution;
-
-/// What is asked, in units in which the heights have a mean square of 1.
-pub(crate) struct Problem<'a> {
-    pub(crate) heights: &'a [f64],
-    /// Mean pressure.
-    pub(crate) mean: f64,
-    /// The largest pressure a point carries; infinite where it is elastic throughout.
-    pub(crate) cap: f64,
-    pub(crate) tolerance: f64,
-}
-
-/// The two operators: displacements of pressures, and roughly the inverse.
-pub(crate) struct Operators {
-    pub(crate) compliance: Convolution<f64>,
-    /// In single precision, since it only shapes directions.
-    pub(crate) preconditioner: Convolution<f32>,
-}
-
-/// Maps in units of the problem, kept between solves.
-pub(crate) struct State {
-    pub(crate) pressures: Vec<f64>,
-    /// u - h, from which the offset is not yet taken.
-    pub(crate) gaps: Vec<f64>,
-    /// The last change of the pressures, and the displacements it makes.
-    change: Vec<f64>,
-    response: Vec<f64>,
-    /// The gap on free points, and what the preconditioner makes of it.
-    gradient: Vec<f32>,
-    /// Points that may change.
-    free: Vec<u32>,
-    /// Direction and trial of each of them.
-    direction: Vec<f64>,
-    trial: Vec<f64>,
-}
 
 /// How a solve ended.
 pub(crate) struct Outcome {
@@ -59,21 +25,6 @@ pub(crate) struct Outcome {
     pub(crate) ending: Ending,
 }
 
-impl State {
-    pub(crate) fn new(points: usize) -> Self {
-        Self {
-            pressures: vec![0.0; points],
-            gaps: vec![0.0; points],
-            change: vec![0.0; points],
-            response: vec![0.0; points],
-            gradient: vec![0.0; points],
-            free: Vec::with_capacity(points),
-            direction: Vec::with_capacity(points),
-            trial: Vec::with_capacity(points),
-        }
-    }
-}
-
 /// A solve under way.
 struct Descent<'a> {
     problem: &'a Problem<'a>,
@@ -83,12 +34,8 @@ struct Descent<'a> {
     offset: f64,
     /// Points that carry the cap and stay there.
     capped: usize,
-    /// Points with a gap that joined the free ones, being closed at no pressure or open at the cap.
-    joined: usize,
     /// Length of the next step along a direction.
     length: f64,
-    /// Whether `change` and `response` are those of a step.
-    stepped: bool,
     applied: usize,
 }
 
@@ -105,17 +52,7 @@ pub(crate) fn descend(
     state: &mut State,
     mut watch: impl FnMut(f64) -> bool,
 ) -> Option<Outcome> {
-    let mut descent = Descent {
-        problem,
-        operators,
-        state,
-        offset: 0.0,
-        capped: 0,
-        joined: 0,
-        length: 1.0,
-        stepped: false,
-        applied: 0,
-    };
+    let mut descent = Descent { problem, operators, state, offset: 0.0, capped: 0, length: 1.0, applied: 0 };
     descent.start();
     let mut residual = descent.look(0.0);
     let (mut iterations, mut renewed_at, mut best, mut best_at) = (0, 0, residual, 0);
@@ -176,45 +113,40 @@ impl Descent<'_> {
         self.state.gaps.iter_mut().zip(self.problem.heights).for_each(|(gap, height)| *gap -= height);
     }
 
-    /// Takes `share` of the change that was tried, and looks where it has led: the offset, the free points, their gaps, and
-    /// the residual.
+    /// Takes `share` of the change that was tried, and looks where it has led: the offset, the gaps, the free points, and the
+    /// residual.
     fn look(&mut self, share: f64) -> f64 {
         self.take(share);
-        self.offset = self.offset_after(share);
-        self.classify(share)
+        let (overlap, opening) = self.close_gaps(share);
+        self.gather_free();
+        let unbalanced = self.gather_gradient() / (self.problem.mean * self.problem.heights.len() as f64);
+        unbalanced.max(overlap / OVERLAP_SHARE).max(opening / OVERLAP_SHARE)
     }
 
-    /// The pressures after `share` of the change.
+    /// The pressures after `share` of the change, and the offset under them: the mean gap of the points between the bounds.
     fn take(&mut self, share: f64) {
-        if share == 0.0 {
-            return;
-        }
-        let (cap, tiny) = (self.problem.cap, SNAP * self.problem.mean);
-        let State { pressures, change, free, .. } = &mut *self.state;
-        for &point in &*free {
-            let pressure = pressures[point as usize] + share * change[point as usize];
-            pressures[point as usize] = if pressure <= tiny {
-                0.0
-            } else if pressure >= cap * (1.0 - SNAP) {
-                cap
-            } else {
-                pressure
-            };
-        }
-    }
-
-    /// The mean gap of the points between the bounds; where there are none, midway between what the others ask for.
-    fn offset_after(&self, share: f64) -> f64 {
-        let State { pressures, gaps, response, free, .. } = &*self.state;
         let cap = self.problem.cap;
+        let tiny = self.problem.rounding_of_pressure();
+        let full = cap - tiny;
+        let State { pressures, gaps, change, response, free, .. } = &mut *self.state;
         let [sum, count] = sums::over(free.len(), |at| {
             let point = free[at] as usize;
-            let between = pressures[point] > 0.0 && pressures[point] < cap;
-            if between { [gaps[point] + share * response[point], 1.0] } else { [0.0; 2] }
+            let pressure = pressures[point] + share * change[point];
+            let gap = gaps[point] + share * response[point];
+            let (pressure, terms) = match pressure {
+                low if low <= tiny => (0.0, [0.0; 2]),
+                high if high >= full => (cap, [0.0; 2]),
+                between => (between, [gap, 1.0]),
+            };
+            pressures[point] = pressure;
+            terms
         });
-        if count > 0.0 {
-            return sum / count;
-        }
+        self.offset = if count > 0.0 { sum / count } else { self.offset_without_free_points(share) };
+    }
+
+    /// Where no point lies between the bounds, the offset is midway between what those at either ask for.
+    fn offset_without_free_points(&self, share: f64) -> f64 {
+        let State { pressures, gaps, response, .. } = &*self.state;
         let (mut open, mut sunk) = (f64::INFINITY, f64::NEG_INFINITY);
         for ((&pressure, &gap), &response) in pressures.iter().zip(gaps).zip(response) {
             let gap = gap + share * response;
@@ -227,161 +159,188 @@ impl Descent<'_> {
         if open < f64::INFINITY { 0.5 * (open + sunk) } else { sunk }
     }
 
-    /// The gaps after `share` of the change, and which points are free under them.
-    fn classify(&mut self, share: f64) -> f64 {
-        let Problem { mean, cap, heights, .. } = *self.problem;
-        let offset = self.offset;
-        let State { pressures, gaps, response, gradient, free, .. } = &mut *self.state;
-        free.clear();
-        let (mut overlap, mut opening) = (0.0f64, 0.0f64);
-        (self.capped, self.joined) = (0, 0);
-        let (capped, joined) = (&mut self.capped, &mut self.joined);
-        let [unbalanced] = sums::over(heights.len(), |point| {
-            gaps[point] += share * response[point];
-            let (pressure, gap) = (pressures[point], gaps[point] - offset);
-            let mut term = 0.0;
-            let is_free = if pressure <= 0.0 {
-                overlap = overlap.max(-gap);
-                *joined += usize::from(gap < 0.0);
-                gap < 0.0
-            } else if pressure >= cap {
-                opening = opening.max(gap);
-                *joined += usize::from(gap > 0.0);
-                *capped += usize::from(gap <= 0.0);
-                gap > 0.0
-            } else {
-                term = pressure * gap.abs();
-                true
-            };
-            gradient[point] = 0.0;
-            if is_free {
-                gradient[point] = gap as f32;
-                free.push(point as u32);
+    /// The gaps after `share` of the change; the largest overlap without pressure, and the largest gap at the cap.
+    fn close_gaps(&mut self, share: f64) -> (f64, f64) {
+        const LANES: usize = 4;
+        let cap = self.problem.cap;
+        let State { pressures, gaps, response, .. } = &mut *self.state;
+        let (mut least, mut largest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+        let lanes = pressures.chunks(LANES).zip(gaps.chunks_mut(LANES)).zip(response.chunks(LANES));
+        for ((pressures, gaps), response) in lanes {
+            for (lane, ((&pressure, gap), &response)) in pressures.iter().zip(gaps).zip(response).enumerate()
+            {
+                *gap += share * response;
+                let (open, sunk) = (
+                    if pressure <= 0.0 { *gap } else { f64::INFINITY },
+                    if pressure >= cap { *gap } else { f64::NEG_INFINITY },
+                );
+                least[lane] = if open < least[lane] { open } else { least[lane] };
+                largest[lane] = if sunk > largest[lane] { sunk } else { largest[lane] };
             }
-            [term]
+        }
+        let least = least.into_iter().fold(f64::INFINITY, f64::min);
+        let largest = largest.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        ((self.offset - least).max(0.0), (largest - self.offset).max(0.0))
+    }
+
+    /// The points that may change: those between the bounds, and at a bound those that it holds back from closing a gap.
+    fn gather_free(&mut self) {
+        let (cap, offset) = (self.problem.cap, self.offset);
+        let State { pressures, gaps, free, .. } = &mut *self.state;
+        free.resize(pressures.len(), 0);
+        let (mut gathered, mut capped) = (0, 0);
+        for (point, (&pressure, &gap)) in pressures.iter().zip(&*gaps).enumerate() {
+            let is_open = (pressure <= 0.0) & (gap >= offset);
+            let is_sunk = (pressure >= cap) & (gap <= offset);
+            // Written in any case, and kept if free: at the edges of spots a branch would be guessed wrong.
+            free[gathered] = point as u32;
+            gathered += usize::from(!is_open & !is_sunk);
+            capped += usize::from(is_sunk);
+        }
+        free.truncate(gathered);
+        self.capped = capped;
+    }
+
+    /// The gap on the free points, 0 on the others; the sum of p|g| over the points between the bounds.
+    fn gather_gradient(&mut self) -> f64 {
+        let (cap, offset) = (self.problem.cap, self.offset);
+        let State { pressures, gaps, gradient, free, .. } = &mut *self.state;
+        gradient.fill(0.0);
+        let [unbalanced] = sums::over(free.len(), |at| {
+            let point = free[at] as usize;
+            let (pressure, gap) = (pressures[point], gaps[point] - offset);
+            gradient[point] = gap as f32;
+            [if pressure < cap { pressure * gap.abs() } else { 0.0 }]
         });
-        let load = mean * heights.len() as f64;
-        (unbalanced / load).max(overlap / OVERLAP_SHARE).max(opening / OVERLAP_SHARE)
+        unbalanced
     }
 
     /// Finds a change that lowers the energy, and the share of it to take; `None` where rounding leaves none.
     fn step(&mut self) -> Option<f64> {
         self.operators.preconditioner.apply_in_place(&mut self.state.gradient);
-        let memory = self.conjugation();
-        let found = self.aim(Direction::Conjugate(memory))
-            || (memory != 0.0 && self.aim(Direction::Conjugate(0.0)))
-            || self.aim(Direction::Spectral);
-        found.then(|| self.search())
+        let memory = self.memory();
+        let aim = self
+            .aim_along_conjugate(&memory)
+            .or_else(|| self.aim_along_conjugate(&Memory { kept: 0.0, ..memory }))
+            .or_else(|| self.aim_along_gap())?;
+        Some(self.search(&aim))
     }
 
-    /// How much of the last change the next direction keeps, so that it does not undo it: t.Ks = 0.
-    fn conjugation(&self) -> f64 {
-        if !self.stepped {
-            return 0.0;
-        }
+    /// How much of the last change the next direction keeps.
+    fn memory(&self) -> Memory {
         let State { gradient, change, response, free, .. } = &*self.state;
-        let [ones, z, zr, r, s, sr] = sums::over(free.len(), |at| {
+        let [z, zr, r, s, sr] = sums::over(free.len(), |at| {
             let point = free[at] as usize;
             let (z, s, r) = (f64::from(gradient[point]), change[point], response[point]);
-            [1.0, z, z * r, r, s, s * r]
+            [z, z * r, r, s, s * r]
         });
-        let curvature = sr - s / ones * r;
-        if curvature > 0.0 { (zr - z / ones * r) / curvature } else { 0.0 }
+        let count = free.len() as f64;
+        let curvature = sr - s / count * r;
+        let kept = if curvature > 0.0 { (zr - z / count * r) / curvature } else { 0.0 };
+        Memory { kept, mean_gradient: z / count, mean_change: s / count }
     }
 
-    /// Aims along a direction, into `trial`; whether the energy falls that way.
-    fn aim(&mut self, direction: Direction) -> bool {
-        let length = self.fill_direction(direction);
-        let Problem { mean, cap, heights, .. } = *self.problem;
-        let State { pressures, gaps, free, direction, trial, .. } = &mut *self.state;
+    /// Aims along the preconditioned gap and what is kept of the last change.
+    fn aim_along_conjugate(&mut self, memory: &Memory) -> Option<Aim> {
+        let Memory { kept, mean_gradient, mean_change } = *memory;
+        let length = self.length;
+        let State { pressures, change, gradient, free, trial, .. } = &mut *self.state;
+        let mean = kept * mean_change - mean_gradient;
         trial.clear();
-        trial.extend(free.iter().zip(&*direction).map(|(&point, t)| pressures[point as usize] + length * t));
-        let elsewhere = if self.capped == 0 { 0.0 } else { self.capped as f64 * cap };
-        let shift = shift_to_sum(trial, cap, mean * heights.len() as f64 - elsewhere);
-        let offset = self.offset;
-        let [slope] = sums::over(free.len(), |at| {
-            let point = free[at] as usize;
-            let aimed = (trial[at] + shift).clamp(0.0, cap);
-            trial[at] = aimed;
-            [(gaps[point] - offset) * (aimed - pressures[point])]
-        });
-        slope < 0.0
+        trial.extend(free.iter().map(|&point| {
+            let point = point as usize;
+            pressures[point] + length * (kept * change[point] - f64::from(gradient[point]) - mean)
+        }));
+        self.aim()
     }
 
-    /// The direction on the free points; returns how far to go along it.
-    fn fill_direction(&mut self, kind: Direction) -> f64 {
-        let State { gaps, change, response, gradient, free, direction, .. } = &mut *self.state;
-        direction.clear();
-        match kind {
-            Direction::Conjugate(memory) => {
-                let [z, s] = sums::over(free.len(), |at| {
-                    let point = free[at] as usize;
-                    [f64::from(gradient[point]), change[point]]
-                });
-                let mean = (memory * s - z) / free.len() as f64;
-                direction.extend(free.iter().map(|&point| {
-                    memory * change[point as usize] - f64::from(gradient[point as usize]) - mean
-                }));
-                self.length
-            }
-            Direction::Spectral => {
-                let offset = self.offset;
-                direction.extend(free.iter().map(|&point| offset - gaps[point as usize]));
-                let [ss, sr] = sums::over(change.len(), |point| {
-                    [change[point] * change[point], change[point] * response[point]]
-                });
-                if sr > 0.0 { ss / sr } else { 1.0 }
-            }
-        }
+    /// Aims along the gap itself, by the curvature met last.
+    fn aim_along_gap(&mut self) -> Option<Aim> {
+        let offset = self.offset;
+        let State { pressures, gaps, change, response, free, trial, .. } = &mut *self.state;
+        let [ss, sr] = sums::over(change.len(), |point| {
+            [change[point] * change[point], change[point] * response[point]]
+        });
+        let length = if sr > 0.0 { ss / sr } else { 1.0 };
+        trial.clear();
+        trial.extend(free.iter().map(|&point| {
+            let point = point as usize;
+            pressures[point] + length * (offset - gaps[point])
+        }));
+        self.aim()
+    }
+
+    /// Brings the trial between the bounds and to the load; `None` where the energy does not fall that way.
+    fn aim(&mut self) -> Option<Aim> {
+        let Problem { mean, cap, heights, .. } = *self.problem;
+        let offset = self.offset;
+        let State { pressures, gaps, free, trial, .. } = &mut *self.state;
+        let elsewhere = if self.capped == 0 { 0.0 } else { self.capped as f64 * cap };
+        bring_to_sum(trial, cap, mean * heights.len() as f64 - elsewhere);
+        let [slope, at_bounds] = sums::over(free.len(), |at| {
+            let point = free[at] as usize;
+            let aimed = trial[at];
+            let change = aimed - pressures[point];
+            trial[at] = change;
+            let bound = change != 0.0 && (aimed == 0.0 || aimed == cap);
+            [(gaps[point] - offset) * change, if bound { 1.0 } else { 0.0 }]
+        });
+        (slope < 0.0).then_some(Aim { slope, meets_bounds: at_bounds > 0.0 })
     }
 
     /// Turns the trial into a change and its response, and finds the share of it that is best.
-    fn search(&mut self) -> f64 {
-        let Problem { cap, .. } = *self.problem;
-        let State { pressures, gaps, change, response, free, trial, .. } = &mut *self.state;
+    fn search(&mut self, aim: &Aim) -> f64 {
+        let State { change, response, free, trial, .. } = &mut *self.state;
         change.fill(0.0);
-        let (mut reach, mut bounded) = (f64::INFINITY, false);
-        for (&point, &aimed) in free.iter().zip(&*trial) {
-            let pressure = pressures[point as usize];
-            let step = aimed - pressure;
-            change[point as usize] = step;
-            if step < 0.0 {
-                reach = reach.min(-pressure / step);
-                bounded |= aimed == 0.0;
-            } else if step > 0.0 && cap < f64::INFINITY {
-                reach = reach.min((cap - pressure) / step);
-                bounded |= aimed == cap;
-            }
-        }
+        free.iter().zip(&*trial).for_each(|(&point, &step)| change[point as usize] = step);
         self.operators.compliance.apply(change, response);
         self.applied += 1;
-        let offset = self.offset;
-        let [slope, curvature] = sums::over(free.len(), |at| {
-            let point = free[at] as usize;
-            [(gaps[point] - offset) * change[point], change[point] * response[point]]
-        });
-        let best = if curvature > 0.0 { -slope / curvature } else { 1.0 };
+        let [curvature] = sums::over(free.len(), |at| [trial[at] * response[free[at] as usize]]);
+        let best = if curvature > 0.0 { -aim.slope / curvature } else { 1.0 };
         self.length =
             (self.length * best.clamp(1.0 / LARGEST_FACTOR, LARGEST_FACTOR)).clamp(SHORTEST, LONGEST);
-        self.stepped = true;
-        if bounded && best > 0.5 { 1.0 } else { best.min(reach) }
+        match best {
+            far if far > LEAST_OF_ALL && aim.meets_bounds => 1.0,
+            // Not far at once: what rounding leaves of the change's sum would grow with it.
+            far if far > 1.0 => far.min(self.reach()).min(LARGEST_FACTOR),
+            near => near,
+        }
+    }
+
+    /// How often the change can be taken before a point meets a bound.
+    fn reach(&self) -> f64 {
+        let cap = self.problem.cap;
+        let State { pressures, free, trial, .. } = &*self.state;
+        free.iter().zip(trial).fold(f64::INFINITY, |reach, (&point, &change)| {
+            let pressure = pressures[point as usize];
+            let way = if change < 0.0 { -pressure } else { cap - pressure };
+            if change == 0.0 { reach } else { reach.min(way / change) }
+        })
     }
 }
 
-/// Where a step may point.
-#[derive(Clone, Copy)]
-enum Direction {
-    /// Along the preconditioned gap, and so much of the last change.
-    Conjugate(f64),
-    /// Along the gap, by the curvature met last.
-    Spectral,
+/// What is kept of the last change s in the next direction t, so that t does not undo it: t.Ks = 0.
+struct Memory {
+    kept: f64,
+    /// Means over the free points, which carry no load together.
+    mean_gradient: f64,
+    mean_change: f64,
 }
+
+/// A trial towards which the energy falls.
+struct Aim {
+    /// How fast it falls to begin with.
+    slope: f64,
+    /// Whether points that were between the bounds are at them.
+    meets_bounds: bool,
+}
+
+/// A trial that meets bounds is taken whole where the best share of it is at least this: above a half the energy still falls,
+/// and points that arrive at a bound are worth some of it.
+const LEAST_OF_ALL: f64 = 0.7;
 
 /// Overlaps count for a tenth of what unbalanced gaps do.
 const OVERLAP_SHARE: f64 = 10.0;
-
-/// Pressures so near to a bound are at it.
-const SNAP: f64 = 1e-14;
 
 /// How much longer or shorter than the last a step may be tried.
 const LARGEST_FACTOR: f64 = 2.0;

@@ -7,8 +7,10 @@ use units::Bound;
 
 use crate::area::{Count, count};
 use crate::contact::Contact;
-use crate::descent::{Operators, Outcome, Problem, State, descend};
+use crate::descent::{Outcome, descend};
 use crate::loading::Loading;
+use crate::problem::{Operators, Problem, State};
+use crate::stiffness::approach_per_pressure;
 use crate::{Grid, HalfSpaceError, sums};
 
 /// The steps that a solve tells its [`Progress`] of: as many as the residual has come nearer to the tolerance, of its whole
@@ -102,6 +104,32 @@ impl Elements {
         let outcome = outcome.ok_or(HalfSpaceError::Cancelled)?;
         progress.advance(PROGRESS_STEPS - told.steps);
         Ok(self.contact(loading, unit_pa, &outcome))
+    }
+
+    /// The stiffness of a contact, `None` where it has no gap left to close.
+    pub(crate) fn stiffness_pa_per_m(
+        &mut self,
+        contact: &Contact,
+        contact_modulus_pa: f64,
+        progress: &dyn Progress,
+    ) -> Result<Option<f64>, HalfSpaceError> {
+        let points = self.heights.len();
+        Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
+        if contact.pressures_pa.len() != points {
+            return Err(HalfSpaceError::Size { given: contact.pressures_pa.len(), expected: points });
+        }
+        let [sum_pa] = sums::over(points, |point| [contact.pressures_pa[point]]);
+        let least_pa = TOUCHING * sum_pa / points as f64;
+        let touching: Vec<u32> =
+            (0..points as u32).filter(|&k| contact.pressures_pa[k as usize] > least_pa).collect();
+        if self.periodic && touching.len() == points {
+            return Ok(None);
+        }
+        let (operators, state) = (&mut self.operators, &mut self.state);
+        let approach =
+            approach_per_pressure(points, &touching, operators, state, || !progress.is_cancelled());
+        let approach = approach.ok_or(HalfSpaceError::Cancelled)?;
+        Ok(Some(self.unit_pa(contact_modulus_pa) / (approach * self.unit_m)))
     }
 
     /// What the solved state says, in SI.

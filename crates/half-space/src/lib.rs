@@ -2,7 +2,7 @@
 //!
 //! The nouns:
 //! * [`Grid`]: the points, and how far they are apart.
-//! * [`PeriodicElements`]: a surface laid out on them, which may be pressed again and again.
+//! * [`PeriodicElements`] and [`FreeElements`]: a surface laid out on them, which may be pressed again and again.
 //! * [`Loading`]: modulus, pressure, saturation and tolerance.
 //! * [`Contact`]: pressures and gaps in equilibrium, and what follows from them.
 
@@ -11,10 +11,14 @@ mod contact;
 mod descent;
 mod elements;
 mod error;
+mod free;
 mod grid;
 mod loading;
+mod love;
 mod periodic;
+mod problem;
 mod projection;
+mod stiffness;
 mod sums;
 mod transform;
 
@@ -22,6 +26,7 @@ pub use area::extrapolated_area;
 pub use contact::{Contact, Ending};
 pub use elements::PROGRESS_STEPS;
 pub use error::HalfSpaceError;
+pub use free::FreeElements;
 pub use grid::Grid;
 pub use loading::Loading;
 pub use periodic::PeriodicElements;

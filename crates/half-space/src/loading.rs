@@ -18,8 +18,11 @@ pub struct Loading {
 }
 
 impl Loading {
-    /// Whether the load is one that a surface can carry.
-    pub(crate) fn check(&self) -> Result<(), HalfSpaceError> {
+    /// Refuses a load that no surface can carry.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for numbers out of their bounds, and for a load that is not below the saturation.
+    pub fn check(&self) -> Result<(), HalfSpaceError> {
         Bound::Magnitude.check("contact modulus in Pa", self.contact_modulus_pa)?;
         Bound::Magnitude.check("nominal pressure in Pa", self.nominal_pressure_pa)?;
         Bound::LeftOpen { above: 0.0, at_most: 0.1 }.check("tolerance", self.tolerance)?;

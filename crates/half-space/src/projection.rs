@@ -2,11 +2,27 @@
 
 use crate::sums;
 
-/// The shift after which `values`, kept between 0 and `cap`, add up to `sum`, which lies from 0 to `cap` for each of them.
+/// Shifts `values` alike and keeps them between 0 and `cap`, so that they add up to `sum`, which lies from 0 to `cap` for each
+/// of them: of all such values these are the nearest.
+pub(crate) fn bring_to_sum(values: &mut [f64], cap: f64, sum: f64) {
+    let shift = shift_to_sum(values, cap, sum);
+    let [carried, between] = sums::over(values.len(), |index| {
+        values[index] = (values[index] + shift).clamp(0.0, cap);
+        [values[index], if 0.0 < values[index] && values[index] < cap { 1.0 } else { 0.0 }]
+    });
+    // The shift has the rounding of values that may be far larger than what is left of them.
+    let rest = (sum - carried) / between;
+    if between > 0.0 && rest != 0.0 {
+        let inside = values.iter_mut().filter(|value| 0.0 < **value && **value < cap);
+        inside.for_each(|value| *value = (*value + rest).clamp(0.0, cap));
+    }
+}
+
+/// The shift after which `values`, kept between 0 and `cap`, add up to `sum`.
 ///
 /// Newton's method, which is exact once it knows which values stay between their bounds; kept within a bracket, since with two
 /// bounds the sum is neither convex nor concave in the shift.
-pub(crate) fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
+fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
     if values.is_empty() {
         return 0.0;
     }
@@ -49,20 +65,24 @@ const LARGEST_PASSES: usize = 100;
 
 #[cfg(test)]
 mod tests {
-    use super::shift_to_sum;
+    use super::bring_to_sum;
 
     #[test]
     fn shifted_and_bounded_values_carry_the_load() {
         let values: Vec<f64> = (0..1001).map(|k| ((k * 37) % 101) as f64 / 50.0 - 1.3).collect();
         for cap in [0.5, 2.0, f64::INFINITY] {
             for mean in [1e-6, 0.1, 0.3, 0.4999] {
-                let sum = mean * values.len() as f64;
-                let shift = shift_to_sum(&values, cap, sum);
-                let carried: f64 = values.iter().map(|value| (value + shift).clamp(0.0, cap)).sum();
-                assert!(
-                    (carried / sum - 1.0).abs() < 1e-12,
-                    "cap {cap}, mean {mean}: {carried} instead of {sum}"
-                );
+                for far in [0.0, 1e9] {
+                    let sum = mean * values.len() as f64;
+                    let mut brought: Vec<f64> = values.iter().map(|value| value + far).collect();
+                    bring_to_sum(&mut brought, cap, sum);
+                    assert!(brought.iter().all(|value| (0.0..=cap).contains(value)));
+                    let carried: f64 = brought.iter().sum();
+                    assert!(
+                        (carried / sum - 1.0).abs() < 1e-12,
+                        "cap {cap}, mean {mean}: {carried} instead of {sum}"
+                    );
+                }
             }
         }
     }

@@ -16,15 +16,12 @@ pub(crate) fn over<const K: usize>(count: usize, mut terms: impl FnMut(usize) ->
     while first < count {
         let last = (first + BLOCK).min(count);
         let mut lanes = [[0.0; K]; LANES];
-        let mut at = first;
-        while at + LANES <= last {
+        for at in (first..last).step_by(LANES) {
             for (lane, sums) in lanes.iter_mut().enumerate() {
-                add(sums, terms(at + lane));
+                if at + lane < last {
+                    add(sums, terms(at + lane));
+                }
             }
-            at += LANES;
-        }
-        for index in at..last {
-            add(&mut lanes[0], terms(index));
         }
         let [a, b, c, d] = lanes;
         for k in 0..K {

@@ -111,6 +111,12 @@ impl Evidence {
             .collect()
     }
 
+    /// E* \[Pa\].
+    pub(crate) fn contact_modulus_pa(&self) -> f64 {
+        let material = self.scene.material.expect("the paper's scenes have a material");
+        material.pair.composite_modulus_pa()
+    }
+
     fn index(&self, name: Name) -> usize {
         let curves = &self.scene.needs.curves;
         let index = curves.iter().position(|curve| curve.name == name.0);

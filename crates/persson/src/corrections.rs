@@ -42,7 +42,7 @@ impl Correction {
     /// `alpha` is Nayak's m0 m4/m2^2 at each of them.
     #[must_use]
     pub fn effective_variances_pa2(self, pressure_pa: f64, variances_pa2: &[f64], alpha: &[f64]) -> Vec<f64> {
-        let algebraic = |g: f64, variance_pa2: f64| variance_pa2 * slowing(g, pressure_pa, variance_pa2);
+        let algebraic = |g: f64, variance_pa2: f64| algebraic_variance_pa2(g, pressure_pa, variance_pa2);
         match self {
             Correction::WangMuser => marched(pressure_pa, variances_pa2, |area| {
                 let square = area * area;
@@ -57,6 +57,13 @@ impl Correction {
             }
         }
     }
+}
+
+/// The effective variance \[Pa^2\] of the algebraic forms, V_e = \[g + (1 - g) A\] V with A that of V_e, for 0 < g <= 1, a
+/// nominal pressure p > 0 \[Pa\] and a variance V >= 0 \[Pa^2\]: what their g is fitted with.
+#[must_use]
+pub fn algebraic_variance_pa2(g: f64, pressure_pa: f64, variance_pa2: f64) -> f64 {
+    variance_pa2 * slowing(g, pressure_pa, variance_pa2)
 }
 
 /// g of `algebraic-nayak`, at most 1.

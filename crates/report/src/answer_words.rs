@@ -2,6 +2,7 @@
 
 use crate::curve_names::in_full;
 use crate::decade;
+use crate::listing::{at_loads, listed, range};
 use answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use spectrum::ProfilePsd;
 use study::plan::Results;
@@ -247,47 +248,5 @@ impl<'a> Group<'a> {
         }
         let clauses: Vec<String> = decades.iter().map(clause).collect();
         format!(" The decade that decides the largest part of it is {}.", clauses.join(", "))
-    }
-}
-
-/// `at every load`, `at 5 MPa`, `at 1e-3 H and 1e-2 H`.
-fn at_loads(scene: &Scene, loads: &[usize]) -> String {
-    let labels: Vec<&str> = loads.iter().map(|&load| scene.needs.loads[load].label.as_str()).collect();
-    match labels[..] {
-        [one] => format!("at {one}"),
-        _ if labels.len() == scene.needs.loads.len() => "at every load".to_owned(),
-        _ => format!("at {}", listed(&labels)),
-    }
-}
-
-/// `a`, `a and b`, `a, b and c`; semicolons part names that hold commas.
-fn listed(names: &[&str]) -> String {
-    let comma = if names.iter().any(|name| name.contains(',')) { "; " } else { ", " };
-    match names {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} and {last}", first.join(comma)),
-    }
-}
-
-/// `least to most` as people read it, or the one text of both.
-fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> String) -> String {
-    let (least, most) = values
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
-    let (least, most) = (display(least), display(most));
-    if least == most { least } else { format!("{least} to {most}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_listed_and_ranges_told_once() {
-        assert_eq!(listed(&["a", "b", "c"]), "a, b and c");
-        assert_eq!(listed(&["a", "b"]), "a and b");
-        assert_eq!(listed(&["a, b", "c", "d"]), "a, b; c and d");
-        assert_eq!(range([2.0, 1.0, 3.0].into_iter(), three_digits), "1 to 3");
-        assert_eq!(range([2.0, 2.0001].into_iter(), three_digits), "2");
     }
 }

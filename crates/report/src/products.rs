@@ -3,18 +3,20 @@
 use std::io::{self, Write};
 
 use crate::curve_names::with_full_names;
+use crate::judged;
 use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
 use answer::Answer;
+use judge::Judgement;
 use sensitivity::{Sensitivity, counted_sensitivities};
 use study::Unobserved;
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
-use study::scene::file_names::REPORT_TABLES;
+use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES};
 use tables::{Format, Table};
 
 /// The page on everything that a scene found.
@@ -45,7 +47,7 @@ fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
 
 /// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
-fn reported_figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
+fn reported_figures(scene: &Scene, results: &Results, judgement: Option<&Judgement>) -> Vec<FigureData> {
     let mut own = scene.figures.clone();
     let mut first = Vec::new();
     let followed: Vec<usize> = (0..scene.needs.curves.len())
@@ -73,7 +75,11 @@ fn reported_figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
     let of = |figure: &Figure| {
         let data = data(scene, results, figure);
         let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
-        with_full_names(legible, &scene.needs.curves)
+        let named = with_full_names(legible, &scene.needs.curves);
+        match judgement {
+            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
+            _ => named,
+        }
     };
     first.iter().chain(&own).map(of).collect()
 }
@@ -96,8 +102,9 @@ fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
     let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
     // Of an area against cutoff the colour is the load.
     let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
+    let bands = figure.bands.into_iter().filter(|band| kept.contains(&Some(band.colour))).collect();
     let title = format!("{}, under the smallest and the largest load", figure.title);
-    FigureData { series, title, ..figure }
+    FigureData { series, bands, title, ..figure }
 }
 
 fn drawn(scene: &Scene, figure: &FigureData) -> String {
@@ -141,14 +148,21 @@ impl Findings {
     }
 
     /// The part of a report that they make.
-    pub fn report<'a>(&'a self, label: &'a str, scene: &'a Scene, results: &'a Results) -> SceneReport<'a> {
+    pub fn report<'a>(
+        &'a self,
+        label: &'a str,
+        scene: &'a Scene,
+        results: &'a Results,
+        judgement: Option<&'a Judgement>,
+    ) -> SceneReport<'a> {
         SceneReport {
             label,
             scene,
             results,
             answer: &self.answer,
+            judgement,
             sensitivities: &self.sensitivities,
-            figures: reported_figures(scene, results),
+            figures: reported_figures(scene, results, judgement),
         }
     }
 
@@ -162,12 +176,21 @@ impl Findings {
     }
 }
 
+/// The verdict on every curve, and on every window.
+fn judge_tables(judgement: &Judgement, scene: &Scene) -> [(&'static str, Table); 2] {
+    let [models, windows] = JUDGE_TABLES;
+    [(models, judgement.models_table(&scene.needs)), (windows, judgement.windows_table(&scene.needs))]
+}
+
 /// The names of the files that a scene may have, for whoever looks before they are made; `reported` with those of the
-/// report, of which a table without rows is not written.
+/// report, `judged` with those of the judge, of which a table without rows is not written.
 #[must_use]
-pub fn file_names(scene: &Scene, reported: bool, format: Format) -> Vec<String> {
+pub fn file_names(scene: &Scene, reported: bool, judged: bool, format: Format) -> Vec<String> {
     let table = |name: &str| format!("{name}.{}", format.extension());
     let mut names: Vec<String> = scene.needs.curves.iter().map(|curve| table(&curve.name)).collect();
+    if judged {
+        names.extend(JUDGE_TABLES.map(table));
+    }
     if reported {
         names.extend(REPORT_TABLES.map(table));
         names.push(REPORT.to_owned());
@@ -182,7 +205,7 @@ pub fn file_names(scene: &Scene, reported: bool, format: Format) -> Vec<String> 
 pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
 
 /// Hands every file of a scene to `file`, by name, and yields their names. The report and its tables are left out where there
-/// are no findings. A table is made when its turn comes, so that only one of them is held.
+/// are no findings, those of the judge where there is no judgement. A table is made when its turn comes, so that only one of them is held.
 ///
 /// # Errors
 /// Those of `file`.
@@ -190,6 +213,7 @@ pub fn each_file<E>(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
+    judgement: Option<&Judgement>,
     format: Format,
     mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
 ) -> Result<Vec<String>, E> {
@@ -206,6 +230,11 @@ pub fn each_file<E>(
     for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
         table_file(name, "table", table)?;
     }
+    for (name, table) in judgement.iter().flat_map(|judgement| judge_tables(judgement, scene)) {
+        if table.rows() > 0 {
+            table_file(name, "table", &table)?;
+        }
+    }
     let figures = figures(scene, results);
     for figure in &figures {
         table_file(&figure.name, "figure", &figure.table())?;
@@ -218,7 +247,7 @@ pub fn each_file<E>(
     if let Some(findings) = findings {
         let report = Report {
             title: &scene.title,
-            scenes: vec![findings.report(&scene.title, scene, results)],
+            scenes: vec![findings.report(&scene.title, scene, results, judgement)],
             ledger: None,
             repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
             occasion: &findings.occasion,

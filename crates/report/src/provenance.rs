@@ -11,8 +11,8 @@ pub fn program(asked: &str) -> String {
 
 /// The comment lines of a file made from a spectrum.
 pub fn provenance(asked: &str, surface: &Surface, sampling: Sampling) -> Vec<String> {
-    let mut lines = vec![program(asked), format!("spectrum: {}", surface.name)];
-    lines.extend(surface.remarks.iter().map(|remark| format!("spectrum says: {remark}")));
+    let mut lines = vec![program(asked)];
+    lines.extend(of_surface(surface));
     if let Some(n) = sampling.scales_per_decade {
         lines.push(format!("resampled to {n} scales per decade"));
     }
@@ -20,4 +20,10 @@ pub fn provenance(asked: &str, surface: &Surface, sampling: Sampling) -> Vec<Str
         lines.push(format!("cut off at {} m", number(cutoff_m)));
     }
     lines
+}
+
+/// The comment lines that tell which spectrum a file is made from, and what its own file says.
+pub fn of_surface(surface: &Surface) -> Vec<String> {
+    let says = surface.remarks.iter().map(|remark| format!("spectrum says: {remark}"));
+    std::iter::once(format!("spectrum: {}", surface.name)).chain(says).collect()
 }

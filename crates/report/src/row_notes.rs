@@ -1,9 +1,10 @@
 //! What there is to say of rows, in words.
 
 use rows::RowsNote;
+use units::display::counted;
 use units::number;
 
-use crate::summary::state_notes;
+use crate::summary::{narrow_spectra, state_notes};
 
 /// A note as people read it; none where there is nothing to say.
 pub fn told(note: &RowsNote) -> Vec<String> {
@@ -20,6 +21,9 @@ pub fn told(note: &RowsNote) -> Vec<String> {
         RowsNote::AssumedStrengths { rows, all } => vec![format!(
             "{rows} of {all} rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3"
         )],
+        RowsNote::NarrowSpectra { narrow, all } => {
+            narrow_spectra(narrow, &counted(*all, "row")).into_iter().collect()
+        }
         RowsNote::States(counts) => state_notes(counts),
         RowsNote::FlowingEverywhere { rows, all } => vec![format!(
             "{rows} of {all} rows: the pressure is not below the hardness; everything touches and flows"

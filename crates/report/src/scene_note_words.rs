@@ -17,6 +17,7 @@ pub fn line(note: &SceneNote) -> String {
         Idle::CutoffBelowData { shortest_m } => {
             format!("has no effect: the spectrum ends above it, at {}", length(shortest_m))
         }
+        Idle::JudgeIsOff => "has no effect: the judge is off".to_owned(),
         Idle::ToleranceHeld { used } => {
             format!("is finer than double precision reaches: {} is used", number(used))
         }

@@ -8,25 +8,34 @@ use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pre
 
 use crate::curve_names::in_full;
 use crate::cut_counts::CutCounts;
-use crate::{answer_words, doubt_words, scan_words};
+use crate::yardstick_words::yardsticks;
+use crate::{answer_words, doubt_words, scan_words, verdict_words};
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
-use rows::StateCounts;
+use judge::Judgement;
+use rows::{NarrowSpectra, StateCounts};
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
+use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
 use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
+use units::number;
 
-/// The summary of a scene's results.
-pub fn summary(scene: &Scene, results: &Results, answer: &Answer) -> String {
-    let mut text = format!("{}\n{}\n", scene.title, sampling(results));
+/// The summary of a scene's results, which opens with what the judge found, where it was asked.
+pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Option<&Judgement>) -> String {
+    // Names of curves are hyphenated and stay whole.
+    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
+    let mut text = String::new();
+    if let Some(first) = judgement.and_then(|judgement| verdict_words::first_line(judgement, scene)) {
+        let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
+    }
+    let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
     for warning in scan_words::warnings(&scene.surface) {
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
-    // Names of curves are hyphenated and stay whole.
-    let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
-    let mut paragraphs = answer_words::sentences(answer, scene, results);
+    let mut paragraphs =
+        judgement.map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
+    paragraphs.extend(answer_words::sentences(answer, scene, results));
     paragraphs.extend(answer_words::shortcomings(answer, scene, results));
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
@@ -105,6 +114,7 @@ fn curve_summary(
         ]);
     }
     let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
+    text.extend(yardsticks(scene, results, curve).map(|sentence| format!("  {sentence}\n")));
     match (&curve.model, result) {
         (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
             text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
@@ -143,7 +153,7 @@ fn stacked_remarks(
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
-    notes_of_curve(&counts.states).into_iter().chain(counts.cuts.notes()).collect()
+    counts.notes()
 }
 
 /// What there is to say of one block of a curve.
@@ -153,8 +163,7 @@ pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> 
         CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
         CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
         CurveResult::Statistical(blocks) => {
-            let contacts = blocks[block].iter().filter_map(|row| row.contact.as_ref());
-            counts.states.add(contacts.map(|(_, state)| state));
+            counts.add_states(&blocks[block]);
         }
     }
     counts.notes()
@@ -171,6 +180,7 @@ pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
 #[derive(Debug, Default)]
 pub struct CurveCounts {
     states: StateCounts,
+    narrow: NarrowSpectra,
     levels: LevelCounts,
     cuts: CutCounts,
 }
@@ -182,16 +192,35 @@ impl CurveCounts {
             CurveResult::Stacked(blocks) => self.levels.add(blocks),
             CurveResult::Persson(blocks) => self.cuts.add(blocks),
             CurveResult::Statistical(blocks) => {
-                let contacts = blocks.iter().flatten().filter_map(|row| row.contact.as_ref());
-                self.states.add(contacts.map(|(_, state)| state));
+                blocks.iter().for_each(|rows| self.add_states(rows));
             }
         }
     }
 
+    fn add_states(&mut self, rows: &[CutoffState]) {
+        let contacts = rows.iter().filter_map(|row| row.contact.as_ref());
+        self.states.add(contacts.map(|(_, state)| state));
+        rows.iter().filter_map(|row| row.too_narrow_alpha).for_each(|alpha| self.narrow.add(alpha));
+    }
+
     /// What there is to say of them.
     pub fn notes(&self) -> Vec<String> {
-        notes_of_curve(&self.states).into_iter().chain(self.levels.note()).chain(self.cuts.notes()).collect()
+        let all = counted(self.states.all + self.narrow.count, "row");
+        let narrow = narrow_spectra(&self.narrow, &all);
+        let of_states = notes_of_curve(&self.states).into_iter().chain(narrow);
+        of_states.chain(self.levels.note()).chain(self.cuts.notes()).collect()
     }
+}
+
+/// What there is to say of spectra that have no summits, if there are any.
+pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String> {
+    // Rounded down, so that none is told to be 1.5.
+    let [lowest, highest] = narrow.alphas?.map(|alpha| number((1e3 * alpha).floor() / 1e3));
+    let alphas = if lowest == highest { lowest } else { format!("{lowest} to {highest}") };
+    Some(format!(
+        "{} of {of}: alpha = m0 m4/m2^2 is {alphas}, below the 1.5 that every surface reaches: no summits, no result",
+        narrow.count
+    ))
 }
 
 fn notes_of_curve(counts: &StateCounts) -> Vec<String> {

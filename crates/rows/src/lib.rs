@@ -3,12 +3,14 @@
 mod asperities;
 pub mod asperity_table;
 mod flattened;
+mod narrow_spectra;
 mod populations;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
 pub use flattened::Flattened;
+pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::StateCounts;
 
@@ -71,6 +73,13 @@ pub enum RowsNote {
     WithoutAsperities {
         /// How many.
         rows: usize,
+        /// Of how many.
+        all: usize,
+    },
+    /// Rows of a spectrum narrower than that of any surface, for a model of its summits: their results are empty.
+    NarrowSpectra {
+        /// How many, and how narrow.
+        narrow: NarrowSpectra,
         /// Of how many.
         all: usize,
     },

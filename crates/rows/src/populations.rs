@@ -2,15 +2,15 @@
 
 use asperity::{Bound, ElasticBody};
 use parallel::Progress;
-use stat_contact::{ContactState, Population, StatisticalContact, Sweep};
+use stat_contact::{ContactState, NayakSummits, Population, StatisticalContact, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
-use super::{RowByRow, RowsError, RowsNote, StateCounts};
+use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
-use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions};
+use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions, StatisticalLaw};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
@@ -44,15 +44,25 @@ pub struct Populations {
     pub details: bool,
     counts: StateCounts,
     without_asperities: usize,
+    narrow: NarrowSpectra,
     assumed_strengths: usize,
 }
 
 /// A row of the table: a population, and what it is asked at.
 struct Asked {
-    contact: StatisticalContact,
+    pressed: Pressed,
     at: At,
     /// Whether its yield strength was not given, and a third of the hardness is taken.
     strength_is_assumed: bool,
+}
+
+/// What there is to press.
+enum Pressed {
+    Contact(StatisticalContact),
+    /// Nothing: no surface has a spectrum of this alpha.
+    TooNarrow {
+        alpha: f64,
+    },
 }
 
 #[derive(Clone, Copy)]
@@ -64,8 +74,10 @@ enum At {
 /// The columns of McCool's parameters, empty together where a spectrum has no asperities yet.
 const ASPERITY_COLUMNS: [&str; 3] = ["radius_m", "density_per_m2", "sigma_s_m"];
 
-const REQUIRED_COLUMNS: [&str; 6] =
-    ["model", "youngs_modulus_pa", "poisson_ratio", "radius_m", "density_per_m2", "sigma_s_m"];
+/// The columns of the moments, which a model of the summits takes in their place; empty together likewise.
+const MOMENT_COLUMNS: [&str; 3] = ["m0_m2", "m2", "m4_per_m2"];
+
+const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
 
 impl Populations {
     /// Populations against a rigid counterface, with every choice as it is by default.
@@ -81,13 +93,14 @@ impl Populations {
             details: false,
             counts: StateCounts::default(),
             without_asperities: 0,
+            narrow: NarrowSpectra::default(),
             assumed_strengths: 0,
         }
     }
 
     /// What every row asks for; nothing where it has no asperities.
     fn asked(&self, block: &InputTable) -> Result<Vec<Option<Asked>>, Refusal> {
-        block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
+        block.rows(&required_columns(block)?, |row| self.read(row))
     }
 
     fn read(&self, row: &Row<'_>) -> Result<Option<Asked>, String> {
@@ -95,31 +108,42 @@ impl Populations {
             .map_err(|error| format!("column model: {error}"))?;
         let material = self.material(row, entry.has(Choice::Strength))?;
         let strength_is_assumed = material.assumed_yield_strength_pa().is_some();
-        let contact = self.contact(row, entry, &material)?;
-        contact.map(|contact| Ok(Asked { contact, at: self.asked_at(row)?, strength_is_assumed })).transpose()
+        let pressed = self.pressed(row, entry, &material)?;
+        pressed.map(|pressed| Ok(Asked { pressed, at: self.asked_at(row)?, strength_is_assumed })).transpose()
     }
 
     /// The material is checked of every row, the population where there is one.
-    fn contact(
+    fn pressed(
         &self,
         row: &Row<'_>,
         entry: &ModelEntry,
         material: &Material,
-    ) -> Result<Option<StatisticalContact>, String> {
+    ) -> Result<Option<Pressed>, String> {
         let strain_gradient =
             entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
         let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options });
         let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
             unreachable!("the model is one of the statistical ones");
         };
-        if ASPERITY_COLUMNS.iter().all(|column| row.text(column).trim().is_empty()) {
+        let columns = roughness_columns(entry);
+        if columns.iter().all(|column| row.text(column).trim().is_empty()) {
             return Ok(None);
         }
-        let [radius_m, density_per_m2, sigma_s_m] =
-            ASPERITY_COLUMNS.map(|column| row.number(column, Bound::Magnitude));
-        let population =
-            Population::new(radius_m?, density_per_m2?, sigma_s_m?).map_err(|error| error.to_string())?;
-        Ok(Some(StatisticalContact::new(&pair, &population, &law)))
+        let [first, second, third] = columns.map(|column| row.number(column, Bound::Magnitude));
+        let (first, second, third) = (first?, second?, third?);
+        match law {
+            StatisticalLaw::Asperities(law) => {
+                let population = Population::new(first, second, third).map_err(|error| error.to_string())?;
+                Ok(Some(Pressed::Contact(StatisticalContact::new(&pair, &population, &law))))
+            }
+            StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
+                Ok(summits) => Ok(Some(Pressed::Contact(StatisticalContact::of_summits(&pair, &summits)))),
+                Err(error) if error.bound == NayakSummits::ALPHA => {
+                    Ok(Some(Pressed::TooNarrow { alpha: error.value }))
+                }
+                Err(error) => Err(error.to_string()),
+            },
+        }
     }
 
     /// The material of a row; its strength is not looked at where the model has none.
@@ -214,7 +238,7 @@ impl RowByRow for Populations {
             if progress.is_cancelled() {
                 return Err(RowsError::Cancelled);
             }
-            let Some(Asked { contact, at, .. }) = asked else { return Ok(None) };
+            let Some(Asked { pressed: Pressed::Contact(contact), at, .. }) = asked else { return Ok(None) };
             let state = match at {
                 At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
                 At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
@@ -225,18 +249,44 @@ impl RowByRow for Populations {
         let states = parallel::try_map(&asked, state)?;
         self.counts.add(states.iter().flatten());
         self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
-        self.without_asperities += states.iter().filter(|state| state.is_none()).count();
+        self.without_asperities += asked.iter().filter(|asked| asked.is_none()).count();
+        for asked in asked.iter().flatten() {
+            if let Pressed::TooNarrow { alpha } = asked.pressed {
+                self.narrow.add(alpha);
+            }
+        }
         self.set_results(block, &asked, &states);
         Ok(beyond_complete_contact(block, &asked, &states))
     }
 
     fn notes(&self) -> Vec<RowsNote> {
-        let (rows, all) = (self.without_asperities, self.without_asperities + self.counts.all);
+        let narrow = self.narrow;
+        let (rows, all) = (self.without_asperities, self.without_asperities + narrow.count + self.counts.all);
         let without = (rows > 0).then_some(RowsNote::WithoutAsperities { rows, all });
+        let narrow = (narrow.count > 0).then_some(RowsNote::NarrowSpectra { narrow, all });
         let (rows, all) = (self.assumed_strengths, self.counts.all);
         let assumed = (rows > 0).then_some(RowsNote::AssumedStrengths { rows, all });
-        without.into_iter().chain(assumed).chain([RowsNote::States(self.counts)]).collect()
+        without.into_iter().chain(narrow).chain(assumed).chain([RowsNote::States(self.counts)]).collect()
     }
+}
+
+/// The columns that the rows of a block need between them: those of asperities unless every model takes moments.
+fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
+    let models = block.rows(&["model"], |row| {
+        // A model that is none is told of with its row.
+        Ok(models::named(Framework::Statistical, row.text("model").trim()).ok())
+    })?;
+    let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(ModelEntry::takes_moments);
+    let any_moments = models.iter().any(takes_moments);
+    let any_asperities = models.is_empty() || !models.iter().all(takes_moments);
+    let asperities = any_asperities.then_some(ASPERITY_COLUMNS);
+    let moments = any_moments.then_some(MOMENT_COLUMNS);
+    Ok(REQUIRED_COLUMNS.into_iter().chain([asperities, moments].into_iter().flatten().flatten()).collect())
+}
+
+/// The columns in which a model finds what it presses.
+fn roughness_columns(entry: &ModelEntry) -> [&'static str; 3] {
+    if entry.takes_moments() { MOMENT_COLUMNS } else { ASPERITY_COLUMNS }
 }
 
 /// What the material of a row lacks, told by its column.
@@ -258,10 +308,11 @@ fn beyond_complete_contact(
     let rows = asked.iter().zip(states).enumerate();
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
+        let Pressed::Contact(contact) = &asked.pressed else { return None };
         state.separation_m.is_none().then(|| RowsNote::BeyondCompleteContact {
             row: input.row_name(row),
             pressure_pa: state.pressure_pa,
-            highest_pressure_pa: asked.contact.highest_pressure_pa(),
+            highest_pressure_pa: contact.highest_pressure_pa(),
         })
     })
     .collect()

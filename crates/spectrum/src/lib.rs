@@ -56,8 +56,8 @@ pub use power_law::PowerLaw;
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{
-    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadOptions, SeriesError, SeriesName,
-    UnitError, WorkbookError, is_psd, read_psd, series_names,
+    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadMend, ReadOption, ReadOptions, SeriesError,
+    SeriesName, UnitError, Wanted, WorkbookError, is_psd, read_psd, series_names,
 };
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};

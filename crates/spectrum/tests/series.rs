@@ -113,7 +113,7 @@ fn the_first_generation_is_read_in_its_own_unit() {
     assert_eq!(
         file.notes,
         [
-            "of the 2 series in the file '1D PSD along x' is read; --series and --subject choose another",
+            "of the 2 series in the file '1D PSD along x' is read; another is chosen by its series or its subject",
             "column 'PSD (µm³)' states no convention and is read as C1D, sigma^2 = (1/pi) Int C dq",
             "1 row without a value is left out",
         ]
@@ -237,18 +237,18 @@ fn several_subjects_without_an_average_are_refused() {
     assert_eq!(
         refusal(&text, &ReadOptions::default()),
         format!(
-            "choosing a series: 4 series come into question; choose one with --subject NAME and --series NAME; \
+            "choosing a series: 4 series come into question; \
              {offer}, 'q/π × 2D PSD'"
         )
     );
     assert_eq!(
         refusal(&text, &series("1D PSD along x")),
-        format!("choosing a series: 3 series come into question; choose one with --subject NAME; {offer}")
+        format!("choosing a series: 3 series come into question; {offer}")
     );
     let unusual = GENERATION_C_CSV.replace("along x", "along z");
     assert_eq!(
         refusal(&unusual, &ReadOptions::default()),
-        "choosing a series: 2 series come into question; choose one with --series NAME; the subjects are 'scan 1'; the \
+        "choosing a series: 2 series come into question; the subjects are 'scan 1'; the \
          series are '1D PSD along z', '1D PSD along y'"
     );
     let twice = format!("{GENERATION_A}\n{GENERATION_A}");
@@ -294,14 +294,14 @@ fn graphs_of_gwyddion_are_w1_in_the_unit_of_their_second_line() {
     assert_eq!(
         file.notes,
         [
-            "of the 2 series in the file 'PSDF' is read; --series and --subject choose another",
+            "of the 2 series in the file 'PSDF' is read; another is chosen by its series or its subject",
             "line 4, the wavevector 0, is left out"
         ]
     );
     assert_eq!(read(plain, &series("fit")).psd.values(), [6e-21, 4.5e-21]);
     assert_eq!(
         refusal(plain, &ReadOptions::default()),
-        "choosing a series: 2 series come into question; choose one with --series NAME; the series are 'PSDF', 'Fit'"
+        "choosing a series: 2 series come into question; the series are 'PSDF', 'Fit'"
     );
 
     let single = "k       W<sub>1</sub>           \n[m^-1]     [m^3]         \n1e6  4e-21            \n2e6  1e-21            \n";
@@ -341,7 +341,7 @@ fn graphs_of_gwyddion_are_w1_in_the_unit_of_their_second_line() {
     );
     assert_eq!(
         refusal(&single.replace("W<sub>1</sub>", "W<sub>r</sub>"), &ReadOptions::default()),
-        "line 2: no column holds the spectrum (c1d, psd or ciso; any other name with --column NAME); the columns are 'k \
+        "line 2: no column holds the spectrum (c1d, psd or ciso); the columns are 'k \
          [m^-1]', 'Wr [m^3]'"
     );
 }

@@ -80,8 +80,7 @@ fn what_is_not_given_is_in_si_and_noted() {
         BARE,
         &units("1/um", ""),
         Some(1),
-        "line 1: the file begins with numbers and has no header; say what its two columns hold, in SI units, with --x \
-         (wavelength, wavevector or frequency) and --convention (c1d, w1, frequency, ciso or persson)",
+        "line 1: the file begins with numbers and has no header that says what its two columns hold",
     );
 }
 
@@ -112,13 +111,13 @@ fn units_of_a_header_are_not_overruled() {
         text,
         &units("1/nm", ""),
         Some(1),
-        "line 1: column 'Wavevector (µm⁻¹)' is in '1/um', but --x-unit says '1/nm'; leave the option out, or mend the file",
+        "line 1: column 'Wavevector (µm⁻¹)' is in '1/um', and '1/nm' is given for it; mend the file where it is wrong",
     );
     assert_refused(
         text,
         &units("1/um", "m^3"),
         Some(1),
-        "line 1: column 'PSD (µm³)' is in 'um^3', but --psd-unit says 'm^3'; leave the option out, or mend the file",
+        "line 1: column 'PSD (µm³)' is in 'um^3', and 'm^3' is given for it; mend the file where it is wrong",
     );
 }
 
@@ -129,14 +128,14 @@ fn units_that_are_none_are_refused_whatever_the_file() {
             text,
             &units("furlong", "um^3"),
             None,
-            "reading the unit of the abscissa: --x-unit 'furlong' is none; give one like m, um or nm of a wavelength, \
+            "reading the unit of the abscissa: 'furlong' is none; give one like m, um or nm of a wavelength, \
              1/m, 1/um or 1/nm of a wavevector",
         );
         assert_refused(
             text,
             &units("1/um", "um^2"),
             None,
-            "reading the unit of the spectrum: --psd-unit 'um^2' is none; give one like m^3, um^3 or nm^3 of a \
+            "reading the unit of the spectrum: 'um^2' is none; give one like m^3, um^3 or nm^3 of a \
              profile, m^4, um^4 or nm^4 of an area",
         );
     }
@@ -144,13 +143,13 @@ fn units_that_are_none_are_refused_whatever_the_file() {
         BARE,
         &ReadOptions { x: Some(Abscissa::Wavelength), ..units("1/um", "um^3") },
         None,
-        "reading the unit of the wavelength: --x-unit '1/um' is none; give one like m, um or nm",
+        "reading the unit of the wavelength: '1/um' is none; give one like m, um or nm",
     );
     assert_refused(
         BARE,
         &ReadOptions { convention: Some(Convention::Ciso), ..units("1/um", "um^3") },
         None,
-        "reading the unit of the spectrum (ciso): --psd-unit 'um^3' is none; give one like m^4, um^4 or nm^4",
+        "reading the unit of the spectrum (ciso): 'um^3' is none; give one like m^4, um^4 or nm^4",
     );
 }
 
@@ -173,7 +172,7 @@ fn a_json_series_needs_both_units() {
             JSON,
             &options,
             Some(2),
-            "line 2: the series of a JSON file states no units; give both of them, such as --x-unit 1/um --psd-unit um^3",
+            "line 2: the series of a JSON file states no units, and both of them are needed",
         );
     }
 }

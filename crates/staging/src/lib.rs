@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod new_folder;
 mod temporaries;
 
 use std::io::{self, BufWriter, Write};
@@ -7,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+pub use new_folder::NewFolder;
 use temporaries::Temporary;
 pub use temporaries::{Removed, remove_temporaries};
 

@@ -25,13 +25,13 @@ pub struct Removed {
     _locked: Locked,
 }
 
-/// Removes every temporary file, after the end of a publication that has begun. For a program that ends without dropping
+/// Removes every temporary file and empty new folder, after the end of a publication that has begun. For a program that ends without dropping
 /// its values: hold what is returned until then.
 pub fn remove_temporaries() -> Removed {
     let mut locked = lock();
-    for path in std::mem::take(&mut *locked) {
-        // Nobody is left who could be told.
-        let _ = std::fs::remove_file(path);
+    // What is in a folder comes behind it, and goes first. Nobody is left who could be told of an error.
+    for path in std::mem::take(&mut *locked).into_iter().rev() {
+        let _ = if path.is_dir() { std::fs::remove_dir(path) } else { std::fs::remove_file(path) };
     }
     Removed { _locked: locked }
 }

@@ -3,15 +3,18 @@
 use asperity::{AsperityError, MaterialPair};
 
 use crate::asperities::answers::Asperities;
+use crate::asperities::hertz_ellipses::ElasticSummits;
 use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
-use crate::{AsperityLaw, ContactState, Population, Sweep};
+use crate::{AsperityLaw, ContactState, NayakSummits, Population, Sweep};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
-/// the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1.
+/// the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1. Or the
+/// summits of a surface, of any curvature and height.
 #[derive(Debug)]
 pub struct StatisticalContact {
     asperities: Box<dyn Asperities>,
+    /// Standard deviation of their heights; of those of the surface where they are its summits.
     sigma_s_m: f64,
 }
 
@@ -23,7 +26,18 @@ impl StatisticalContact {
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 
-    /// The state at a separation d \[m\] from the mean of the asperity heights, of either sign, to a relative `tolerance`
+    /// The contact of the summits of a surface, elastic (Bush, Gibson & Thomas 1975; `docs/models.md`, section 3.6). Its
+    /// separations are from the mean plane of the surface.
+    #[must_use]
+    pub fn of_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {
+        StatisticalContact {
+            asperities: Box::new(ElasticSummits::new(pair, summits)),
+            sigma_s_m: summits.m0_m2().sqrt(),
+        }
+    }
+
+    /// The state at a separation d \[m\] from the mean of the asperity heights, or from the mean plane of a surface whose summits they
+    /// are, of either sign, to a relative `tolerance`
     /// of pressure and area fraction (1e-13 to 1e-2; values outside are taken as the nearer end).
     ///
     /// # Errors

@@ -10,7 +10,8 @@ use crate::quadrature::frame::Here;
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct ContactState {
-    /// Separation d of the flat from the mean of the asperity heights \[m\]; negative below it. `None` where the pressure
+    /// Separation d of the flat from the mean of the asperity heights, or from the mean plane of the surface whose summits
+    /// they are \[m\]; negative below it. `None` where the pressure
     /// is beyond what the population carries at any separation.
     pub separation_m: Option<f64>,
     /// Pressure over the nominal area \[Pa\]; zero where it is below the smallest double, see `ln_pressure_pa`.

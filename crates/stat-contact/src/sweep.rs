@@ -68,11 +68,11 @@ impl<'a> Sweep<'a> {
         let u = separation_m / sigma_s_m;
         // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
         let rounding = (-u).mul_add(sigma_s_m, separation_m) / sigma_s_m;
-        let spent = self.frames.evaluations;
+        let spent = self.frames.evaluations();
         let here = self.frames.at(u).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
         let state = ContactState::on_frame(&here, rounding);
-        let evaluations = self.frames.evaluations - spent;
+        let evaluations = self.frames.evaluations() - spent;
         Ok(ContactState { separation_m: Some(separation_m), evaluations, ..state })
     }
 
@@ -95,12 +95,12 @@ impl<'a> Sweep<'a> {
         if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
             return Ok(asked(far_below.state(separation_m)));
         }
-        let (near, spent) = (self.near, self.frames.evaluations);
+        let (near, spent) = (self.near, self.frames.evaluations());
         let answer = Search { frames: &mut self.frames, pressure_pa }.largest(near);
         let Some(Answer { found: Found { cell, u }, missed_by }) = answer else {
             return Ok(ContactState::complete(pressure_pa));
         };
-        let evaluations = self.frames.evaluations - spent;
+        let evaluations = self.frames.evaluations() - spent;
         let sigma_s_m = self.frames.sigma_s_m;
         let here = self.frames.of(cell).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });

@@ -18,12 +18,12 @@ use crate::persson_law::PerssonLaw;
 pub enum CurveModel {
     /// Scale upon scale.
     Stacked(StackedModel),
-    /// Asperities of one curvature and Gaussian heights.
+    /// Asperities of Gaussian heights.
     Statistical {
         /// The bodies in contact.
         pair: MaterialPair,
-        /// The law of one asperity.
-        law: AsperityLaw,
+        /// What is pressed.
+        law: StatisticalLaw,
     },
     /// Persson's theory, without asperities.
     Persson {
@@ -34,12 +34,21 @@ pub enum CurveModel {
     },
 }
 
+/// What a statistical model makes of the moments of a cutoff.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StatisticalLaw {
+    /// Asperities of one curvature, McCool's, under a law.
+    Asperities(AsperityLaw),
+    /// The summits of the surface, of every curvature, elastic (Bush, Gibson & Thomas).
+    Summits,
+}
+
 /// How a model gets from the roughness to the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Framework {
     /// Scale upon scale.
     Stacked,
-    /// Asperities of one curvature.
+    /// A population of asperities.
     Statistical,
     /// The pressure spreads as roughness is taken in, without asperities.
     Persson,
@@ -96,6 +105,9 @@ pub struct ModelEntry {
     is: fn(&CurveModel) -> bool,
 }
 
+/// The name of the model of the summits of a surface.
+const SUMMITS: &str = "bgt";
+
 /// Every model, in the order of the documentation.
 pub static MODELS: &[ModelEntry] = &[
     ModelEntry {
@@ -126,7 +138,7 @@ pub static MODELS: &[ModelEntry] = &[
         framework: Framework::Statistical,
         choices: &[],
         build: |material, _| Ok(statistical(material, AsperityLaw::Hertz)),
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::Hertz, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::Hertz)),
     },
     ModelEntry {
         name: "ep-sphere",
@@ -138,7 +150,7 @@ pub static MODELS: &[ModelEntry] = &[
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSphere { strength, hardness: options.hardness }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSphere { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSphere { .. })),
     },
     ModelEntry {
         name: "elastic-sine",
@@ -149,7 +161,7 @@ pub static MODELS: &[ModelEntry] = &[
         build: |material, options| {
             Ok(statistical(material, AsperityLaw::ElasticSine { interference: options.interference }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::ElasticSine { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::ElasticSine { .. })),
     },
     ModelEntry {
         name: "ep-sine",
@@ -161,7 +173,18 @@ pub static MODELS: &[ModelEntry] = &[
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSine { strength }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: AsperityLaw::EpSine { .. }, .. }),
+        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSine { .. })),
+    },
+    ModelEntry {
+        name: SUMMITS,
+        full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
+        citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
+        framework: Framework::Statistical,
+        choices: &[],
+        build: |material, _| {
+            Ok(CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Summits })
+        },
+        is: |model| matches!(model, CurveModel::Statistical { law: StatisticalLaw::Summits, .. }),
     },
     ModelEntry {
         name: "persson",
@@ -190,7 +213,11 @@ pub static MODELS: &[ModelEntry] = &[
 ];
 
 fn statistical(material: &Material, law: AsperityLaw) -> CurveModel {
-    CurveModel::Statistical { pair: material.pair, law }
+    CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Asperities(law) }
+}
+
+fn has_law(model: &CurveModel, is: impl FnOnce(&AsperityLaw) -> bool) -> bool {
+    matches!(model, CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } if is(law))
 }
 
 /// The names of all models.
@@ -224,6 +251,12 @@ impl ModelEntry {
     /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
     pub fn build(&self, material: &Material, options: &ModelOptions) -> Result<CurveModel, MaterialError> {
         (self.build)(material, options)
+    }
+
+    /// Whether it takes the moments of a surface, rather than the asperities that they make.
+    #[must_use]
+    pub fn takes_moments(&self) -> bool {
+        self.name == SUMMITS
     }
 
     /// Whether a choice is one of this model's.
@@ -283,7 +316,8 @@ impl CurveModel {
     pub fn strength(&self) -> Option<NixGao> {
         match self {
             CurveModel::Stacked(model) => model.strength(),
-            CurveModel::Statistical { law, .. } => law.strength(),
+            CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } => law.strength(),
+            CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
             CurveModel::Persson { law, .. } => law.strength(),
         }
     }
@@ -360,9 +394,11 @@ impl CurveModel {
 
     fn with_law(self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
         match self {
-            CurveModel::Stacked(_) | CurveModel::Persson { .. } => None,
-            CurveModel::Statistical { pair, law } => {
-                Some(CurveModel::Statistical { pair, law: change(law)? })
+            CurveModel::Stacked(_)
+            | CurveModel::Persson { .. }
+            | CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+            CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(law) } => {
+                Some(CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(change(law)?) })
             }
         }
     }
@@ -416,7 +452,7 @@ mod tests {
     fn a_name_of_the_other_framework_is_none() {
         assert_eq!(
             named(Framework::Statistical, "elastic").unwrap_err().to_string(),
-            "reading the statistical model: 'elastic' is none of hertz, ep-sphere, elastic-sine, ep-sine"
+            "reading the statistical model: 'elastic' is none of hertz, ep-sphere, elastic-sine, ep-sine, bgt"
         );
     }
 }

@@ -4,7 +4,9 @@ use std::io;
 
 use scans::ScanFormat;
 use sha2::{Digest, Sha256};
-use spectrum::{ConversionError, Hole, ProfilePsd, PsdFile, ReadError, ReadOptions, read_psd, superpose};
+use spectrum::{
+    Convention, ConversionError, Hole, ProfilePsd, Psd, PsdFile, ReadError, ReadOptions, read_psd, superpose,
+};
 use topography::Recipe;
 
 use crate::files::Files;
@@ -84,6 +86,8 @@ pub struct Surface {
     pub name: String,
     /// The spectrum in the working convention.
     pub psd: ProfilePsd,
+    /// The same as it was given, where that is the spectrum of an area.
+    pub of_area: Option<Psd>,
     /// The comment lines of the file: origin, licence, what it is.
     pub remarks: Vec<String>,
     /// What reading took for granted, and what is doubtful.
@@ -116,6 +120,7 @@ impl Surface {
                 Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
                 None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
             })?;
+        let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.to_owned(), error })?;
         let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
         if name == RECONSTRUCTION {
@@ -127,6 +132,7 @@ impl Surface {
         Ok(Surface {
             name: name.to_owned(),
             psd,
+            of_area,
             remarks: comments,
             notes,
             made_from: None,
@@ -154,7 +160,16 @@ impl Surface {
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let notes = scans.spectrum.remarks().into_iter().map(Note::Scans).collect();
         let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());
-        Ok(Surface { name, psd, remarks, notes, made_from: Some(scans), sources: Vec::new(), holes })
+        Ok(Surface {
+            name,
+            psd,
+            of_area: None,
+            remarks,
+            notes,
+            made_from: Some(scans),
+            sources: Vec::new(),
+            holes,
+        })
     }
 
     /// Wavelengths that were not measured, from long to short: where neighbouring samples of the spectrum are a factor of
@@ -179,7 +194,7 @@ impl Surface {
         let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
         let name = format!("{} against {}", self.name, other.name);
         let sources = [self.sources, other.sources].concat();
-        Surface { name, psd: sum.psd, remarks, notes, made_from: None, sources, holes }
+        Surface { name, psd: sum.psd, of_area: None, remarks, notes, made_from: None, sources, holes }
     }
 
     fn has(&self, hole: &Hole) -> bool {

@@ -22,6 +22,19 @@ pub enum Detrend {
 
 named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane" });
 
+/// The heights of a map less their trend \[m\], row by row.
+#[must_use]
+pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
+    let trend = Trend::of_map(map, detrend);
+    let (columns, factors) = (map.columns(), vec![1.0; map.columns()]);
+    let mut rest_m = vec![0.0; map.heights_m().len()];
+    let rows = map.heights_m().chunks_exact(columns).zip(rest_m.chunks_exact_mut(columns));
+    rows.enumerate().for_each(|(row, (heights_m, rest_m))| {
+        trend.subtract(row, heights_m, &factors, rest_m);
+    });
+    rest_m
+}
+
 /// The trend of the rows of a map, or of a line.
 pub(crate) struct Trend {
     /// 0, 1, 2, ... along a row: a table, because conversions for each height would cost more than the arithmetic.
@@ -149,14 +162,7 @@ mod tests {
     }
 
     fn rest(heights: &[f64], columns: usize, detrend: Detrend) -> Vec<f64> {
-        let map = HeightMap::new(columns, 1.0, 1.0, heights.to_vec()).unwrap();
-        let trend = Trend::of_map(&map, detrend);
-        let mut rest = vec![0.0; heights.len()];
-        let rows = heights.chunks(columns).zip(rest.chunks_mut(columns));
-        rows.enumerate().for_each(|(row, (heights, rest))| {
-            trend.subtract(row, heights, &vec![1.0; columns], rest);
-        });
-        rest
+        detrended_m(&HeightMap::new(columns, 1.0, 1.0, heights.to_vec()).unwrap(), detrend)
     }
 
     #[test]

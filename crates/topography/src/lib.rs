@@ -45,7 +45,7 @@ pub use checks::Checks;
 pub use composite::{Composite, CompositeBin, CompositeOptions, composite};
 pub use composite_spectrum::{CompositeSpectrum, InstrumentsDisagree};
 pub use derivatives::{Boundary, real_space_derivatives, real_space_derivatives_across};
-pub use detrend::Detrend;
+pub use detrend::{Detrend, detrended_m};
 pub use error::TransformError;
 pub use fundamental::fundamental_kept;
 pub use line::{DerivativeOf, LineSpectrum};

@@ -17,6 +17,13 @@ pub enum Bound {
     Finite,
     /// Finite and at least this value.
     AtLeast(f64),
+    /// From one value to another, both included.
+    Within {
+        /// The lower end.
+        at_least: f64,
+        /// The upper end.
+        at_most: f64,
+    },
     /// Greater than zero and within thirty decades of one: no product or power of such numbers in any law leaves the range
     /// of doubles.
     Magnitude,
@@ -38,6 +45,7 @@ impl Bound {
                 Bound::Finite => true,
                 Bound::LeftOpen { above, at_most } => above < value && value <= at_most,
                 Bound::AtLeast(least) => value >= least,
+                Bound::Within { at_least, at_most } => (at_least..=at_most).contains(&value),
                 Bound::Magnitude => (SMALLEST..=LARGEST).contains(&value),
                 Bound::Signed => value.abs() <= LARGEST,
             }
@@ -70,6 +78,9 @@ impl std::fmt::Display for Bound {
                 write!(f, "greater than {above} and at most {}", short(*at_most))
             }
             Bound::AtLeast(least) => write!(f, "finite and at least {}", short(*least)),
+            Bound::Within { at_least, at_most } => {
+                write!(f, "from {} to {}", short(*at_least), short(*at_most))
+            }
             Bound::Magnitude => write!(f, "from {SMALLEST:e} to {LARGEST:e}"),
             Bound::Signed => write!(f, "from -{LARGEST:e} to {LARGEST:e}"),
         }
@@ -108,6 +119,10 @@ mod tests {
             "it is -1; it must be finite and greater than 0"
         );
         assert_eq!(told(Bound::Signed, -1e30), Ok(-1e30));
+        let within = Bound::Within { at_least: 1.0, at_most: 10_000.0 };
+        assert_eq!((told(within, 1.0), told(within, 1e4)), (Ok(1.0), Ok(1e4)));
+        assert_eq!(told(within, 0.0).unwrap_err(), "it is 0; it must be from 1 to 10000");
+        assert!(told(within, f64::NAN).is_err());
         assert_eq!(told(Bound::Signed, -1e31).unwrap_err(), "it is -1e31; it must be from -1e30 to 1e30");
         assert_eq!(told(Bound::Signed, f64::NAN).unwrap_err(), "it is NaN; it must be finite");
     }

@@ -1,4 +1,4 @@
-//! `docs/performance.md`: its words are written by hand, its tables between markers by this program.
+//! Pages as `docs/performance.md`, whose words are written by hand and whose tables, between markers, by a program.
 
 /// The page with a section's contents replaced: what stands between `<!-- measured: NAME -->` and `<!-- end -->`.
 ///
@@ -6,7 +6,7 @@
 /// A message where the page has no such section.
 pub fn with_section(page: &str, name: &str, contents: &str) -> Result<String, String> {
     let opening = format!("<!-- measured: {name} -->\n");
-    let missing = || format!("docs/performance.md has no section {name}");
+    let missing = || format!("the page has no section {name}");
     let (before, rest) = page.split_once(&opening).ok_or_else(missing)?;
     let (_, after) = rest.split_once("<!-- end -->").ok_or_else(missing)?;
     Ok(format!("{before}{opening}\n{}\n\n<!-- end -->{after}", contents.trim_end()))

@@ -44,7 +44,9 @@ pub fn work_precision(
         x_label: X_LABEL.to_owned(),
         y_label: "time per state (s)",
         series: series.into_iter().filter(|line| !line.points.is_empty()).collect(),
+        bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     plot::svg(&figure, &format!("{population}, a line for each of d/σ = −3, 0, 3, 6, 20"), &provenance(facts))
 }
@@ -79,7 +81,9 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
         x_label: x_label.to_owned(),
         y_label: "processor time (s)",
         series: series.collect(),
+        bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     plot::svg(&figure, "one thread, start-up and writing included", &provenance(facts))
 }

@@ -10,6 +10,8 @@ use std::process::ExitCode;
 use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
+use half_space::{Grid, Loading, PeriodicElements};
+use parallel::Unobserved;
 use scans::HeightMap;
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Normalisation, amplitudes, cumulative_moments, fit_self_affine,
@@ -25,7 +27,7 @@ type Work = Box<dyn Fn()>;
 /// A name and the preparation of its work.
 type Piece = (&'static str, fn() -> Work);
 
-const PIECES: [Piece; 20] = [
+const PIECES: [Piece; 22] = [
     ("sphere", || sphere(Hardness::JacksonGreen2005)),
     ("sphere-cosine-hardness", || sphere(Hardness::Cosine)),
     ("sinusoid-elastic", sinusoid_elastic),
@@ -53,6 +55,8 @@ const PIECES: [Piece; 20] = [
     ("self-affine-fit", self_affine_fit),
     ("map-line-by-line", || map(|map| drop(black_box(map_line_spectrum(map, Preparation::default()))))),
     ("map-areal", || map(|map| drop(black_box(areal_spectrum(map, Preparation::default()))))),
+    ("half-space-elastic", || half_space(None)),
+    ("half-space-saturated", || half_space(Some(4e8))),
     ("paper", paper),
 ];
 
@@ -198,14 +202,34 @@ fn self_affine_fit() -> Work {
     })
 }
 
-/// A map of 128 rows of 128 heights, of two waves across each other.
-fn map(transform: fn(&HeightMap)) -> Work {
-    const SIZE: usize = 128;
+/// Rows and columns of the maps.
+const SIZE: usize = 128;
+
+/// Heights of two waves across each other.
+fn crossing_waves_m() -> Vec<f64> {
     let height_m = |i: usize| {
         let (x, y) = ((i % SIZE) as f64, (i / SIZE) as f64);
         1e-9 * ((0.3 * x + 0.2 * y).sin() + (1.7 * x - 2.1 * y).cos())
     };
-    let heights_m = (0..SIZE * SIZE).map(height_m).collect();
+    (0..SIZE * SIZE).map(height_m).collect()
+}
+
+/// The two waves, repeated with their cliffs at the edges, pressed onto a half-space at a load that closes a fifth of it.
+fn half_space(saturation_pa: Option<f64>) -> Work {
+    let side_m = SIZE as f64 * 1e-9;
+    let grid = Grid::new(SIZE, SIZE, side_m, side_m).expect("a grid");
+    let heights_m = crossing_waves_m();
+    let loading =
+        Loading { contact_modulus_pa: 1e9, nominal_pressure_pa: 1e8, saturation_pa, tolerance: 1e-8 };
+    Box::new(move || {
+        let mut elements = PeriodicElements::new(grid, &heights_m).expect("finite heights");
+        black_box(elements.press(&loading, &Unobserved).expect("a load that can be carried"));
+    })
+}
+
+/// A map of 128 rows of 128 heights.
+fn map(transform: fn(&HeightMap)) -> Work {
+    let heights_m = crossing_waves_m();
     let map = HeightMap::new(SIZE, 1e-9, 1e-9, heights_m).expect("a map without gaps");
     Box::new(move || transform(&map))
 }

@@ -114,7 +114,9 @@ fn picture(
         x_label: x_label.to_owned(),
         y_label,
         series,
+        bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     };
     let provenance = ["drawn by `cargo xtask docs` from the laws of the program; do not edit".to_owned()];
     Picture { name, svg: plot::svg(&figure, subject, &provenance) }

@@ -1,5 +1,6 @@
 //! One module per command: from what was typed to a plan, and from its results to the output.
 
+mod bem;
 mod completions;
 mod man_pages;
 mod material_options;
@@ -14,7 +15,7 @@ mod statistical;
 
 use std::time::{Duration, Instant};
 
-use spectrum::{ProfilePsd, ReadOptions};
+use spectrum::{ProfilePsd, ReadOption, ReadOptions};
 use staging::StagedFiles;
 
 use crate::args::{Args, Command, FigureArg, ReadingArgs, SharedArgs};
@@ -31,7 +32,7 @@ use answer::doubts::{Doubt, RealPressures};
 use report::doubt_words;
 use report::provenance::provenance;
 use report::summary::CurveCounts;
-use report::{plot, scan_words};
+use report::{plot, scan_words, spectrum_words};
 use study::figure::{Figure, FigureData, Shows};
 use study::plan::{Curve, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError, Results, Sampling};
 use study::result_tables;
@@ -52,6 +53,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
         Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
+        Command::Bem(args) => bem::run(&args, &context),
         Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),
@@ -159,7 +161,7 @@ impl Context<'_> {
                 }
                 None => {
                     for curve in &plan.needs.curves {
-                        let progress = Progress::towards(stream.rows(curve));
+                        let progress = Progress::towards(stream.rows(curve), "states");
                         stream.parts::<Stopped>(curve, &progress, |part| write(curve, part))?;
                     }
                 }
@@ -175,22 +177,17 @@ impl Context<'_> {
     }
 
     fn load(&self, spectrum: &Spectrum<'_>) -> Result<Surface, Failure> {
-        let reading = spectrum.reading;
-        let options = ReadOptions {
-            column: reading.column.clone(),
-            x: reading.x,
-            convention: reading.convention,
-            series: reading.series.clone(),
-            subject: reading.subject.clone(),
-            x_unit: reading.x_unit.clone(),
-            psd_unit: reading.psd_unit.clone(),
-        };
+        let options = reading_options(spectrum.reading);
         let targets = self.targets(spectrum.figure.as_ref().map(|figure| figure.picture))?;
         let surface =
             Surface::load(spectrum.psd, &Folder::current(targets), &options).map_err(
                 |error| match error {
                     SurfaceError::Scan { ref name, .. } => {
                         Failure::Input(format!("{error}; use `truearea psd {name}`"))
+                    }
+                    SurfaceError::Spectrum { error: ref reading, .. } => {
+                        let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
+                        Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
                     }
                     error => Failure::input(error),
                 },
@@ -249,6 +246,19 @@ impl Context<'_> {
     }
 }
 
+/// How a spectrum is read.
+fn reading_options(reading: &ReadingArgs) -> ReadOptions {
+    ReadOptions {
+        column: reading.column.clone(),
+        x: reading.x,
+        convention: reading.convention,
+        series: reading.series.clone(),
+        subject: reading.subject.clone(),
+        x_unit: reading.x_unit.clone(),
+        psd_unit: reading.psd_unit.clone(),
+    }
+}
+
 /// A spectrum as a command is given it, and what is drawn of its results.
 struct Spectrum<'a> {
     psd: &'a str,
@@ -302,8 +312,21 @@ impl<'a> Drawn<'a> {
 
 /// Carries a plan out, with a progress bar where it takes long.
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
-    let progress = Progress::towards(plan.statistical_states());
+    let progress = Progress::towards(plan.statistical_states(), "states");
     plan.compute_observed(&progress)
+}
+
+/// The flag that gives an option of reading.
+fn flag_of(option: ReadOption) -> &'static str {
+    match option {
+        ReadOption::Column => "--column",
+        ReadOption::Convention => "--convention",
+        ReadOption::X => "--x",
+        ReadOption::Series => "--series",
+        ReadOption::Subject => "--subject",
+        ReadOption::XUnit => "--x-unit",
+        ReadOption::PsdUnit => "--psd-unit",
+    }
 }
 
 /// Refuses a cutoff below all data.

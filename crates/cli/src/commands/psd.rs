@@ -94,7 +94,7 @@ fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> 
 }
 
 /// What is wrong with scans, with the option that mends it where one does.
-fn refused(error: TopographyError) -> Failure {
+pub(super) fn refused(error: TopographyError) -> Failure {
     let flag = |option| match option {
         ScanOption::Unit => Some("--unit"),
         ScanOption::Size => Some("--size"),
@@ -106,7 +106,7 @@ fn refused(error: TopographyError) -> Failure {
 }
 
 /// Says what there is to say of scans, a line each.
-fn say_remarks(remarks: &[Remark]) {
+pub(super) fn say_remarks(remarks: &[Remark]) {
     for remark in remarks {
         say_of_severity(remark.severity(), &scan_words::remark(remark));
     }

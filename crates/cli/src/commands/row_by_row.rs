@@ -89,7 +89,7 @@ pub(super) fn run(
         Ok::<(), TableError>(())
     })?;
     refusal.into_result()?;
-    let progress = Progress::towards(count);
+    let progress = Progress::towards(count, "rows");
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
     // What somebody else has written above the table belongs to it.
     comments.append(&mut source.comments);

@@ -11,10 +11,12 @@ use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::output::{Place, make_folder, utf8};
+use crate::progress::Progress;
 use crate::targets::Targets;
 use crate::timings::Timings;
-use crate::{output, scene_errors};
+use crate::{interruption, output, scene_errors};
 use answer::Answer;
+use judge::{JudgeError, JudgePlan, Judgement, Settings};
 use report::explain::explain;
 use report::occasion::Occasion;
 use report::products::{self, Findings};
@@ -22,7 +24,7 @@ use report::reasons::reasons;
 use report::scene_note_words;
 use report::summary::summary;
 use study::models::{Choice, CurveModel};
-use study::plan::PlanError;
+use study::plan::{PlanError, Results};
 use study::scene::{Overrides, Scene};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -52,10 +54,18 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
             Some(found.on(Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) }))
         }
     };
+    timings.lap("comparing");
+    let judgement = judgement(args, &scene, &results)?;
     timings.lap("judging");
     make_folder("--out", &folder)?;
-    let written =
-        output::write_products(&scene, &results, findings.as_ref(), context.shared.format, &folder)?;
+    let written = output::write_products(
+        &scene,
+        &results,
+        findings.as_ref(),
+        judgement.as_ref(),
+        context.shared.format,
+        &folder,
+    )?;
     timings.lap("writing");
     let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
     let others = output::other_files(&folder, &written)?;
@@ -63,9 +73,31 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         files += &format!("not of this run, and left there: {}\n", others.join(", "));
     }
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
-    print(&format!("{}{files}", summary(&scene, &results, &answer)), context)?;
+    print(&format!("{}{files}", summary(&scene, &results, &answer, judgement.as_ref())), context)?;
     timings.report(context.shared.timings);
     Ok(())
+}
+
+/// Whether boundary elements are asked: a report has their verdict, and so has a scene that has a section for it.
+fn is_judged(args: &RunArgs, scene: &Scene) -> bool {
+    let off = scene.judge.as_ref().is_some_and(|choices| choices.off);
+    !off && (!args.no_report || scene.judge.is_some())
+}
+
+/// What boundary elements say of the curves, where they are asked.
+fn judgement(args: &RunArgs, scene: &Scene, results: &Results) -> Result<Option<Judgement>, Failure> {
+    if !is_judged(args, scene) {
+        return Ok(None);
+    }
+    let settings = Settings::of(scene.judge.as_ref());
+    let blame = |error: JudgeError| Failure::Input(format!("{}: {error}", args.scene));
+    let plan = JudgePlan::of(scene, results, &settings).map_err(blame)?;
+    let progress = Progress::towards(plan.solutions(), "surfaces pressed");
+    let judgement = plan.carry_out(&progress).map_err(blame)?;
+    if interruption::is_asked_for() {
+        return Err(Failure::Interrupted);
+    }
+    Ok(Some(judgement))
 }
 
 /// Reads the scene and its files, and refuses what is wrong with the call: results that would replace one of them, and
@@ -87,7 +119,9 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in products::file_names(&scene, !args.no_report, context.shared.format) {
+        for name in
+            products::file_names(&scene, !args.no_report, is_judged(args, &scene), context.shared.format)
+        {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;
@@ -106,6 +140,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         strength_cap: args.strength_cap.strength_cap,
         cutoff: args.sampling.cutoff,
         counterface: counterface(&args.counterface)?,
+        no_judge: args.no_judge,
     })
 }
 

@@ -3,9 +3,10 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, table};
+use crate::yardstick_words::yardsticks;
 use answer::LoadAnswer;
 use study::features::Convergence;
-use units::display::{length, typeset_digits};
+use units::display::{length, typeset, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
@@ -47,7 +48,16 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         Some(_) => "At the shortest wavelength of the spectrum; pressures in units of the hardness H.",
         None => "At the shortest wavelength of the spectrum.",
     };
-    Some(table(caption, &head, &body))
+    let mut told: Vec<String> = Vec::new();
+    for (curve, _) in &curves {
+        // Elastic curves of one material have the same ones.
+        told.extend(yardsticks(report.scene, report.results, &report.scene.needs.curves[*curve]));
+    }
+    told.dedup();
+    Some(html! {
+        (table(caption, &head, &body))
+        @for sentence in &told { p { "Beside the elastic areas: " (typeset(sentence)) "." } }
+    })
 }
 
 fn settled(answer: &LoadAnswer, found: Convergence) -> Markup {

@@ -10,6 +10,30 @@ use units::display::typeset;
 pub struct Ledger {
     /// The statements.
     pub rows: Vec<LedgerRow>,
+    /// What models that the statements are not about say of the same surfaces; not counted.
+    pub other_models: Vec<OtherModel>,
+}
+
+/// Another model and what it says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherModel {
+    /// The model.
+    pub model: String,
+    /// What it says.
+    pub statement: String,
+    /// What was found in each of the scenes: the scene's label, the finding, and what else there is to say.
+    pub findings: Vec<OtherFinding>,
+}
+
+/// What was found of another model in one scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherFinding {
+    /// The scene's label.
+    pub label: String,
+    /// What was found.
+    pub found: String,
+    /// What else there is to say.
+    pub remark: String,
 }
 
 /// A statement and what was found of it.
@@ -107,8 +131,41 @@ pub(super) fn section(ledger: &Ledger) -> Section {
     let body = html! {
         @for label in &labels { p { strong { (label) } ": " (counts(ledger, label)) } }
         div.ledger { (table("Statements and what was found of them.", &head, &body)) }
+        @if !ledger.other_models.is_empty() { (other_models(&ledger.other_models, &labels)) }
     };
     Section { id: "ledger", title: "Statements checked", body }
+}
+
+/// What other models say, below the counts and outside them.
+fn other_models(models: &[OtherModel], labels: &[&str]) -> Markup {
+    let head = html! {
+        tr {
+            th scope="col" { "model" } th scope="col" { "what it says" }
+            @for label in labels { th scope="col" { (label) } }
+        }
+    };
+    let body = html! {
+        tbody {
+            @for other in models {
+                tr {
+                    th scope="row" { (other.model) }
+                    td { (typeset(&other.statement)) }
+                    @for label in labels {
+                        td {
+                            @for finding in other.findings.iter().filter(|found| found.label == *label) {
+                                span.found { (typeset(&finding.found)) }
+                                span.remark { (typeset(&finding.remark)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    html! {
+        h3 { "Other models" }
+        div.ledger { (table("What models that are not the paper’s say of the same surfaces; not counted above.", &head, &body)) }
+    }
 }
 
 fn cell(finding: &Finding) -> Markup {

@@ -13,14 +13,16 @@ mod ledger;
 mod provenance;
 mod sensitivities;
 mod validity;
+mod verdict;
 
-pub use ledger::{Finding, Ledger, LedgerRow, Verdict};
+pub use ledger::{Finding, Ledger, LedgerRow, OtherFinding, OtherModel, Verdict};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::in_full;
 use crate::occasion::Occasion;
 use ::answer::{Answer, LoadAnswer};
+use judge::Judgement;
 use sensitivity::Sensitivity;
 use study::figure::FigureData;
 use study::plan::Results;
@@ -37,6 +39,8 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
+    /// What boundary elements say of its curves, where they were asked.
+    pub judgement: Option<&'a Judgement>,
     /// How much each choice of modelling moves its areas.
     pub sensitivities: &'a [Sensitivity],
     /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
@@ -70,6 +74,7 @@ impl Report<'_> {
         let scenes = &self.scenes;
         let ledger = self.ledger.map(ledger::section);
         let sections: Vec<Section> = [
+            verdict::section(scenes),
             key_numbers::section(scenes),
             decades::section(scenes),
             disagreements::section(scenes),

@@ -4,6 +4,8 @@
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
+use super::bands::OPACITY;
+use super::marks;
 use super::style::{NEUTRAL, colour, dash, tint};
 use super::text_width_px;
 use study::figure::FigureData;
@@ -13,18 +15,29 @@ const ROW_PX: f64 = 18.0;
 /// Long enough to tell dash patterns apart.
 const SAMPLE_PX: f64 = 34.0;
 const GAP_PX: f64 = 6.0;
+const BAND_PX: f64 = 8.0;
 
 struct Entry<'a> {
     label: &'a str,
     colour: String,
-    dash: usize,
-    width_px: f64,
+    sample: Sample,
+}
+
+/// What stands before a label.
+enum Sample {
+    Line {
+        dash: usize,
+        width_px: f64,
+    },
+    Disc,
+    /// A pale stretch, for bands of any colour.
+    Band,
 }
 
 /// Draws the legend below what is there, between two abscissas, and lengthens the picture by what it takes.
 pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f64) {
     let mut baseline = scene.height;
-    let groups = [conditions(figure), curves(figure)];
+    let groups = [conditions(figure), curves(figure), marked(figure), banded(figure)];
     let width = |entry: &Entry<'_>| SAMPLE_PX + GAP_PX + text_width_px(entry.label, SIZE_PX) + 2.0 * GAP_PX;
     // A name too long for the place under the axes begins further to the left, and all of them with it.
     let longest = groups.iter().flatten().map(width).fold(0.0, f64::max);
@@ -46,15 +59,28 @@ pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f
 
 fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
     let y = baseline - 0.35 * SIZE_PX;
-    scene.add(Primitive::Line {
-        x1: x,
-        y1: y,
-        x2: x + SAMPLE_PX,
-        y2: y,
-        stroke: Color::from(entry.colour.as_str()),
-        stroke_width: entry.width_px,
-        stroke_dasharray: dash(entry.dash).dasharray(),
-    });
+    match entry.sample {
+        Sample::Line { dash: pattern, width_px } => scene.add(Primitive::Line {
+            x1: x,
+            y1: y,
+            x2: x + SAMPLE_PX,
+            y2: y,
+            stroke: Color::from(entry.colour.as_str()),
+            stroke_width: width_px,
+            stroke_dasharray: dash(pattern).dasharray(),
+        }),
+        Sample::Disc => marks::disc(scene, x + 0.5 * SAMPLE_PX, y, &entry.colour),
+        Sample::Band => scene.add(Primitive::Rect {
+            x,
+            y: y - 0.5 * BAND_PX,
+            width: SAMPLE_PX,
+            height: BAND_PX,
+            fill: Color::from(entry.colour.as_str()),
+            stroke: None,
+            stroke_width: None,
+            opacity: Some(OPACITY),
+        }),
+    }
     scene.add(Primitive::Text {
         x: x + SAMPLE_PX + GAP_PX,
         y: baseline,
@@ -72,7 +98,8 @@ fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
     for series in figure.series.iter().filter(|series| !series.condition_in_full.is_empty()) {
         let label = series.condition_in_full.as_str();
         if !entries.iter().any(|entry| entry.label == label) {
-            entries.push(Entry { label, colour: colour(series.colour), dash: 0, width_px: 2.0 });
+            let sample = Sample::Line { dash: 0, width_px: 2.0 };
+            entries.push(Entry { label, colour: colour(series.colour), sample });
         }
     }
     entries
@@ -86,8 +113,26 @@ fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
         if !entries.iter().any(|entry| entry.label == series.curve) {
             let (colour, width_px) =
                 if series.dash == 0 { (tint(NEUTRAL), 3.5) } else { (colour(NEUTRAL), 1.6) };
-            entries.push(Entry { label: &series.curve, colour, dash: series.dash, width_px });
+            let sample = Sample::Line { dash: series.dash, width_px };
+            entries.push(Entry { label: &series.curve, colour, sample });
         }
     }
     entries
+}
+
+/// What is marked with discs, in grey.
+fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
+    let mut entries: Vec<Entry<'_>> = Vec::new();
+    for mark in &figure.marks {
+        if !entries.iter().any(|entry| entry.label == mark.label) {
+            entries.push(Entry { label: mark.label, colour: colour(NEUTRAL), sample: Sample::Disc });
+        }
+    }
+    entries
+}
+
+/// The bands have one name.
+fn banded(figure: &FigureData) -> Vec<Entry<'_>> {
+    let first = figure.bands.first().into_iter();
+    first.map(|band| Entry { label: band.label, colour: colour(NEUTRAL), sample: Sample::Band }).collect()
 }

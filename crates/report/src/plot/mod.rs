@@ -1,8 +1,10 @@
 //! Figures as SVG, with logarithmic axes, fit to print: the one module that knows the plotting library.
 
+mod bands;
 mod decades;
 mod labels;
 mod legend;
+mod marks;
 mod style;
 mod thinned;
 
@@ -58,9 +60,13 @@ pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &st
 
 fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
-    let points = || beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter());
-    let x = Decades::around(points().map(|(x, _)| *x));
-    let y = Decades::around(points().map(|(_, y)| *y));
+    let points = || {
+        let lines =
+            beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
+        lines.chain(beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends))
+    };
+    let x = Decades::around(points().map(|(x, _)| x));
+    let y = Decades::around(points().map(|(_, y)| y));
     let compared = figure.compares_curves();
     let drawn = |series: &Series| {
         let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
@@ -94,6 +100,10 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     add_minor_ticks(&mut scene, &computed, frame, x, y);
     for (from, to) in &figure.gaps {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
+    }
+    bands::draw(&mut scene, &computed, frame, &figure.bands);
+    for mark in &figure.marks {
+        marks::draw(&mut scene, &computed, mark);
     }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
@@ -249,7 +259,9 @@ mod tests {
             x_label: "x".to_owned(),
             y_label: "y",
             series: vec![series],
+            bands: Vec::new(),
             gaps: Vec::new(),
+            marks: Vec::new(),
         }
     }
 
@@ -281,6 +293,24 @@ mod tests {
         let broken = svg(&figure, "", &[]);
         assert_eq!(lines(&broken), lines(&whole) + 1, "{broken}");
         assert!(broken.contains("opacity=\"0.15\"") && !whole.contains("opacity=\"0.15\""), "{broken}");
+    }
+
+    #[test]
+    fn a_band_is_drawn_inside_the_frame_and_named_once() {
+        let mut figure = figure("a");
+        let whole = svg(&figure, "", &[]);
+        let band = |colour, share: f64| study::figure::Band {
+            label: "linear laws",
+            colour,
+            points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
+        };
+        // The last lies beside the decades that are drawn.
+        figure.bands = vec![band(0, 1.0), band(1, 100.0), band(2, 1e30)];
+        let banded = svg(&figure, "", &[]);
+        let count = |svg: &str, what: &str| svg.matches(what).count();
+        // Two bands, and the sample of the legend.
+        assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 3, "{banded}");
+        assert_eq!(count(&banded, ">linear laws</text>"), 1);
     }
 
     #[test]

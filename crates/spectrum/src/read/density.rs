@@ -1,7 +1,7 @@
 //! Which column of a table is the spectrum, in which unit and convention, and which holds its standard errors.
 
 use crate::convention::Convention;
-use crate::read::error::ReadError;
+use crate::read::error::{ReadError, SPECTRUM};
 use crate::read::header::{Abscissa, DensityName, Heading, Quantity, trailing_unit};
 use crate::read::layout::{DensityColumn, ErrorColumn};
 use crate::read::names::Header;
@@ -42,7 +42,7 @@ impl Header<'_> {
             [] => Err(unfit.unwrap_or_else(|| self.missing_density())),
             [_] => Ok(fitting.remove(0)),
             [first, second, ..] if first.name == second.name => {
-                Err(self.duplicate("spectrum", first.column.index, second.column.index))
+                Err(self.duplicate(SPECTRUM, first.column.index, second.column.index))
             }
             several => Err(ReadError::SeveralDensities {
                 line: self.line,
@@ -72,7 +72,7 @@ impl Header<'_> {
                 }
                 _ => self.unrecognised_density(index),
             },
-            [first, second, ..] => Err(self.duplicate("spectrum", first, second)),
+            [first, second, ..] => Err(self.duplicate(SPECTRUM, first, second)),
         }
     }
 
@@ -174,6 +174,6 @@ impl Header<'_> {
     }
 
     fn missing_density(&self) -> ReadError {
-        self.missing_column("spectrum", "c1d, psd or ciso; any other name with --column NAME")
+        self.missing_column(SPECTRUM, "c1d, psd or ciso")
     }
 }

@@ -5,10 +5,15 @@ use units::LengthUnit;
 use units::display::length;
 
 use crate::convention::Convention;
+use crate::read::header::Abscissa;
 use crate::read::json::JsonError;
+use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::options::UnitError;
 use crate::read::select::SeriesError;
 use crate::read::workbook::WorkbookError;
+
+/// The quantity of a column whose name the caller may give.
+pub(crate) const SPECTRUM: &str = "spectrum";
 
 /// What bytes are that are no text in UTF-8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,8 +76,7 @@ pub enum ReadError {
     Empty,
     /// Numbers without a header.
     #[error(
-        "line {line}: the file begins with numbers and has no header; say what its two columns hold, in SI units, \
-         with --x (wavelength, wavevector or frequency) and --convention (c1d, w1, frequency, ciso or persson)"
+        "line {line}: the file begins with numbers and has no header that says what its two columns hold"
     )]
     NoHeader {
         /// Line of the first row.
@@ -143,7 +147,7 @@ pub enum ReadError {
         second: String,
     },
     /// Several spectra, none of which has precedence.
-    #[error("line {line}: several columns hold a spectrum; choose one with --column NAME: {}", list(.found))]
+    #[error("line {line}: several columns hold a spectrum: {}", list(.found))]
     SeveralDensities {
         /// Line of the header.
         line: usize,
@@ -167,9 +171,7 @@ pub enum ReadError {
         accepted: String,
     },
     /// A spectrum in m^4, which two conventions share.
-    #[error(
-        "line {line}: column '{column}' is a spectrum in m^4; say which with --convention ciso or --convention persson"
-    )]
+    #[error("line {line}: column '{column}' is a spectrum in m^4, which two conventions share")]
     AmbiguousDensity {
         /// Line of the header.
         line: usize,
@@ -177,10 +179,7 @@ pub enum ReadError {
         column: String,
     },
     /// A column whose name does not tell its convention.
-    #[error(
-        "line {line}: the name of column '{column}' does not say what its values mean; say it with --convention (c1d, \
-         w1, frequency, ciso or persson)"
-    )]
+    #[error("line {line}: the name of column '{column}' does not say what its values mean")]
     NoConvention {
         /// Line of the header.
         line: usize,
@@ -330,6 +329,28 @@ impl ReadError {
             | Self::Inconsistent { line, .. }
             | Self::RepeatedWavelength { line, .. }
             | Self::TooFewRows { line, .. } => Some(line),
+        }
+    }
+
+    /// What the caller can do about it with an option, where that is all there is to it.
+    #[must_use]
+    pub fn mend(&self) -> Option<ReadMend> {
+        let convention = || ReadOption::Convention.one_of(Convention::ALL);
+        match self {
+            Self::NoHeader { .. } => {
+                Some(ReadMend::Give(vec![ReadOption::X.one_of(Abscissa::ALL), convention()]))
+            }
+            Self::SeveralDensities { .. } | Self::MissingColumn { quantity: SPECTRUM, .. } => {
+                Some(ReadMend::Give(vec![ReadOption::Column.name_in_file()]))
+            }
+            Self::AmbiguousDensity { .. } => Some(ReadMend::Give(vec![
+                ReadOption::Convention.one_of([Convention::Ciso, Convention::Persson]),
+            ])),
+            Self::NoConvention { .. } => Some(ReadMend::Give(vec![convention()])),
+            Self::Series(error) => error.mend(),
+            Self::Unit(error) => Some(error.mend()),
+            Self::InSheet { error, .. } => error.mend(),
+            _ => None,
         }
     }
 

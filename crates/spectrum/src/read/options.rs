@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::convention::Convention;
 use crate::read::header::Abscissa;
+use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::unit::Unit;
 
 /// What the caller knows about a file that the file does not say, and which of its spectra is meant.
@@ -32,10 +33,10 @@ pub struct ReadOptions {
 #[non_exhaustive]
 pub enum UnitError {
     /// No unit of the quantity.
-    #[error("reading the unit of the {quantity}: {option} '{given}' is none; give one like {accepted}")]
+    #[error("reading the unit of the {quantity}: '{given}' is none; give one like {accepted}")]
     NotAUnit {
-        /// The option, as a command line spells it.
-        option: &'static str,
+        /// The option that gives it.
+        option: ReadOption,
         /// The text given.
         given: String,
         /// The quantity.
@@ -45,8 +46,7 @@ pub enum UnitError {
     },
     /// Another unit than the file's.
     #[error(
-        "line {line}: column '{column}' is in '{stated}', but {option} says '{given}'; leave the option out, or mend \
-         the file"
+        "line {line}: column '{column}' is in '{stated}', and '{given}' is given for it; mend the file where it is wrong"
     )]
     Contradiction {
         /// Line of the header.
@@ -55,16 +55,13 @@ pub enum UnitError {
         column: String,
         /// The unit in the header.
         stated: String,
-        /// The option.
-        option: &'static str,
+        /// The option that gives it.
+        option: ReadOption,
         /// The unit given.
         given: String,
     },
     /// A series of JSON, which never tells its units.
-    #[error(
-        "line {line}: the series of a JSON file states no units; give both of them, such as --x-unit 1/um --psd-unit \
-         um^3"
-    )]
+    #[error("line {line}: the series of a JSON file states no units, and both of them are needed")]
     Missing {
         /// Line in which the numbers begin.
         line: usize,
@@ -78,12 +75,24 @@ impl UnitError {
             Self::Contradiction { line, .. } | Self::Missing { line } => Some(line),
         }
     }
+
+    /// What the caller can do about it with an option.
+    pub(crate) fn mend(&self) -> ReadMend {
+        match *self {
+            Self::NotAUnit { option, .. } => ReadMend::Correct(option),
+            Self::Contradiction { option, .. } => ReadMend::LeaveOut(option),
+            Self::Missing { .. } => ReadMend::Give(vec![
+                ReadOption::XUnit.one_of(["m", "nm", "1/m", "1/um"]),
+                ReadOption::PsdUnit.one_of(["m^3", "um^3", "nm^3"]),
+            ]),
+        }
+    }
 }
 
 /// A unit that the caller gives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GivenUnit<'o> {
-    option: &'static str,
+    option: ReadOption,
     pub(crate) text: &'o str,
     pub(crate) unit: Unit,
 }
@@ -95,9 +104,6 @@ pub(crate) struct GivenUnits<'o> {
     pub(crate) psd: Option<GivenUnit<'o>>,
 }
 
-const X: &str = "--x-unit";
-const PSD: &str = "--psd-unit";
-
 impl ReadOptions {
     /// The units given, each of which must measure an abscissa or a spectrum, and that of the quantity given with it.
     pub(crate) fn units(&self) -> Result<GivenUnits<'_>, UnitError> {
@@ -106,9 +112,9 @@ impl ReadOptions {
                 Some(abscissa) => abscissa.fits(*unit),
                 None => matches!(unit.metre_power, 1 | -1),
             };
-            let given = |unit| GivenUnit { option: X, text, unit };
+            let given = |unit| GivenUnit { option: ReadOption::XUnit, text, unit };
             Unit::parse(text).filter(fits).map(given).ok_or_else(|| UnitError::NotAUnit {
-                option: X,
+                option: ReadOption::XUnit,
                 given: text.to_owned(),
                 quantity: self.x.map_or("abscissa", Abscissa::name).to_owned(),
                 accepted: match self.x {
@@ -124,10 +130,10 @@ impl ReadOptions {
                 Some(convention) => unit.metre_power == convention.metre_power(),
                 None => matches!(unit.metre_power, 3 | 4),
             };
-            let given = |unit| GivenUnit { option: PSD, text, unit };
+            let given = |unit| GivenUnit { option: ReadOption::PsdUnit, text, unit };
             let of = self.convention.map(|convention| (convention, convention.metre_power()));
             Unit::parse(text).filter(fits).map(given).ok_or_else(|| UnitError::NotAUnit {
-                option: PSD,
+                option: ReadOption::PsdUnit,
                 given: text.to_owned(),
                 quantity: of
                     .map_or("spectrum".to_owned(), |(convention, _)| format!("spectrum ({convention})")),

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::options::ReadOptions;
 use crate::read::series::{Series, SeriesName};
 
@@ -33,8 +34,8 @@ pub enum SeriesError {
     },
     /// Several series of which none has precedence.
     #[error(
-        "choosing a series: {} series come into question; choose one with {}; {}",
-        .found.len(), flags(.found), offer(.found)
+        "choosing a series: {} series come into question; {}",
+        .found.len(), offer(.found)
     )]
     SeveralSeries {
         /// The series that come into question.
@@ -68,7 +69,7 @@ pub(crate) fn select(mut series: Vec<Series>, options: &ReadOptions) -> Result<S
         let average = if chosen.name.is_average() { ", the average over a dataset," } else { "" };
         let name = &chosen.name;
         let note = format!(
-            "of the {count} series in the file '{name}'{average} is read; --series and --subject choose another"
+            "of the {count} series in the file '{name}'{average} is read; another is chosen by its series or its subject"
         );
         chosen.notes.insert(0, note);
     }
@@ -163,12 +164,25 @@ fn offer(names: &[SeriesName]) -> String {
     }
 }
 
+impl SeriesError {
+    /// What the caller can do about it with an option, where that is all there is to it.
+    pub(crate) fn mend(&self) -> Option<ReadMend> {
+        match self {
+            Self::SeveralSeries { found } => {
+                let options = telling_apart(found);
+                Some(ReadMend::Give(options.iter().map(|option| option.name_in_file()).collect()))
+            }
+            Self::UnknownSeries { .. } | Self::UnknownSubject { .. } | Self::RepeatedSeries { .. } => None,
+        }
+    }
+}
+
 /// The options that tell these series apart.
-fn flags(names: &[SeriesName]) -> &'static str {
+fn telling_apart(names: &[SeriesName]) -> &'static [ReadOption] {
     let differ = |of: fn(&SeriesName) -> &Option<String>| names.iter().any(|name| of(name) != of(&names[0]));
     match (differ(|name| &name.subject), differ(|name| &name.series)) {
-        (true, true) => "--subject NAME and --series NAME",
-        (true, false) => "--subject NAME",
-        (false, _) => "--series NAME",
+        (true, true) => &[ReadOption::Subject, ReadOption::Series],
+        (true, false) => &[ReadOption::Subject],
+        (false, _) => &[ReadOption::Series],
     }
 }

@@ -1,6 +1,7 @@
 //! What a quadrature and a search need to know of a population's law.
 
 use super::pieces::Piece;
+use crate::summits::integrals::SummitIntegrals;
 
 /// What a population answers if every asperity were pressed to the same interference.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +42,12 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
 
     /// Hertz's law, where asperities follow it at first.
     fn hertzian(&self) -> Option<Hertzian> {
+        None
+    }
+
+    /// The summits, where curvatures are spread as well as heights: their integrals take the place of everything but
+    /// [`at_interference`](Self::at_interference).
+    fn summits(&self) -> Option<&SummitIntegrals> {
         None
     }
 

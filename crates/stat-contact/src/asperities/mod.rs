@@ -9,6 +9,7 @@ pub mod elastic_sines;
 pub mod gradient_breaks;
 pub mod gradient_law;
 pub mod gradient_sines;
+pub mod hertz_ellipses;
 pub mod hertz_spheres;
 pub mod pieces;
 pub mod sine_charts;

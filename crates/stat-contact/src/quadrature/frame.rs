@@ -9,6 +9,7 @@ use super::precision::{Precision, error_estimate};
 use super::sums::Sums;
 use crate::asperities::answers::Asperities;
 use crate::gaussian::window::Window;
+use crate::summits::integrals::{SummitIntegrals, SummitSums};
 
 /// The integrals prepared around one separation.
 pub(crate) struct Frame<'a> {
@@ -28,13 +29,36 @@ pub(crate) struct Frame<'a> {
 enum Integrals<'a> {
     /// No asperity within the window leaves Hertz's law.
     Closed(HertzIntegrals),
+    /// Curvatures are spread as well as heights.
+    Summits(SummitFrame<'a>),
     Panels(Panels<'a>),
 }
 
+/// Summits of any curvature, which are summed over anew at every separation.
+struct SummitFrame<'a> {
+    integrals: &'a SummitIntegrals,
+    /// The relative error at the separation last summed at.
+    relative_error: f64,
+    evaluations: usize,
+}
+
+impl SummitFrame<'_> {
+    fn sums_at(&mut self, u: f64) -> Sums {
+        let SummitSums { sums, relative_error, evaluations } = self.integrals.sums_at(u);
+        self.relative_error = relative_error;
+        self.evaluations += evaluations;
+        sums
+    }
+}
+
 impl<'a> Frame<'a> {
-    /// The one frame that all separations share where every asperity is Hertz's at any interference.
-    pub fn for_every_cell(asperities: &dyn Asperities, sigma_s_m: f64) -> Option<Self> {
+    /// The one frame that all separations share where every asperity is Hertz's at any interference, or a surface's summit.
+    pub fn for_every_cell(asperities: &'a dyn Asperities, sigma_s_m: f64) -> Option<Self> {
         let window = Window::up_to(f64::INFINITY);
+        if let Some(integrals) = asperities.summits() {
+            let summits = SummitFrame { integrals, relative_error: 0.0, evaluations: 0 };
+            return Some(Self::new(0.0, window, Integrals::Summits(summits)));
+        }
         let hertz = HertzIntegrals::within(&window, asperities, sigma_s_m)?;
         Some(Self::new(0.0, window, Integrals::Closed(hertz)))
     }
@@ -81,6 +105,7 @@ impl<'a> Frame<'a> {
     pub fn evaluations(&self) -> usize {
         match &self.integrals {
             Integrals::Closed(_) => 0,
+            Integrals::Summits(summits) => summits.evaluations,
             Integrals::Panels(panels) => panels.evaluations,
         }
     }
@@ -90,7 +115,7 @@ impl<'a> Frame<'a> {
         // Four times the half width of a cell: steps overshoot, and a window cuts off little more than it may up to there.
         const REACH: f64 = 0.2;
         match &self.integrals {
-            Integrals::Closed(_) => true,
+            Integrals::Closed(_) | Integrals::Summits(_) => true,
             Integrals::Panels(_) => {
                 (u - self.centre).abs() < REACH * (1.0 + self.centre.max(0.0)) + 1e-15 * self.centre.abs()
             }
@@ -105,8 +130,9 @@ impl<'a> Frame<'a> {
             }
             (self.u, self.sums) = (u, None);
         }
-        let sums = *self.sums.get_or_insert_with(|| match &self.integrals {
+        let sums = *self.sums.get_or_insert_with(|| match &mut self.integrals {
             Integrals::Closed(hertz) => hertz.sums_at(u),
+            Integrals::Summits(summits) => summits.sums_at(u),
             Integrals::Panels(panels) => panels.sums(),
         });
         if u == self.centre {
@@ -140,6 +166,7 @@ impl Here<'_, '_> {
         let Frame { window, integrals, .. } = self.frame;
         match integrals {
             Integrals::Closed(hertz) => hertz.relative_error(self.u),
+            Integrals::Summits(summits) => summits.relative_error,
             Integrals::Panels(panels) => {
                 let saturates = panels.saturation.is_some_and(|(from, _)| from <= window.high);
                 let left_out = window.left_out(self.u, saturates);

@@ -26,8 +26,8 @@ pub(crate) struct Frames<'a> {
     last: usize,
     /// The frame that makes room, the oldest one.
     oldest: usize,
-    /// Law evaluations spent.
-    pub evaluations: usize,
+    /// Law evaluations spent on frames of cells.
+    spent_on_cells: usize,
     scratch: Scratch,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Frames<'a> {
             built: Vec::new(),
             last: 0,
             oldest: 0,
-            evaluations: 0,
+            spent_on_cells: 0,
             scratch: Scratch::default(),
         }
     }
@@ -63,6 +63,11 @@ impl<'a> Frames<'a> {
     /// The frame of the cell of a separation.
     pub fn at(&mut self, u: f64) -> &mut Frame<'a> {
         if self.are_one() { self.of(Cell::ANY) } else { self.of(Cell::of(u)) }
+    }
+
+    /// Law evaluations spent.
+    pub fn evaluations(&self) -> usize {
+        self.spent_on_cells + self.everywhere.as_ref().map_or(0, Frame::evaluations)
     }
 
     /// Whether all cells share one frame.
@@ -86,14 +91,14 @@ impl<'a> Frames<'a> {
             return everywhere.sums_at(u);
         }
         let mut frame = Frame::rough(self.asperities, self.sigma_s_m, u, &mut self.scratch);
-        self.evaluations += frame.evaluations();
+        self.spent_on_cells += frame.evaluations();
         frame.sums_at(u)
     }
 
     /// Builds a frame, and returns its place.
     fn build(&mut self, cell: Cell) -> usize {
         let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision, &mut self.scratch);
-        self.evaluations += frame.evaluations();
+        self.spent_on_cells += frame.evaluations();
         if self.built.len() < MOST_FRAMES {
             self.cells.push(cell);
             self.built.push(frame);
@@ -120,9 +125,9 @@ mod tests {
         let asperities = ElasticSines::new(&pair, &Population::new(1e-8, 1e13, 1e-9).unwrap());
         let mut frames = Frames::new(&asperities, 1e-9, Precision::new(1e-6));
         let first = frames.sums_at(0.0).pressure_pa;
-        let once = frames.evaluations;
+        let once = frames.evaluations();
         assert_eq!(frames.sums_at(0.0).pressure_pa, first);
-        assert_eq!(frames.evaluations, once);
+        assert_eq!(frames.evaluations(), once);
         for place in 1..MOST_FRAMES {
             frames.sums_at(-0.1 * place as f64);
         }
@@ -130,8 +135,8 @@ mod tests {
         frames.sums_at(-0.1 * MOST_FRAMES as f64);
         assert!(!frames.have(Cell::of(0.0)));
         assert_eq!(frames.built.len(), MOST_FRAMES);
-        let before = frames.evaluations;
+        let before = frames.evaluations();
         assert_eq!(frames.sums_at(0.0).pressure_pa, first);
-        assert_eq!(frames.evaluations, before + once);
+        assert_eq!(frames.evaluations(), before + once);
     }
 }

@@ -1,11 +1,10 @@
 //! A stretch of a law under one rule.
 
-use asperity::elementary;
 use wide::f64x2;
 
 use super::coordinate::Coordinate;
 use super::nodes::{Block, Summed, total};
-use super::rules::Rule;
+use super::rules::{Rule, error_of_rule};
 use crate::asperities::pieces::LawChart;
 use crate::gaussian::density::DENSITY_SCALE;
 
@@ -46,18 +45,10 @@ pub(crate) struct Panel<'a> {
 }
 
 impl Panel<'_> {
-    /// Estimated errors of the pressure \[Pa\] and the area fraction that the panel adds, from the values at its nodes.
-    ///
-    /// The rule errs by the Legendre coefficients beyond degree 2n. How those fall from degree n to 2n is judged by how
-    /// they fall from 0 to n/2 and on to n: as fast again and twice as far where they fall geometrically or faster, no
-    /// further than from n/2 to n behind an end-point power, where the fall levels off. It may level off later than n:
-    /// three quarters of it are counted on, and less of the second stretch over decades, where singularities of the law
-    /// that lie closer than those of the density, but are weak, take over late.
+    /// Estimated errors of the pressure \[Pa\] and the area fraction that the panel adds, from the values at its nodes. Over
+    /// decades singularities of the law that lie closer than those of the density, but are weak, take over late.
     pub fn errors(&self, values: &Summed<'_>) -> [f64; 2] {
-        const COUNTED_ON: f64 = 0.75;
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
-        // The coefficients fall at least by a tenth of a factor e to degree n/2, or else the quotient of falls means nothing.
-        const LEAST_FIRST_FALL: f64 = 0.1;
         let Some(rule) = self.rule else { return [0.0; 2] };
         let onward = if self.variable.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
         let mut wholes = [f64x2::ZERO; 2];
@@ -74,17 +65,7 @@ impl Panel<'_> {
                 }
             }
         }
-        [0, 1].map(|i| {
-            let (whole, [a, b, c, d]) = (total(wholes[i]), coefficients[i].map(total));
-            let (middle, high) = (a.abs().max(b.abs()), c.abs().max(d.abs()));
-            if high == 0.0 {
-                return 0.0;
-            }
-            let first_fall = elementary::ln(whole.abs() / middle).max(LEAST_FIRST_FALL);
-            let second_fall = elementary::ln(middle / high).max(0.0);
-            let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
-            DENSITY_SCALE * high * elementary::exp(-COUNTED_ON * second_fall * falls)
-        })
+        [0, 1].map(|i| DENSITY_SCALE * error_of_rule(total(wholes[i]), coefficients[i].map(total), onward))
     }
 
     /// The sum of weighted values beyond a value of the variable, that is, the integral there of the polynomial through them.

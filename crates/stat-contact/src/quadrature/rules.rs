@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use asperity::elementary;
 use numerics::{GaussLegendre, legendre_integral_above, legendre_polynomials};
 use wide::f64x2;
 
@@ -56,6 +57,13 @@ impl Rule {
         self.gauss.nodes().len()
     }
 
+    /// The [`probes`](Self::probes) at one node.
+    pub fn probes_at(&self, node: usize) -> [f64; 4] {
+        let count = self.count();
+        let polynomials = &self.polynomials[node * count..];
+        [count / 2, count / 2 - 1, count - 1, count - 2].map(|k| polynomials[k])
+    }
+
     /// The integral from x to 1 of the polynomial with these weighted values at the nodes.
     pub fn integral_above(&self, x: f64, weighted_values: impl Iterator<Item = f64>) -> f64 {
         let count = self.count();
@@ -67,6 +75,27 @@ impl Rule {
         }
         legendre_integral_above(x, &coefficients[..count])
     }
+}
+
+/// Estimated error of a rule of n nodes: from the whole of what it sums, the Legendre coefficients of it that
+/// [`Rule::probes`] give, and the share of their later fall that is counted on.
+///
+/// The rule errs by the coefficients beyond degree 2n. How those fall from degree n to 2n is judged by how they fall from
+/// 0 to n/2 and on to n: as fast again and twice as far where they fall geometrically or faster, no further than from n/2
+/// to n behind an end-point power, where the fall levels off. It may level off later than n: three quarters of it are
+/// counted on, or less by `onward`.
+pub(crate) fn error_of_rule(whole: f64, [a, b, c, d]: [f64; 4], onward: f64) -> f64 {
+    const COUNTED_ON: f64 = 0.75;
+    // The coefficients fall at least by a tenth of a factor e to degree n/2, or else the quotient of falls means nothing.
+    const LEAST_FIRST_FALL: f64 = 0.1;
+    let (middle, high) = (a.abs().max(b.abs()), c.abs().max(d.abs()));
+    if high == 0.0 {
+        return 0.0;
+    }
+    let first_fall = elementary::ln(whole.abs() / middle).max(LEAST_FIRST_FALL);
+    let second_fall = elementary::ln(middle / high).max(0.0);
+    let falls = 1.0 + onward * (second_fall / first_fall).min(1.0);
+    high * elementary::exp(-COUNTED_ON * second_fall * falls)
 }
 
 #[cfg(test)]

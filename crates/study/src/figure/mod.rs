@@ -73,6 +73,17 @@ impl Series {
     }
 }
 
+/// An area between two lines, to hold lines against; it is not part of tables.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Band {
+    /// What it shows.
+    pub label: &'static str,
+    /// The colour of the lines that are held against it.
+    pub colour: usize,
+    /// Abscissa, and the lower and the upper ordinate, of each point.
+    pub points: Vec<(f64, [f64; 2])>,
+}
+
 /// A figure with its data; all axes are logarithmic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FigureData {
@@ -90,8 +101,29 @@ pub struct FigureData {
     pub y_label: &'static str,
     /// The lines.
     pub series: Vec<Series>,
+    /// What lines are held against.
+    pub bands: Vec<Band>,
     /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
     pub gaps: Vec<(f64, f64)>,
+    /// Values with their errors that belong to no line.
+    pub marks: Vec<Mark>,
+}
+
+/// A value with its error, drawn beside the lines.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mark {
+    /// What it is, for the legend.
+    pub label: &'static str,
+    /// Which lines it shares its colour with.
+    pub colour: usize,
+    /// The abscissa.
+    pub x: f64,
+    /// The ordinate.
+    pub y: f64,
+    /// The least that the ordinate may be, > 0.
+    pub low: f64,
+    /// The largest.
+    pub high: f64,
 }
 
 /// An abscissa: its column in a table and its label in a picture.
@@ -126,7 +158,9 @@ pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
         x_label: WAVEVECTOR.label.to_owned(),
         y_label: PSD,
         series,
+        bands: Vec::new(),
         gaps: Vec::new(),
+        marks: Vec::new(),
     }
 }
 

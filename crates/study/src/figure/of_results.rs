@@ -3,8 +3,9 @@
 use stacked_contact::Scale;
 use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
 
-use super::{Axis, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
-use crate::plan::{CurveResult, Needs, Results};
+use super::{Axis, Band, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
+use crate::linear_laws::{linear_areas, rms_gradients};
+use crate::plan::{CurveResult, Load, Needs, Results};
 
 const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
 const CUTOFF: Axis = Axis { column: "wavelength_m", label: "shortest wavelength included (m)" };
@@ -44,8 +45,23 @@ impl Figure {
             x_label,
             y_label,
             series,
+            bands: if self.shows == Shows::Area { self.linear_bands(results, needs) } else { Vec::new() },
             gaps: Vec::new(),
+            marks: Vec::new(),
         }
+    }
+
+    /// For every load the areas that go with it, where an elastic curve is drawn.
+    fn linear_bands(&self, results: &Results, needs: &Needs) -> Vec<Band> {
+        let mut models = self.curves.iter().map(|&curve| &needs.curves[curve].model);
+        let Some(elastic) = models.find(|model| model.strength().is_none()) else { return Vec::new() };
+        let gradients = rms_gradients(&results.psd);
+        let band = |(colour, load): (usize, &Load)| {
+            let areas = |gradient| linear_areas(elastic, load.nominal_pressure_pa(), gradient);
+            let point = |&(cutoff_m, gradient): &(f64, f64)| Some((cutoff_m, areas(gradient)?));
+            Band { label: "linear laws", colour, points: gradients.iter().filter_map(point).collect() }
+        };
+        needs.loads.iter().enumerate().map(band).filter(|band| !band.points.is_empty()).collect()
     }
 
     fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {

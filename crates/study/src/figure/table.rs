@@ -52,7 +52,9 @@ mod tests {
                 Series::under("a", 0, vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
                 Series::under("b", 0, vec![(2.0, 0.5), (0.5, 0.4)]),
             ],
+            bands: Vec::new(),
             gaps: Vec::new(),
+            marks: Vec::new(),
         };
         let table = figure.table();
         let column = |name: &str| match table.column(name) {

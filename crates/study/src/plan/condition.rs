@@ -1,11 +1,13 @@
 //! What statistical states are asked at, and of which asperities.
 
-use asperity::AsperityError;
+use asperity::{AsperityError, MaterialPair};
 use ordered_float::OrderedFloat;
 use spectrum::AsperityParameters;
-use stat_contact::Population;
+use stat_contact::{NayakSummits, Population, StatisticalContact};
 
+use super::ground::Roughness;
 use super::{Needs, NominalPressure};
+use crate::models::StatisticalLaw;
 
 /// What a state is asked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -35,7 +37,7 @@ impl From<NominalPressure> for Condition {
     }
 }
 
-/// What a state depends on of the asperities: where these are the same, so are the states.
+/// What a state depends on of the asperities: where these are the same, so are the moments, the summits and the states.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Asperities {
     radius_m: OrderedFloat<f64>,
@@ -51,9 +53,33 @@ impl Asperities {
             sigma_s_m: OrderedFloat(parameters.sigma_s_m),
         }
     }
+}
 
-    /// The population that they are, where its numbers are within what the model takes.
-    pub fn population(self) -> Result<Population, AsperityError> {
-        Population::new(self.radius_m.0, self.density_per_m2.0, self.sigma_s_m.0)
+/// The contact of what a law makes of a roughness, where its numbers are within what the law takes.
+pub(super) fn contact_of(
+    pair: &MaterialPair,
+    law: &StatisticalLaw,
+    roughness: &Roughness,
+) -> Result<Pressed, AsperityError> {
+    let Roughness { moments, asperities } = roughness;
+    match law {
+        StatisticalLaw::Asperities(law) => {
+            let population =
+                Population::new(asperities.radius_m, asperities.density_per_m2, asperities.sigma_s_m)?;
+            Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
+        }
+        StatisticalLaw::Summits => match NayakSummits::new(moments.m0_m2, moments.m2, moments.m4_per_m2) {
+            Ok(summits) => Ok(Pressed::Contact(StatisticalContact::of_summits(pair, &summits))),
+            Err(error) if error.bound == NayakSummits::ALPHA => Ok(Pressed::TooNarrow { alpha: error.value }),
+            Err(error) => Err(error),
+        },
     }
+}
+
+/// What there is to press.
+pub(super) enum Pressed {
+    /// Asperities, or the summits of a surface.
+    Contact(StatisticalContact),
+    /// A spectrum narrower than that of any surface, of this alpha: it has no summits.
+    TooNarrow { alpha: f64 },
 }

@@ -24,11 +24,24 @@ pub struct Ground {
     pub(super) work: Work,
 }
 
-/// A cutoff, and the asperities that it leaves; none at the longest wavelength.
+/// A cutoff, and the roughness that it leaves; none at the longest wavelength.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cutoff {
     pub wavelength_m: f64,
-    pub asperities: Option<AsperityParameters>,
+    pub roughness: Option<Roughness>,
+}
+
+/// Moments, and the asperities that they make.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Roughness {
+    pub moments: Moments,
+    pub asperities: AsperityParameters,
+}
+
+impl Roughness {
+    fn of((moments, asperities): &(Moments, Option<AsperityParameters>)) -> Option<Self> {
+        asperities.map(|asperities| Roughness { moments: *moments, asperities })
+    }
 }
 
 impl Ground {
@@ -73,10 +86,8 @@ impl Ground {
     /// Some of these cutoffs, counted from long to short wavelengths.
     pub(super) fn cutoffs(&self, wanted: Cutoffs, places: Range<usize>) -> Vec<Cutoff> {
         let cutoff = |place: usize| match place.checked_sub(1).map(|at| &self.moments[at]) {
-            None => Cutoff { wavelength_m: self.psd.longest_wavelength_m(), asperities: None },
-            Some((moments, asperities)) => {
-                Cutoff { wavelength_m: moments.wavelength_m, asperities: *asperities }
-            }
+            None => Cutoff { wavelength_m: self.psd.longest_wavelength_m(), roughness: None },
+            Some(row) => Cutoff { wavelength_m: row.0.wavelength_m, roughness: Roughness::of(row) },
         };
         match wanted {
             Cutoffs::Every => places.map(cutoff).collect(),
@@ -179,17 +190,18 @@ impl Plan<'_> {
         let norm = self.needs.moments.unwrap_or_default();
         let mut at = |cutoff_multiple: f64| {
             let wavelength_m = cutoff_multiple * shortest_m;
-            let asperities = match of_curves.last() {
-                Some((_, Some(asperities))) if cutoff_multiple == 1.0 => Some(*asperities),
+            let roughness = match of_curves.last() {
+                Some(row @ (_, Some(_))) if cutoff_multiple == 1.0 => Roughness::of(row),
                 _ => {
                     let moments = cumulative_moments_to(sampled, norm, wavelength_m);
-                    let asperities = moments.last().and_then(AsperityParameters::from_moments);
+                    let row = moments.last().map(|last| (*last, AsperityParameters::from_moments(last)));
+                    let roughness = row.as_ref().and_then(Roughness::of);
                     work.moment_cutoffs += moments.len();
-                    work.asperity_cutoffs += usize::from(asperities.is_some());
-                    asperities
+                    work.asperity_cutoffs += usize::from(roughness.is_some());
+                    roughness
                 }
             };
-            Cutoff { wavelength_m, asperities }
+            Cutoff { wavelength_m, roughness }
         };
         let mut known: Vec<(f64, Cutoff)> = Vec::new();
         let cutoff = |sweep: &LoadSweep| {

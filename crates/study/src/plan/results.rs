@@ -46,6 +46,9 @@ pub struct CutoffState {
     pub wavelength_m: f64,
     /// The asperities and their contact; none at the longest wavelength, where there are no moments yet.
     pub contact: Option<(AsperityParameters, ContactState)>,
+    /// Alpha of a spectrum narrower than that of any surface, where a model needs the summits of one: no contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub too_narrow_alpha: Option<f64>,
 }
 
 /// A curve against load.

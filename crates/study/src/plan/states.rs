@@ -1,13 +1,14 @@
 //! States of statistical models, in runs: one after the other from its neighbour, run beside run.
 
 use asperity::MaterialPair;
-use stat_contact::{AsperityLaw, ContactState, StatisticalContact};
+use stat_contact::{ContactState, StatisticalContact};
 
-use super::condition::{Asperities, Condition};
-use super::ground::Cutoff;
+use super::condition::{Asperities, Condition, Pressed, contact_of};
+use super::ground::{Cutoff, Roughness};
 use super::run::Run;
 use super::work::counted;
 use super::{CutoffState, PlanError, Work};
+use crate::models::StatisticalLaw;
 
 /// How many states follow one another at most. Each begins where its neighbour ended; the first of them begins with nothing
 /// known, which costs some evaluations and no digit.
@@ -16,7 +17,7 @@ const IN_A_ROW: usize = 256;
 /// A model that is asked for states.
 pub(super) struct Statistical<'r> {
     pub pair: MaterialPair,
-    pub law: AsperityLaw,
+    pub law: StatisticalLaw,
     pub run: Run<'r>,
 }
 
@@ -34,13 +35,16 @@ impl Statistical<'_> {
         Ok(counted(blocks))
     }
 
-    /// The states of one population, one for every pressure \[Pa\], which are distinct.
+    /// The states of one population, one for every pressure \[Pa\], which are distinct; none where the model has nothing to
+    /// press.
     pub fn over_loads(
         &self,
-        asperities: Asperities,
+        roughness: &Roughness,
         pressures_pa: &[f64],
     ) -> Result<(Vec<ContactState>, Work), PlanError> {
-        let contact = StatisticalContact::new(&self.pair, &asperities.population()?, &self.law);
+        let Pressed::Contact(contact) = contact_of(&self.pair, &self.law, roughness)? else {
+            return Ok(Default::default());
+        };
         let piece = |pressures_pa: &[f64]| {
             let mut sweep = contact.sweep(self.run.tolerance.value());
             let mut work = Work::default();
@@ -63,10 +67,10 @@ impl Statistical<'_> {
         let mut work = Work::default();
         let mut before: Option<(Asperities, ContactState)> = None;
         let mut row = |cutoff: &Cutoff| {
-            let Some(parameters) = cutoff.asperities else {
-                return Ok(CutoffState { wavelength_m: cutoff.wavelength_m, contact: None });
-            };
-            let asperities = Asperities::of(&parameters);
+            let nothing =
+                CutoffState { wavelength_m: cutoff.wavelength_m, contact: None, too_narrow_alpha: None };
+            let Some(roughness) = cutoff.roughness else { return Ok(nothing) };
+            let asperities = Asperities::of(&roughness.asperities);
             let state = match before {
                 Some((same, state)) if same == asperities => {
                     work.shared_states += 1;
@@ -74,14 +78,21 @@ impl Statistical<'_> {
                 }
                 neighbour => {
                     self.run.go_on()?;
+                    let contact = match contact_of(&self.pair, &self.law, &roughness)? {
+                        Pressed::Contact(contact) => contact,
+                        Pressed::TooNarrow { alpha } => {
+                            self.run.state_is_known();
+                            return Ok(CutoffState { too_narrow_alpha: Some(alpha), ..nothing });
+                        }
+                    };
                     let neighbour = neighbour.map(|(_, state)| state);
-                    let state = self.state(asperities, condition, neighbour.as_ref())?;
+                    let state = self.state(&contact, condition, neighbour.as_ref())?;
                     self.count(&state, &mut work);
                     state
                 }
             };
             before = Some((asperities, state));
-            Ok(CutoffState { wavelength_m: cutoff.wavelength_m, contact: Some((parameters, state)) })
+            Ok(CutoffState { contact: Some((roughness.asperities, state)), ..nothing })
         };
         let rows = cutoffs.iter().map(&mut row).collect::<Result<Vec<_>, PlanError>>()?;
         Ok((rows, work))
@@ -90,11 +101,10 @@ impl Statistical<'_> {
     /// A state; `neighbour` saves work and changes no digit.
     fn state(
         &self,
-        asperities: Asperities,
+        contact: &StatisticalContact,
         condition: Condition,
         neighbour: Option<&ContactState>,
     ) -> Result<ContactState, PlanError> {
-        let contact = StatisticalContact::new(&self.pair, &asperities.population()?, &self.law);
         let tolerance = self.run.tolerance.value();
         Ok(match condition {
             Condition::Pressure(pressure_pa) => contact.at_pressure(pressure_pa.0, tolerance, neighbour)?,

@@ -4,7 +4,7 @@ use parallel::Progress;
 use spectrum::ProfilePsd;
 
 use super::asked::repeated;
-use super::condition::{Asperities, Condition};
+use super::condition::{Condition, contact_of};
 use super::distinct::Distinct;
 use super::run::Run;
 use super::states::Statistical;
@@ -36,8 +36,12 @@ impl Plan<'_> {
     /// Those of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
         let ground = self.ground()?;
-        for asperities in ground.moments.iter().filter_map(|(_, asperities)| asperities.as_ref()) {
-            Asperities::of(asperities).population()?;
+        for curve in &self.needs.curves {
+            let CurveModel::Statistical { pair, law } = curve.model else { continue };
+            let cutoffs = ground.cutoffs(curve.cutoffs, 0..ground.cutoff_count(curve.cutoffs));
+            for roughness in cutoffs.iter().filter_map(|cutoff| cutoff.roughness.as_ref()) {
+                contact_of(&pair, &law, roughness)?;
+            }
         }
         Ok(Stream { plan: self, ground })
     }

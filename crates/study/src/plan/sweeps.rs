@@ -9,7 +9,7 @@ use stat_contact::ContactState;
 use super::asked::Asked;
 use super::condition::{Asperities, Condition};
 use super::distinct::Distinct;
-use super::ground::Ground;
+use super::ground::{Cutoff, Ground, Roughness};
 use super::run::Run;
 use super::states::Statistical;
 use super::work::counted;
@@ -33,26 +33,30 @@ pub(super) fn results(
     ground: &Ground,
     run: Run<'_>,
 ) -> Result<(Vec<SweepResult>, Work), PlanError> {
-    let of_sweep = |(sweep, cutoff): (&LoadSweep, &super::ground::Cutoff)| Subject {
+    let of_sweep = |(sweep, cutoff): (&LoadSweep, &Cutoff)| Subject {
         model: asked.models.index_of[sweep.curve],
-        asperities: cutoff.asperities.as_ref().map(Asperities::of),
+        asperities: cutoff.roughness.map(|roughness| Asperities::of(&roughness.asperities)),
     };
     let subjects = Distinct::of(needs.sweeps.iter().zip(&ground.sweep_cutoffs).map(of_sweep));
     let places: Vec<usize> = (0..subjects.items.len()).collect();
     let computed = parallel::try_map(&places, |&place| {
         let subject = subjects.items[place];
-        let (CurveModel::Statistical { pair, law }, Some(asperities)) =
-            (asked.models.items[subject.model], subject.asperities)
+        let sweeps = || {
+            let of_all = needs.sweeps.iter().zip(&ground.sweep_cutoffs).zip(&subjects.index_of);
+            of_all.filter(|(_, index)| **index == place).map(|(sweep, _)| sweep)
+        };
+        let roughness = sweeps().find_map(|(_, cutoff)| cutoff.roughness);
+        let (CurveModel::Statistical { pair, law }, Some(roughness)) =
+            (asked.models.items[subject.model], roughness)
         else {
             return Ok((States::new(), Work::default()));
         };
-        let sweeps = needs.sweeps.iter().zip(&subjects.index_of).filter(|(_, index)| **index == place);
-        let wanted: Vec<f64> = sweeps.flat_map(|(sweep, _)| sweep.pressures_pa.iter().copied()).collect();
-        let known = states_of_curve(asperities, asked, &rows_of_models[subject.model]);
-        completed(known, &wanted, asperities, &Statistical { pair, law, run })
+        let wanted: Vec<f64> = sweeps().flat_map(|(sweep, _)| sweep.pressures_pa.iter().copied()).collect();
+        let known = states_of_curve(&roughness, asked, &rows_of_models[subject.model]);
+        completed(known, &wanted, &roughness, &Statistical { pair, law, run })
     })?;
     let (states, work) = counted(computed);
-    let result = |((sweep, cutoff), &subject): ((&LoadSweep, &super::ground::Cutoff), &usize)| {
+    let result = |((sweep, cutoff), &subject): ((&LoadSweep, &Cutoff), &usize)| {
         let state = |&pressure_pa: &f64| states[subject].get(&OrderedFloat(pressure_pa)).copied();
         SweepResult {
             cutoff_m: cutoff.wavelength_m,
@@ -67,22 +71,23 @@ pub(super) fn results(
 fn completed(
     mut states: States,
     wanted_pa: &[f64],
-    asperities: Asperities,
+    roughness: &Roughness,
     model: &Statistical<'_>,
 ) -> Result<(States, Work), PlanError> {
     let distinct = Distinct::of(wanted_pa.iter().copied().map(OrderedFloat));
     let missing: Vec<OrderedFloat<f64>> =
         distinct.items.into_iter().filter(|pressure_pa| !states.contains_key(pressure_pa)).collect();
     let missing_pa: Vec<f64> = missing.iter().map(|pressure_pa| pressure_pa.0).collect();
-    let (found, mut work) = model.over_loads(asperities, &missing_pa)?;
+    let (found, mut work) = model.over_loads(roughness, &missing_pa)?;
     work.shared_states += wanted_pa.len() - missing.len();
     states.extend(missing.into_iter().zip(found));
     Ok((states, work))
 }
 
-/// The states that a curve against cutoff has of a population.
-fn states_of_curve(asperities: Asperities, asked: &Asked, curve: &CurveResult) -> States {
+/// The states that a curve against cutoff has of the asperities of a roughness.
+fn states_of_curve(roughness: &Roughness, asked: &Asked, curve: &CurveResult) -> States {
     let CurveResult::Statistical(blocks) = curve else { return States::new() };
+    let asperities = Asperities::of(&roughness.asperities);
     let known = |(condition, block): (&Condition, &Vec<super::CutoffState>)| {
         let Condition::Pressure(pressure_pa) = *condition else { return None };
         // The populations of sweeps are those of the shortest cutoffs, if of any.

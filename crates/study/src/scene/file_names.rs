@@ -11,6 +11,8 @@ use crate::plan::Curve;
 pub const REPORT: &str = "report";
 /// The names of the report's tables: of what curves end in, of what each decade decides, of other choices.
 pub const REPORT_TABLES: [&str; 3] = ["report-scales", "report-decades", "report-sensitivity"];
+/// The names of the judge's tables: the verdict on every curve, and on every window.
+pub const JUDGE_TABLES: [&str; 2] = ["report-models", "report-judge"];
 
 /// Refuses curves and figures whose files would replace those of another or of the report. Disks differ in whether case
 /// counts, so here it does not.
@@ -21,7 +23,7 @@ pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Res
     let figure_spans = raw.figure.iter().map(|figure| figure.get_ref().name.span());
     // Where the scene draws no figure, one is drawn of all curves, which has no place in it.
     let drawn = figures.iter().map(|figure| figure.name.as_str()).zip(figure_spans);
-    let mut taken: Vec<&str> = REPORT_TABLES.to_vec();
+    let mut taken: Vec<&str> = [&REPORT_TABLES[..], &JUDGE_TABLES[..]].concat();
     taken.push(REPORT);
     if raw.figure.is_empty() && !figures.is_empty() {
         taken.push(AREA_OF_ALL);

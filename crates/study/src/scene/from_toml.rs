@@ -6,7 +6,7 @@ use super::error::{SceneError, SceneProblem};
 use super::spelling::meant;
 
 /// The names of types as the reader has them, and what a person would write there.
-const WANTED: [(&str, &str); 14] = [
+const WANTED: [(&str, &str); 15] = [
     ("f64", "a number"),
     ("i64", "a whole number"),
     ("u32", "a whole number from 0 on"),
@@ -21,6 +21,7 @@ const WANTED: [(&str, &str); 14] = [
     ("struct RawFigure", "a section [[figure]]"),
     ("struct RawLoadRange", "{ from = \"1e-6 H\", to = \"1 H\", points = 41 }"),
     ("struct RawCutoffs", "a section [cutoffs]"),
+    ("struct RawJudge", "a section [judge]"),
 ];
 
 /// The error with its place. The reader tells what it expected in words alone, in which names stand between backticks.

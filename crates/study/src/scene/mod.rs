@@ -8,6 +8,7 @@ mod error;
 mod figures;
 pub mod file_names;
 mod from_toml;
+mod judge;
 mod loads;
 mod notes;
 mod raw;
@@ -18,6 +19,7 @@ mod template;
 mod values;
 
 pub use error::{SceneError, SceneProblem};
+pub use judge::JudgeChoices;
 pub use notes::{Idle, SceneNote};
 pub use resolve::Overrides;
 pub use template::Template;
@@ -47,6 +49,8 @@ pub struct Scene {
     pub needs: Needs,
     /// The figures to draw.
     pub figures: Vec<Figure>,
+    /// How its models are to be judged; absent where the scene has no section on it.
+    pub judge: Option<JudgeChoices>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
 }

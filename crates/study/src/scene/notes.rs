@@ -44,6 +44,8 @@ pub enum Idle {
         /// The shortest wavelength of the spectrum \[m\].
         shortest_m: f64,
     },
+    /// The judge is off.
+    JudgeIsOff,
     /// The tolerance is finer than double precision reaches.
     ToleranceHeld {
         /// What is used instead.
@@ -61,6 +63,7 @@ pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<Sce
     figures(&mut keys, scene);
     cutoffs(&mut keys, scene, overrides);
     options(&mut keys, scene, overrides);
+    judge(&mut keys, scene, overrides);
     keys.notes
 }
 
@@ -131,6 +134,17 @@ fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
     } else if needs.tolerance.asked_finer().is_some() {
         let used = needs.tolerance.value();
         keys.note("options", table, "tolerance", Idle::ToleranceHeld { used });
+    }
+}
+
+fn judge(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let Some(table) = keys.section("judge").filter(|_| !overrides.no_judge) else { return };
+    let off = scene.judge.is_some_and(|judge| judge.off);
+    let idle = off.then_some(Idle::JudgeIsOff);
+    if let Some(reason) = idle.or(scene.needs.curves.is_empty().then_some(Idle::NoCurveUsesIt)) {
+        for key in ["grid", "realisations", "seed", "budget"] {
+            keys.note("judge", table, key, reason);
+        }
     }
 }
 

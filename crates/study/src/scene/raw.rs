@@ -35,6 +35,7 @@ pub(super) struct RawScene {
     pub cutoffs: RawCutoffs,
     #[serde(default)]
     pub options: RawOptions,
+    pub judge: Option<RawJudge>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -143,6 +144,17 @@ pub(super) struct RawOptions {
     pub strength_cap: Option<RawQuantity>,
     pub interference_law: Option<InterferenceLaw>,
     pub tolerance: Option<Spanned<f64>>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawJudge {
+    pub grid: Option<Spanned<i64>>,
+    pub realisations: Option<Spanned<i64>>,
+    pub seed: Option<Spanned<i64>>,
+    pub budget: Option<Spanned<f64>>,
+    #[serde(default)]
+    pub off: bool,
 }
 
 impl<'de> Deserialize<'de> for RawScan {

@@ -11,6 +11,7 @@ use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
+use super::judge::{JudgeChoices, resolve_judge};
 use super::loads::resolve_loads;
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
@@ -38,6 +39,8 @@ pub struct Overrides {
     pub cutoff: Option<Length>,
     /// Counterface.
     pub counterface: Option<ElasticBody>,
+    /// Whether nothing is to be judged.
+    pub no_judge: bool,
 }
 
 pub(super) fn resolve(
@@ -88,6 +91,7 @@ pub(super) fn resolve(
     let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
     let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
+    let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
@@ -113,6 +117,10 @@ pub(super) fn resolve(
             ..Needs::default()
         },
         figures,
+        judge: match overrides.no_judge {
+            true => Some(JudgeChoices::OFF),
+            false => judge,
+        },
         notes: Vec::new(),
     })
 }

@@ -43,6 +43,22 @@ pub enum ScanProblem {
         /// Why.
         error: TransformError,
     },
+    /// A text that is neither heights nor a spectrum.
+    #[error("as a scan: {as_scan}{}", as_spectrum.as_ref().map_or(String::new(), |why| format!("; as a spectrum: {why}")))]
+    NeitherKind {
+        /// Why it is no scan.
+        as_scan: Box<ScanReadError>,
+        /// Why it is no spectrum.
+        as_spectrum: Option<String>,
+    },
+    /// A surface of none or several scans.
+    #[error("{0} scans; boundary elements press one map, which a channel may choose")]
+    NotOneSurface(usize),
+    /// A surface of a line.
+    #[error(
+        "a line scan is no surface that boundary elements could press; make a spectrum of it and give that"
+    )]
+    LineIsNoSurface,
     /// An areal spectrum of none or several scans.
     #[error("{0} scans; an areal spectrum is that of one map")]
     NotOneMap(usize),
@@ -69,6 +85,7 @@ impl TopographyError {
     pub fn mend(&self) -> Option<Mend> {
         match &self.problem {
             ScanProblem::Format(error) => error.mend(),
+            ScanProblem::NeitherKind { as_scan, .. } => as_scan.mend(),
             _ => None,
         }
     }

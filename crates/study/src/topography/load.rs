@@ -26,6 +26,16 @@ pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, T
     if read_psd(&bytes[..], &ReadOptions::default()).is_ok() {
         return Err(blame(ScanProblem::HoldsASpectrum));
     }
+    load_heights(request, &bytes, files)
+}
+
+/// Reads the scans in the bytes of a file that is known to hold heights.
+pub(super) fn load_heights(
+    request: &ScanRequest,
+    bytes: &[u8],
+    files: &dyn Files,
+) -> Result<Loaded, TopographyError> {
+    let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
     // What the file and its metadata say counts; what was given stands in where they say nothing.
     let options = ScanOptions {
         channel: request.channel.clone(),
@@ -34,9 +44,9 @@ pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, T
         fallback_size: request.size_m.map(|x_m| ScanSize { x_m, y_m: None }),
         ..ScanOptions::default()
     };
-    let scans = read_scans(&bytes, file_name(&request.path), &options)
+    let scans = read_scans(bytes, file_name(&request.path), &options)
         .map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
-    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(&bytes)) })
+    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(bytes)) })
 }
 
 /// What a `meta.yml` or `index.json` in the same folder says of a file: nothing where these cannot be read.

@@ -6,7 +6,7 @@
 //! | a file becomes heights | `load.rs`: format, unit and size from the file, else from metadata beside it, else as given |
 //! | heights become one spectrum, with checks | the crate `topography`; `composite.rs` remembers the files |
 //! | what is shown | `tables.rs`, `figure.rs` |
-//! | maps in two dimensions | `areal.rs` |
+//! | maps in two dimensions | `areal.rs`; as heights that are pressed, `map.rs` |
 
 mod areal;
 mod composite;
@@ -14,11 +14,13 @@ mod error;
 mod figure;
 mod list;
 mod load;
+mod map;
 mod request;
 mod tables;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
-pub use composite::{CompositeOfFiles, Source};
+pub use composite::{CompositeOfFiles, MapPatch, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use list::{ListError, requests_of_list};
+pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest};

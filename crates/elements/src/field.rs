@@ -1,0 +1,81 @@
+//! Pressures and gaps of one surface under one load.
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+use crate::netcdf_classic::{Attribute, NetcdfFile, Variable};
+use crate::relief::{Boundary, Relief};
+
+/// One surface under one load, point by point.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Field<'s> {
+    /// The load, by its index.
+    pub load: usize,
+    /// The surface, by its number.
+    pub surface: usize,
+    /// The surface.
+    pub relief: &'s Relief,
+    /// The nominal pressure \[Pa\].
+    pub nominal_pressure_pa: f64,
+    /// E* \[Pa\].
+    pub contact_modulus_pa: f64,
+    /// Pressure \[Pa\] at every point, row by row.
+    pub pressures_pa: &'s [f64],
+    /// Gap \[m\] at every point, row by row; negative where the surfaces overlap.
+    pub gaps_m: &'s [f64],
+}
+
+impl Field<'_> {
+    /// Writes it as a file of NetCDF's classic format in the layout of contact.engineering: dimensions `y` and `x` with their
+    /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes `nominal_pressure_pa`,
+    /// `contact_modulus_pa` and `boundary`.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_netcdf(&self, out: &mut dyn Write) -> io::Result<()> {
+        let Relief { rows, columns, length_x_m, length_y_m, boundary, ref heights_m } = *self.relief;
+        // The unit by the names of contact.engineering, whose layout this is, and of the CF conventions.
+        let in_unit = |unit: &str| {
+            ["unit", "units"]
+                .map(|name| (name, Attribute::Text(unit.to_owned())))
+                .into_iter()
+                .collect::<Vec<_>>()
+        };
+        let periodic = f64::from(u8::from(boundary == Boundary::Periodic));
+        let coordinate = |name, dimension, points: usize, length_m: f64| Variable {
+            name,
+            dimensions: vec![dimension],
+            attributes: [
+                in_unit("m"),
+                vec![("length", Attribute::Number(length_m)), ("periodic", Attribute::Number(periodic))],
+            ]
+            .into_iter()
+            .flatten()
+            .collect(),
+            values: (0..points).map(|point| point as f64 * length_m / points as f64).collect(),
+        };
+        let over_both = |name, unit, values| Variable {
+            name,
+            dimensions: vec![0, 1],
+            attributes: in_unit(unit),
+            values: Cow::Borrowed(values),
+        };
+        let file = NetcdfFile {
+            dimensions: vec![("y", rows), ("x", columns)],
+            attributes: vec![
+                ("nominal_pressure_pa", Attribute::Number(self.nominal_pressure_pa)),
+                ("contact_modulus_pa", Attribute::Number(self.contact_modulus_pa)),
+                ("boundary", Attribute::Text(boundary.to_string())),
+            ],
+            variables: vec![
+                coordinate("y", 0, rows, length_y_m),
+                coordinate("x", 1, columns, length_x_m),
+                over_both("heights", "m", &heights_m[..]),
+                over_both("pressure", "Pa", self.pressures_pa),
+                over_both("gap", "m", self.gaps_m),
+            ],
+        };
+        file.write(out)
+    }
+}

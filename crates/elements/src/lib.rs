@@ -1,0 +1,28 @@
+#![doc = include_str!("../README.md")]
+//!
+//! The nouns:
+//! * [`Surfaces`]: what is pressed, a [`Relief`] as measured or [`RandomSurfaces`] of a band of a spectrum;
+//! * [`Pressing`]: material, loads and tolerance;
+//! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
+//! * [`Field`]: pressures and gaps of one surface under one load, as NetCDF where asked for.
+
+mod error;
+mod field;
+mod mean;
+mod netcdf_classic;
+mod press;
+mod pressing;
+mod relief;
+mod state;
+mod surfaces;
+mod table;
+
+pub use error::ElementsError;
+pub use field::Field;
+pub use mean::{Mean, PressedLoad};
+pub use press::{press, progress_steps};
+pub use pressing::Pressing;
+pub use relief::{Boundary, Relief};
+pub use state::PressedState;
+pub use surfaces::{RandomSurfaces, Surfaces};
+pub use table::{means_table, states_table};

@@ -1,0 +1,89 @@
+//! What is pressed: one map, or random surfaces.
+
+use std::borrow::Cow;
+
+use gaussian_surfaces::{AreaSpectrum, SurfaceError, Synthesis};
+
+use crate::relief::{Boundary, Relief};
+
+/// Points for the shortest wave below which a grid no longer tells waves apart.
+const FEWEST_POINTS: f64 = 2.0;
+
+/// What is pressed.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Surfaces {
+    /// One surface as measured.
+    Map(Relief),
+    /// Surfaces that have the same spectrum.
+    Random(RandomSurfaces),
+}
+
+/// Random surfaces of a band of a spectrum, numbered from 0.
+///
+/// The heights of each are scaled such that its rms gradient, by the sum over its waves, is that of the band: areas depend on
+/// the pressure over E* h', and most of the scatter of small boxes is that of their gradients.
+#[derive(Clone, Debug)]
+pub struct RandomSurfaces {
+    /// The spectrum, zero outside its band.
+    pub band: AreaSpectrum,
+    /// Grid, seed, and what is random.
+    pub synthesis: Synthesis,
+    /// How many.
+    pub realisations: usize,
+}
+
+impl Surfaces {
+    /// How many surfaces there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        match self {
+            Surfaces::Map(_) => 1,
+            Surfaces::Random(random) => random.realisations,
+        }
+    }
+
+    /// The surface of a number.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] for a band that the grid does not hold.
+    pub fn relief(&self, number: usize) -> Result<Cow<'_, Relief>, SurfaceError> {
+        match self {
+            Surfaces::Map(relief) => Ok(Cow::Borrowed(relief)),
+            Surfaces::Random(random) => random.relief(number).map(Cow::Owned),
+        }
+    }
+
+    /// The same surface on every second point, where that still shows its waves: of a map always, as nobody knows its
+    /// shortest one.
+    pub(crate) fn coarser(&self, relief: &Relief) -> Option<Relief> {
+        match self {
+            Surfaces::Map(_) => {
+                relief.every_second_point().filter(|coarse| coarse.rows > 1 && coarse.columns > 1)
+            }
+            Surfaces::Random(random) => {
+                let spacing_x_m = relief.length_x_m / relief.columns as f64;
+                let spacing_y_m = relief.length_y_m / relief.rows as f64;
+                let points = random.band.shortest_m() / (2.0 * spacing_x_m.max(spacing_y_m));
+                let shows = points >= FEWEST_POINTS * (1.0 - 1e-9);
+                if shows { relief.every_second_point() } else { None }
+            }
+        }
+    }
+}
+
+impl RandomSurfaces {
+    fn relief(&self, number: usize) -> Result<Relief, SurfaceError> {
+        let surface = self.band.surface(&self.synthesis, number as u64)?;
+        let factor = (self.band.mean_square_gradient() / surface.mean_square_gradient()).sqrt();
+        let surface = surface.scaled(factor);
+        Ok(Relief {
+            rows: surface.points_y(),
+            columns: surface.points_x(),
+            length_x_m: surface.length_x_m(),
+            length_y_m: surface.length_y_m(),
+            heights_m: surface.into_heights_m(),
+            boundary: Boundary::Periodic,
+        })
+    }
+}

@@ -1,0 +1,106 @@
+//! Displacements under a pressed rectangle (Love 1929), as factors of waves over a padded grid.
+
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftPlanner};
+
+use crate::Grid;
+
+/// What multiplies the waves of a grid that zeros pad to twice its size, so that no load meets its own image.
+pub(crate) struct LoveFactors {
+    /// Waves along y from 0 to the shortest, for each of those along x.
+    factors: Vec<f64>,
+    rows: usize,
+}
+
+impl LoveFactors {
+    /// The rows and columns that a grid is padded to.
+    pub(crate) fn period(grid: &Grid) -> [usize; 2] {
+        [2 * grid.rows(), 2 * grid.columns()]
+    }
+
+    /// Of displacements in m times pi E*, over the pressure of one element, divided by `unit_m`.
+    pub(crate) fn new(grid: &Grid, unit_m: f64) -> Self {
+        let [period_rows, period_columns] = Self::period(grid);
+        let (rows, columns) = (grid.rows() + 1, grid.columns() + 1);
+        let spacing = [grid.length_x_m() / grid.columns() as f64, grid.length_y_m() / grid.rows() as f64];
+        let mut planner = FftPlanner::new();
+        let mut along_x = Cosines::new(&mut planner, period_columns);
+        let mut along_y = Cosines::new(&mut planner, period_rows);
+        // Row by row first, then column by column: the coefficients are even along both.
+        let mut by_row = vec![0.0; rows * columns];
+        let mut line = vec![0.0; columns];
+        for (row, by_row) in by_row.chunks_exact_mut(columns).enumerate() {
+            for (column, value) in line.iter_mut().enumerate() {
+                *value = displacement_of_rectangle(column as f64, row as f64, spacing) / unit_m;
+            }
+            along_x.transform(&line, by_row);
+        }
+        let mut factors = vec![0.0; rows * columns];
+        let mut line = vec![0.0; rows];
+        for (column, factors) in factors.chunks_exact_mut(rows).enumerate() {
+            line.iter_mut()
+                .zip(by_row[column..].iter().step_by(columns))
+                .for_each(|(to, &value)| *to = value);
+            along_y.transform(&line, factors);
+        }
+        Self { factors, rows }
+    }
+
+    /// The factor of the waves with so many periods along y and x.
+    pub(crate) fn factor(&self, row: usize, column: usize) -> f64 {
+        self.factors[column * self.rows + row]
+    }
+}
+
+/// The transform of an even sequence, of which the first half and the middle are held.
+struct Cosines {
+    plan: std::sync::Arc<dyn Fft<f64>>,
+    values: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl Cosines {
+    fn new(planner: &mut FftPlanner<f64>, period: usize) -> Self {
+        let plan = planner.plan_fft_forward(period);
+        let scratch = vec![Complex::default(); plan.get_inplace_scratch_len()];
+        Self { plan, values: vec![Complex::default(); period], scratch }
+    }
+
+    fn transform(&mut self, half: &[f64], into: &mut [f64]) {
+        let period = self.values.len();
+        for (at, value) in self.values.iter_mut().enumerate() {
+            *value = Complex::new(half[at.min(period - at)], 0.0);
+        }
+        self.plan.process_with_scratch(&mut self.values, &mut self.scratch);
+        into.iter_mut().zip(&self.values).for_each(|(to, value)| *to = value.re);
+    }
+}
+
+/// Displacement times pi E* over pressure, in m, at a distance of so many elements from the middle of a pressed element.
+///
+/// Love, A. E. H. (1929), Philosophical Transactions A 228, 377; Johnson (1985), Contact Mechanics, equation 3.25.
+fn displacement_of_rectangle(columns: f64, rows: f64, [dx_m, dy_m]: [f64; 2]) -> f64 {
+    let [left, right] = [(columns - 0.5) * dx_m, (columns + 0.5) * dx_m];
+    let [low, high] = [(rows - 0.5) * dy_m, (rows + 0.5) * dy_m];
+    (corner(right, high) - corner(left, high)) - (corner(right, low) - corner(left, low))
+}
+
+/// The integral of 1/r over x and y, up to terms that cancel; no corner of an element lies on an axis through a middle.
+fn corner(x_m: f64, y_m: f64) -> f64 {
+    x_m * (y_m / x_m.abs()).asinh() + y_m * (x_m / y_m.abs()).asinh()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::displacement_of_rectangle;
+
+    #[test]
+    fn a_pressed_square_sinks_as_is_known_and_far_away_as_under_a_point() {
+        // The middle of a square of side a: 4 a ln(1 + sqrt 2), over pi E* (Johnson 1985, section 3.3).
+        let middle_m = displacement_of_rectangle(0.0, 0.0, [2.0, 2.0]);
+        assert!((middle_m - 8.0 * (1.0 + 2.0f64.sqrt()).ln()).abs() < 1e-14);
+        // Far away the load is a point: area over distance.
+        let far_m = displacement_of_rectangle(300.0, 400.0, [1.0, 1.0]);
+        assert!((far_m * 500.0 - 1.0).abs() < 1e-6, "{far_m}");
+    }
+}

@@ -1,0 +1,150 @@
+//! Surfaces pressed by boundary elements, window by window.
+
+use gaussian_surfaces::{Phases, Synthesis};
+use half_space::{Grid, Loading, PeriodicElements};
+use parallel::Progress;
+
+use crate::JudgeError;
+use crate::layout::{Layout, Press};
+use crate::student::widening;
+use crate::window::Window;
+
+/// Complementarity of a solution. Tightened a thousand times, areas move by a thousandth at most.
+pub(crate) const TOLERANCE: f64 = 1e-4;
+/// What the grid leaves open of a corrected area, relatively, at four points on the shortest wavelength.
+const GRID_ERROR: f64 = 0.007;
+
+/// The area of one press, from all surfaces of its window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Solved {
+    pub area_fraction: f64,
+    pub standard_error: f64,
+}
+
+/// The solutions of all presses, in their order, and the operators times points that they took.
+#[derive(Debug)]
+pub(crate) struct Solutions {
+    /// `None` where the work was ended first.
+    pub of_presses: Vec<Option<Solved>>,
+    pub spent: f64,
+}
+
+/// One surface of a window under all pressures on that window.
+struct Task {
+    window: usize,
+    realisation: usize,
+}
+
+struct Outcome {
+    window: usize,
+    /// Area fraction under each press of the window; `None` from where the work was ended.
+    areas: Vec<Option<f64>>,
+    operators: usize,
+}
+
+/// Presses every surface of every window. Surfaces run side by side; no digit depends on how many do.
+pub(crate) fn solve(
+    layout: &Layout,
+    composite_modulus_pa: f64,
+    seed: u64,
+    progress: &dyn Progress,
+) -> Result<Solutions, JudgeError> {
+    let tasks: Vec<Task> = (0..layout.windows.len())
+        .flat_map(|window| (0..layout.realisations).map(move |realisation| Task { window, realisation }))
+        .collect();
+    let outcomes = parallel::try_map(&tasks, |task| {
+        let presses = presses_of(layout, task.window);
+        let window = &layout.windows[task.window];
+        pressed(window, task, &presses, layout.grid, composite_modulus_pa, seed, progress)
+    })?;
+    let points = (layout.grid * layout.grid) as f64;
+    let spent = points * outcomes.iter().map(|outcome| outcome.operators as f64).sum::<f64>();
+    let solved = |(at, press): (usize, &Press)| {
+        let place = layout.presses[..at].iter().filter(|other| other.window == press.window).count();
+        let of_window = outcomes.iter().filter(|outcome| outcome.window == press.window);
+        let areas: Option<Vec<f64>> = of_window.map(|outcome| outcome.areas[place]).collect();
+        areas.map(|areas| Solved::of(&areas))
+    };
+    Ok(Solutions { of_presses: layout.presses.iter().enumerate().map(solved).collect(), spent })
+}
+
+fn presses_of(layout: &Layout, window: usize) -> Vec<Press> {
+    layout.presses.iter().filter(|press| press.window == window).copied().collect()
+}
+
+fn pressed(
+    window: &Window,
+    task: &Task,
+    presses: &[Press],
+    points: usize,
+    composite_modulus_pa: f64,
+    seed: u64,
+    progress: &dyn Progress,
+) -> Result<Outcome, JudgeError> {
+    let mut outcome = Outcome { window: task.window, areas: vec![None; presses.len()], operators: 0 };
+    if presses.is_empty() || progress.is_cancelled() {
+        return Ok(outcome);
+    }
+    let box_m = window.box_m();
+    // Every window has surfaces of its own.
+    let seed = seed.wrapping_add((task.window as u64) << 32);
+    let synthesis = Synthesis::square(points, box_m, seed, Phases::FixedModulus);
+    let surface = window.surface.surface(&synthesis, task.realisation as u64)?;
+    // The area depends on the slope first of all: every surface gets that of the window.
+    let surface_gradient = surface.mean_square_gradient().sqrt();
+    let surface = surface.scaled(window.rms_gradient / surface_gradient);
+    let grid = Grid::new(points, points, box_m, box_m)?;
+    let mut elements = PeriodicElements::new(grid, surface.heights_m())?;
+    for (area, press) in outcome.areas.iter_mut().zip(presses) {
+        if progress.is_cancelled() {
+            break;
+        }
+        let contact = elements.press(
+            &Loading {
+                contact_modulus_pa: composite_modulus_pa,
+                nominal_pressure_pa: press.pressure_pa,
+                saturation_pa: press.saturation_pa,
+                tolerance: TOLERANCE,
+            },
+            progress,
+        )?;
+        outcome.operators += contact.operators;
+        *area = Some(contact.area_fraction_corrected);
+        progress.advance(1);
+    }
+    Ok(outcome)
+}
+
+impl Solved {
+    /// The mean of the areas on several surfaces, with its error.
+    pub fn of(areas: &[f64]) -> Self {
+        let count = areas.len() as f64;
+        let area_fraction = areas.iter().sum::<f64>() / count;
+        let deviations = areas.iter().map(|area| (area - area_fraction).powi(2)).sum::<f64>();
+        let of_mean = (deviations / (count * (count - 1.0).max(1.0))).sqrt();
+        let of_surfaces = widening(areas.len()) * of_mean;
+        let standard_error = of_surfaces.hypot(GRID_ERROR * area_fraction);
+        Solved { area_fraction, standard_error }
+    }
+
+    /// Anything between a share of the surface and all of it.
+    pub fn between(share: f64) -> Self {
+        // The standard deviation of an even distribution.
+        let standard_error = (1.0 - share) / 12f64.sqrt();
+        Solved { area_fraction: 0.5 * (1.0 + share), standard_error }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_of_few_surfaces_is_widened_and_holds_that_of_the_grid() {
+        let solved = Solved::of(&[0.1, 0.1, 0.1, 0.1]);
+        assert!((solved.area_fraction - 0.1).abs() < 1e-15);
+        assert!((solved.standard_error / 0.1 - GRID_ERROR).abs() < 1e-12);
+        let scattered = Solved::of(&[0.09, 0.11]);
+        assert!((scattered.standard_error - (widening(2) * 0.01).hypot(0.1 * GRID_ERROR)).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,74 @@
+//! Verdicts: what a ratio of areas says of a model.
+
+use serde::Serialize;
+
+/// The ratio to the elements' area, either way, within which a model agrees. The area of a light contact goes as the inverse
+/// of the rms gradient, so that a spectrum uncertain by a factor 1.8 makes it uncertain by as much.
+pub const AGREEMENT: f64 = 4.0 / 3.0;
+
+/// How many standard errors a ratio is given.
+pub const ERRORS_GIVEN: f64 = 2.0;
+
+/// What is said of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Its area is that of boundary elements within [`AGREEMENT`] and what the elements leave open.
+    Agrees,
+    /// It is larger.
+    TooLarge,
+    /// It is smaller.
+    TooSmall,
+    /// An assumption of the curve does not hold.
+    OutOfRange,
+    /// There is nothing to hold it against.
+    NotJudged,
+}
+
+impl Verdict {
+    /// As tables name it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Agrees => "agrees",
+            Verdict::TooLarge => "too-large",
+            Verdict::TooSmall => "too-small",
+            Verdict::OutOfRange => "out-of-range",
+            Verdict::NotJudged => "not-judged",
+        }
+    }
+
+    /// Whether it came of a comparison of areas.
+    #[must_use]
+    pub fn compares(self) -> bool {
+        matches!(self, Verdict::Agrees | Verdict::TooLarge | Verdict::TooSmall)
+    }
+
+    /// The verdict on a ratio to an area that is known within this relative standard error.
+    #[must_use]
+    pub fn of_ratio(ratio: f64, relative_error: f64) -> Self {
+        let bound = AGREEMENT * (1.0 + ERRORS_GIVEN * relative_error);
+        if ratio > bound {
+            Verdict::TooLarge
+        } else if ratio * bound < 1.0 {
+            Verdict::TooSmall
+        } else {
+            Verdict::Agrees
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ratio_is_judged_the_same_either_way_and_given_two_errors() {
+        assert_eq!(Verdict::of_ratio(1.3, 0.0), Verdict::Agrees);
+        assert_eq!(Verdict::of_ratio(1.0 / 1.3, 0.0), Verdict::Agrees);
+        assert_eq!(Verdict::of_ratio(1.4, 0.0), Verdict::TooLarge);
+        assert_eq!(Verdict::of_ratio(1.0 / 1.4, 0.0), Verdict::TooSmall);
+        assert_eq!(Verdict::of_ratio(1.4, 0.05), Verdict::Agrees);
+        assert!(Verdict::Agrees.compares() && !Verdict::OutOfRange.compares());
+    }
+}

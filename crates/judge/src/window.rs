@@ -1,0 +1,123 @@
+//! Windows of a spectrum: what a grid can hold of it, half a decade after half a decade.
+
+use gaussian_surfaces::AreaSpectrum;
+use spectrum::ProfilePsd;
+
+use crate::JudgeError;
+
+/// How far one window begins behind the other, in decades.
+const STEP_DECADES: f64 = 0.5;
+/// Points of the grid on the shortest wavelength.
+pub(crate) const POINTS_PER_SHORTEST: f64 = 4.0;
+/// How often the longest wavelength goes into the box.
+pub(crate) const LENGTHS_IN_BOX: f64 = 2.0;
+/// How far the spectrum of profiles is followed beyond the longest wave of the surface, in decades: profiles see long waves
+/// where the surface has none, and what lies farther out is less than a hundredth of their variance.
+const FLAT_DECADES: f64 = 1.0;
+/// Scales per decade of the spectrum that moments are taken of. It falls to zero at the last wavelength as a square root does.
+const FINE_PER_DECADE: f64 = 40.0;
+
+/// The band of a window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Band {
+    pub longest_m: f64,
+    pub shortest_m: f64,
+}
+
+/// A part of the surface: all its waves within a band, and no others.
+#[derive(Debug, Clone)]
+pub(crate) struct Window {
+    pub band: Band,
+    /// The surface's own spectrum, cut.
+    pub surface: AreaSpectrum,
+    /// Root mean square of the surface's gradient.
+    pub rms_gradient: f64,
+}
+
+/// How many decades a grid of so many points along a side holds.
+pub(crate) fn decades_held(grid: usize) -> f64 {
+    (grid as f64 / (POINTS_PER_SHORTEST * LENGTHS_IN_BOX)).log10()
+}
+
+/// The bands of the windows, from long to short wavelengths; one where the grid holds the whole band.
+pub(crate) fn bands(whole: Band, decades: f64) -> Vec<Band> {
+    let surplus = (whole.longest_m / whole.shortest_m).log10() - decades;
+    if surplus <= 0.0 {
+        return vec![whole];
+    }
+    let steps = (surplus / STEP_DECADES).ceil();
+    let band = |step: usize| {
+        let behind = (STEP_DECADES * step as f64).min(surplus);
+        let longest_m = whole.longest_m * 10f64.powf(-behind);
+        let shortest_m = (longest_m * 10f64.powf(-decades)).max(whole.shortest_m);
+        Band { longest_m, shortest_m }
+    };
+    (0..=steps as usize).map(band).collect()
+}
+
+impl Window {
+    /// The window of a surface on a band.
+    pub fn of(surface: &AreaSpectrum, band: Band) -> Result<Self, JudgeError> {
+        let surface = surface.cut(band.longest_m, band.shortest_m)?;
+        let rms_gradient = surface.mean_square_gradient().sqrt();
+        Ok(Window { band, surface, rms_gradient })
+    }
+
+    /// The side \[m\] of the box in which the window is pressed.
+    pub fn box_m(&self) -> f64 {
+        LENGTHS_IN_BOX * self.band.longest_m
+    }
+
+    /// The spectrum of the window's profiles, dense enough for its moments.
+    pub fn fine_profile(&self) -> Result<ProfilePsd, JudgeError> {
+        self.profile(FINE_PER_DECADE, true)
+    }
+
+    /// The same at so many scales a decade, for models that stack them.
+    pub fn stacked_profile(&self, scales_per_decade: f64) -> Result<ProfilePsd, JudgeError> {
+        self.profile(scales_per_decade, false)
+    }
+
+    fn profile(&self, per_decade: f64, to_the_end: bool) -> Result<ProfilePsd, JudgeError> {
+        let Band { longest_m, shortest_m } = self.band;
+        let decades = FLAT_DECADES + (longest_m / shortest_m).log10();
+        let steps = (per_decade * decades).round().max(2.0);
+        let from_m = longest_m * 10f64.powf(FLAT_DECADES);
+        let place = |step: usize| from_m * 10f64.powf(-decades * step as f64 / steps);
+        let mut wavelengths_m: Vec<f64> = (0..steps as usize).map(place).collect();
+        if to_the_end {
+            let last_step = 10f64.powf(decades / steps) - 1.0;
+            let closer = |halvings: i32| shortest_m * (1.0 + last_step * 0.5f64.powi(halvings));
+            wavelengths_m.extend((1..=12).map(closer));
+        }
+        Ok(self.surface.profile(&wavelengths_m)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn windows_begin_half_a_decade_apart_and_end_with_the_spectrum() {
+        let whole = Band { longest_m: 1e-4, shortest_m: 1e-8 };
+        let bands = bands(whole, 1.2);
+        assert_eq!(bands.len(), 7);
+        assert_eq!(bands[0].longest_m, 1e-4);
+        for pair in bands.windows(2) {
+            let apart = (pair[0].longest_m / pair[1].longest_m).log10();
+            assert!(apart > 0.0 && apart < STEP_DECADES + 1e-9, "{apart}");
+        }
+        for band in &bands {
+            assert!(((band.longest_m / band.shortest_m).log10() - 1.2).abs() < 1e-9);
+        }
+        assert!((bands[6].shortest_m / 1e-8 - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_short_spectrum_is_one_window() {
+        let whole = Band { longest_m: 1e-6, shortest_m: 1e-7 };
+        assert_eq!(bands(whole, 1.0), [whole]);
+        assert_eq!(decades_held(256), 32f64.log10());
+    }
+}

@@ -1,0 +1,32 @@
+//! Why a trial has no result.
+
+use gaussian_surfaces::SurfaceError;
+use half_space::HalfSpaceError;
+use thiserror::Error;
+
+/// Why a trial has no result.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TrialError {
+    /// A spectrum or a surface cannot be made.
+    #[error("making a surface: {0}")]
+    Surface(#[from] SurfaceError),
+    /// A surface cannot be pressed.
+    #[error(transparent)]
+    Elements(#[from] HalfSpaceError),
+    /// A model cannot be built.
+    #[error("building a model: {0}")]
+    Material(#[from] study::material::MaterialError),
+    /// A load is none.
+    #[error("asking the models: {0}")]
+    Load(#[from] units::OutOfBounds),
+    /// The models cannot be asked.
+    #[error("asking the models: {0}")]
+    Plan(#[from] study::plan::PlanError),
+    /// The page has no place for a table.
+    #[error("{0}")]
+    Page(String),
+    /// A table of results cannot be read or written.
+    #[error("the table of results: {0}")]
+    Table(#[from] csv::Error),
+}

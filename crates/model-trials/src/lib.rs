@@ -1,0 +1,21 @@
+//! Every contact model of the program held against boundary elements on the same surfaces: the study behind
+//! `docs/which-model.md`.
+#![deny(missing_docs)]
+
+pub mod elements;
+mod error;
+pub mod gluing;
+pub mod hardness;
+pub mod models;
+pub mod pictures;
+pub mod pressing;
+pub mod programme;
+pub mod ratios;
+pub mod refit;
+pub mod sections;
+pub mod spectra;
+pub mod statistics;
+pub mod window_law;
+pub mod windows;
+
+pub use error::TrialError;

@@ -1,0 +1,107 @@
+//! Boundary elements under surfaces of a spectrum.
+
+use gaussian_surfaces::{AreaSpectrum, Phases, Surface, Synthesis};
+use half_space::{Contact, Grid, Loading, PeriodicElements, extrapolated_area};
+use parallel::Unobserved;
+
+use crate::TrialError;
+use crate::programme::Trial;
+use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, TrialLoad, WaveBand};
+use crate::statistics::Mean;
+
+/// The seed of all surfaces.
+const SEED: u64 = 1;
+
+/// The residual to which surfaces are pressed.
+const TOLERANCE: f64 = 1e-6;
+
+/// With fewer points than this on the shortest wavelength, a grid tells nothing of how areas change with the grid.
+const FEWEST_POINTS_PER_WAVE: f64 = 2.5;
+
+/// What boundary elements give under a load, in the mean over the surfaces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pressed {
+    /// The load.
+    pub load: TrialLoad,
+    /// Area, extrapolated from two grids where both resolve the shortest wavelength.
+    pub area: Mean,
+    /// Area on the finer grid, corrected by its perimeter.
+    pub corrected: Mean,
+    /// Plastic area on the finer grid, corrected by its perimeter.
+    pub plastic: Mean,
+}
+
+/// Presses every surface of a trial under every load; the surfaces side by side.
+///
+/// # Errors
+/// What kept a surface from being made or pressed.
+pub fn pressed(trial: &Trial) -> Result<Vec<Pressed>, TrialError> {
+    let numbers: Vec<u64> = (0..trial.realisations).collect();
+    let of_surfaces = parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
+    let of_load = |(at, &load): (usize, &TrialLoad)| {
+        let mean = |of: fn(&Areas) -> f64| Mean::of(of_surfaces.iter().map(|areas| of(&areas[at])));
+        Pressed {
+            load,
+            area: mean(|areas| areas.extrapolated),
+            corrected: mean(|areas| areas.corrected),
+            plastic: mean(|areas| areas.plastic),
+        }
+    };
+    Ok(trial.loads.iter().enumerate().map(of_load).collect())
+}
+
+/// The contact of one surface of a band on one grid.
+///
+/// # Errors
+/// What kept the surface from being made or pressed.
+pub fn contact(band: &WaveBand, grid: usize, number: u64, load: &TrialLoad) -> Result<Contact, TrialError> {
+    press(&mut elements(&surface(&band.spectrum()?, grid, number)?)?, load)
+}
+
+/// Areas of one surface under one load.
+struct Areas {
+    extrapolated: f64,
+    corrected: f64,
+    plastic: f64,
+}
+
+fn one_surface(trial: &Trial, number: u64) -> Result<Vec<Areas>, TrialError> {
+    let fine = surface(&trial.band.spectrum()?, trial.grid, number)?;
+    let resolved = 0.5 * trial.grid as f64 / trial.band.last_wave >= FEWEST_POINTS_PER_WAVE;
+    let coarse = if resolved { fine.every_second_point() } else { None };
+    let mut coarse = coarse.as_ref().map(elements).transpose()?;
+    let mut fine = elements(&fine)?;
+    let of_load = |load: &TrialLoad| {
+        let contact = press(&mut fine, load)?;
+        let corrected = contact.area_fraction_corrected;
+        let extrapolated = match &mut coarse {
+            Some(coarse) => extrapolated_area(corrected, press(coarse, load)?.area_fraction_corrected),
+            None => corrected,
+        };
+        Ok(Areas { extrapolated, corrected, plastic: contact.plastic_area_fraction })
+    };
+    trial.loads.iter().map(of_load).collect()
+}
+
+/// A surface at the rms gradient of its spectrum: the area depends on the gradient first of all, and most of the scatter from
+/// surface to surface is that of their gradients.
+fn surface(spectrum: &AreaSpectrum, grid: usize, number: u64) -> Result<Surface, TrialError> {
+    let surface = spectrum.surface(&Synthesis::square(grid, BOX_M, SEED, Phases::FixedModulus), number)?;
+    let own = surface.mean_square_gradient().sqrt();
+    Ok(surface.scaled(RMS_GRADIENT / own))
+}
+
+fn elements(surface: &Surface) -> Result<PeriodicElements, TrialError> {
+    let grid = Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
+    Ok(PeriodicElements::new(grid, surface.heights_m())?)
+}
+
+fn press(elements: &mut PeriodicElements, load: &TrialLoad) -> Result<Contact, TrialError> {
+    let loading = Loading {
+        contact_modulus_pa: CONTACT_MODULUS_PA,
+        nominal_pressure_pa: load.nominal_pressure_pa(),
+        saturation_pa: load.hardness_pa(),
+        tolerance: TOLERANCE,
+    };
+    Ok(elements.press(&loading, &Unobserved)?)
+}

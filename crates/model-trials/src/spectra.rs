@@ -1,0 +1,106 @@
+//! The spectra that are pressed: self-affine surfaces, told by waves per box.
+
+use gaussian_surfaces::{AreaSpectrum, SelfAffine, Size, SurfaceError};
+use serde::{Deserialize, Serialize};
+
+/// Side of the periodic box in m. Areas do not depend on it: all that counts are ratios of lengths.
+pub const BOX_M: f64 = 1e-3;
+
+/// E* in Pa of everything that is pressed. Elastic areas depend on p/(E* h') alone; the laws of asperities that yield know
+/// more of a material, for which this is a metal.
+pub const CONTACT_MODULUS_PA: f64 = 100e9;
+
+/// Rms gradient h' of every surface: small enough for a half-space.
+pub const RMS_GRADIENT: f64 = 0.05;
+
+/// A self-affine spectrum: Ciso is level from the first wave of the box to the roll-off, falls as q^(-2(1 + H)) from there
+/// to the last one, and is zero outside.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WaveBand {
+    /// Hurst exponent H.
+    pub hurst_exponent: f64,
+    /// The longest wavelength, as waves per box.
+    pub first_wave: f64,
+    /// The roll-off, as waves per box; the first wave where there is none.
+    pub rolloff_wave: f64,
+    /// The shortest wavelength, as waves per box.
+    pub last_wave: f64,
+}
+
+impl WaveBand {
+    /// The band without a roll-off.
+    #[must_use]
+    pub fn fractal(hurst_exponent: f64, first_wave: f64, last_wave: f64) -> Self {
+        Self { hurst_exponent, first_wave, rolloff_wave: first_wave, last_wave }
+    }
+
+    /// Decades from the longest to the shortest wavelength.
+    #[must_use]
+    pub fn decades(&self) -> f64 {
+        (self.last_wave / self.first_wave).log10()
+    }
+
+    /// Whether it is level at its long end.
+    #[must_use]
+    pub fn has_rolloff(&self) -> bool {
+        self.rolloff_wave > self.first_wave
+    }
+
+    /// Its spectrum, at [`RMS_GRADIENT`].
+    ///
+    /// # Errors
+    /// Those of [`AreaSpectrum::self_affine`].
+    pub fn spectrum(&self) -> Result<AreaSpectrum, SurfaceError> {
+        AreaSpectrum::self_affine(&SelfAffine {
+            hurst_exponent: self.hurst_exponent,
+            longest_m: BOX_M / self.first_wave,
+            rolloff_m: BOX_M / self.rolloff_wave,
+            shortest_m: BOX_M / self.last_wave,
+            size: Size::RmsGradient(RMS_GRADIENT),
+        })
+    }
+
+    /// Nayak's alpha = m0 m4/m2^2 of its profiles.
+    ///
+    /// # Errors
+    /// Those of [`WaveBand::spectrum`].
+    pub fn alpha(&self) -> Result<f64, SurfaceError> {
+        let moments = self.spectrum()?.moments();
+        Ok(moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2))
+    }
+}
+
+/// A load on a surface, without units.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrialLoad {
+    /// p/(E* h').
+    pub pressure_over_gradient: f64,
+    /// s/H, with s = E* h'/2 the rms pressure that would flatten the surface; `None` where it is elastic throughout.
+    pub spread_over_hardness: Option<f64>,
+}
+
+impl TrialLoad {
+    /// An elastic one.
+    #[must_use]
+    pub fn elastic(pressure_over_gradient: f64) -> Self {
+        Self { pressure_over_gradient, spread_over_hardness: None }
+    }
+
+    /// The nominal pressure in Pa.
+    #[must_use]
+    pub fn nominal_pressure_pa(&self) -> f64 {
+        self.pressure_over_gradient * (CONTACT_MODULUS_PA * RMS_GRADIENT)
+    }
+
+    /// The hardness H in Pa.
+    #[must_use]
+    pub fn hardness_pa(&self) -> Option<f64> {
+        self.spread_over_hardness.map(|ratio| spread_pa() / ratio)
+    }
+}
+
+/// s = E* h'/2 in Pa.
+#[must_use]
+pub fn spread_pa() -> f64 {
+    0.5 * CONTACT_MODULUS_PA * RMS_GRADIENT
+}

@@ -1,0 +1,159 @@
+//! What models that the paper does not have say of its surface. They stand beside the ledger and are not counted in it.
+
+use std::error::Error;
+
+use persson::Cut;
+use study::models::{Framework, ModelOptions, named};
+use study::plan::{Curve, CurveResult, Cutoffs, Needs, Plan};
+use units::display::{length, three_digits};
+
+use crate::evidence::Evidence;
+
+/// What another model says, and what was found on each spectrum.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherModel {
+    /// The model.
+    pub model: &'static str,
+    /// What it says.
+    pub statement: &'static str,
+    /// For every spectrum, its name and what was found.
+    pub findings: Vec<(&'static str, OtherFinding)>,
+}
+
+/// What one spectrum has to say of another model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherFinding {
+    /// Everything that was measured.
+    pub found: String,
+    /// One honest sentence.
+    pub remark: String,
+}
+
+/// The area is p/H where it is within this of it.
+const NEAR: f64 = 0.01;
+
+/// Beyond this share of E*, the rms pressure of full contact belongs to slopes that no half-space knows.
+const STEEPEST: f64 = 0.1;
+
+/// Persson's theory, at a constant hardness and with one that grows at small scales, on the spectra in `evidence`.
+///
+/// # Errors
+/// Where a spectrum or its material does not do for the theory.
+pub fn other_models(evidence: &[Evidence]) -> Result<Vec<OtherModel>, Box<dyn Error>> {
+    let mut constant = OtherModel {
+        model: "persson-plastic",
+        statement: "At a constant hardness the real pressure is the hardness from some scale down: A = p/H.",
+        findings: Vec::new(),
+    };
+    let mut growing = OtherModel {
+        model: "persson-plastic, strain gradient",
+        statement: "With a hardness that grows at small scales the contact stays elastic throughout.",
+        findings: Vec::new(),
+    };
+    for of_scene in evidence {
+        let name = of_scene.template.name();
+        let curves = Curves::compute(of_scene)?;
+        constant.findings.push((name, curves.at_constant_hardness(of_scene)));
+        growing.findings.push((name, curves.with_growing_hardness()));
+    }
+    Ok(vec![constant, growing])
+}
+
+/// Cuts for every load: elastic, at a constant hardness, with one that grows.
+struct Curves {
+    elastic: Vec<Vec<Cut>>,
+    constant: Vec<Vec<Cut>>,
+    growing: Vec<Vec<Cut>>,
+}
+
+impl Curves {
+    fn compute(evidence: &Evidence) -> Result<Self, Box<dyn Error>> {
+        let scene = &evidence.scene;
+        let material = scene.material.ok_or("the paper's scenes have a material")?;
+        let curve = |name: &str, strain_gradient: bool| -> Result<Curve, Box<dyn Error>> {
+            let options = ModelOptions { strain_gradient, ..ModelOptions::default() };
+            let model = named(Framework::Persson, name)?.build(&material, &options)?;
+            Ok(Curve { name: name.to_owned(), model, cutoffs: Cutoffs::Every })
+        };
+        let curves =
+            vec![curve("persson", false)?, curve("persson-plastic", false)?, curve("persson-plastic", true)?];
+        let needs = Needs { curves, sweeps: Vec::new(), ..scene.needs.clone() };
+        let results = Plan { psd: &scene.surface.psd, sampling: scene.sampling, needs }.compute()?;
+        let cuts = |result: CurveResult| match result {
+            CurveResult::Persson(blocks) => Ok(blocks),
+            _ => Err("a curve of Persson's theory has cuts"),
+        };
+        let mut of_models = results.curves.into_iter().map(cuts);
+        let mut next = || of_models.next().unwrap_or(Err("there are three curves"));
+        Ok(Curves { elastic: next()?, constant: next()?, growing: next()? })
+    }
+
+    fn at_constant_hardness(&self, evidence: &Evidence) -> OtherFinding {
+        let hardness_pa = evidence.hardness_pa();
+        let is_at_hardness = |cut: &Cut| (cut.real_pressure_pa / hardness_pa - 1.0).abs() <= NEAR;
+        let first = |cuts: &Vec<Cut>| {
+            let from_below = cuts.iter().rev().take_while(|cut| is_at_hardness(cut)).count();
+            cuts.get(cuts.len() - from_below).map(|cut| (cut.wavelength_m, spread_pa(evidence, cut)))
+        };
+        let reached: Option<Vec<(f64, f64)>> = self.constant.iter().map(first).collect();
+        let found = match reached {
+            Some(places) => {
+                // The load that comes to it last.
+                let (wavelength_m, spread_pa) = places
+                    .into_iter()
+                    .fold((f64::INFINITY, 0.0), |last, place| if place.0 < last.0 { place } else { last });
+                format!(
+                    "A = p/H within 1 % at every load from {} down, where s/H = {}",
+                    length(wavelength_m),
+                    three_digits(spread_pa / hardness_pa)
+                )
+            }
+            None => "A = p/H is not reached at every load".to_owned(),
+        };
+        OtherFinding {
+            found: format!("{found}. {}", steep(evidence, &self.constant)),
+            remark: "This contradicts that hardness does not limit the pressure: it is a statement about models whose asperities bear more than H."
+                .to_owned(),
+        }
+    }
+
+    fn with_growing_hardness(&self) -> OtherFinding {
+        let plastic = self.growing.iter().flatten().map(|cut| cut.areas.plastic / cut.areas.contact());
+        let off = self.growing.iter().zip(&self.elastic).filter_map(|(growing, elastic)| {
+            Some(growing.last()?.areas.contact() / elastic.last()?.areas.contact() - 1.0)
+        });
+        OtherFinding {
+            found: format!(
+                "at most {} of the contact is plastic at any scale and load; the area at the shortest wavelength is {} % off the elastic one at most",
+                share(plastic.fold(0.0, f64::max)),
+                three_digits(100.0 * off.map(f64::abs).fold(0.0, f64::max)),
+            ),
+            remark: "The strength decides between all plastic and all elastic, and it is an extrapolation of indentation."
+                .to_owned(),
+        }
+    }
+}
+
+/// s = E* h'/2 up to a cut \[Pa\].
+fn spread_pa(evidence: &Evidence, cut: &Cut) -> f64 {
+    evidence.contact_modulus_pa() * cut.rms_gradient / 2.0
+}
+
+/// From where on slopes are too large for any model.
+fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
+    let modulus_pa = evidence.contact_modulus_pa();
+    let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > STEEPEST * modulus_pa;
+    match cuts.first().and_then(|cuts| cuts.iter().find(too_steep).zip(cuts.last())) {
+        Some((first, last)) => format!(
+            "s exceeds E*/10 from {} down and ends at {} E*: slopes that no half-space knows",
+            length(first.wavelength_m),
+            three_digits(0.5 * last.rms_gradient)
+        ),
+        None => "Slopes stay small enough for a half-space".to_owned(),
+    }
+}
+
+/// A share in words that keep their sense where it is tiny.
+fn share(of: f64) -> String {
+    if of < 1e-6 { "less than a millionth".to_owned() } else { format!("{} %", three_digits(100.0 * of)) }
+}

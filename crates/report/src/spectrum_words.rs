@@ -1,0 +1,30 @@
+//! What there is to say of files of spectra.
+
+use spectrum::{ReadMend, ReadOption, Wanted};
+
+/// What mends an error of reading a spectrum, in words that follow it; `name_of` knows what an option is called where it is
+/// given.
+#[must_use]
+pub fn mend(mend: &ReadMend, name_of: impl Fn(ReadOption) -> &'static str) -> String {
+    match mend {
+        ReadMend::Give(wanted) => {
+            let verb = match wanted.iter().all(|wanted| wanted.values.is_empty()) {
+                true => "choose",
+                false => "say it",
+            };
+            let named = wanted.iter().map(|wanted| format!("{}{}", name_of(wanted.option), values(wanted)));
+            format!("; {verb} with {}", named.collect::<Vec<_>>().join(" and "))
+        }
+        ReadMend::Correct(option) => format!("; correct {}", name_of(*option)),
+        ReadMend::LeaveOut(option) => format!(", or leave out {}", name_of(*option)),
+    }
+}
+
+/// ` (ciso or persson)`; nothing where the file has the names.
+fn values(wanted: &Wanted) -> String {
+    match wanted.values.split_last() {
+        None => String::new(),
+        Some((last, [])) => format!(" ({last})"),
+        Some((last, others)) => format!(" ({} or {last})", others.join(", ")),
+    }
+}

@@ -1,0 +1,31 @@
+//! Spectra that are narrower than that of any surface.
+
+/// How many had no summits, and between which values of alpha = m0 m4/m2^2 they lay.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct NarrowSpectra {
+    /// How many.
+    pub count: usize,
+    /// The lowest and the highest alpha of them; none where there are none.
+    pub alphas: Option<[f64; 2]>,
+}
+
+impl NarrowSpectra {
+    /// Counts one.
+    pub fn add(&mut self, alpha: f64) {
+        let [lowest, highest] = self.alphas.unwrap_or([alpha; 2]);
+        self.count += 1;
+        self.alphas = Some([lowest.min(alpha), highest.max(alpha)]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_range_of_alpha_is_kept() {
+        let mut narrow = NarrowSpectra::default();
+        [1.3, 1.1, 1.2].into_iter().for_each(|alpha| narrow.add(alpha));
+        assert_eq!(narrow, NarrowSpectra { count: 3, alphas: Some([1.1, 1.3]) });
+    }
+}

@@ -1,0 +1,69 @@
+//! What a caller can do about an error with an option, as data.
+
+use spectrum::{ReadMend, ReadOption, ReadOptions, Wanted, read_psd};
+
+fn mend(text: &str, options: &ReadOptions) -> Option<ReadMend> {
+    let error = read_psd(text.as_bytes(), options).unwrap_err();
+    // Whoever has asked for the options knows what they are called; the reader does not.
+    assert!(!error.to_string().contains("--"), "{error}");
+    error.mend()
+}
+
+fn wanted(option: ReadOption, values: &[&str]) -> Wanted {
+    Wanted { option, values: values.iter().map(|value| (*value).to_owned()).collect() }
+}
+
+#[test]
+fn what_a_file_does_not_tell_is_to_be_given() {
+    let conventions = ["c1d", "w1", "frequency", "ciso", "persson"];
+    let axes = ["wavelength", "wavevector", "frequency"];
+    let unasked = ReadOptions::default();
+    let column = ReadOptions { column: Some("Ciso_approx_m4".to_owned()), ..ReadOptions::default() };
+    let series = |names: [&str; 2]| {
+        let rows = names.map(|name| format!("{name},1,0.006\n{name},2,0.004\n"));
+        format!("Subject,Series,Wavevector (1/m),PSD (m\u{b3})\n{}", rows.concat())
+    };
+    let [subjects, directions, both] = [["a,x", "b,x"], ["a,y", "a,z"], ["a,y", "b,z"]].map(series);
+    for (text, options, expected) in [
+        (
+            "1 2\n2 3\n",
+            &unasked,
+            vec![wanted(ReadOption::X, &axes), wanted(ReadOption::Convention, &conventions)],
+        ),
+        ("lambda_m,psd_m3,Ciso_m4\n1,2,3\n2,3,4\n", &unasked, vec![wanted(ReadOption::Column, &[])]),
+        ("lambda_m,height_m\n1,2\n2,3\n", &unasked, vec![wanted(ReadOption::Column, &[])]),
+        (&subjects, &unasked, vec![wanted(ReadOption::Subject, &[])]),
+        (&directions, &unasked, vec![wanted(ReadOption::Series, &[])]),
+        (&both, &unasked, vec![wanted(ReadOption::Subject, &[]), wanted(ReadOption::Series, &[])]),
+        (
+            "{\"name\": \"a\", \"x\": [1, 2],\n \"y\": [2, 3]}",
+            &unasked,
+            vec![
+                wanted(ReadOption::XUnit, &["m", "nm", "1/m", "1/um"]),
+                wanted(ReadOption::PsdUnit, &["m^3", "um^3", "nm^3"]),
+            ],
+        ),
+        ("lambda_m,psd_m4\n1,2\n2,3\n", &unasked, vec![wanted(ReadOption::Convention, &["ciso", "persson"])]),
+        ("lambda_m,Ciso_approx_m4\n1,2\n2,3\n", &column, vec![wanted(ReadOption::Convention, &conventions)]),
+    ] {
+        assert_eq!(mend(text, options), Some(ReadMend::Give(expected)), "{text}");
+    }
+}
+
+#[test]
+fn a_unit_that_is_none_is_to_be_corrected_and_one_beside_the_files_own_left_out() {
+    let text = "q_rad_per_m,C1D_m3\n1,2\n2,3\n";
+    let x = |unit: &str| ReadOptions { x_unit: Some(unit.to_owned()), ..ReadOptions::default() };
+    let psd = |unit: &str| ReadOptions { psd_unit: Some(unit.to_owned()), ..ReadOptions::default() };
+    assert_eq!(mend(text, &x("furlong")), Some(ReadMend::Correct(ReadOption::XUnit)));
+    assert_eq!(mend(text, &psd("um")), Some(ReadMend::Correct(ReadOption::PsdUnit)));
+    assert_eq!(mend(text, &x("1/nm")), Some(ReadMend::LeaveOut(ReadOption::XUnit)));
+    assert_eq!(mend(text, &psd("um^3")), Some(ReadMend::LeaveOut(ReadOption::PsdUnit)));
+}
+
+#[test]
+fn what_no_option_mends_has_no_such_mend() {
+    for text in ["", "lambda_m,C1D_m3\n1,2\n2\n", "depth,C1D_m3\n1,2\n2,3\n", "lambda_m,C1D_m3\n1,0\n2,3\n"] {
+        assert_eq!(mend(text, &ReadOptions::default()), None, "{text}");
+    }
+}

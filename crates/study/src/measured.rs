@@ -1,0 +1,100 @@
+//! What a file says of a surface: heights as measured, or a spectrum.
+
+use std::io;
+
+use spectrum::{ReadOptions, read_psd};
+use topography::Recipe;
+use units::named;
+
+use crate::files::Files;
+use crate::surface::{Surface, SurfaceError};
+use crate::topography::{MapOfFile, ScanProblem, ScanRequest, TopographyError};
+
+/// What a file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Heights.
+    Scan,
+    /// A power spectrum.
+    Spectrum,
+}
+
+named!(Kind, "kind of file", { Scan => "scan", Spectrum => "spectrum" });
+
+/// A surface by its heights or by its spectrum.
+#[derive(Debug, Clone)]
+pub enum Measured {
+    /// The heights of a map.
+    Map(Box<MapOfFile>),
+    /// A spectrum, of which there are many surfaces.
+    Spectrum(Box<Surface>),
+}
+
+/// How a file is read.
+#[derive(Debug, Clone, Default)]
+pub struct MeasuredOptions {
+    /// What it holds; by its content, where absent.
+    pub kind: Option<Kind>,
+    /// How a spectrum is read.
+    pub spectrum: ReadOptions,
+    /// What is subtracted from heights.
+    pub recipe: Recipe,
+}
+
+impl Measured {
+    /// Reads a file, or a built-in spectrum.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] that names the file, and place, value and bound where they are to blame.
+    pub fn load(
+        request: &ScanRequest,
+        files: &dyn Files,
+        options: &MeasuredOptions,
+    ) -> Result<Self, SurfaceError> {
+        let name = request.path.as_str();
+        if name.starts_with("builtin:") {
+            return Surface::load(name, files, &options.spectrum)
+                .map(|found| Self::Spectrum(Box::new(found)));
+        }
+        let bytes =
+            files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?;
+        let files = &Held { name, bytes: &bytes, others: files };
+        let is_spectrum = || read_psd(&bytes[..], &options.spectrum).is_ok();
+        let kind = options.kind.unwrap_or_else(|| if is_spectrum() { Kind::Spectrum } else { Kind::Scan });
+        if kind == Kind::Spectrum {
+            return Surface::load(name, files, &options.spectrum)
+                .map(|found| Self::Spectrum(Box::new(found)));
+        }
+        let found = MapOfFile::read(request, &bytes, files, &options.recipe);
+        match (found, options.kind) {
+            (Ok(map), _) => Ok(Self::Map(Box::new(map))),
+            // A text that is neither may have been meant as either.
+            (Err(TopographyError { problem: ScanProblem::Format(error), file, request }), None)
+                if std::str::from_utf8(&bytes).is_ok() =>
+            {
+                let as_spectrum =
+                    read_psd(&bytes[..], &options.spectrum).err().map(|error| error.to_string());
+                let problem = ScanProblem::NeitherKind { as_scan: error, as_spectrum };
+                Err(TopographyError { file, request, problem }.into())
+            }
+            (Err(error), _) => Err(error.into()),
+        }
+    }
+}
+
+/// Files of which one has been read already, as a stream can be read only once.
+struct Held<'f> {
+    name: &'f str,
+    bytes: &'f [u8],
+    others: &'f dyn Files,
+}
+
+impl Files for Held<'_> {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        if name == self.name { Ok(self.bytes.to_vec()) } else { self.others.read(name) }
+    }
+
+    fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
+        self.others.read_beside(name, sibling)
+    }
+}

@@ -1,0 +1,72 @@
+//! How the models of a scene are to be judged by boundary elements: what was typed, within bounds.
+
+use serde_spanned::Spanned;
+use units::Bound;
+
+use super::error::SceneError;
+use super::raw::RawJudge;
+use super::values::value_error;
+
+/// Points per side of a judge's surface: below, no scale has room beside another; above, one does not fit in memory with its
+/// transforms.
+const GRID: Bound = Bound::Within { at_least: 32.0, at_most: 8192.0 };
+
+/// Surfaces that the judge may press: of one there is no scatter; the standard error of 10,000 is far below what their grid
+/// leaves.
+const REALISATIONS: Bound = Bound::Within { at_least: 2.0, at_most: 10_000.0 };
+
+/// What a scene says of its judge; what is left out is for the judge to choose.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct JudgeChoices {
+    /// Points per side of a surface, from 32 to 8192.
+    pub grid: Option<usize>,
+    /// Surfaces of a spectrum, from 2 to 10,000.
+    pub realisations: Option<usize>,
+    /// What the phases of the surfaces are drawn from.
+    pub seed: Option<u64>,
+    /// Operators of the solver times points of a surface, all in all, > 0.
+    pub budget: Option<f64>,
+    /// Nothing is to be judged.
+    pub off: bool,
+}
+
+impl JudgeChoices {
+    /// No judge, whatever the scene says.
+    pub(super) const OFF: Self =
+        JudgeChoices { grid: None, realisations: None, seed: None, budget: None, off: true };
+}
+
+pub(super) fn resolve_judge(raw: &RawJudge) -> Result<JudgeChoices, SceneError> {
+    let whole = |key, quantity, raw: &Option<Spanned<i64>>, bound| {
+        raw.as_ref().map(|raw| whole_number(key, quantity, raw, bound)).transpose()
+    };
+    let grid = whole("judge.grid", "the number of points per side", &raw.grid, GRID)?;
+    let realisations =
+        whole("judge.realisations", "the number of surfaces", &raw.realisations, REALISATIONS)?;
+    let seed = whole("judge.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
+    let budget = raw.budget.as_ref().map(|raw| {
+        let value = *raw.get_ref();
+        let checked = Bound::Positive.check("the number of operators times points", value);
+        checked.map_err(|error| value_error("judge.budget", &value.to_string(), raw.span(), error))
+    });
+    Ok(JudgeChoices {
+        grid: grid.map(|points| points as usize),
+        realisations: realisations.map(|surfaces| surfaces as usize),
+        seed,
+        budget: budget.transpose()?,
+        off: raw.off,
+    })
+}
+
+/// A whole number within a bound that admits none below 0.
+fn whole_number(
+    key: &str,
+    quantity: &'static str,
+    raw: &Spanned<i64>,
+    bound: Bound,
+) -> Result<u64, SceneError> {
+    let value = *raw.get_ref();
+    let checked = bound.check(quantity, value as f64);
+    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))?;
+    Ok(value.unsigned_abs())
+}

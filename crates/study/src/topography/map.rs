@@ -1,0 +1,57 @@
+//! The heights of one map, less their trend, as they are pressed.
+
+use scans::{HeightMap, Scan};
+use topography::{Recipe, Remark, ScanRemark, detrended_m};
+
+use super::error::{ScanProblem, TopographyError};
+use super::load::{Loaded, load_heights};
+use super::request::ScanRequest;
+use crate::files::Files;
+
+/// A measured map.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct MapOfFile {
+    /// The heights less their trend.
+    pub map: HeightMap,
+    /// Whether the file says that they repeat themselves beyond the scan.
+    pub is_periodic: bool,
+    /// Where it comes from: the file with its SHA-256, and what was subtracted.
+    pub provenance: String,
+    /// What reading took for granted.
+    pub remarks: Vec<Remark>,
+}
+
+impl MapOfFile {
+    /// The one map in the bytes of a file, less the trend that a spectrum of it would be made without.
+    ///
+    /// # Errors
+    /// [`TopographyError`] where the file holds no map, several, or one with gaps.
+    pub fn read(
+        request: &ScanRequest,
+        bytes: &[u8],
+        files: &dyn Files,
+        recipe: &Recipe,
+    ) -> Result<Self, TopographyError> {
+        let refused = |problem| TopographyError::of_file(&request.path, problem);
+        let Loaded { mut scans, sha256 } = load_heights(request, bytes, files)?;
+        let (Some(file), true) = (scans.pop(), scans.is_empty()) else {
+            return Err(refused(ScanProblem::NotOneSurface(scans.len() + 1)));
+        };
+        let Scan::Map(map) = &file.scan else {
+            return Err(refused(ScanProblem::LineIsNoSurface));
+        };
+        let detrend = recipe.preparation(file.is_periodic).detrend;
+        let rest_m = detrended_m(map, detrend);
+        let map = HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m)
+            .map_err(|error| refused(ScanProblem::Format(Box::new(error.into()))))?;
+        let provenance =
+            format!("map: {} ({}), SHA-256 {sha256}, detrend {detrend}", request.path, file.format);
+        let of_map = |note: &String| Remark::Scan {
+            name: file.name.clone(),
+            remark: ScanRemark::Reading(note.clone()),
+        };
+        let remarks = file.notes.iter().map(of_map).collect();
+        Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
+    }
+}
