@@ -3,7 +3,7 @@
 use persson::growing_hardness::areas_of_squared_growth;
 use persson::separation::{SeparationKnot, SeparationLaw};
 use persson::{constant_hardness, elastic};
-use tests::{Deviations, ReferenceTable, shared_file};
+use tests::{Deviations, ReferenceTable};
 
 /// The rows of a kind, each by the numbers of its columns.
 fn rows_of<'t>(
@@ -55,36 +55,8 @@ fn areas_under_a_growing_hardness_agree() {
 }
 
 #[test]
-fn separation_and_stiffness_agree() {
-    let table = ReferenceTable::committed("persson.csv");
-    let mut deviations = Deviations::default();
-    for number in rows_of(&table, "separation") {
-        let variance_exponent = 4.0 + number("wavevector_exponent");
-        // V ~ q^e - 1 with V = 1 at q = 100; by one interval of the spectrum and by many.
-        for intervals in [1, 37] {
-            let knot = |i: i32| {
-                let ln_q = 100f64.ln() * f64::from(i) / f64::from(intervals);
-                SeparationKnot {
-                    wavevector_rad_per_m: ln_q.exp(),
-                    variance_pa2: (variance_exponent * ln_q).exp_m1()
-                        / (variance_exponent * 100f64.ln()).exp_m1(),
-                    variance_exponent,
-                }
-            };
-            let knots: Vec<SeparationKnot> = (0..=intervals).map(knot).collect();
-            let law = SeparationLaw::new(&knots, 1.0, number("gamma"));
-            let last = *law.along(number("p_pa")).last().unwrap();
-            deviations.note(last.mean_gap_m, number("u_m"));
-            deviations.note(last.stiffness_pa_per_m, number("k_pa_per_m"));
-        }
-    }
-    deviations.assert_within("separation and stiffness", 1e-13, 1e-11);
-}
-
-#[test]
-#[ignore = "needs the shared folder"]
-fn areas_agree_with_the_shared_table() {
-    let table = ReferenceTable::read(&shared_file("reference/persson.csv"));
+fn areas_agree_with_the_given_table() {
+    let table = ReferenceTable::committed("persson_given.csv");
     let [mut constant, mut densities, mut growing] = [0, 1, 2].map(|_| Deviations::default());
     for number in rows_of(&table, "constant-hardness") {
         let [pressure_pa, spread_pa, hardness_pa] = ["p_pa", "s_pa", "h0_pa"].map(&number);
@@ -111,36 +83,37 @@ fn areas_agree_with_the_shared_table() {
 }
 
 #[test]
-#[ignore = "needs the shared folder"]
-fn separations_agree_with_the_shared_table() {
-    let table = ReferenceTable::read(&shared_file("reference/persson.csv"));
-    let derived = ReferenceTable::read(&shared_file("reference/derived.csv"));
+fn separations_agree_with_the_given_table() {
+    let table = ReferenceTable::committed("persson_given.csv");
     // Persson's C(q) = C0 q^-3.6 from 1e4 to 1e6 rad/m under a modulus of 1 Pa: V = (pi/2) Int q^3 C dq.
     let variance_pa2 = |q: f64| {
         std::f64::consts::FRAC_PI_2 * 0.000_023_041_816_986_325_86 * (q.powf(0.4) - 1e4f64.powf(0.4)) / 0.4
     };
-    let knots = [1e4, 1e6].map(|q| SeparationKnot {
+    let knot = |q: f64| SeparationKnot {
         wavevector_rad_per_m: q,
         variance_pa2: variance_pa2(q),
         variance_exponent: 0.4,
-    });
+    };
+    let knots = [1e4, 1e6].map(knot);
+    let many: Vec<SeparationKnot> = (0..=37).map(|i| knot(1e4 * 100f64.powf(f64::from(i) / 37.0))).collect();
     let mut deviations = Deviations::default();
     for number in rows_of(&table, "separation") {
-        let last = SeparationLaw::new(&knots, 1.0, number("gamma")).along(number("p_pa"))[1];
-        deviations.note(last.mean_gap_m, number("u_m"));
-        deviations.note(last.stiffness_pa_per_m, number("k_pa_per_m"));
+        // By one interval of the spectrum and by many.
+        for knots in [&knots[..], &many] {
+            let last = *SeparationLaw::new(knots, 1.0, number("gamma")).along(number("p_pa")).last().unwrap();
+            deviations.note(last.mean_gap_m, number("u_m"));
+            deviations.note(last.stiffness_pa_per_m, number("k_pa_per_m"));
+        }
     }
     deviations.assert_within("separation and stiffness", 1e-13, 1e-10);
     let mut light = Deviations::default();
-    for (row, quantity) in derived.text("quantity").into_iter().enumerate() {
-        let law =
-            SeparationLaw::new(&knots, 1.0, derived.numbers("gamma")[row].max(1e-3)).light_loads().unwrap();
-        match quantity {
-            "u0" => light.note(law.decay_length_m, derived.numbers("value")[row]),
-            "p00" => light.note(law.reference_pressure_pa, derived.numbers("value")[row]),
-            _ => {}
-        }
+    // u_0 in m and p_00 in Pa by g, of ten digits.
+    for (factor, length_m, pressure_pa) in
+        [(1.0, 6.321451744e-6, 0.01884593055), (0.45, 2.844653285e-6, 0.08385494254)]
+    {
+        let law = SeparationLaw::new(&knots, 1.0, factor).light_loads().unwrap();
+        light.note(law.decay_length_m, length_m);
+        light.note(law.reference_pressure_pa, pressure_pa);
     }
-    // The table has ten digits.
     light.assert_within("light loads", 1e-9, 1e-9);
 }
