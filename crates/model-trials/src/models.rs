@@ -56,8 +56,8 @@ pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelAre
     for hardness in hardnesses {
         let numbered = loads.iter().enumerate().filter(|(_, load)| load.spread_over_hardness == hardness);
         let of_hardness: Vec<(usize, TrialLoad)> = numbered.map(|(at, &load)| (at, load)).collect();
-        found.extend(planned(&fine, &of_hardness, |entry| entry.framework != Framework::Stacked)?);
         found.extend(planned(&scales, &of_hardness, |entry| entry.framework == Framework::Stacked)?);
+        found.extend(planned(&fine, &of_hardness, |entry| entry.framework != Framework::Stacked)?);
         if hardness.is_none() {
             found.extend(corrected(surface, &of_hardness));
         }

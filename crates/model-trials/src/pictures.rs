@@ -155,9 +155,8 @@ fn drawn(
     };
     let (left, right) = range(&mut rows.iter().map(|row| x(row)));
     let (low, high) = range(&mut rows.iter().map(|row| height(row.ratio)));
-    let step = if right - left > 1.0 { 1.0 } else { 0.5 };
-    let outwards = |value: f64, round: fn(f64) -> f64| round(value / step) * step;
-    let layout = Layout::new((0.0, 1.0), (0.0, 1.0))
+    let outwards = |value: f64, round: fn(f64) -> f64| round(2.0 * value) / 2.0;
+    let mut layout = Layout::new((0.0, 1.0), (0.0, 1.0))
         .with_width(WIDTH_PX)
         .with_height(HEIGHT_PX)
         .with_title(title)
@@ -167,7 +166,7 @@ fn drawn(
         .with_x_label(x_label)
         .with_x_axis_min(outwards(left - 0.5 * GROUP, f64::floor))
         .with_x_axis_max(outwards(right + 0.5 * GROUP, f64::ceil))
-        .with_x_tick_step(step)
+        .with_x_tick_step(if right - left > 1.5 { 1.0 } else { 0.5 })
         .with_x_tick_format(x_format)
         .with_y_label("area over that of boundary elements")
         .with_y_axis_min(low.min(-1.0).floor())
@@ -177,6 +176,8 @@ fn drawn(
         .with_legend_position(LegendPosition::OutsideRightTop)
         .with_shaded_region(ShadedRegion::horizontal(height(0.75), height(4.0 / 3.0)).with_color("#888888"))
         .with_reference_line(ReferenceLine::horizontal(0.0).with_color("#666666"));
+    layout.show_legend = true;
+    layout = layout.with_legend_width(legend_px(rows));
     let scene = render_multiple(plots, layout);
     let svg = SvgBackend::default().render_scene(&scene);
     // A picture without a view box is cut off where it should shrink.
@@ -189,6 +190,14 @@ fn drawn(
         }
         None => svg,
     }
+}
+
+/// What the longest name takes, with its mark.
+fn legend_px(rows: &[&RatioRow]) -> f64 {
+    const LETTER_PX: f64 = 7.2;
+    const MARK_PX: f64 = 44.0;
+    let letters = rows.iter().map(|row| row.model.chars().count()).max().unwrap_or(0);
+    MARK_PX + LETTER_PX * letters as f64
 }
 
 /// Where a ratio stands: its logarithm to the base of two.

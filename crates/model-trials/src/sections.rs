@@ -174,7 +174,11 @@ fn gluing(findings: &Findings<'_>) -> String {
         let error = findings.gluing.iter().find(same).and_then(|row| error_of(row, findings.elements));
         error.map_or_else(
             || "-".to_owned(),
-            |(off, error)| format!("{:+.1} % ± {:.1}", 100.0 * off, 100.0 * error).replace('-', "−"),
+            |(off, error)| {
+                format!("{:+.1} % ± {:.1}", 100.0 * off, 100.0 * error)
+                    .replace("-0.0", "+0.0")
+                    .replace('-', "−")
+            },
         )
     };
     let lines: Vec<Vec<String>> = loads

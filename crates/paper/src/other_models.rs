@@ -124,9 +124,9 @@ impl Curves {
         });
         OtherFinding {
             found: format!(
-                "at most {} of the contact is plastic at any scale and load; the area at the shortest wavelength is {} % off the elastic one at most",
+                "at most {} of the contact is plastic at any scale and load; the area at the shortest wavelength is at most {} off the elastic one",
                 share(plastic.fold(0.0, f64::max)),
-                three_digits(100.0 * off.map(f64::abs).fold(0.0, f64::max)),
+                share(off.map(f64::abs).fold(0.0, f64::max)),
             ),
             remark: "The strength decides between all plastic and all elastic, and it is an extrapolation of indentation."
                 .to_owned(),
@@ -155,5 +155,5 @@ fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
 
 /// A share in words that keep their sense where it is tiny.
 fn share(of: f64) -> String {
-    if of < 1e-6 { "less than a millionth".to_owned() } else { format!("{} %", three_digits(100.0 * of)) }
+    if of < 1e-6 { "a millionth".to_owned() } else { format!("{} %", three_digits(100.0 * of)) }
 }
