@@ -97,7 +97,8 @@ impl MapWaves {
             let places = row.iter().zip(draws.row(n, first));
             for (&(m, n, amplitude), draw) in places {
                 let amplitude = of(amplitude, draw.turn);
-                let q2 = (TAU * m as f64 / self.length_x_m).powi(2) + (TAU * n as f64 / self.length_y_m).powi(2);
+                let q2 =
+                    (TAU * m as f64 / self.length_x_m).powi(2) + (TAU * n as f64 / self.length_y_m).powi(2);
                 let square_m2 = 2.0 * amplitude.norm_sqr();
                 sums = [sums[0] + square_m2, sums[1] + q2 * square_m2, sums[2] + q2 * q2 * square_m2];
                 spectrum.add(m, n, amplitude);
@@ -212,7 +213,11 @@ mod tests {
             MapWaves::of(heights_m, columns, SIDES_M, is_periodic, 4.0).surface().mean_square_gradient()
         };
         let expected = gradient(&rough, true);
-        assert!((gradient(&arched, false) / expected - 1.0).abs() < 0.1, "{}", gradient(&arched, false) / expected);
+        assert!(
+            (gradient(&arched, false) / expected - 1.0).abs() < 0.1,
+            "{}",
+            gradient(&arched, false) / expected
+        );
         assert!(gradient(&arched, true) > 2.0 * expected);
     }
 

@@ -173,12 +173,7 @@ impl<'s> Case<'s> {
     }
 
     /// The measured maps that the spectrum was made of, beside Gaussian surfaces of their waves.
-    fn maps(
-        &self,
-        layout: &Layout,
-        seed: u64,
-        progress: &dyn Progress,
-    ) -> Result<Vec<OfMap>, JudgeError> {
+    fn maps(&self, layout: &Layout, seed: u64, progress: &dyn Progress) -> Result<Vec<OfMap>, JudgeError> {
         let maps = self.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
         let nominal_pa = |load: usize| self.scene.needs.loads[load].nominal_pressure_pa();
         let pressures_pa = |length_m: f64| {

@@ -231,10 +231,8 @@ impl HeightMap {
         };
         let columns = kept(self.columns);
         let rows = self.heights_m.chunks_exact(self.columns).skip(kept(self.rows()).start);
-        let heights_m = rows
-            .take(kept(self.rows()).len())
-            .flat_map(|row| row[columns.clone()].iter().copied())
-            .collect();
+        let heights_m =
+            rows.take(kept(self.rows()).len()).flat_map(|row| row[columns.clone()].iter().copied()).collect();
         Self { columns: columns.len(), heights_m, ..*self }
     }
 
