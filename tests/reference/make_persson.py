@@ -70,7 +70,8 @@ def eigenvalues(c, elapsed):
 
 
 def growing(p, s, c):
-    mp.dps = 26
+    # The weight grows to exp(c/2), and the sums cancel by as much.
+    mp.dps = 26 + int(float(c) / 3)
     p, s, c = as_double(p), as_double(s), as_double(c)
     elapsed = log1p(c * s * s) / c
     root = sqrt(c / 2)
