@@ -92,8 +92,25 @@ const LAYERS: &[Layer] = &[
         ],
     ),
     (
+        "truearea-judge",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-spectrum",
+            "truearea-gaussian-surfaces",
+            "truearea-half-space",
+            "truearea-topography",
+            "truearea-asperity",
+            "truearea-stacked-contact",
+            "truearea-persson",
+            "truearea-study",
+        ],
+    ),
+    (
         "truearea-report",
         &[
+            "truearea-judge",
             "truearea-persson",
             "truearea-elements",
             "truearea-gaussian-surfaces",

@@ -35,6 +35,10 @@ fn every_call_shown_succeeds() {
     for table in ["spheres.csv", "sinusoids.csv", "rows.csv"] {
         bench.write(table, ROWS);
     }
+    bench.write(
+        "pressures.csv",
+        "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth\n54e6,5.4e9,5.4e9,0.5\n",
+    );
     let folder = Path::new(env!("CARGO_BIN_EXE_truearea")).parent().unwrap();
     let path = std::env::join_paths(
         std::iter::once(folder.to_owned()).chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),

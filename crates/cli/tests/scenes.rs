@@ -118,6 +118,7 @@ fn explaining_computes_and_writes_nothing() {
          needed    stacked curve elastic at 2 loads\n  \
          needed    stacked curve hardening at 2 loads\n  \
          skipped   statistical model: no curve asks for it\n  \
+         skipped   persson model: no curve asks for it\n  \
          at most   184 levels of stacks, each once\n  \
          needed    18 final areas for the report, choices made another way (not with --no-report)\n  \
          skipped   self-affine fit: only `truearea fit` computes it\n  \
@@ -166,6 +167,7 @@ fn explaining_tells_what_is_the_same() {
             "skipped   stacked model: no curve asks for it",
             "needed    statistical curve hertz at 2 loads, the shortest cutoff alone",
             "shared    statistical curve again at 2 loads, the shortest cutoff alone: the model of hertz",
+            "skipped   persson model: no curve asks for it",
             "shared    load 1000 kPa: the pressure of 1 MPa",
             "needed    8 statistical states over loads (f)",
             "at most   5 statistical states, each once",

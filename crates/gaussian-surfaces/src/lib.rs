@@ -5,6 +5,7 @@
 //!   [`AreaSpectrum::cut`] narrows the band, [`AreaSpectrum::profile`] is what a stylus would see of it;
 //! * [`SelfAffine`]: such a spectrum by its Hurst exponent and its three wavelengths;
 //! * [`GridBand`]: which band a square grid holds, and how large it is laid out;
+//! * [`MapWaves`]: a measured map made periodic, and Gaussian surfaces of its own waves;
 //! * [`Synthesis`]: grid, seed and [`Phases`], from which [`AreaSpectrum::surface`] makes a [`Surface`].
 
 mod area_spectrum;
@@ -13,6 +14,7 @@ mod error;
 mod fourier;
 mod grading;
 mod grid_band;
+mod map_waves;
 mod modes;
 mod monotone;
 mod self_affine;
@@ -23,6 +25,7 @@ pub use area_spectrum::AreaSpectrum;
 pub use conversion::Conversion;
 pub use error::SurfaceError;
 pub use grid_band::GridBand;
+pub use map_waves::MapWaves;
 pub use self_affine::{SelfAffine, Size};
 pub use surface::Surface;
 pub use synthesis::{Phases, Synthesis};

@@ -300,7 +300,7 @@ impl Descent<'_> {
         self.length =
             (self.length * best.clamp(1.0 / LARGEST_FACTOR, LARGEST_FACTOR)).clamp(SHORTEST, LONGEST);
         match best {
-            far if far > 0.5 && aim.meets_bounds => 1.0,
+            far if far > LEAST_OF_ALL && aim.meets_bounds => 1.0,
             // Not far at once: what rounding leaves of the change's sum would grow with it.
             far if far > 1.0 => far.min(self.reach()).min(LARGEST_FACTOR),
             near => near,
@@ -334,6 +334,10 @@ struct Aim {
     /// Whether points that were between the bounds are at them.
     meets_bounds: bool,
 }
+
+/// A trial that meets bounds is taken whole where the best share of it is at least this: above a half the energy still falls,
+/// and points that arrive at a bound are worth some of it.
+const LEAST_OF_ALL: f64 = 0.7;
 
 /// Overlaps count for a tenth of what unbalanced gaps do.
 const OVERLAP_SHARE: f64 = 10.0;

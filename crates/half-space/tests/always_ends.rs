@@ -94,18 +94,18 @@ fn work() {
 }
 
 const WORK: [&str; 12] = [
-    "elastic 0.003: 16 18",
-    "elastic 0.01: 19 21",
+    "elastic 0.003: 14 16",
+    "elastic 0.01: 16 18",
     "elastic 0.03: 22 24",
-    "elastic 0.1: 26 28",
-    "elastic 0.5: 22 24",
-    "elastic 0.9: 18 20",
-    "flowing 0.03: 14 16",
+    "elastic 0.1: 21 23",
+    "elastic 0.5: 23 25",
+    "elastic 0.9: 17 19",
+    "flowing 0.03: 11 13",
+    "flowing 0.03: 16 18",
     "flowing 0.03: 17 19",
-    "flowing 0.03: 17 19",
-    "flowing 0.1: 21 23",
-    "flowing 0.3: 26 28",
-    "flowing 0.3: 19 21",
+    "flowing 0.1: 16 18",
+    "flowing 0.3: 21 23",
+    "flowing 0.3: 20 22",
 ];
 
 #[test]

@@ -53,9 +53,9 @@ impl Headline {
             curve.broken.is_none() && whole.is_some_and(|on| on.verdict == Verdict::Agrees)
         };
         let candidates = of_load().filter(stands);
-        let standing = candidates.filter_map(|curve| {
+        let standing = candidates.map(|curve| {
             let own = || windows.iter().filter(|on| (on.curve, on.load) == (curve.curve, load));
-            Some((curve, own().filter(|on| on.verdict == Verdict::Agrees).count()))
+            (curve, own().filter(|on| on.verdict == Verdict::Agrees).count())
         });
         // Of several that agree as often the first stays.
         let best = standing.reduce(|best, other| if other.1 > best.1 { other } else { best });

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::assumptions::Broken;
 use crate::headline::Headline;
 use crate::layout::Extent;
+use crate::phases::OfMap;
 use crate::reason::Reason;
 use crate::verdict::Verdict;
 use crate::yielding::Yielding;
@@ -20,6 +21,8 @@ pub struct Judgement {
     pub curves: Vec<OfCurve>,
     /// For every load, what may be said first.
     pub headlines: Vec<Headline>,
+    /// Measured maps beside Gaussian surfaces of their waves: what the spectrum leaves out.
+    pub maps: Vec<OfMap>,
     /// For every load, where an elastic contact would be pressed beyond the hardness.
     pub yielding: Vec<Yielding>,
     /// The wavelength \[m\] down to which slopes are small enough for a half-space: there the rms pressure of full contact

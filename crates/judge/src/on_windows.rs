@@ -12,26 +12,33 @@ use crate::window::Window;
 /// Scales per decade of stacks on a spectrum that has too few samples to tell.
 const SCALES_PER_DECADE: f64 = 10.0;
 
-/// The area fractions of the curves of a scene on a window, for every curve under every one of these mean pressures \[Pa\];
-/// none where a curve has none there. Choices and tolerances are the scene's; `psd` is its spectrum as sampled.
+/// The area fractions of some curves of a scene on a window, for each under every one of these mean pressures \[Pa\]; none
+/// where a curve has none there. Choices and tolerances are the scene's; `psd` is its spectrum as sampled.
 pub(crate) fn area_fractions(
     scene: &Scene,
     psd: &ProfilePsd,
     window: &Window,
+    wanted: &[usize],
     pressures_pa: &[f64],
 ) -> Result<Vec<Vec<Option<f64>>>, JudgeError> {
     let curves = &scene.needs.curves;
     let stacked = |curve: &Curve| matches!(curve.model, CurveModel::Stacked(_));
     let per_decade = scales_per_decade(psd).unwrap_or(SCALES_PER_DECADE);
-    let mut areas = vec![Vec::new(); curves.len()];
+    let mut areas = vec![Vec::new(); wanted.len()];
+    if pressures_pa.is_empty() {
+        return Ok(areas);
+    }
     for stacks in [true, false] {
-        let places: Vec<usize> = (0..curves.len()).filter(|at| stacked(&curves[*at]) == stacks).collect();
+        let places: Vec<usize> =
+            (0..wanted.len()).filter(|at| stacked(&curves[wanted[*at]]) == stacks).collect();
         if places.is_empty() {
             continue;
         }
         let profile = if stacks { window.stacked_profile(per_decade)? } else { window.fine_profile()? };
-        let chosen: Vec<Curve> =
-            places.iter().map(|&at| Curve { cutoffs: Cutoffs::Shortest, ..curves[at].clone() }).collect();
+        let chosen: Vec<Curve> = places
+            .iter()
+            .map(|&at| Curve { cutoffs: Cutoffs::Shortest, ..curves[wanted[at]].clone() })
+            .collect();
         let needs = Needs {
             moments: (!stacks).then(|| scene.needs.moments.unwrap_or_default()),
             amplitudes: Some(scene.needs.amplitudes.unwrap_or_default()),

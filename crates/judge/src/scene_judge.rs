@@ -3,7 +3,7 @@
 use gaussian_surfaces::AreaSpectrum;
 use parallel::Progress;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
-use study::plan::Results;
+use study::plan::{PlanError, Results};
 use study::scene::Scene;
 
 use crate::JudgeError;
@@ -14,11 +14,12 @@ use crate::headline::Headline;
 use crate::judgement::{Judged, Judgement, OfCurve, OnWindow};
 use crate::layout::{Asked, Extent, Ground, Layout};
 use crate::on_windows;
+use crate::phases::{OfMap, Pressed, of_maps};
 use crate::reason::Reason;
 use crate::settings::Settings;
 use crate::solve::{Solutions, Solved, solve};
 use crate::verdict::{ERRORS_GIVEN, Verdict};
-use crate::window::Band;
+use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
 /// What Persson's theory for the longer waves and a uniform pressure on the last window leave open of a whole band's area,
@@ -63,7 +64,9 @@ impl<'s> JudgePlan<'s> {
             Ok(layout) => {
                 let modulus_pa = self.case.composite_modulus_pa;
                 let solutions = solve(layout, modulus_pa, self.settings.seed, progress)?;
-                self.case.judgement(layout, &solutions, &self.settings)
+                let maps = self.case.maps(layout, self.settings.seed, progress)?;
+                let judgement = self.case.judgement(layout, &solutions, &self.settings)?;
+                Ok(Judgement { maps, ..judgement })
             }
         }
     }
@@ -169,6 +172,24 @@ impl<'s> Case<'s> {
         mean_real_pressure_pa(nominal_pa, self.rms_pressure_pa(wavelength_m), self.saturations_pa[body])
     }
 
+    /// The measured maps that the spectrum was made of, beside Gaussian surfaces of their waves.
+    fn maps(&self, layout: &Layout, seed: u64, progress: &dyn Progress) -> Result<Vec<OfMap>, JudgeError> {
+        let maps = self.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
+        let nominal_pa = |load: usize| self.scene.needs.loads[load].nominal_pressure_pa();
+        let pressures_pa = |length_m: f64| {
+            let rms_pa = self.rms_pressure_pa(length_m);
+            let left = |load: &usize| (*load, mean_real_pressure_pa(nominal_pa(*load), rms_pa, None));
+            layout.loads.iter().map(left).collect()
+        };
+        let pressed = Pressed {
+            composite_modulus_pa: self.composite_modulus_pa,
+            seed,
+            grid: layout.grid,
+            pressures_pa: &pressures_pa,
+        };
+        of_maps(maps, &pressed, progress)
+    }
+
     fn judgement(
         &self,
         layout: &Layout,
@@ -182,23 +203,23 @@ impl<'s> Case<'s> {
         let mut windows = Vec::new();
         for (at, window) in layout.windows.iter().enumerate() {
             // Every body has pressures of its own.
-            let pressures_pa: Vec<f64> = (0..self.saturations_pa.len())
-                .flat_map(|body| (0..loads).map(move |load| (body, load)))
-                .map(|(body, load)| self.pressure_pa(body, load, window.band.longest_m))
+            let pressures_pa: Vec<Vec<f64>> = (0..self.saturations_pa.len())
+                .map(|body| {
+                    (0..loads).map(|load| self.pressure_pa(body, load, window.band.longest_m)).collect()
+                })
                 .collect();
-            let areas = on_windows::area_fractions(self.scene, &self.results.psd, window, &pressures_pa)?;
+            let areas = self.areas(window, &pressures_pa)?;
             for curve in 0..self.bodies.len() {
                 let body = self.body_index(curve);
                 for load in 0..loads {
-                    let place = body * loads + load;
                     let asked = layout.asked[body][at][load];
                     windows.push(self.on_window(Place {
                         curve,
                         load,
                         band: window.band,
-                        pressure_pa: pressures_pa[place],
+                        pressure_pa: pressures_pa[body][load],
                         gradient_pa: self.composite_modulus_pa * window.rms_gradient,
-                        area_fraction: areas[curve][place],
+                        area_fraction: areas[curve][load],
                         judged: judged(asked, solutions),
                         broken: broken[curve][load],
                     }));
@@ -226,6 +247,52 @@ impl<'s> Case<'s> {
             budget: settings.budget,
         };
         Ok(self.concluded(Some(extent), windows, curves))
+    }
+
+    /// The area fractions of all curves on a window, under the pressures \[Pa\] that are their bodies' under each load.
+    fn areas(&self, window: &Window, pressures_pa: &[Vec<f64>]) -> Result<Vec<Vec<Option<f64>>>, JudgeError> {
+        let mut areas = vec![vec![None; self.scene.needs.loads.len()]; self.bodies.len()];
+        for (body, pressures_pa) in pressures_pa.iter().enumerate() {
+            let is_of_body = |curve: &usize| self.body_index(*curve) == body;
+            let (growing, steady): (Vec<usize>, Vec<usize>) = (0..self.bodies.len())
+                .filter(is_of_body)
+                .partition(|curve| self.bodies[*curve] == Body::Growing);
+            let found = self.areas_of(window, &steady, pressures_pa)?;
+            for (curve, found) in steady.into_iter().zip(found) {
+                areas[curve] = found;
+            }
+            for curve in growing {
+                for (load, pressure_pa) in pressures_pa.iter().enumerate() {
+                    if self.yields_while_growing(curve, load).is_none() {
+                        areas[curve][load] = self.area_while_growing(window, curve, *pressure_pa)?;
+                    }
+                }
+            }
+        }
+        Ok(areas)
+    }
+
+    /// The area fraction of a curve whose strength grows; none where the window begins with more than that bears.
+    fn area_while_growing(
+        &self,
+        window: &Window,
+        curve: usize,
+        pressure_pa: f64,
+    ) -> Result<Option<f64>, JudgeError> {
+        match self.areas_of(window, &[curve], &[pressure_pa]) {
+            Ok(areas) => Ok(areas[0][0]),
+            Err(JudgeError::Plan(PlanError::Hardness(_))) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn areas_of(
+        &self,
+        window: &Window,
+        curves: &[usize],
+        pressures_pa: &[f64],
+    ) -> Result<Vec<Vec<Option<f64>>>, JudgeError> {
+        on_windows::area_fractions(self.scene, &self.results.psd, window, curves, pressures_pa)
     }
 
     /// Every curve on the whole band, held against the elements' area on the last window times what Persson's theory says the
@@ -286,6 +353,7 @@ impl<'s> Case<'s> {
             windows,
             curves,
             headlines,
+            maps: Vec::new(),
             yielding: loads.map(|load| self.yielding(load)).collect(),
             steep_from_m: self.moments.iter().find(steep).map(|moments| moments.wavelength_m),
             rms_gradient: self.moments.last().map_or(0.0, |moments| (2.0 * moments.m2).sqrt()),
@@ -293,13 +361,12 @@ impl<'s> Case<'s> {
     }
 
     fn yielding(&self, load: usize) -> Yielding {
-        let nominal_pa = self.scene.needs.loads[load].nominal_pressure_pa();
-        let elastic = |moments: &Moments| {
-            let rms_pa = self.composite_modulus_pa * (0.5 * moments.m2).sqrt();
-            (moments.wavelength_m, mean_real_pressure_pa(nominal_pa, rms_pa, None))
-        };
-        let elastic: Vec<(f64, f64)> = self.moments.iter().map(elastic).collect();
-        Yielding::of(load, &elastic, self.constant_hardness.as_ref(), self.growing_hardness.as_ref())
+        Yielding::of(
+            load,
+            &self.elastic_pressures(load),
+            self.constant_hardness.as_ref(),
+            self.growing_hardness.as_ref(),
+        )
     }
 
     /// The hardness that the material has at each scale, where it yields.
@@ -312,9 +379,22 @@ impl<'s> Case<'s> {
         first_broken(self.scene, self.results, curve, load, self.hardness())
     }
 
-    /// Where the pressure of a curve whose strength grows first exceeds its hardness.
+    /// Where a curve whose strength grows would first be pressed beyond its hardness if nothing yielded: its own pressure, or
+    /// that of an elastic contact, since what yields presses no harder than that.
     fn yields_while_growing(&self, curve: usize, load: usize) -> Option<AboveHardness> {
-        self.hardness()?.first_above(real_pressures(self.scene, self.results, curve, load))
+        let hardness = self.hardness()?;
+        let own = hardness.first_above(real_pressures(self.scene, self.results, curve, load));
+        own.or_else(|| hardness.first_above(self.elastic_pressures(load).into_iter()))
+    }
+
+    /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
+    fn elastic_pressures(&self, load: usize) -> Vec<(f64, f64)> {
+        let nominal_pa = self.scene.needs.loads[load].nominal_pressure_pa();
+        let elastic = |moments: &Moments| {
+            let rms_pa = self.composite_modulus_pa * (0.5 * moments.m2).sqrt();
+            (moments.wavelength_m, mean_real_pressure_pa(nominal_pa, rms_pa, None))
+        };
+        self.moments.iter().map(elastic).collect()
     }
 
     fn final_area(&self, curve: usize, load: usize) -> Option<f64> {
@@ -382,7 +462,7 @@ impl<'s> Case<'s> {
         let (verdict, reason) = match (broken, worst) {
             (Some(broken), _) => (Verdict::OutOfRange, Reason::Broken(broken)),
             (None, Some(worst)) => (worst.verdict, counted(worst.reason, agreeing, judged_windows)),
-            (None, None) => (Verdict::NotJudged, own().last().map_or(Reason::NoSurface, |on| on.reason)),
+            (None, None) => (Verdict::NotJudged, own().next_back().map_or(Reason::NoSurface, |on| on.reason)),
         };
         OfCurve {
             curve,

@@ -12,8 +12,13 @@ pub(crate) fn widening(values: usize) -> f64 {
     let freedom = values.saturating_sub(1).max(1);
     match T_975.get(freedom - 1) {
         Some(t) => t / NORMAL_975,
-        // Cornish & Fisher's expansion to first order, exact to a thousandth from here on.
-        None => 1.0 + (NORMAL_975 * NORMAL_975 + 1.0) / (4.0 * freedom as f64),
+        // Cornish & Fisher's expansion to second order, exact to a thousandth from here on.
+        None => {
+            let (square, inverse) = (NORMAL_975 * NORMAL_975, (freedom as f64).recip());
+            let first = (square + 1.0) / 4.0;
+            let second = ((5.0 * square + 16.0) * square + 3.0) / 96.0;
+            1.0 + inverse * (first + inverse * second)
+        }
     }
 }
 

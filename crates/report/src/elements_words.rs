@@ -8,6 +8,10 @@ use units::display::{length, pressure, three_digits};
 /// E*.
 const LARGEST_SHARE: f64 = 0.1;
 
+/// What becomes of a spectrum that was given as that of an area.
+pub const TAKEN_AS_IT_IS: &str =
+    "surfaces are made of the spectrum of areas as it is, without the Abel integral and all of its samples";
+
 /// What is made of a spectrum, a line for its file.
 #[must_use]
 pub fn random_surfaces(random: &RandomSurfaces) -> String {

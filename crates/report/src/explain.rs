@@ -133,19 +133,17 @@ fn spectrum(scene: &Scene) -> String {
     )
 }
 
-/// The figures that draw moments, and the curves that are made of asperities.
+/// The figures that draw moments, the curves of Persson's theory, and those that are made of asperities.
 fn users_of_moments(scene: &Scene) -> String {
     let drawn = figures(scene, &[Shows::Moments]);
-    match scene.plan().asperity_cutoffs_wanted() {
-        None => drawn,
-        Some(cutoffs) => {
-            let asperities = match cutoffs {
-                Cutoffs::Every => "asperities at each",
-                Cutoffs::Shortest => "asperities at the shortest alone",
-            };
-            if drawn.is_empty() { asperities.to_owned() } else { format!("{drawn}; {asperities}") }
-        }
-    }
+    let persson = scene.needs.curves.iter().any(|curve| is_persson(&curve.model));
+    let persson = persson.then(|| "the curves of Persson's theory".to_owned());
+    let asperities = scene.plan().asperity_cutoffs_wanted().map(|cutoffs| match cutoffs {
+        Cutoffs::Every => "asperities at each".to_owned(),
+        Cutoffs::Shortest => "asperities at the shortest alone".to_owned(),
+    });
+    let users = [(!drawn.is_empty()).then_some(drawn), persson, asperities];
+    users.into_iter().flatten().collect::<Vec<_>>().join("; ")
 }
 
 fn at_cutoffs(curve: &Curve) -> &'static str {

@@ -1,7 +1,7 @@
 //! What the judge found, in plain words: a number with its bracket, what yields, which models stand, what would settle it.
 
 use ::answer::Answer;
-use judge::{Extent, Headline, Judgement, OfCurve, Reason, RestsOn, Verdict};
+use judge::{Extent, Headline, Judgement, OfCurve, OfMap, Reason, RestsOn, Verdict};
 use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
 
@@ -49,6 +49,7 @@ pub(crate) fn sentences(judgement: &Judgement, scene: &Scene, answer: &Answer) -
     sentences.extend(rests(judgement, scene));
     sentences.extend(yields(judgement, scene));
     sentences.extend(standing(judgement, scene));
+    sentences.extend(phases(judgement, scene));
     sentences.extend(steep(judgement));
     sentences.extend(settling(judgement, scene, answer));
     sentences.extend(judgement.extent.as_ref().map(pressed));
@@ -180,6 +181,26 @@ fn range_of_reasons(told: &[&OfCurve]) -> String {
         ),
         reason => reason.to_string(),
     }
+}
+
+/// What the spectrum leaves out of the measured maps.
+fn phases(judgement: &Judgement, scene: &Scene) -> Vec<String> {
+    let of_map = |of: &OfMap| {
+        let error = 2.0 * of.twins.relative_error() * of.ratio();
+        format!(
+            "The map {} under {} has {} (give or take {}) times the area of Gaussian surfaces of its own waves: {}.",
+            of.map,
+            scene.needs.loads[of.load].label,
+            three_digits(of.ratio()),
+            three_digits(error),
+            if (of.ratio() - 1.0).abs() > error.max(0.05) {
+                "its heights are not Gaussian, and the spectrum leaves that out"
+            } else {
+                "the spectrum tells all that matters"
+            }
+        )
+    };
+    judgement.maps.iter().map(of_map).collect()
 }
 
 /// Where slopes are too large for all of them.

@@ -276,10 +276,9 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
         // A model that is none is told of with its row.
         Ok(models::named(Framework::Statistical, row.text("model").trim()).ok())
     })?;
-    let takes_moments = |entry: &&ModelEntry| entry.takes_moments();
-    let any_moments = models.iter().flatten().any(|entry| takes_moments(&entry));
-    let any_asperities =
-        models.is_empty() || models.iter().any(|entry| !entry.is_some_and(|it| takes_moments(&it)));
+    let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(ModelEntry::takes_moments);
+    let any_moments = models.iter().any(takes_moments);
+    let any_asperities = models.is_empty() || !models.iter().all(takes_moments);
     let asperities = any_asperities.then_some(ASPERITY_COLUMNS);
     let moments = any_moments.then_some(MOMENT_COLUMNS);
     Ok(REQUIRED_COLUMNS.into_iter().chain([asperities, moments].into_iter().flatten().flatten()).collect())

@@ -220,6 +220,22 @@ impl HeightMap {
         &self.heights_m
     }
 
+    /// The middle of the map, at most so many points along each side, two at least.
+    #[must_use]
+    pub fn middle(&self, most_points: usize) -> Self {
+        let most_points = most_points.max(2);
+        let kept = |points: usize| {
+            let count = points.min(most_points);
+            let first = (points - count) / 2;
+            first..first + count
+        };
+        let columns = kept(self.columns);
+        let rows = self.heights_m.chunks_exact(self.columns).skip(kept(self.rows()).start);
+        let heights_m =
+            rows.take(kept(self.rows()).len()).flat_map(|row| row[columns.clone()].iter().copied()).collect();
+        Self { columns: columns.len(), heights_m, ..*self }
+    }
+
     /// The same map with x and y exchanged: its rows run across those of this one.
     #[must_use]
     pub fn turned(&self) -> Self {

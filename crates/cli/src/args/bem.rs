@@ -130,7 +130,7 @@ impl MapArgs {
 #[command(next_help_heading = "Options for spectra")]
 pub(crate) struct RandomArgs {
     /// Points along each side of a surface; 512 where not given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=16384))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(16..=16384))]
     pub grid: Option<u32>,
     /// How many surfaces are made of the spectrum; 8 where not given
     #[arg(long, value_name = "R", value_parser = parse_count)]

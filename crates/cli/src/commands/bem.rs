@@ -180,6 +180,7 @@ fn random_surfaces(
     pressing: &Pressing,
 ) -> Result<RandomSurfaces, Failure> {
     let named = |error: gaussian_surfaces::SurfaceError| Failure::Input(format!("{}: {error}", surface.name));
+    say_notes(surface.of_area.iter().map(|_| elements_words::TAKEN_AS_IT_IS.to_owned()));
     let area = match &surface.of_area {
         Some(psd) => AreaSpectrum::of_psd(psd),
         None => AreaSpectrum::of_profile(&surface.psd),

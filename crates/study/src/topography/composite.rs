@@ -1,6 +1,6 @@
 //! The scans in some files become one spectrum, which remembers its files.
 
-use scans::ScanFile;
+use scans::{HeightMap, Scan, ScanFile};
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError};
 use units::number;
 
@@ -17,6 +17,34 @@ pub struct CompositeOfFiles {
     pub spectrum: CompositeSpectrum,
     /// Where each scan comes from.
     pub sources: Vec<Source>,
+    /// What of its maps can be pressed.
+    pub maps: Vec<MapPatch>,
+}
+
+/// The middle of a map, for whoever presses it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapPatch {
+    /// The name of the measurement.
+    pub name: String,
+    /// Its heights, as measured.
+    pub map: HeightMap,
+    /// Whether the map meets itself at its edges; its middle then does only where it is the whole of it.
+    pub is_periodic: bool,
+}
+
+/// Points along a side of a patch: what the boundary elements of a judge take.
+const MOST_POINTS: usize = 256;
+
+impl MapPatch {
+    fn of(file: &ScanFile) -> Option<Self> {
+        let Scan::Map(map) = &file.scan else { return None };
+        let whole = map.columns() <= MOST_POINTS && map.rows() <= MOST_POINTS;
+        Some(MapPatch {
+            name: file.name.clone(),
+            map: map.middle(MOST_POINTS),
+            is_periodic: file.is_periodic && whole,
+        })
+    }
 }
 
 /// The file of a scan.
@@ -39,16 +67,17 @@ impl CompositeOfFiles {
         recipe: &Recipe,
     ) -> Result<Self, TopographyError> {
         let of_files = parallel::map(requests, |request| of_file(request, files, recipe));
-        let (mut scans, mut sources) = (Vec::new(), Vec::new());
+        let (mut scans, mut sources, mut maps) = (Vec::new(), Vec::new(), Vec::new());
         for (at, of_file) in of_files.into_iter().enumerate() {
-            let (source, of_file) =
+            let (source, of_file, maps_of_file) =
                 of_file.map_err(|error| TopographyError { request: Some(at), ..error })?;
             sources.extend(of_file.iter().map(|_| source.clone()));
             scans.extend(of_file);
+            maps.extend(maps_of_file);
         }
         let spectrum = CompositeSpectrum::of(scans, recipe)
             .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
-        Ok(CompositeOfFiles { spectrum, sources })
+        Ok(CompositeOfFiles { spectrum, sources, maps })
     }
 
     /// How the composite was made: the recipe, and the files with their SHA-256.
@@ -78,8 +107,9 @@ fn of_file(
     request: &ScanRequest,
     files: &dyn Files,
     recipe: &Recipe,
-) -> Result<(Source, Vec<ScanSpectrum>), TopographyError> {
+) -> Result<(Source, Vec<ScanSpectrum>, Vec<MapPatch>), TopographyError> {
     let Loaded { scans, sha256 } = load(request, files)?;
+    let maps = scans.iter().filter_map(MapPatch::of).collect();
     let spectrum = |scan: ScanFile| {
         let name = scan.name.clone();
         ScanSpectrum::of(scan, request.limits(), recipe).map_err(|error: TransformError| {
@@ -88,5 +118,5 @@ fn of_file(
         })
     };
     let spectra = scans.into_iter().map(spectrum).collect::<Result<_, _>>()?;
-    Ok((Source { file: request.path.clone(), sha256 }, spectra))
+    Ok((Source { file: request.path.clone(), sha256 }, spectra, maps))
 }

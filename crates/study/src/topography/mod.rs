@@ -19,7 +19,7 @@ mod request;
 mod tables;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
-pub use composite::{CompositeOfFiles, Source};
+pub use composite::{CompositeOfFiles, MapPatch, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use list::{ListError, requests_of_list};
 pub use map::MapOfFile;
