@@ -1,6 +1,6 @@
 //! The ledger as a whole: complete, computed, and not tuned.
 
-use paper::{Evidence, Row, Verdict, ledger, table};
+use paper::{Evidence, Row, Verdict, ledger, other_models, table};
 use study::scene::Template;
 
 fn rows() -> Vec<Row> {
@@ -46,4 +46,26 @@ fn numbers_known_from_elsewhere_come_out() {
     assert!((reconstructed(13).value / 1.8e9 - (1.0f64 + 5e-6 / 3e-9).sqrt()).abs() < 1e-12);
     assert!(reconstructed(14).found.starts_with("45.7 with 1/pi, 61.2 as printed"));
     assert!(reconstructed(14).found.ends_with("48.8 and 63.7 for its closed form down to 0.1 nm"));
+}
+
+#[test]
+fn other_models_contradict_the_paper_or_not_with_the_strength_and_are_not_counted() {
+    let evidence = [Template::UncdReconstructed, Template::UncdMeasured]
+        .map(|template| Evidence::compute(template).expect("a scene that comes with the program"));
+    let others = other_models(&evidence).unwrap();
+    let [constant, growing] = &others[..] else { panic!("two models: {others:?}") };
+    for ((spectrum, at_constant), (_, at_growing)) in constant.findings.iter().zip(&growing.findings) {
+        // s/H = 1.2 is where Persson's theory has come within 1 % of A = p/H: erf(p/(sqrt(2) s)) is long below it.
+        assert!(
+            at_constant.found.starts_with("A = p/H within 1 % at every load from 1."),
+            "{spectrum}: {at_constant:?}"
+        );
+        assert!(at_constant.found.contains(" \u{b5}m down, where s/H = 1.2"), "{spectrum}: {at_constant:?}");
+        assert!(
+            at_growing.found.ends_with("at most a millionth off the elastic one"),
+            "{spectrum}: {at_growing:?}"
+        );
+    }
+    assert_eq!(constant.findings.len(), 2);
+    assert_eq!(table(&ledger(&evidence)).rows(), 40);
 }
