@@ -122,7 +122,7 @@ fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {
 
 fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {
     let settings = Settings::of(evidence.scene.judge.as_ref());
-    let plan = JudgePlan::of(&evidence.scene, &evidence.results, &settings)?;
+    let plan = JudgePlan::of(&evidence.scene, &evidence.results, &settings);
     plan.carry_out(&Unobserved).map_err(Into::into)
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::judgement::{Judgement, OfCurve, OnWindow};
+use crate::judgement::{Judged, Judgement, OfCurve, OnWindow};
 use crate::verdict::{ERRORS_GIVEN, Verdict};
 
 /// The number of a load.
@@ -41,6 +41,8 @@ pub enum RestsOn {
         least: usize,
         /// The curve of the largest.
         most: usize,
+        /// What boundary elements say of the whole band, where they were pressed for a curve whose assumptions hold.
+        elements: Option<Judged>,
     },
 }
 
@@ -61,7 +63,11 @@ impl Headline {
         let best = standing.reduce(|best, other| if other.1 > best.1 { other } else { best });
         match best {
             Some((curve, agreeing)) => Self::of_curve(curve, agreeing, windows),
-            None => Self::of_range(load, of_load()),
+            None => {
+                let sound = of_load().filter(|curve| curve.broken.is_none());
+                let elements = sound.filter_map(|curve| widest(windows, curve)?.judged).next();
+                Self::of_range(load, of_load(), elements)
+            }
         }
     }
 
@@ -84,12 +90,16 @@ impl Headline {
         Some(Headline { load: curve.load, rests_on, low, high: high.min(1.0) })
     }
 
-    fn of_range<'c>(load: usize, curves: impl Iterator<Item = &'c OfCurve>) -> Option<Self> {
+    fn of_range<'c>(
+        load: usize,
+        curves: impl Iterator<Item = &'c OfCurve>,
+        elements: Option<Judged>,
+    ) -> Option<Self> {
         let areas: Vec<(usize, f64)> =
             curves.filter_map(|curve| Some((curve.curve, curve.area_fraction?))).collect();
         let least = areas.iter().copied().reduce(|a, b| if b.1 < a.1 { b } else { a })?;
         let most = areas.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-        let rests_on = RestsOn::RangeOfModels { least: least.0, most: most.0 };
+        let rests_on = RestsOn::RangeOfModels { least: least.0, most: most.0, elements };
         Some(Headline { load, rests_on, low: least.1, high: most.1 })
     }
 }

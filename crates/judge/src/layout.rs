@@ -3,7 +3,6 @@
 use gaussian_surfaces::AreaSpectrum;
 use serde::Serialize;
 
-use crate::JudgeError;
 use crate::settings::{DEFAULT_REALISATIONS, GRIDS, Settings};
 use crate::window::{Band, Window, bands, decades_held};
 
@@ -53,6 +52,8 @@ pub(crate) struct Layout {
     /// Surfaces in each window.
     pub realisations: usize,
     pub windows: Vec<Window>,
+    /// How many windows have no roughness.
+    pub left_out: usize,
     pub presses: Vec<Press>,
     /// For every body, window and load, what is asked.
     pub asked: Vec<Vec<Vec<Asked>>>,
@@ -77,34 +78,31 @@ pub(crate) struct Ground<'g> {
 
 impl Layout {
     /// The finest layout that the budget allows; `None` where even the coarsest is beyond it.
-    pub fn within(settings: &Settings, ground: &Ground<'_>) -> Result<Option<Self>, JudgeError> {
+    pub fn within(settings: &Settings, ground: &Ground<'_>) -> Option<Self> {
         let grids: Vec<usize> = settings.grid.map_or_else(|| GRIDS.to_vec(), |grid| vec![grid]);
         let realisations = settings.realisations.unwrap_or(DEFAULT_REALISATIONS);
         // What a scene gives up first: fineness, then loads, then surfaces.
         for loads in loads_given_up(ground.loads_by_pressure) {
             for &grid in &grids {
-                let layout = Layout::of(grid, realisations, &loads, ground)?;
+                let layout = Layout::of(grid, realisations, &loads, ground);
                 if layout.cost <= settings.budget {
-                    return Ok(Some(layout));
+                    return Some(layout);
                 }
             }
         }
-        let (Some(&grid), None) = (grids.last(), settings.realisations) else { return Ok(None) };
+        let (Some(&grid), None) = (grids.last(), settings.realisations) else { return None };
         let fewest = loads_given_up(ground.loads_by_pressure).pop().unwrap_or_default();
-        let layout = Layout::of(grid, LEAST_REALISATIONS, &fewest, ground)?;
-        Ok((layout.cost <= settings.budget).then_some(layout))
+        let layout = Layout::of(grid, LEAST_REALISATIONS, &fewest, ground);
+        (layout.cost <= settings.budget).then_some(layout)
     }
 
-    fn of(
-        grid: usize,
-        realisations: usize,
-        loads: &[usize],
-        ground: &Ground<'_>,
-    ) -> Result<Self, JudgeError> {
+    fn of(grid: usize, realisations: usize, loads: &[usize], ground: &Ground<'_>) -> Self {
         let bands = bands(ground.band, decades_held(grid));
-        let windows =
-            bands.iter().map(|band| Window::of(ground.surface, *band)).collect::<Result<Vec<_>, _>>()?;
+        // Noise may leave a band of the surface without waves.
+        let windows: Vec<Window> =
+            bands.iter().filter_map(|band| Window::of(ground.surface, *band).ok()).collect();
         let mut layout = Layout {
+            left_out: bands.len() - windows.len(),
             grid,
             realisations,
             windows,
@@ -122,7 +120,7 @@ impl Layout {
             layout.asked.push(of_windows);
         }
         layout.cost = layout.reckoned();
-        Ok(layout)
+        layout
     }
 
     fn ask(&mut self, body: usize, window: usize, load: usize, ground: &Ground<'_>) -> Asked {
@@ -187,6 +185,8 @@ pub struct Extent {
     pub seed: u64,
     /// How many windows the spectrum was cut into; one where the grid holds the whole of it.
     pub windows: usize,
+    /// How many more had no roughness, as noise may leave of a spectrum.
+    pub left_out: usize,
     /// How many pressures on windows were solved.
     pub solved: usize,
     /// How many of the scene's loads were judged.

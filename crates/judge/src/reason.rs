@@ -77,8 +77,8 @@ impl fmt::Display for Reason {
             ),
             Reason::StrengthGrows { wavelength_m } => write!(
                 f,
-                "its strength grows at small scales, and its pressure exceeds it from {} on: elements bounded by one hardness \
-                 cannot tell",
+                "its strength grows at small scales, and its pressure exceeds it from {} on: elements know \
+                 one hardness only",
                 length(wavelength_m)
             ),
             Reason::TooLight => f.write_str("too few points of the grid would touch"),

@@ -38,13 +38,11 @@ pub struct JudgePlan<'s> {
 
 impl<'s> JudgePlan<'s> {
     /// Lays the spectrum of a scene out in windows, as fine as the budget allows.
-    ///
-    /// # Errors
-    /// [`JudgeError`] where the spectrum is none of a surface, or a window cannot be laid on the grid.
-    pub fn of(scene: &'s Scene, results: &'s Results, settings: &Settings) -> Result<Self, JudgeError> {
+    #[must_use]
+    pub fn of(scene: &'s Scene, results: &'s Results, settings: &Settings) -> Self {
         let case = Case::of(scene, results);
-        let layout = case.laid_out(settings)?;
-        Ok(JudgePlan { case, settings: *settings, layout })
+        let layout = case.laid_out(settings);
+        JudgePlan { case, settings: *settings, layout }
     }
 
     /// How many surfaces will be pressed, one for each pressure and realisation.
@@ -121,20 +119,22 @@ impl<'s> Case<'s> {
     }
 
     /// The layout that the budget allows, or why there is none.
-    fn laid_out(&self, settings: &Settings) -> Result<Result<Layout, Reason>, JudgeError> {
+    fn laid_out(&self, settings: &Settings) -> Result<Layout, Reason> {
         let (psd, needs) = (&self.results.psd, &self.scene.needs);
         if psd.len() < 2 || needs.curves.is_empty() || needs.loads.is_empty() {
-            return Ok(Err(Reason::NoSurface));
+            return Err(Reason::NoSurface);
         }
+        // Of noise alone there is no isotropic surface.
+        let Ok(surface) = AreaSpectrum::of_profile(psd) else { return Err(Reason::NoSurface) };
         let ground = Ground {
-            surface: &AreaSpectrum::of_profile(psd)?,
+            surface: &surface,
             band: Band { longest_m: psd.longest_wavelength_m(), shortest_m: psd.shortest_wavelength_m() },
             composite_modulus_pa: self.composite_modulus_pa,
             saturations_pa: &self.saturations_pa,
             loads_by_pressure: &self.loads_by_pressure,
             pressure_pa: &|body, load, wavelength_m| self.pressure_pa(body, load, wavelength_m),
         };
-        Ok(Layout::within(settings, &ground)?.ok_or(Reason::BeyondBudget))
+        Layout::within(settings, &ground).ok_or(Reason::BeyondBudget)
     }
 
     /// The bound of a curve's body, by index.
@@ -226,7 +226,7 @@ impl<'s> Case<'s> {
                 }
             }
         }
-        let whole_band = layout.windows.len() == 1;
+        let whole_band = layout.windows.len() == 1 && layout.left_out == 0;
         if !whole_band {
             let of_whole: Vec<OnWindow> = self.on_whole_band(&windows, &broken);
             windows.extend(of_whole);
@@ -240,6 +240,7 @@ impl<'s> Case<'s> {
             realisations: layout.realisations,
             seed: settings.seed,
             windows: layout.windows.len(),
+            left_out: layout.left_out,
             solved: layout.presses.len(),
             loads: layout.loads.len(),
             reckoned: layout.cost,
@@ -518,7 +519,7 @@ fn counted(reason: Reason, agreeing: usize, windows: usize) -> Reason {
 
 fn judged(asked: Asked, solutions: &Solutions) -> Result<Judged, Reason> {
     let solved = match asked {
-        Asked::Solved(press) => solutions.of_presses[press].ok_or(Reason::Cancelled)?,
+        Asked::Solved(press) => solutions.of_presses[press]?,
         Asked::Flowing { share } => Solved::between(share),
         Asked::TooLight => return Err(Reason::TooLight),
         Asked::NotChosen => return Err(Reason::LoadNotChosen),

@@ -6,6 +6,7 @@ use parallel::Progress;
 
 use crate::JudgeError;
 use crate::layout::{Layout, Press};
+use crate::reason::Reason;
 use crate::student::widening;
 use crate::window::Window;
 
@@ -24,8 +25,8 @@ pub(crate) struct Solved {
 /// The solutions of all presses, in their order, and the operators times points that they took.
 #[derive(Debug)]
 pub(crate) struct Solutions {
-    /// `None` where the work was ended first.
-    pub of_presses: Vec<Option<Solved>>,
+    /// Each, or why there is none.
+    pub of_presses: Vec<Result<Solved, Reason>>,
     pub spent: f64,
 }
 
@@ -37,8 +38,8 @@ struct Task {
 
 struct Outcome {
     window: usize,
-    /// Area fraction under each press of the window; `None` from where the work was ended.
-    areas: Vec<Option<f64>>,
+    /// Area fraction under each press of the window, or why there is none.
+    areas: Vec<Result<f64, Reason>>,
     operators: usize,
 }
 
@@ -62,7 +63,7 @@ pub(crate) fn solve(
     let solved = |(at, press): (usize, &Press)| {
         let place = layout.presses[..at].iter().filter(|other| other.window == press.window).count();
         let of_window = outcomes.iter().filter(|outcome| outcome.window == press.window);
-        let areas: Option<Vec<f64>> = of_window.map(|outcome| outcome.areas[place]).collect();
+        let areas: Result<Vec<f64>, Reason> = of_window.map(|outcome| outcome.areas[place]).collect();
         areas.map(|areas| Solved::of(&areas))
     };
     Ok(Solutions { of_presses: layout.presses.iter().enumerate().map(solved).collect(), spent })
@@ -81,7 +82,8 @@ fn pressed(
     seed: u64,
     progress: &dyn Progress,
 ) -> Result<Outcome, JudgeError> {
-    let mut outcome = Outcome { window: task.window, areas: vec![None; presses.len()], operators: 0 };
+    let mut outcome =
+        Outcome { window: task.window, areas: vec![Err(Reason::Cancelled); presses.len()], operators: 0 };
     if presses.is_empty() || progress.is_cancelled() {
         return Ok(outcome);
     }
@@ -89,7 +91,11 @@ fn pressed(
     // Every window has surfaces of its own.
     let seed = seed.wrapping_add((task.window as u64) << 32);
     let synthesis = Synthesis::square(points, box_m, seed, Phases::FixedModulus);
-    let surface = window.surface.surface(&synthesis, task.realisation as u64)?;
+    // No wave of the box may lie in a band that noise has thinned.
+    let Ok(surface) = window.surface.surface(&synthesis, task.realisation as u64) else {
+        outcome.areas.fill(Err(Reason::NoSurface));
+        return Ok(outcome);
+    };
     // The area depends on the slope first of all: every surface gets that of the window.
     let surface_gradient = surface.mean_square_gradient().sqrt();
     let surface = surface.scaled(window.rms_gradient / surface_gradient);
@@ -111,7 +117,7 @@ fn pressed(
         outcome.operators += contact.operators;
         // Where everything in contact flows, the load alone decides, whatever the perimeter.
         let least = press.saturation_pa.map_or(0.0, |bound_pa| press.pressure_pa / bound_pa);
-        *area = Some(contact.area_fraction_corrected.max(least));
+        *area = Ok(contact.area_fraction_corrected.max(least));
         progress.advance(1);
     }
     Ok(outcome)

@@ -14,6 +14,8 @@ pub(crate) const LENGTHS_IN_BOX: f64 = 2.0;
 /// How far the spectrum of profiles is followed beyond the longest wave of the surface, in decades: profiles see long waves
 /// where the surface has none, and what lies farther out is less than a hundredth of their variance.
 const FLAT_DECADES: f64 = 1.0;
+/// Fewer scales are no spectrum for a model.
+const LEAST_SCALES: usize = 3;
 /// Scales per decade of the spectrum that moments are taken of. It falls to zero at the last wavelength as a square root does.
 const FINE_PER_DECADE: f64 = 40.0;
 
@@ -90,7 +92,15 @@ impl Window {
             let closer = |halvings: i32| shortest_m * (1.0 + last_step * 0.5f64.powi(halvings));
             wavelengths_m.extend((1..=12).map(closer));
         }
-        Ok(self.surface.profile(&wavelengths_m)?)
+        // Noise may leave a surface no waves at its short end; there its profiles have no spectrum.
+        loop {
+            match self.surface.profile(&wavelengths_m) {
+                Err(_) if wavelengths_m.len() > LEAST_SCALES => {
+                    wavelengths_m.truncate(wavelengths_m.len() - 1)
+                }
+                found => return Ok(found?),
+            }
+        }
     }
 }
 

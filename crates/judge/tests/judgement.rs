@@ -48,7 +48,7 @@ fn scene(decades: f64, material: &str, loads: &str, curves: &[&str]) -> Scene {
 
 fn judged(scene: &Scene, settings: &Settings) -> (Results, Judgement) {
     let results = scene.plan().compute().unwrap();
-    let judgement = JudgePlan::of(scene, &results, settings).unwrap().carry_out(&Unobserved).unwrap();
+    let judgement = JudgePlan::of(scene, &results, settings).carry_out(&Unobserved).unwrap();
     (results, judgement)
 }
 
@@ -138,8 +138,7 @@ fn a_strength_that_grows_is_not_judged_unless_it_never_matters() {
 fn the_budget_fixes_the_work_and_what_is_cancelled_is_not_judged() {
     let scene = scene(1.6, "", "\"1 MPa\", \"20 MPa\", \"30 MPa\", \"50 MPa\"", &ELASTIC);
     let results = scene.plan().compute().unwrap();
-    let plan =
-        |budget: f64| JudgePlan::of(&scene, &results, &Settings { budget, ..Settings::default() }).unwrap();
+    let plan = |budget: f64| JudgePlan::of(&scene, &results, &Settings { budget, ..Settings::default() });
     let extents = [3e6, 3e7].map(|budget| plan(budget).carry_out(&Unobserved).unwrap().extent.unwrap());
     for (extent, budget) in extents.iter().zip([3e6, 3e7]) {
         assert!(extent.reckoned <= budget && extent.spent <= 1.2 * budget, "{extent:?}");
@@ -161,7 +160,7 @@ fn a_hundred_pairs_of_seeds_differ_by_their_standard_errors() {
     let results = scene.plan().compute().unwrap();
     let area = |seed: u64| {
         let settings = Settings { seed, ..coarse(64, 4) };
-        let judgement = JudgePlan::of(&scene, &results, &settings).unwrap().carry_out(&Unobserved).unwrap();
+        let judgement = JudgePlan::of(&scene, &results, &settings).carry_out(&Unobserved).unwrap();
         judgement.curves[0].judged.unwrap()
     };
     let within = (0..100).filter(|pair| {

@@ -25,7 +25,7 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Opt
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
-    if let Some(first) = judgement.and_then(|judgement| verdict_words::first_line(judgement, scene)) {
+    if let Some(first) = judgement.and_then(|judgement| verdict_words::first_line(judgement, scene, answer)) {
         let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
     }
     let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));

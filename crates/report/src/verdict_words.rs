@@ -1,7 +1,7 @@
 //! What the judge found, in plain words: a number with its bracket, what yields, which models stand, what would settle it.
 
 use ::answer::Answer;
-use judge::{Extent, Headline, Judgement, OfCurve, OfMap, Reason, RestsOn, Verdict};
+use judge::{ERRORS_GIVEN, Extent, Headline, Judgement, OfCurve, OfMap, Reason, RestsOn, Verdict};
 use study::scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
 
@@ -12,7 +12,11 @@ use crate::listing::{at_loads, listed, range};
 const LOADS_TOLD: usize = 3;
 
 /// The number of each of the first loads, with its bracket; none where no curve has an area.
-pub(crate) fn first_line(judgement: &Judgement, scene: &Scene) -> Option<String> {
+pub(crate) fn first_line(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Option<String> {
+    // A spectrum that tells nothing has no number.
+    if answer.too_few_scales.is_some() || answer.instruments_disagree.is_some() {
+        return None;
+    }
     let told: Vec<&Headline> = judgement.headlines.iter().take(LOADS_TOLD).collect();
     let numbers: Vec<String> = told.iter().map(|headline| number(headline, scene)).collect();
     if numbers.is_empty() {
@@ -35,10 +39,15 @@ fn number(headline: &Headline, scene: &Scene) -> String {
                 three_digits(area_fraction)
             )
         }
-        RestsOn::RangeOfModels { .. } => {
-            format!(
-                "between {low} and {high} of the nominal area at {load}, the range of the models, none of which stands"
-            )
+        RestsOn::RangeOfModels { elements, .. } => {
+            let models = if low == high { low } else { format!("between {low} and {high}") };
+            let elements = elements.map_or_else(String::new, |judged| {
+                let [low, high] = [-1.0, 1.0].map(|sign| {
+                    three_digits(judged.area_fraction + sign * ERRORS_GIVEN * judged.standard_error)
+                });
+                format!("; boundary elements put it between {low} and {high}")
+            });
+            format!("{models} of the nominal area at {load}, what models give of which none stands{elements}")
         }
     }
 }
@@ -207,7 +216,7 @@ fn phases(judgement: &Judgement, scene: &Scene) -> Vec<String> {
 fn steep(judgement: &Judgement) -> Option<String> {
     let from_m = judgement.steep_from_m?;
     Some(format!(
-        "Small slopes are assumed by every model here and by the elements, and end at {}: from there on the rms pressure of full \
+        "Small slopes, which every model here and the elements take for granted, end at {}: from there on the rms pressure of full \
          contact exceeds E*/10 (rms gradient {} in all). Verdicts compare models of a half-space with one another.",
         length(from_m),
         three_digits(judgement.rms_gradient)
@@ -253,8 +262,12 @@ fn settling(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Vec<String
 
 fn pressed(extent: &Extent) -> String {
     let times = if extent.windows == 1 { "the whole band" } else { "windows half a decade apart" };
+    let left_out = match extent.left_out {
+        0 => String::new(),
+        some => format!(" ({} without roughness left out)", counted(some, "window")),
+    };
     format!(
-        "Pressed for this: {} under {} on {times}, {} x {} points, {} each, seed {}; {} operators times points of a budget of {}.",
+        "Pressed for this: {}{left_out} under {} on {times}, {} x {} points, {} each, seed {}; {} operators times points of a budget of {}.",
         counted(extent.windows, "window"),
         counted(extent.solved, "pressure"),
         extent.grid,

@@ -31,7 +31,7 @@ fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
     assert_eq!(judge(all), Some(expected));
     // A budget may be a whole number.
     assert_eq!(judge("[judge]\nbudget = 1\n").and_then(|judge| judge.budget), Some(1.0));
-    for (grid, realisations) in [(32, 1), (8192, 10_000)] {
+    for (grid, realisations) in [(32, 2), (8192, 10_000)] {
         let ends =
             judge(&format!("[judge]\ngrid = {grid}\nrealisations = {realisations}\nseed = 0\n")).unwrap();
         assert_eq!((ends.grid, ends.realisations, ends.seed), (Some(grid), Some(realisations), Some(0)));

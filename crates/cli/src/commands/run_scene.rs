@@ -91,7 +91,7 @@ fn judgement(args: &RunArgs, scene: &Scene, results: &Results) -> Result<Option<
     }
     let settings = Settings::of(scene.judge.as_ref());
     let blame = |error: JudgeError| Failure::Input(format!("{}: {error}", args.scene));
-    let plan = JudgePlan::of(scene, results, &settings).map_err(blame)?;
+    let plan = JudgePlan::of(scene, results, &settings);
     let progress = Progress::towards(plan.solutions(), "surfaces pressed");
     let judgement = plan.carry_out(&progress).map_err(blame)?;
     if interruption::is_asked_for() {

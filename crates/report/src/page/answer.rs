@@ -22,7 +22,8 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let (scene, answer) = (report.scene, report.answer);
     let sentences = answer_words::sentences(answer, scene, report.results);
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
-    let first_line = report.judgement.and_then(|judgement| verdict_words::first_line(judgement, scene));
+    let first_line =
+        report.judgement.and_then(|judgement| verdict_words::first_line(judgement, scene, answer));
     html! {
         @if several { h3 { (report.label) } }
         @if let Some(text) = &first_line { p.first { strong { (typeset(text)) } } }
