@@ -50,7 +50,8 @@ fn areas_under_a_growing_hardness_agree() {
             plastic.note(found.plastic, number("area_plastic"));
         }
     }
-    areas.assert_within("areas", 1e-12, 1e-9);
+    // Of a load within 1e-7 of the hardness the last digit decides 1e-9 of what is left to the elastic area.
+    areas.assert_within("areas", 1e-12, 1e-8);
     plastic.assert_within("plastic areas", 1e-11, 1e-6);
 }
 

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::judgement::{Judged, Judgement, OfCurve, OnWindow};
 use crate::verdict::{ERRORS_GIVEN, Verdict};
+use crate::verdicts::{Judged, OfCurve, OnWindow};
 
 /// The number of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -107,12 +107,4 @@ impl Headline {
 /// What is known of a curve on the widest band: the whole one, which stands behind the windows.
 fn widest<'w>(windows: &'w [OnWindow], curve: &OfCurve) -> Option<&'w OnWindow> {
     windows.iter().rev().find(|on| (on.curve, on.load) == (curve.curve, curve.load))
-}
-
-impl Judgement {
-    /// What may be said first of a load; `None` where no curve has an area under it.
-    #[must_use]
-    pub fn headline(&self, load: usize) -> Option<&Headline> {
-        self.headlines.iter().find(|headline| headline.load == load)
-    }
 }

@@ -8,8 +8,8 @@ use study::topography::MapPatch;
 use topography::{Detrend, detrended_m};
 
 use crate::JudgeError;
-use crate::judgement::Judged;
 use crate::solve::{Solved, TOLERANCE};
+use crate::verdicts::Judged;
 use crate::window::POINTS_PER_SHORTEST;
 
 /// More maps than this are not pressed.

@@ -11,7 +11,7 @@ use crate::assumptions::{Broken, first_broken, real_pressures};
 use crate::body::Body;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
 use crate::headline::Headline;
-use crate::judgement::{Judged, Judgement, OfCurve, OnWindow};
+use crate::judgement::Judgement;
 use crate::layout::{Asked, Extent, Ground, Layout};
 use crate::on_windows;
 use crate::phases::{OfMap, Pressed, of_maps};
@@ -19,6 +19,7 @@ use crate::reason::Reason;
 use crate::settings::Settings;
 use crate::solve::{Solutions, Solved, solve};
 use crate::verdict::{ERRORS_GIVEN, Verdict};
+use crate::verdicts::{Judged, OfCurve, OnWindow};
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 

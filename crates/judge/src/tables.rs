@@ -3,8 +3,9 @@
 use study::plan::Needs;
 use tables::Table;
 
-use crate::judgement::{Judgement, OfCurve, OnWindow};
+use crate::judgement::Judgement;
 use crate::verdict::ERRORS_GIVEN;
+use crate::verdicts::{OfCurve, OnWindow};
 
 impl Judgement {
     /// A row per curve, load and window: `curve, nominal_pressure_pa, longest_m, shortest_m, pressure_over_gradient,

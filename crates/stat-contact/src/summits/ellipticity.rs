@@ -3,7 +3,9 @@
 //! Of the mean t and the half difference r of the principal curvatures, Nayak's density has
 //! (t^2 - r^2) 3r/m4 exp(-3 r^2/(2 m4)). With rho = r/t and x = 3 t^2/(2 m4) that leaves of a sphere's area and force
 //!
-//!     h(x) = Int_0^1 rho (1 - rho^2) f(rho) exp(-x rho^2) d rho,
+//! ```text
+//! h(x) = Int_0^1 rho (1 - rho^2) f(rho) exp(-x rho^2) d rho,
+//! ```
 //!
 //! f the factors of Hertz's ellipse. Both depend on x alone: they are integrated once, at Chebyshev points, and then
 //! read from polynomials.

@@ -2,8 +2,10 @@
 //!
 //! In units of sqrt(m0), sqrt(m4) and with x = 3 T^2/2 (`docs/models.md`, section 3.6):
 //!
-//!     A/A0          = (3/2) sqrt(alpha)      Int_0^inf g(T) T^3     h_A(x) <w>       dT
-//!     p/(E* sqrt(m2)) = (2/pi) alpha^(3/4)   Int_0^inf g(T) T^(7/2) h_F(x) <w^(3/2)> dT
+//! ```text
+//! A/A0          = (3/2) sqrt(alpha)      Int_0^inf g(T) T^3     h_A(x) <w>       dT
+//! p/(E* sqrt(m2)) = (2/pi) alpha^(3/4)   Int_0^inf g(T) T^(7/2) h_F(x) <w^(3/2)> dT
+//! ```
 //!
 //! g is the density of T, normal with the variance 2/3. Of the summits of one mean curvature the heights are normal, so that
 //! the means of their interference w are those of Hertz's spheres, in closed form.
