@@ -78,6 +78,8 @@ struct Case<'s> {
     composite_modulus_pa: f64,
     /// Moments of the spectrum at every cutoff but the longest.
     moments: Vec<Moments>,
+    /// The surface of the spectrum; none where its samples are too few, or noise alone.
+    surface: Option<AreaSpectrum>,
     /// The body of every curve.
     bodies: Vec<Body>,
     /// The bounds on pressure that elements are asked for; each once.
@@ -111,6 +113,7 @@ impl<'s> Case<'s> {
             results,
             composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
             moments: cumulative_moments(&results.psd, Normalisation::default()),
+            surface: (results.psd.len() > 1).then(|| AreaSpectrum::of_profile(&results.psd).ok()).flatten(),
             bodies,
             saturations_pa,
             loads_by_pressure,
@@ -122,13 +125,12 @@ impl<'s> Case<'s> {
     /// The layout that the budget allows, or why there is none.
     fn laid_out(&self, settings: &Settings) -> Result<Layout, Reason> {
         let (psd, needs) = (&self.results.psd, &self.scene.needs);
-        if psd.len() < 2 || needs.curves.is_empty() || needs.loads.is_empty() {
+        if needs.curves.is_empty() || needs.loads.is_empty() {
             return Err(Reason::NoSurface);
         }
-        // Of noise alone there is no isotropic surface.
-        let Ok(surface) = AreaSpectrum::of_profile(psd) else { return Err(Reason::NoSurface) };
+        let surface = self.surface.as_ref().ok_or(Reason::NoSurface)?;
         let ground = Ground {
-            surface: &surface,
+            surface,
             band: Band { longest_m: psd.longest_wavelength_m(), shortest_m: psd.shortest_wavelength_m() },
             composite_modulus_pa: self.composite_modulus_pa,
             saturations_pa: &self.saturations_pa,
@@ -144,27 +146,14 @@ impl<'s> Case<'s> {
         self.saturations_pa.iter().position(|other| *other == bound).unwrap_or(0)
     }
 
-    /// The rms pressure \[Pa\] of full contact with all waves down to a wavelength \[m\].
+    /// The rms pressure \[Pa\] of full contact with all waves of the surface down to a wavelength \[m\], which are fewer than its
+    /// profiles show: a long wave of a profile is a shorter one of the surface, seen askew.
     fn rms_pressure_pa(&self, wavelength_m: f64) -> f64 {
-        let m2 = |moments: &Moments| moments.m2;
-        let down_to =
-            self.moments.partition_point(|moments| moments.wavelength_m >= wavelength_m * (1.0 - 1e-12));
-        let above = down_to.checked_sub(1).map(|at| &self.moments[at]);
-        let m2 = match (above, self.moments.get(down_to)) {
-            (Some(above), Some(below)) => {
-                let first_m = above.wavelength_m;
-                let share = (first_m / wavelength_m).ln() / (first_m / below.wavelength_m).ln();
-                // Between two cutoffs the moment is a power law, as nearly as the verdict can tell.
-                m2(above) * (m2(below) / m2(above)).powf(share)
-            }
-            (Some(above), None) => m2(above),
-            (None, Some(below)) if wavelength_m < self.results.psd.longest_wavelength_m() => {
-                let first_m = self.results.psd.longest_wavelength_m();
-                m2(below) * (first_m / wavelength_m).ln() / (first_m / below.wavelength_m).ln()
-            }
-            (None, _) => 0.0,
-        };
-        self.composite_modulus_pa * (0.5 * m2).sqrt()
+        let longest_m = self.results.psd.longest_wavelength_m();
+        let waves = self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok());
+        // Of no waves there is no pressure.
+        let mean_square = waves.map_or(0.0, |waves| waves.mean_square_gradient());
+        0.5 * self.composite_modulus_pa * mean_square.sqrt()
     }
 
     /// The mean real pressure \[Pa\] that the waves down to a wavelength \[m\] leave, by Persson's theory.

@@ -17,12 +17,13 @@ pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scen
         let nominal_pa = scene.needs.loads[on.load].nominal_pressure_pa();
         let Some(judged) = on.judged_of_whole(nominal_pa) else { continue };
         let given = ERRORS_GIVEN * judged.standard_error;
-        let label = match Body::of(&scene.needs.curves[on.curve].model) {
-            Body::Hard { .. } => SATURATED,
-            _ => ELASTIC,
+        let (label, is_ring) = match Body::of(&scene.needs.curves[on.curve].model) {
+            Body::Hard { .. } => (SATURATED, true),
+            _ => (ELASTIC, false),
         };
         let mark = Mark {
             label,
+            is_ring,
             colour: on.load,
             x: on.shortest_m,
             y: judged.area_fraction,

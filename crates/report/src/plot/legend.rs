@@ -29,7 +29,9 @@ enum Sample {
         dash: usize,
         width_px: f64,
     },
-    Disc,
+    Disc {
+        is_ring: bool,
+    },
     /// A pale stretch, for bands of any colour.
     Band,
 }
@@ -69,7 +71,7 @@ fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
             stroke_width: width_px,
             stroke_dasharray: dash(pattern).dasharray(),
         }),
-        Sample::Disc => marks::disc(scene, x + 0.5 * SAMPLE_PX, y, &entry.colour),
+        Sample::Disc { is_ring } => marks::disc(scene, x + 0.5 * SAMPLE_PX, y, &entry.colour, is_ring),
         Sample::Band => scene.add(Primitive::Rect {
             x,
             y: y - 0.5 * BAND_PX,
@@ -125,7 +127,11 @@ fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for mark in &figure.marks {
         if !entries.iter().any(|entry| entry.label == mark.label) {
-            entries.push(Entry { label: mark.label, colour: colour(NEUTRAL), sample: Sample::Disc });
+            entries.push(Entry {
+                label: mark.label,
+                colour: colour(NEUTRAL),
+                sample: Sample::Disc { is_ring: mark.is_ring },
+            });
         }
     }
     entries

@@ -28,18 +28,19 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, mark: &Mark) {
     line(x, low, x, high);
     line(x - CAP_PX, low, x + CAP_PX, low);
     line(x - CAP_PX, high, x + CAP_PX, high);
-    disc(scene, x, y, &dark);
+    disc(scene, x, y, &dark, mark.is_ring);
 }
 
-/// A disc with a white rim, which is seen on top of lines.
-pub(super) fn disc(scene: &mut Scene, x: f64, y: f64, fill: &str) {
+/// A disc with a white rim, which is seen on top of lines, or a ring.
+pub(super) fn disc(scene: &mut Scene, x: f64, y: f64, colour: &str, is_ring: bool) {
+    let (fill, rim, rim_px) = if is_ring { ("white", colour, 1.4) } else { (colour, "white", 0.8) };
     scene.add(Primitive::Circle {
         cx: x,
         cy: y,
         r: RADIUS_PX,
         fill: Color::from(fill),
         fill_opacity: None,
-        stroke: Some(Color::from("white")),
-        stroke_width: Some(0.8),
+        stroke: Some(Color::from(rim)),
+        stroke_width: Some(rim_px),
     });
 }

@@ -114,6 +114,8 @@ pub struct FigureData {
 pub struct Mark {
     /// What it is, for the legend.
     pub label: &'static str,
+    /// Whether it is drawn as a ring, to tell it from others drawn as discs.
+    pub is_ring: bool,
     /// Which lines it shares its colour with.
     pub colour: usize,
     /// The abscissa.
