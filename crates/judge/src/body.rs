@@ -5,7 +5,7 @@ use study::persson_law::PerssonLaw;
 use study::plan::CurveModel;
 
 /// Hardness over yield strength (Tabor 1951), where no indentation gave the hardness itself.
-const HARDNESS_OVER_STRENGTH: f64 = 3.0;
+pub(crate) const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
 /// How a body yields.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

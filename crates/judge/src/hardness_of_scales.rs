@@ -3,8 +3,7 @@
 use asperity::NixGao;
 use stacked_contact::Scale;
 
-/// Hardness over yield strength (Tabor 1951).
-const HARDNESS_OVER_STRENGTH: f64 = 3.0;
+use crate::body::HARDNESS_OVER_STRENGTH;
 
 /// Hardness against scale, from long to short wavelengths; it never falls towards the short ones.
 #[derive(Debug, Clone, PartialEq)]
