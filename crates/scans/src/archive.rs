@@ -66,6 +66,16 @@ impl<'b> Archive<'b> {
     }
 }
 
+/// Whether a file begins as ZIP files do.
+pub(crate) fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+/// Whether a name stands anywhere in a file; in a ZIP file names stand as they are.
+pub(crate) fn is_named_in(bytes: &[u8], name: &str) -> bool {
+    bytes.windows(name.len()).any(|part| part == name.as_bytes())
+}
+
 fn failure(what: &str, error: &zip::result::ZipError) -> ScanReadError {
     ScanReadError::Zip { what: what.to_owned(), problem: error.to_string() }
 }

@@ -16,8 +16,7 @@ use units::LengthUnit;
 pub enum ScanReadError {
     /// Content that no reader knows.
     #[error(
-        "recognising the format of '{name}': no reader knows a file that begins with {start}{hint}; formats read are \
-         text (profiles, points, matrices), Nanoscope, NetCDF-3, X3P, and the containers of contact.engineering"
+        "recognising the format of '{name}': no reader knows a file that begins with {start}{hint}; formats read are {formats}"
     )]
     UnknownFormat {
         /// Name of the file.
@@ -26,6 +25,8 @@ pub enum ScanReadError {
         start: String,
         /// What is known about it.
         hint: &'static str,
+        /// The formats read.
+        formats: String,
     },
     /// A field that is missing.
     #[error("reading {format}, {place}: there is no {field}; {mend}")]
@@ -151,19 +152,6 @@ pub enum ScanReadError {
         /// The field.
         text: String,
     },
-    /// A field that marks a point without a height.
-    #[error(
-        "line {line}: column {column} is '{text}', a gap in the scan; fill the gaps in the software of the instrument, \
-         or cut them out"
-    )]
-    Gap {
-        /// Line.
-        line: usize,
-        /// Column.
-        column: usize,
-        /// The field.
-        text: String,
-    },
     /// A row of another length than the first.
     #[error(
         "line {line}: the number of columns is {found}, in line {first_line} it is {expected}; the file is cut off or \
@@ -237,22 +225,18 @@ pub enum ScanReadError {
         /// Largest value, in the file's unit.
         last: f64,
     },
-    /// Grid points without a height.
+    /// Points scattered over a grid that they hardly fill.
     #[error(
-        "reading text: {missing} of {columns} x {rows} grid points have no height, the first at x = {x}, y = {y}; fill \
-         the gaps in the software of the instrument, or cut them out"
+        "reading text: {points} points lie on a grid of {columns} x {rows}, most of which they leave empty; points of a map \
+         must fill a regular grid but for gaps: interpolate them onto one"
     )]
-    MissingPoints {
-        /// How many are missing.
-        missing: usize,
-        /// Points along x.
+    Scattered {
+        /// How many points there are.
+        points: usize,
+        /// Points of the grid along x.
         columns: usize,
-        /// Points along y.
+        /// Points of the grid along y.
         rows: usize,
-        /// Position of the first, in the file's unit.
-        x: f64,
-        /// Position of the first, in the file's unit.
-        y: f64,
     },
     /// A grid point with two heights.
     #[error("line {line}: the point x = {x}, y = {y} stands in line {first_line} already; keep one")]

@@ -1,6 +1,8 @@
-//! Formats of scans and how they are told apart.
+//! Formats of scans.
 
 use std::fmt;
+
+use crate::readers::reader_of;
 
 /// A format that scans are read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,22 +18,64 @@ pub enum ScanFormat {
     X3p,
     /// ZIP file of contact.engineering, with `meta.yml` or `index.json`.
     Container,
+    /// Gwyddion's own: `.gwy`.
+    Gwyddion,
+    /// Digital Surf: `.sur`, `.pro`.
+    DigitalSurf,
+    /// Documents of MountainsMap: `.mnt`.
+    MountainsMap,
+    /// Igor binary waves, as Asylum Research writes them: `.ibw`.
+    Igor,
+    /// Wyko and Vision: `.opd`.
+    Wyko,
+    /// Bruker Vision64: `.opdx`.
+    Vision64,
+    /// Sensofar: `.plu`, `.apx`.
+    Sensofar,
+    /// Sensofar: `.plux`.
+    SensofarPlux,
+    /// Alicona Imaging: `.al3d`.
+    Alicona,
+    /// Zygo MetroPro: `.dat`.
+    MetroPro,
+    /// ISO 25178-71, text and binary: `.sdf`.
+    Sdf,
+    /// Nanosurf: `.nid`.
+    Nanosurf,
+    /// Agilent and Molecular Imaging PicoSPM: `.mi`.
+    MolecularImaging,
+    /// WSxM of Nanotec: `.stp`, `.top`.
+    Wsxm,
+    /// FRT MicroProf: `.frt`.
+    Frt,
+    /// NanoFocus: `.nms`.
+    NanoFocus,
+    /// Park Systems: `.tiff`.
+    ParkTiff,
+    /// TrueGage TrueMap: `.tmd`.
+    TrueMap,
+    /// Image Metrology BCR-STM: `.bcr`, `.bcrf`.
+    Bcr,
+    /// Keyence laser scanning microscopes: `.vk4`, `.vk6`, `.vk7`.
+    Keyence,
+    /// Arrays of NumPy: `.npy`, `.npz`.
+    Numpy,
+    /// HDF5 and NetCDF-4.
+    Hdf5,
+    /// Workbooks of profilometers: `.xlsx`.
+    Workbook,
 }
 
 impl ScanFormat {
-    /// The format of a binary file, told by its beginning and, of a ZIP file, by the names of what is in it; `None` for text,
-    /// which may be anything, and for what no reader knows. Whether it can be read is [`read_scans`](crate::read_scans)'s to
-    /// say.
+    /// The format of a binary file, told by its content; `None` for text, which may be anything, and for what no reader
+    /// knows. Whether it can be read is [`read_scans`](crate::read_scans)'s to say.
     #[must_use]
     pub fn of(bytes: &[u8]) -> Option<Self> {
-        let names = |name: &str| bytes.windows(name.len()).any(|part| part == name.as_bytes());
-        match Magic::of(bytes) {
-            Magic::Nanoscope => Some(Self::Nanoscope),
-            Magic::NetCdf => Some(Self::NetCdf),
-            Magic::Zip if names("main.xml") => Some(Self::X3p),
-            Magic::Zip if names("meta.yml") || names("index.json") => Some(Self::Container),
-            Magic::Zip | Magic::Text | Magic::Foreign(_) => None,
+        #[cfg(feature = "container")]
+        if crate::readers::container::is_container(bytes) {
+            return Some(Self::Container);
         }
+        reader_of(bytes).map(|reader| reader.format).filter(|format| *format != Self::Text)
     }
 }
 
@@ -43,77 +87,29 @@ impl fmt::Display for ScanFormat {
             Self::NetCdf => "NetCDF",
             Self::X3p => "X3P",
             Self::Container => "container",
+            Self::Gwyddion => "Gwyddion",
+            Self::DigitalSurf => "Digital Surf",
+            Self::MountainsMap => "MountainsMap",
+            Self::Igor => "Igor",
+            Self::Wyko => "Wyko",
+            Self::Vision64 => "Vision64",
+            Self::Sensofar => "Sensofar",
+            Self::SensofarPlux => "Sensofar PLUX",
+            Self::Alicona => "Alicona",
+            Self::MetroPro => "MetroPro",
+            Self::Sdf => "SDF",
+            Self::Nanosurf => "Nanosurf",
+            Self::MolecularImaging => "Molecular Imaging",
+            Self::Wsxm => "WSxM",
+            Self::Frt => "FRT",
+            Self::NanoFocus => "NanoFocus",
+            Self::ParkTiff => "Park TIFF",
+            Self::TrueMap => "TrueMap",
+            Self::Bcr => "BCR",
+            Self::Keyence => "Keyence",
+            Self::Numpy => "NumPy",
+            Self::Hdf5 => "HDF5",
+            Self::Workbook => "workbook",
         })
     }
-}
-
-impl ScanFormat {
-    /// The format that the first bytes of a file show beyond doubt, for whoever takes a scan for something else; none for
-    /// text, which may hold anything, and for a ZIP file without the names that a scan has in it, such as a workbook.
-    #[must_use]
-    pub fn of_binary(bytes: &[u8]) -> Option<Self> {
-        match Magic::of(bytes) {
-            Magic::Nanoscope => Some(Self::Nanoscope),
-            Magic::NetCdf => Some(Self::NetCdf),
-            Magic::Zip => {
-                // Names stand in a ZIP file as they are.
-                let holds = |name: &[u8]| bytes.windows(name.len()).any(|found| found == name);
-                let containers = [b"meta.yml".as_slice(), b"index.json"];
-                match containers.into_iter().any(holds) {
-                    true => Some(Self::Container),
-                    false => holds(b"main.xml").then_some(Self::X3p),
-                }
-            }
-            Magic::Text | Magic::Foreign(_) => None,
-        }
-    }
-}
-
-/// What the first bytes tell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Magic {
-    Nanoscope,
-    NetCdf,
-    Zip,
-    Text,
-    /// No reader's, with what is known about it.
-    Foreign(&'static str),
-}
-
-/// Beginnings of formats that are not read, with the way to one that is.
-const FOREIGN: [(&[u8], &str); 9] = [
-    (b"\\*Force file list", ": this is a Nanoscope force curve; export an image of heights"),
-    (b"\x89HDF\r\n\x1a\n", ": this is HDF5 or NetCDF-4; save it as NetCDF-3 ('NETCDF3_64BIT_OFFSET')"),
-    (b"GWYP", ": this is Gwyddion's own format; export it as X3P or as an ASCII matrix with its header"),
-    (b"GWYO", ": this is Gwyddion's own format; export it as X3P or as an ASCII matrix with its header"),
-    (b"?*File list", ": this is a Nanoscope file with its data as text; save it with binary data"),
-    (b"\xff\xfe", ": this is text in UTF-16; save it in UTF-8"),
-    (b"\xfe\xff", ": this is text in UTF-16; save it in UTF-8"),
-    (b"PK\x05\x06", ": this is an empty ZIP file"),
-    (b"\x1f\x8b", ": this is a gzip file; unpack it"),
-];
-
-impl Magic {
-    pub(crate) fn of(bytes: &[u8]) -> Self {
-        let is_nanoscope = [b"\\*File list".as_slice(), b"\\*EC File list"];
-        if is_nanoscope.iter().any(|start| starts_with_any_case(bytes, start)) {
-            return Self::Nanoscope;
-        }
-        if bytes.starts_with(b"CDF") && bytes.get(3).is_some_and(|version| *version < b' ') {
-            return Self::NetCdf;
-        }
-        if bytes.starts_with(b"PK\x03\x04") {
-            return Self::Zip;
-        }
-        if let Some((_, hint)) = FOREIGN.iter().find(|(start, _)| bytes.starts_with(start)) {
-            return Self::Foreign(hint);
-        }
-        // The first bytes alone; what comes later is the text reader's to refuse, with its line.
-        let is_binary = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c".contains(byte);
-        if bytes.iter().take(512).any(is_binary) { Self::Foreign("") } else { Self::Text }
-    }
-}
-
-fn starts_with_any_case(bytes: &[u8], start: &[u8]) -> bool {
-    bytes.get(..start.len()).is_some_and(|head| head.eq_ignore_ascii_case(start))
 }

@@ -59,10 +59,20 @@ pub enum ScanError {
         /// Its value in m.
         value: f64,
     },
-    /// A height that is no finite number.
+    /// Points without a height in what has to be a whole scan.
     #[error(
-        "building a scan: the height of {place} is undefined; fill the gaps in the software of the instrument, or cut them out"
+        "building a scan: {gaps} of {points} points have no height, the first in {place}; have them filled, or cut them out"
     )]
+    Gaps {
+        /// How many points have none.
+        gaps: usize,
+        /// Number of points.
+        points: usize,
+        /// Where the first of them is.
+        place: String,
+    },
+    /// A height that is no finite number.
+    #[error("building a scan: the height of {place} is no finite number; leave the point out")]
     UndefinedHeight {
         /// Where it is.
         place: String,
@@ -111,6 +121,10 @@ impl UniformLineScan {
     #[inline]
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
+    }
+
+    pub(crate) fn into_heights_m(self) -> Vec<f64> {
+        self.heights_m
     }
 
     /// Length of the scan in m: that of its period, one spacing more than from the first to the last point.
@@ -220,6 +234,10 @@ impl HeightMap {
         &self.heights_m
     }
 
+    pub(crate) fn into_heights_m(self) -> Vec<f64> {
+        self.heights_m
+    }
+
     /// The middle of the map, at most so many points along each side, two at least.
     #[must_use]
     pub fn middle(&self, most_points: usize) -> Self {
@@ -285,8 +303,7 @@ mod tests {
         );
         assert_eq!(
             message(HeightMap::new(2, 1.0, 1.0, vec![0.0, 0.0, 0.0, f64::NAN]).unwrap_err()),
-            "building a scan: the height of row 2, column 2 is undefined; fill the gaps in the software of the \
-             instrument, or cut them out"
+            "building a scan: the height of row 2, column 2 is no finite number; leave the point out"
         );
         assert!(HeightMap::new(2, 1.0, 1.0, vec![0.0; 5]).is_err());
         assert!(UniformLineScan::new(0.0, vec![0.0; 2]).is_err());

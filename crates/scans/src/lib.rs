@@ -1,45 +1,52 @@
 //! Measured heights and the files that hold them: text, Nanoscope, NetCDF-3, X3P, containers of contact.engineering.
 //!
 //! The nouns:
-//! * [`Scan`]: heights along an evenly or unevenly spaced line, or of a map, in m, without gaps;
-//! * [`ScanFile`]: a [`Scan`] as read, with what the file says of its instrument and the assumptions made;
+//! * [`Scan`]: heights along an evenly or unevenly spaced line, or of a map, in m;
+//! * [`Measured`]: such heights as an instrument gives them, some points without any ([`Gaps`]);
+//! * [`ScanFile`]: a scan as read, with what the file says of its instrument and the assumptions made;
 //! * [`ScanOptions`]: what a file may leave open, such as its unit and size;
 //! * [`ScanFormat`]: which reader knows a file.
 //!
 //! What it does not do: it opens no paths, prints nothing, and does not detrend, filter or fill anything.
 
+mod assemble;
+mod channel;
 mod choice_of_size;
 mod choice_of_units;
+mod cursor;
 mod error;
 mod file;
 mod format;
+mod gaps;
 mod heights;
+mod measure;
+mod measured;
 mod metadata;
-mod nanoscope;
-mod netcdf;
 mod options;
+mod raster;
 mod read;
+mod readers;
 mod scan_size;
-mod single;
-mod text;
+mod statistics;
 
-#[cfg(any(feature = "x3p", feature = "container"))]
+#[cfg(any(feature = "archives", feature = "x3p", feature = "container"))]
 mod archive;
-#[cfg(feature = "container")]
-mod container;
-#[cfg(feature = "x3p")]
-mod x3p;
 
-#[cfg(feature = "container")]
-pub use container::read_metadata;
+pub use channel::Axis;
 pub use error::{Mend, Place, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use format::ScanFormat;
+pub use gaps::Gaps;
 pub use heights::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
+pub use measure::Measure;
+pub use measured::Measured;
 pub use metadata::{MeasurementMetadata, Probe};
 pub use options::ScanOptions;
-pub use read::read_scans;
+pub use read::{read_scans, visit_channels};
+#[cfg(feature = "container")]
+pub use readers::container::read_metadata;
 pub use scan_size::ScanSize;
+pub use statistics::Statistics;
 pub use units::LengthUnit;
 
 /// The example of the page runs.

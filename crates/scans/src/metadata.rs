@@ -41,6 +41,8 @@ pub struct MeasurementMetadata {
     pub tip_radius_m: Option<f64>,
     /// Smallest length that the instrument resolves, in m, above 0.
     pub resolution_m: Option<f64>,
+    /// What people wrote about the measurement.
+    pub description: Option<String>,
 }
 
 impl MeasurementMetadata {

@@ -1,18 +1,17 @@
-//! Files of scans, one or many.
+//! Files of scans become scans: one, those of a container, or every channel.
 
+use crate::assemble::{assembled, chosen};
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
-#[cfg(feature = "container")]
-use crate::format::Magic;
+use crate::measure::Measure;
 use crate::options::ScanOptions;
-use crate::single::read_one;
+use crate::readers::{reader_of, unknown_format};
 
 /// Reads the scan in a file, or those in a container.
 ///
-/// The format is told by the content: text (profiles `x h`, one column of heights, points `x y h`, matrices; decimal
-/// commas where unambiguous), Nanoscope files with binary data, NetCDF-3 as contact.engineering writes it, X3P, and the
-/// containers of contact.engineering. `name` is the name of the file, for messages. Memory is bounded by a small
-/// multiple of the file, or of what a ZIP file unpacks to.
+/// The format is told by the content, see [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read,
+/// else the first of heights. `name` is the name of the file, for messages. Memory is bounded by a small multiple of the
+/// file, or of what it unpacks to.
 ///
 /// ```
 /// use scans::{Scan, ScanOptions, read_scans};
@@ -20,7 +19,7 @@ use crate::single::read_one;
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let options = ScanOptions { unit: Some("µm".parse()?), ..ScanOptions::default() };
 /// let scans = read_scans(b"0.0 0.125\n0.5 0.25\n1.0 0.125\n", "stylus.txt", &options)?;
-/// let Scan::UniformLine(line) = &scans[0].scan else { panic!("evenly spaced") };
+/// let Scan::UniformLine(line) = scans[0].scan.clone().complete()? else { panic!("evenly spaced") };
 /// assert_eq!((line.spacing_m(), line.heights_m()[1]), (0.5e-6, 0.25e-6));
 /// # Ok(())
 /// # }
@@ -30,11 +29,51 @@ use crate::single::read_one;
 /// [`ScanReadError`], with the place in the file, the value and the bound, for the first thing that is wrong.
 pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec<ScanFile>, ScanReadError> {
     #[cfg(feature = "container")]
-    if Magic::of(bytes) == Magic::Zip {
-        let mut archive = crate::archive::Archive::open(bytes, options.unpacked_bound())?;
-        if let Some(index) = crate::container::index_path(&archive) {
-            return crate::container::read(&mut archive, &index, options);
-        }
+    if let Some(scans) = crate::readers::container::read(bytes, options) {
+        return scans;
     }
     Ok(vec![read_one(bytes, name, options)?])
+}
+
+/// Visits every channel of a file, one after the other, so that only one of them is held in memory: of heights and, where
+/// wanted, of anything else. The values of a channel that measures no length stand in its own unit, see
+/// [`ScanFile::measure`]. Of a container, the scans are visited.
+///
+/// # Errors
+/// [`ScanReadError`] for a file that no reader knows; what is wrong with one channel is handed to the visitor.
+pub fn visit_channels(
+    bytes: &[u8],
+    name: &str,
+    options: &ScanOptions,
+    all_channels: bool,
+    mut visit: impl FnMut(Result<ScanFile, ScanReadError>),
+) -> Result<(), ScanReadError> {
+    #[cfg(feature = "container")]
+    if let Some(scans) = crate::readers::container::read(bytes, options) {
+        scans?.into_iter().for_each(|scan| visit(Ok(scan)));
+        return Ok(());
+    }
+    let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
+    let channels = (reader.channels)(bytes, options)?;
+    let labels: Vec<String> = channels.iter().filter_map(|channel| channel.name.clone()).collect();
+    if options.channel.is_some() {
+        let channel = chosen(reader.format, channels, options)?;
+        visit(assembled(reader.format, channel, &labels, name, options));
+        return Ok(());
+    }
+    let is_wanted = |measure: &Measure| all_channels || *measure == Measure::Height;
+    for channel in channels.into_iter().filter(|channel| is_wanted(&channel.measure())) {
+        visit(assembled(reader.format, channel, &labels, name, options));
+    }
+    Ok(())
+}
+
+/// Reads a file with one scan: anything but a container.
+pub(crate) fn read_one(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
+    let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
+    let channels = (reader.channels)(bytes, options)?;
+    let heights = channels.iter().filter(|channel| channel.is_heights());
+    let labels: Vec<String> = heights.filter_map(|channel| channel.name.clone()).collect();
+    let channel = chosen(reader.format, channels, options)?;
+    assembled(reader.format, channel, &labels, name, options)
 }

@@ -2,17 +2,15 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use crate::archive::{Archive, leads_outside};
-use crate::choice_of_size;
-use crate::choice_of_size::refuse_size;
-use crate::choice_of_units::{own_scale_note, refuse_unit};
+use crate::archive::{Archive, is_named_in, is_zip, leads_outside};
+use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::error::{Place, ScanReadError};
-use crate::file::Reading;
 use crate::format::ScanFormat;
-use crate::heights::{NonuniformLineScan, Scan};
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
-use crate::scan_size::ScanSize;
+use crate::raster::Decoded;
+use crate::readers::Reader;
+use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::X3p;
 const INDEX: &str = "main.xml";
@@ -52,34 +50,27 @@ struct Coordinate {
     offset: f64,
 }
 
-pub(crate) fn is_x3p(archive: &Archive) -> bool {
-    archive.paths().any(|path| path == INDEX)
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+fn recognises(bytes: &[u8]) -> bool {
+    is_zip(bytes) && is_named_in(bytes, INDEX)
 }
 
-pub(crate) fn read(archive: &mut Archive, options: &ScanOptions) -> Result<Reading, ScanReadError> {
-    refuse_unit(FORMAT, options)?;
-    if let Some(wanted) = &options.channel {
-        let wanted = format!("channel '{wanted}', for an X3P file holds one without a name");
-        return Err(ScanReadError::NoChannel { format: FORMAT, wanted, channels: Vec::new() });
-    }
+/// The one channel of a file, which has no name.
+fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let mut archive = Archive::open(bytes, options.unpacked_bound())?;
     let index = archive.read_at_most(INDEX, LARGEST_INDEX)?;
     let description = describe(&index)?;
-    let mut notes: Vec<String> = own_scale_note(options).into_iter().collect();
-    let (positions_m, heights_m) = description.values(archive)?;
-    let Description { columns, rows, .. } = description;
-    let Some(spacing_x_m) = description.spacing_x_m else {
-        refuse_size(FORMAT, Place::Element("Record1/Axes/CX".to_owned()), options)?;
-        let line = NonuniformLineScan::new(positions_m, heights_m)?;
-        return Ok(Reading { probe: description.probe, ..Reading::new(Scan::NonuniformLine(line), notes) });
+    let (positions_m, decoded) = description.values(&mut archive)?;
+    let lateral = match description.spacing_x_m {
+        None => Lateral::Positions(positions_m),
+        Some(x_m) => {
+            Lateral::Spacing { x_m, y_m: description.is_map.then_some(description.spacing_y_m) }
+        }
     };
-    let y_m = description.is_map.then_some(description.spacing_y_m * rows as f64);
-    let stated = ScanSize { x_m: spacing_x_m * columns as f64, y_m };
-    let size = choice_of_size::size(options, Some(stated), &mut notes).unwrap_or(stated);
-    let scan = match description.is_map {
-        true => size.map(columns, heights_m, &mut notes)?,
-        false => size.line(heights_m)?,
-    };
-    Ok(Reading { probe: description.probe, ..Reading::new(scan, notes) })
+    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
+    let samples = Samples::Decoded { columns: description.columns, decoded };
+    Ok(vec![Channel { probe: description.probe, ..Channel::new(None, quantity, lateral, samples) }])
 }
 
 fn describe(index: &[u8]) -> Result<Description, ScanReadError> {
@@ -158,8 +149,8 @@ fn probe(root: &Element) -> Option<Probe> {
 }
 
 impl Description {
-    /// Positions in m, none for even spacing, and heights in m, row after row; those of invalid points are NaN.
-    fn values(&self, archive: &mut Archive) -> Result<(Vec<f64>, Vec<f64>), ScanReadError> {
+    /// Positions in m, none for even spacing, and heights in m, row after row.
+    fn values(&self, archive: &mut Archive) -> Result<(Vec<f64>, Decoded), ScanReadError> {
         let points = self.columns.checked_mul(self.rows);
         let x_size = if self.spacing_x_m.is_some() { 0 } else { self.x.kind.size() };
         let size = x_size + self.z.kind.size();
@@ -176,20 +167,19 @@ impl Description {
             0 => Vec::new(),
             _ => data.chunks_exact(size).map(|point| self.x.length_m(&point[..x_size])).collect(),
         };
-        let mut heights_m: Vec<f64> =
-            data.chunks_exact(size).map(|point| self.z.length_m(&point[x_size..])).collect();
-        if let Some(path) = &self.valid {
-            let bits = archive.read(path)?;
-            let needed = heights_m.len().div_ceil(8);
-            if bits.len() < needed {
-                return Err(truncated(format!("a bit for each point in '{path}'"), Some(needed), bits.len()));
-            }
-            let is_valid = |index: usize| bits[index / 8] >> (index % 8) & 1 == 1;
-            for (_, height) in heights_m.iter_mut().enumerate().filter(|(index, _)| !is_valid(*index)) {
-                *height = f64::NAN;
-            }
+        let valid = self.valid.as_ref().map(|path| archive.read(path)).transpose()?;
+        let needed = (data.len() / size).div_ceil(8);
+        if let (Some(bits), Some(path)) = (&valid, &self.valid)
+            && bits.len() < needed
+        {
+            return Err(truncated(format!("a bit for each point in '{path}'"), Some(needed), bits.len()));
         }
-        Ok((positions_m, heights_m))
+        let is_valid =
+            |index: usize| valid.as_ref().is_none_or(|bits| bits[index / 8] >> (index % 8) & 1 == 1);
+        let height_m = |(index, point): (usize, &[u8])| {
+            is_valid(index).then(|| self.z.length_m(&point[x_size..]))
+        };
+        Ok((positions_m, data.chunks_exact(size).enumerate().map(height_m).collect()))
     }
 }
 

@@ -2,11 +2,10 @@
 
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
-use crate::options::ScanOptions;
 use crate::scan_size::ScanSize;
-use crate::text::columns::Columns;
-use crate::text::style::FORMAT;
-use crate::text::style::{is_comment, shortened};
+use super::columns::Columns;
+use super::style::FORMAT;
+use super::style::{is_comment, shortened};
 use units::LengthUnit;
 
 /// What the lines before the first numbers say.
@@ -161,16 +160,9 @@ impl Header {
         }
     }
 
-    /// The channel of the file, if it is the one asked for or none is.
-    pub(crate) fn channel(&self, options: &ScanOptions) -> Result<Option<String>, ScanReadError> {
-        match &options.channel {
-            Some(wanted) if self.channel.as_ref() != Some(wanted) => Err(ScanReadError::NoChannel {
-                format: FORMAT,
-                wanted: format!("channel '{wanted}'"),
-                channels: self.channel.iter().cloned().collect(),
-            }),
-            _ => Ok(self.channel.clone()),
-        }
+    /// The channel of the file, where it has a name.
+    pub(crate) fn channel(&self) -> Option<String> {
+        self.channel.clone()
     }
 
     /// Whether the header gives both sizes of a map.

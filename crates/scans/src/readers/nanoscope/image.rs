@@ -1,8 +1,9 @@
 //! One image of a Nanoscope file: what it measures, its grid, its counts.
 
+use super::header::{Header, Section, Value};
+use crate::channel::is_named_after_height;
 use crate::error::ScanReadError;
-use crate::nanoscope::header::FORMAT;
-use crate::nanoscope::header::{Header, Section, Value};
+use crate::raster::{NumberType, Order, Raster};
 use units::LengthUnit;
 
 /// From this version on counts take four bytes, whatever `Bytes/pixel` says; that still sets their scale.
@@ -51,21 +52,38 @@ impl<'h> Image<'h> {
 
     /// Deflections and errors may be in nm as well, but are no heights.
     pub(crate) fn is_named_after_height(&self) -> bool {
-        let name = self.name().to_lowercase().replace(' ', "");
-        name.contains("height") || name.contains("zsens") || name.contains("topography")
+        is_named_after_height(&self.name())
     }
 
-    /// Whether the counts stand for lengths.
-    pub(crate) fn is_length(&self) -> bool {
-        self.scale_m_per_count().is_ok()
+    /// The unit of what is no length, as the sensitivity names it; that of the full scale where there is none.
+    pub(crate) fn unit(&self) -> String {
+        let scaled = |value: Value| Scaled::parse(&value.text);
+        let full_scale = self.z_scale().ok().and_then(scaled);
+        let soft = full_scale.as_ref().and_then(|scale| self.header.sensitivity(scale.soft_scale.as_ref()?));
+        let unit = |scaled: Scaled| scaled.number().map(|(_, unit)| unit);
+        let per_volt = soft.and_then(scaled).and_then(unit).and_then(|unit| Some(unit.split_once('/')?.0.to_owned()));
+        per_volt.or_else(|| full_scale.and_then(unit)).unwrap_or_default()
+    }
+
+    /// What one count is worth in [`Image::unit`].
+    pub(crate) fn scale_per_count(&self) -> Option<f64> {
+        let full_scale = Scaled::parse(&self.z_scale().ok()?.text)?;
+        let (full, _) = full_scale.number()?;
+        let soft = full_scale.soft_scale.as_ref().and_then(|name| self.header.sensitivity(name));
+        let sensitivity = soft.and_then(|value| Scaled::parse(&value.text)?.number()).map_or(1.0, |(value, _)| value);
+        Some(full / 256f64.powi(self.bytes_per_pixel().ok()? as i32) * sensitivity)
+    }
+
+    fn z_scale(&self) -> Result<Value, ScanReadError> {
+        match self.section.get("@4:Z scale") {
+            Some(value) => Ok(value),
+            None => self.section.require("@2:Z scale"),
+        }
     }
 
     /// Height of one count in m: full scale in V over the number of counts, times the sensitivity in nm/V.
     pub(crate) fn scale_m_per_count(&self) -> Result<f64, ScanReadError> {
-        let value = match self.section.get("@4:Z scale") {
-            Some(value) => value,
-            None => self.section.require("@2:Z scale")?,
-        };
+        let value = self.z_scale()?;
         let bad = || value.bad("a full scale such as 'V [Sens. Zsens] (0.0067 V/LSB) 2.125 V'");
         let full_scale = Scaled::parse(&value.text).ok_or_else(bad)?;
         let (volts, unit) = full_scale.number().ok_or_else(bad)?;
@@ -154,33 +172,16 @@ impl<'h> Image<'h> {
 }
 
 impl Grid {
-    /// Heights row after row from the top of the image, which is stored from the bottom.
-    pub(crate) fn heights(&self, bytes: &[u8], m_per_count: f64) -> Result<Vec<f64>, ScanReadError> {
+    /// Where the numbers stand; the image is stored from its bottom.
+    pub(crate) fn raster<'b>(&self, bytes: &'b [u8], scale: f64) -> Result<Raster<'b>, ScanReadError> {
         let Self { columns, rows, bytes_per_count, header_end, .. } = *self;
         let offset = self.offset.text.parse().ok().filter(|&offset: &usize| offset >= header_end);
         let offset = offset.ok_or_else(|| {
             self.offset.bad(&format!("a whole number from {header_end} on, where the header ends"))
         })?;
-        let needed = columns * rows * bytes_per_count;
-        let data = bytes.get(offset..).and_then(|rest| rest.get(..needed)).ok_or_else(|| {
-            ScanReadError::Truncated {
-                format: FORMAT,
-                offset: offset as u64,
-                what: format!("the image of {columns} x {rows} points"),
-                needed: needed as u64,
-                available: bytes.len().saturating_sub(offset) as u64,
-            }
-        })?;
-        let rows_from_top = data.chunks_exact(columns * bytes_per_count).rev();
-        let count = |count: &[u8]| match *count {
-            [a, b] => f64::from(i16::from_le_bytes([a, b])),
-            [a, b, c, d] => f64::from(i32::from_le_bytes([a, b, c, d])),
-            _ => f64::NAN,
-        };
-        Ok(rows_from_top
-            .flat_map(|row| row.chunks_exact(bytes_per_count))
-            .map(|raw| count(raw) * m_per_count)
-            .collect())
+        let number = if bytes_per_count == 4 { NumberType::I32 } else { NumberType::I16 };
+        let raster = Raster::within(number, columns, rows, bytes, offset);
+        Ok(Raster { order: Order::RowsFromBottom, scale, ..raster })
     }
 }
 

@@ -1,32 +1,31 @@
 //! Profiles `x h`.
 
-use crate::choice_of_size;
-use crate::choice_of_size::refuse_size;
+use super::Found;
+use super::columns::{Columns, line_of_row};
+use super::header::Header;
+use super::style::FORMAT;
+use crate::channel::Lateral;
 use crate::choice_of_units::Units;
-use crate::error::{Place, ScanReadError};
-use crate::heights::{NonuniformLineScan, Scan, UniformLineScan};
+use crate::error::ScanReadError;
 use crate::options::ScanOptions;
-use crate::scan_size::ScanSize;
-use crate::text::columns::{Columns, line_of_row};
-use crate::text::header::Header;
-use crate::text::style::FORMAT;
 
 /// The share of the spacing that the rounding of printed positions may take up before even spacing is a guess.
 const DISCERNIBLE: f64 = 0.25;
 
 /// A profile at even spacing where the printed positions agree with one, else at uneven spacing.
-pub(crate) fn read(
+pub(super) fn read(
     text: &str,
-    columns: &Columns,
+    columns: Columns,
     header: &Header,
     options: &ScanOptions,
     notes: &mut Vec<String>,
-) -> Result<Scan, ScanReadError> {
+) -> Result<Found, ScanReadError> {
     let units = Units::of(options, header.column_unit(0), header.height_unit(1), notes);
     let height_to_m = units.height_to_m(FORMAT)?;
     let length_to_m = units.length_to_m(FORMAT)?;
+    columns.refuse_gaps(text, 0)?;
     let mut positions: Vec<f64> = columns.column(0).collect();
-    let mut heights_m: Vec<f64> = columns.column(1).map(height_to_m).collect();
+    let mut heights_m: Vec<Option<f64>> = columns.measured(1).map(|height| height.map(&height_to_m)).collect();
     if positions.first() > positions.last() && positions.is_sorted_by(|a, b| a > b) {
         notes.push("positions fall from line to line: the profile is read from its end".to_owned());
         positions.reverse();
@@ -39,20 +38,11 @@ pub(crate) fn read(
             before: positions[row],
         });
     }
-    match even_spacing(&positions, columns.rounding(0)) {
-        Some(spacing) => {
-            let stated = ScanSize { x_m: length_to_m(spacing * positions.len() as f64), y_m: None };
-            match choice_of_size::size(options, Some(stated), notes) {
-                Some(size) if size != stated => size.line(heights_m),
-                _ => Ok(Scan::UniformLine(UniformLineScan::new(length_to_m(spacing), heights_m)?)),
-            }
-        }
-        None => {
-            refuse_size(FORMAT, Place::Line(columns.first_line), options)?;
-            positions.iter_mut().for_each(|position| *position = length_to_m(*position));
-            Ok(Scan::NonuniformLine(NonuniformLineScan::new(positions, heights_m)?))
-        }
-    }
+    let lateral = match even_spacing(&positions, columns.rounding(0)) {
+        Some(spacing) => Lateral::Spacing { x_m: length_to_m(spacing), y_m: None },
+        None => Lateral::Positions(positions.into_iter().map(length_to_m).collect()),
+    };
+    Ok(Found { columns: heights_m.len(), lateral, heights_m: heights_m.into_iter().collect() })
 }
 
 /// The spacing of rising positions that are evenly spaced within the rounding of their digits.

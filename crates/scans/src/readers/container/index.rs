@@ -99,6 +99,7 @@ impl Entry<'_> {
             probe: probe(self.value),
             tip_radius_m: instrument_length_m(self.value, "tip_radius"),
             resolution_m: instrument_length_m(self.value, "resolution"),
+            description: self.get("description").and_then(Value::as_str).map(str::to_owned),
         })
     }
 

@@ -6,8 +6,8 @@
 use std::borrow::Cow;
 
 use crate::error::ScanReadError;
-use crate::netcdf::cursor::FORMAT;
-use crate::netcdf::cursor::{Cursor, bad};
+use super::cursor::FORMAT;
+use super::cursor::{Cursor, bad};
 
 const DIMENSIONS: u32 = 10;
 const VARIABLES: u32 = 11;

@@ -1,15 +1,15 @@
 //! Points `x y h` on a regular grid, in any order.
 
-use crate::choice_of_size;
+use super::Found;
+use super::columns::{Columns, line_of_row};
+use super::header::Header;
+use super::profile::even_spacing;
+use super::style::FORMAT;
+use crate::channel::Lateral;
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
-use crate::heights::{HeightMap, Scan};
 use crate::options::ScanOptions;
-use crate::scan_size::ScanSize;
-use crate::text::columns::{Columns, line_of_row};
-use crate::text::header::Header;
-use crate::text::profile::even_spacing;
-use crate::text::style::FORMAT;
+use crate::raster::Decoded;
 
 /// One axis of a grid.
 struct Axis {
@@ -19,28 +19,26 @@ struct Axis {
 }
 
 /// A map with its rows in the order of rising y.
-pub(crate) fn read(
+pub(super) fn read(
     text: &str,
     columns: &Columns,
     header: &Header,
     options: &ScanOptions,
     notes: &mut Vec<String>,
-) -> Result<Scan, ScanReadError> {
+) -> Result<Found, ScanReadError> {
     let units = Units::of(options, header.column_unit(0), header.height_unit(2), notes);
     let height_to_m = units.height_to_m(FORMAT)?;
     let x_to_m = units.length_to_m(FORMAT)?;
     let y_to_m = Units { lateral: options.unit.or(header.column_unit(1)).or(units.lateral), ..units }
         .length_to_m(FORMAT)?;
+    columns.refuse_gaps(text, 0)?;
+    columns.refuse_gaps(text, 1)?;
     let x = Axis::find(text, columns, 0)?;
     let y = Axis::find(text, columns, 1)?;
-    let mut heights_m = fill(text, columns, &x, &y)?;
-    heights_m.iter_mut().for_each(|height| *height = height_to_m(*height));
-    let spacings_m = (x_to_m(x.spacing), y_to_m(y.spacing));
-    let stated = ScanSize { x_m: spacings_m.0 * x.count as f64, y_m: Some(spacings_m.1 * y.count as f64) };
-    match choice_of_size::size(options, Some(stated), notes) {
-        Some(size) if size != stated => size.map(x.count, heights_m, notes),
-        _ => Ok(Scan::Map(HeightMap::new(x.count, spacings_m.0, spacings_m.1, heights_m)?)),
-    }
+    let heights = fill(text, columns, &x, &y)?;
+    let heights_m = heights.into_iter().map(|height| height.flatten().map(&height_to_m)).collect::<Decoded>();
+    let lateral = Lateral::Spacing { x_m: x_to_m(x.spacing), y_m: Some(y_to_m(y.spacing)) };
+    Ok(Found { columns: x.count, lateral, heights_m })
 }
 
 impl Axis {
@@ -86,41 +84,26 @@ impl Axis {
     }
 }
 
-fn fill(text: &str, columns: &Columns, x: &Axis, y: &Axis) -> Result<Vec<f64>, ScanReadError> {
-    // As many grid points as points leave no gap; more would also let two scattered points demand a vast grid.
-    let points = columns.rows();
-    let size = x.count.checked_mul(y.count).filter(|&size| size <= points);
-    let Some(size) = size else { return Err(missing(columns, x, y)) };
-    let mut heights = vec![f64::NAN; size];
-    for (row, point) in columns.values.chunks_exact(3).enumerate() {
-        let height = &mut heights[y.index(point[1]) * x.count + x.index(point[0])];
-        if !height.is_nan() {
-            let same = |other: &[f64]| {
-                x.index(other[0]) == x.index(point[0]) && y.index(other[1]) == y.index(point[1])
-            };
-            let first = columns.values.chunks_exact(3).position(same).unwrap_or(0);
-            let (line, first_line) = (line_of_row(text, row), line_of_row(text, first));
-            return Err(ScanReadError::RepeatedPoint { line, first_line, x: point[0], y: point[1] });
-        }
-        *height = point[2];
-    }
-    if heights.iter().any(|height| height.is_nan()) { Err(missing(columns, x, y)) } else { Ok(heights) }
-}
+/// How many times as many grid points as points there may be; the others are gaps. More would be no map, and two scattered
+/// points could demand a vast grid.
+const SPARSEST: usize = 4;
 
-/// Which points are missing, found from the sorted indices of those that are there.
-fn missing(columns: &Columns, x: &Axis, y: &Axis) -> ScanReadError {
-    let mut present: Vec<(usize, usize)> =
-        columns.values.chunks_exact(3).map(|point| (y.index(point[1]), x.index(point[0]))).collect();
-    present.sort_unstable();
-    present.dedup();
-    let expected = |index: usize| (index / x.count, index % x.count);
-    let first = present.iter().enumerate().find(|&(index, &at)| at != expected(index));
-    let (row, column) = expected(first.map_or(present.len(), |(index, _)| index));
-    ScanReadError::MissingPoints {
-        missing: x.count.saturating_mul(y.count).saturating_sub(present.len()),
-        columns: x.count,
-        rows: y.count,
-        x: x.position(column),
-        y: y.position(row),
+/// The height of every grid point that the file has a line for, which may say that it is a gap.
+fn fill(text: &str, columns: &Columns, x: &Axis, y: &Axis) -> Result<Vec<Option<Option<f64>>>, ScanReadError> {
+    let points = columns.rows();
+    let size = x.count.checked_mul(y.count).filter(|&size| size / SPARSEST <= points);
+    let size = size.ok_or(ScanReadError::Scattered { points, columns: x.count, rows: y.count })?;
+    let mut heights = vec![None; size];
+    let positions = || columns.column(0).zip(columns.column(1));
+    let index = |(at_x, at_y): (f64, f64)| y.index(at_y) * x.count + x.index(at_x);
+    for (row, (at, height)) in positions().zip(columns.measured(2)).enumerate() {
+        let place = &mut heights[index(at)];
+        if place.is_some() {
+            let first = positions().position(|other| index(other) == index(at)).unwrap_or(0);
+            let (line, first_line) = (line_of_row(text, row), line_of_row(text, first));
+            return Err(ScanReadError::RepeatedPoint { line, first_line, x: at.0, y: at.1 });
+        }
+        *place = Some(height);
     }
+    Ok(heights)
 }

@@ -1,14 +1,15 @@
 //! The numbers of a text file, and how finely they are printed.
 
 use crate::error::ScanReadError;
-use crate::text::style::{Separator, is_gap, rows, shortened};
+use crate::raster::Decoded;
+use super::style::{Separator, is_gap, rows, shortened};
 
 /// Rows of numbers of one length.
 pub(crate) struct Columns {
     /// Number of columns, at least 1.
     pub(crate) count: usize,
-    /// Row after row; all finite.
-    pub(crate) values: Vec<f64>,
+    /// Row after row.
+    pub(crate) values: Decoded,
     /// The first line of numbers.
     pub(crate) first_line: usize,
     pub(crate) separator: Separator,
@@ -21,7 +22,7 @@ impl Columns {
         let separator = Separator::of(text)?;
         let mut columns = Self {
             count: 0,
-            values: Vec::new(),
+            values: Decoded::default(),
             first_line: 0,
             separator,
             printed: [Precision::default(); 2],
@@ -29,7 +30,7 @@ impl Columns {
         let mut decimals = Decimals::default();
         let mut scratch = String::new();
         for (line, row) in rows(text) {
-            let start = columns.values.len();
+            let start = columns.values.values.len();
             for (index, field) in separator.split(row).enumerate() {
                 let field = decimals.with_point(field, line, &mut scratch)?;
                 columns.values.push(number(field, line, index + 1)?);
@@ -37,7 +38,7 @@ impl Columns {
                     printed.take(field);
                 }
             }
-            let found = columns.values.len() - start;
+            let found = columns.values.values.len() - start;
             if start == 0 {
                 (columns.count, columns.first_line) = (found, line);
             } else if found != columns.count {
@@ -50,12 +51,30 @@ impl Columns {
 
     /// Number of rows.
     pub(crate) fn rows(&self) -> usize {
-        self.values.len() / self.count
+        self.values.values.len() / self.count
     }
 
-    /// A column, from 0.
+    /// A column, from 0; 0 where a field marks a gap.
     pub(crate) fn column(&self, index: usize) -> impl Iterator<Item = f64> {
-        self.values.iter().skip(index).step_by(self.count).copied()
+        self.values.values.iter().skip(index).step_by(self.count).copied()
+    }
+
+    /// A column that may have gaps, from 0.
+    pub(crate) fn measured(&self, index: usize) -> impl Iterator<Item = Option<f64>> {
+        let at = move |(row, value)| (!self.values.gaps.contains(row * self.count + index)).then_some(value);
+        self.column(index).enumerate().map(at)
+    }
+
+    /// Refuses a column of positions that has gaps.
+    pub(crate) fn refuse_gaps(&self, text: &str, column: usize) -> Result<(), ScanReadError> {
+        match self.measured(column).position(|value| value.is_none()) {
+            None => Ok(()),
+            Some(row) => Err(ScanReadError::NotANumber {
+                line: line_of_row(text, row),
+                column: column + 1,
+                text: "no position".to_owned(),
+            }),
+        }
     }
 
     /// How far two printed positions of a column may lie from evenly spaced ones: a unit of the last digit, since
@@ -109,13 +128,13 @@ impl Decimals {
     }
 }
 
-fn number(field: &str, line: usize, column: usize) -> Result<f64, ScanReadError> {
+/// A number; nothing where the field marks a gap.
+fn number(field: &str, line: usize, column: usize) -> Result<Option<f64>, ScanReadError> {
     match field.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
         Err(_) if !is_gap(field) && !field.is_empty() => {
             Err(ScanReadError::NotANumber { line, column, text: shortened(field) })
         }
-        _ => Err(ScanReadError::Gap { line, column, text: shortened(field) }),
+        parsed => Ok(parsed.ok().filter(|value| value.is_finite())),
     }
 }
 
@@ -177,7 +196,7 @@ mod tests {
 
     #[test]
     fn decimals_have_one_mark() {
-        assert_eq!(Columns::read("0,5;1\n1,5;2").unwrap().values, [0.5, 1.0, 1.5, 2.0]);
+        assert_eq!(Columns::read("0,5;1\n1,5;2").unwrap().values.values, [0.5, 1.0, 1.5, 2.0]);
         let mixed = Columns::read("0,5;1\n1.5;2").map(|columns| columns.count).unwrap_err();
         assert_eq!(
             mixed.to_string(),

@@ -4,14 +4,13 @@
 mod classic;
 mod cursor;
 
-use crate::choice_of_size;
-use crate::choice_of_size::refuse_size;
+use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
-use crate::file::Reading;
-use crate::heights::{NonuniformLineScan, Scan, transposed};
 use crate::metadata::{instrument_length_m, probe};
 use crate::options::ScanOptions;
+use crate::raster::Decoded;
+use crate::readers::Reader;
 use crate::scan_size::ScanSize;
 use classic::{Classic, Variable};
 use cursor::FORMAT;
@@ -27,8 +26,14 @@ enum Layout {
     Points,
 }
 
-/// Reads the heights; the index of a row is that of `y`.
-pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Reading, ScanReadError> {
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+fn recognises(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"CDF") && bytes.get(3).is_some_and(|version| *version < b' ')
+}
+
+/// The one channel, `heights`; the index of a row is that of `y`.
+fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let file = Classic::read(bytes)?;
     let Some(variable) = file.variable("heights") else {
         let names = file.variables.iter().map(|variable| variable.name.to_string()).collect();
@@ -38,43 +43,43 @@ pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Reading, ScanR
             channels: names,
         });
     };
-    if let Some(wanted) = options.channel.as_ref().filter(|wanted| *wanted != "heights") {
-        let channels = vec!["heights".to_owned()];
-        return Err(ScanReadError::NoChannel {
-            format: FORMAT,
-            wanted: format!("channel '{wanted}'"),
-            channels,
-        });
-    }
     let layout = Layout::of(&file, variable)?;
     let mut notes = Vec::new();
     let units = units(&file, variable, options, &mut notes)?;
     let height_to_m = units.height_to_m(FORMAT)?;
-    let mut heights_m = file.values(variable)?;
-    heights_m.iter_mut().for_each(|height| *height = height_to_m(*height));
-    blank_masked(&file, variable, &mut heights_m)?;
-    let scan = match layout {
-        Layout::Points => points(&file, &units, options, heights_m)?,
-        Layout::Line => size(&file, false, &units, options, &mut notes)?.line(heights_m)?,
-        Layout::Rows(columns) => {
-            size(&file, true, &units, options, &mut notes)?.map(columns, heights_m, &mut notes)?
-        }
+    let heights = file.values(variable)?;
+    let is_masked = mask(&file, variable)?;
+    let height_m = |index: usize| match &is_masked {
+        Some(mask) if mask[index] != 0.0 => None,
+        _ => Some(height_to_m(heights[index])),
+    };
+    let points = heights.len();
+    let (columns, decoded): (usize, Decoded) = match layout {
+        Layout::Points | Layout::Line => (points, (0..points).map(height_m).collect()),
+        Layout::Rows(columns) => (columns, (0..points).map(height_m).collect()),
         Layout::Columns(rows) => {
-            let columns = heights_m.len() / rows;
-            let rowwise = transposed(&heights_m, rows);
-            size(&file, true, &units, options, &mut notes)?.map(columns, rowwise, &mut notes)?
+            let rowwise = (0..rows).flat_map(|row| (row..points).step_by(rows));
+            (points / rows, rowwise.map(height_m).collect())
         }
     };
-    let mut reading = Reading::new(scan, notes);
-    reading.channels = vec!["heights".to_owned()];
-    reading.channel = Some("heights".to_owned());
-    reading.is_periodic = is_periodic(&file);
-    if let Some(info) = instrument(&file) {
-        reading.probe = probe(&info);
-        reading.tip_radius_m = instrument_length_m(&info, "tip_radius");
-        reading.resolution_m = instrument_length_m(&info, "resolution");
-    }
-    Ok(reading)
+    let lateral = match layout {
+        Layout::Points => positions(&file, &units)?,
+        Layout::Line => size(&file, false, &units)?,
+        Layout::Rows(_) | Layout::Columns(_) => size(&file, true, &units)?,
+    };
+    let info = instrument(&file);
+    let length_m = |name: &str| info.as_ref().and_then(|info| instrument_length_m(info, name));
+    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
+    let samples = Samples::Decoded { columns, decoded };
+    Ok(vec![Channel {
+        units: UnitsBy::Reader,
+        is_periodic: is_periodic(&file),
+        probe: info.as_ref().and_then(probe),
+        tip_radius_m: length_m("tip_radius"),
+        resolution_m: length_m("resolution"),
+        notes,
+        ..Channel::new(Some("heights".to_owned()), quantity, lateral, samples)
+    }])
 }
 
 impl Layout {
@@ -127,13 +132,7 @@ fn units(
     Ok(Units::of(options, x.or(y), height.or(x), notes))
 }
 
-fn size(
-    file: &Classic,
-    is_map: bool,
-    units: &Units,
-    options: &ScanOptions,
-    notes: &mut Vec<String>,
-) -> Result<ScanSize, ScanReadError> {
+fn size(file: &Classic, is_map: bool, units: &Units) -> Result<Lateral, ScanReadError> {
     let length_m = |name: &str| -> Result<Option<f64>, ScanReadError> {
         let Some(attribute) = file.variable(name).and_then(|variable| variable.attribute("length")) else {
             return Ok(None);
@@ -142,21 +141,13 @@ fn size(
         let length = length.ok_or_else(|| attribute.bad("length", "a finite number above 0"))?;
         Ok(Some(units.length_to_m(FORMAT)?(length)))
     };
-    let stated = match (length_m("x")?, if is_map { length_m("y")? } else { None }) {
-        (Some(x_m), y_m) if y_m.is_some() == is_map => Some(ScanSize { x_m, y_m }),
-        _ => None,
-    };
-    let what = "the size of the scan (attribute 'length' of 'x' and 'y')";
-    choice_of_size::size(options, stated, notes).ok_or(ScanReadError::NoSize { format: FORMAT, what })
+    Ok(match (length_m("x")?, if is_map { length_m("y")? } else { None }) {
+        (Some(x_m), y_m) if y_m.is_some() == is_map => Lateral::Size(ScanSize { x_m, y_m }),
+        _ => Lateral::Unknown,
+    })
 }
 
-fn points(
-    file: &Classic,
-    units: &Units,
-    options: &ScanOptions,
-    heights_m: Vec<f64>,
-) -> Result<Scan, ScanReadError> {
-    refuse_size(FORMAT, Place::File, options)?;
+fn positions(file: &Classic, units: &Units) -> Result<Lateral, ScanReadError> {
     let x = file.variable("x").ok_or_else(|| ScanReadError::MissingField {
         format: FORMAT,
         place: Place::File,
@@ -164,13 +155,12 @@ fn points(
         mend: "export the line again",
     })?;
     let to_m = units.length_to_m(FORMAT)?;
-    let positions_m = file.values(x)?.into_iter().map(to_m).collect();
-    Ok(Scan::NonuniformLine(NonuniformLineScan::new(positions_m, heights_m)?))
+    Ok(Lateral::Positions(file.values(x)?.into_iter().map(to_m).collect()))
 }
 
-/// Marks the points that the variable `mask` leaves out as undefined.
-fn blank_masked(file: &Classic, heights: &Variable, heights_m: &mut [f64]) -> Result<(), ScanReadError> {
-    let Some(mask) = file.variable("mask") else { return Ok(()) };
+/// Other than 0 for each point that the variable `mask` leaves out.
+fn mask(file: &Classic, heights: &Variable) -> Result<Option<Vec<f64>>, ScanReadError> {
+    let Some(mask) = file.variable("mask") else { return Ok(None) };
     if mask.dimensions != heights.dimensions {
         return Err(ScanReadError::BadField {
             format: FORMAT,
@@ -181,13 +171,7 @@ fn blank_masked(file: &Classic, heights: &Variable, heights_m: &mut [f64]) -> Re
             mend: "write both over the same dimensions",
         });
     }
-    let mask = file.values(mask)?;
-    for (height, masked) in heights_m.iter_mut().zip(mask) {
-        if masked != 0.0 {
-            *height = f64::NAN;
-        }
-    }
-    Ok(())
+    file.values(mask).map(Some)
 }
 
 fn is_periodic(file: &Classic) -> Option<bool> {

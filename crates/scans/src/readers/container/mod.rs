@@ -4,31 +4,49 @@ mod index;
 
 pub use index::read_metadata;
 
-use crate::archive::{Archive, leads_outside};
+use crate::archive::{Archive, is_named_in, is_zip, leads_outside};
 use crate::error::{Place, ScanReadError};
 use crate::file::ScanFile;
 use crate::format::ScanFormat;
 use crate::metadata::{MeasurementMetadata, file_name};
 use crate::options::ScanOptions;
-use crate::single::read_one;
+use crate::read::read_one;
 
 const INDEXES: [&str; 2] = ["index.json", "meta.yml"];
 /// A measurement takes some kilobytes.
 const LARGEST_INDEX: u64 = 16 << 20;
 
 /// The path of the index, JSON before YAML, the least deep first: archives are repacked with a folder around them.
-pub(crate) fn index_path(archive: &Archive) -> Option<String> {
+fn index_path(archive: &Archive) -> Option<String> {
     INDEXES.iter().find_map(|index| {
         let named = archive.paths().filter(|path| file_name(path) == *index);
         named.min_by_key(|path| path.matches('/').count()).map(str::to_owned)
     })
 }
 
+/// Reads a container; nothing where the file is none.
+pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Option<Result<Vec<ScanFile>, ScanReadError>> {
+    if !is_zip(bytes) {
+        return None;
+    }
+    let mut archive = match Archive::open(bytes, options.unpacked_bound()) {
+        Ok(archive) => archive,
+        Err(error) => return Some(Err(error)),
+    };
+    let index = index_path(&archive)?;
+    Some(measurements(&mut archive, &index, options))
+}
+
+/// Whether the names of a container stand in a file, told without unpacking it.
+pub(crate) fn is_container(bytes: &[u8]) -> bool {
+    is_zip(bytes) && INDEXES.iter().any(|index| is_named_in(bytes, index))
+}
+
 /// Reads every measurement, or the one asked for.
 ///
 /// An instrument's own file counts before its processed copy, whose heights have a trend taken off; where only the copy
 /// can be read, a note says why.
-pub(crate) fn read(
+fn measurements(
     archive: &mut Archive,
     index: &str,
     options: &ScanOptions,

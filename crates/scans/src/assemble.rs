@@ -1,0 +1,181 @@
+//! A channel becomes a scan: which one, in which unit, of which size.
+
+use crate::channel::{Channel, Lateral, Quantity, UnitsBy};
+use crate::choice_of_size;
+use crate::choice_of_size::refuse_size;
+use crate::choice_of_units::{Units, own_scale_note, refuse_unit};
+use crate::error::{Place, ScanReadError};
+use crate::file::ScanFile;
+use crate::format::ScanFormat;
+use crate::heights::{HeightMap, NonuniformLineScan, Scan, UniformLineScan};
+use crate::measured::Measured;
+use crate::metadata::MeasurementMetadata;
+use crate::options::ScanOptions;
+use crate::raster::Decoded;
+use crate::scan_size::ScanSize;
+
+/// How far the size in the metadata may lie from that of the file before a note says so.
+const SIZE_AGREEMENT: f64 = 1e-4;
+
+/// The channel asked for, else the one that the metadata chose, else the first of heights.
+pub(crate) fn chosen<'b>(
+    format: ScanFormat,
+    channels: Vec<Channel<'b>>,
+    options: &ScanOptions,
+) -> Result<Channel<'b>, ScanReadError> {
+    let label = |channel: &Channel| channel.name.clone().unwrap_or_else(|| "unnamed".to_owned());
+    let all: Vec<String> = channels.iter().map(label).collect();
+    let (found, wanted) = if let Some(wanted) = &options.channel {
+        let exactly = all.iter().position(|name| name == wanted);
+        let found = exactly.or_else(|| all.iter().position(|name| without_bracket(name) == wanted));
+        (found, format!("channel '{wanted}'"))
+    } else if let Some(source) = options.metadata.as_ref().and_then(|metadata| metadata.data_source) {
+        let found = (source < all.len()).then_some(source);
+        // A file of one channel leaves nothing to choose.
+        (found.or((all.len() == 1).then_some(0)), format!("image number {source}, counted from 0"))
+    } else {
+        let heights = || channels.iter().enumerate().filter(|(_, channel)| channel.is_heights());
+        // Where none can be read, the first will say why.
+        let found = heights().find(|(_, channel)| channel.is_readable()).or_else(|| heights().next());
+        (found.map(|(at, _)| at), "channel of heights".to_owned())
+    };
+    let found = found.and_then(|at| channels.into_iter().nth(at));
+    found.ok_or(ScanReadError::NoChannel { format, wanted, channels: all })
+}
+
+/// A name without the direction of the scan behind it.
+fn without_bracket(name: &str) -> &str {
+    name.strip_suffix(')').and_then(|name| name.rsplit_once(" (")).map_or(name, |(name, _)| name)
+}
+
+/// Decodes a channel, completed by what the caller and the metadata say.
+pub(crate) fn assembled(
+    format: ScanFormat,
+    channel: Channel<'_>,
+    labels: &[String],
+    name: &str,
+    options: &ScanOptions,
+) -> Result<ScanFile, ScanReadError> {
+    let measure = channel.measure();
+    let Channel { quantity, lateral, samples, units, mut notes, .. } = channel;
+    let height_to_m: Box<dyn Fn(f64) -> f64> = match (units, &quantity) {
+        (UnitsBy::Asker, _) => {
+            Box::new(Units::of(options, None, None, &mut notes).height_to_m(format)?)
+        }
+        (UnitsBy::Format, _) => {
+            refuse_unit(format, options)?;
+            notes.extend(own_scale_note(options));
+            to_m(&quantity)
+        }
+        (UnitsBy::Reader, _) => to_m(&quantity),
+    };
+    let (columns, mut decoded) = samples.decode(format)?;
+    decoded.values.iter_mut().for_each(|value| *value = height_to_m(*value));
+    let scan = scan(format, columns, decoded, lateral, options, &mut notes)?;
+    let metadata = options.metadata.as_ref();
+    if options.size.is_none() {
+        notes.extend(metadata.and_then(|metadata| size_note(&scan, metadata.size()?)));
+    }
+    let of_metadata = |get: fn(&MeasurementMetadata) -> Option<f64>| metadata.and_then(get);
+    let periodic = metadata.and_then(|metadata| metadata.is_periodic);
+    let described = metadata.and_then(|metadata| metadata.description.clone());
+    let free_text = [Some(channel.free_text), described].into_iter().flatten().collect::<Vec<_>>().join("\n");
+    Ok(ScanFile {
+        name: metadata.map_or(name, |metadata| &metadata.name).to_owned(),
+        format,
+        scan,
+        measure,
+        channel: channel.name,
+        channels: labels.to_vec(),
+        fast_axis: channel.fast_axis,
+        is_periodic: channel.is_periodic.or(periodic).unwrap_or(false),
+        probe: channel.probe.or(metadata.and_then(|metadata| metadata.probe)),
+        tip_radius_m: channel.tip_radius_m.or(of_metadata(|metadata| metadata.tip_radius_m)),
+        resolution_m: channel.resolution_m.or(of_metadata(|metadata| metadata.resolution_m)),
+        free_text,
+        notes,
+    })
+}
+
+fn to_m(quantity: &Quantity) -> Box<dyn Fn(f64) -> f64> {
+    match quantity {
+        Quantity::Heights(Some(unit)) | Quantity::OtherLength(unit) => {
+            let unit = *unit;
+            Box::new(move |value| unit.to_m(value))
+        }
+        Quantity::Heights(None) | Quantity::Other(_) => Box::new(|value| value),
+    }
+}
+
+/// Values at their places.
+fn scan(
+    format: ScanFormat,
+    columns: usize,
+    decoded: Decoded,
+    lateral: Lateral,
+    options: &ScanOptions,
+    notes: &mut Vec<String>,
+) -> Result<Measured, ScanReadError> {
+    let rows = decoded.values.len() / columns.max(1);
+    let stated = match lateral {
+        Lateral::Positions(positions_m) => {
+            refuse_size(format, Place::File, options)?;
+            return uneven_line(positions_m, decoded, notes);
+        }
+        Lateral::Unknown => None,
+        Lateral::Size(size) => Some(size),
+        Lateral::Spacing { x_m, y_m } => {
+            let y_m = y_m.filter(|_| rows > 1).map(|y_m| y_m * rows as f64);
+            Some(ScanSize { x_m: x_m * columns as f64, y_m })
+        }
+    };
+    let size = choice_of_size::size(options, stated, notes).ok_or_else(|| {
+        let what = if rows > 1 { "how large the map is" } else { "how long the line of heights is" };
+        ScanReadError::NoSize { format, what }
+    })?;
+    // What the file gives as a spacing is not multiplied and divided again.
+    let spacing = match lateral {
+        Lateral::Spacing { x_m, y_m } if Some(size) == stated => Some((x_m, y_m)),
+        _ => None,
+    };
+    let Decoded { values, gaps } = decoded;
+    let scan = match (rows, spacing) {
+        (0 | 1, Some((x_m, _))) => Scan::UniformLine(UniformLineScan::new(x_m, values)?),
+        (0 | 1, None) => size.line(values)?,
+        (_, Some((x_m, Some(y_m)))) => Scan::Map(HeightMap::new(columns, x_m, y_m, values)?),
+        (_, _) => size.map(columns, values, notes)?,
+    };
+    Ok(Measured::with_gaps(scan, gaps))
+}
+
+/// A line without the points that have no height: neighbours may lie at any distance.
+fn uneven_line(
+    positions_m: Vec<f64>,
+    decoded: Decoded,
+    notes: &mut Vec<String>,
+) -> Result<Measured, ScanReadError> {
+    let gaps = &decoded.gaps;
+    if !gaps.is_empty() {
+        let (count, points) = (gaps.count(), positions_m.len());
+        notes.push(format!("{count} of {points} points have no height and are left out of the unevenly spaced line"));
+    }
+    let measured = |values: Vec<f64>| -> Vec<f64> {
+        if gaps.is_empty() {
+            return values;
+        }
+        values.into_iter().enumerate().filter(|(index, _)| !gaps.contains(*index)).map(|(_, value)| value).collect()
+    };
+    let line = NonuniformLineScan::new(measured(positions_m), measured(decoded.values))?;
+    Ok(Scan::NonuniformLine(line).into())
+}
+
+/// Tells of a size in the metadata that is not that of the file.
+fn size_note(scan: &Measured, stated: ScanSize) -> Option<String> {
+    let (x_m, y_m) = scan.size_m();
+    let agrees = |found: f64, stated: f64| (found - stated).abs() <= SIZE_AGREEMENT * stated.abs();
+    let y_agrees = y_m.zip(stated.y_m).is_none_or(|(found, stated)| agrees(found, stated));
+    (!agrees(x_m, stated.x_m) || !y_agrees).then(|| {
+        let found = ScanSize { x_m, y_m };
+        format!("the metadata give the size as {stated}, the file as {found}: the file counts")
+    })
+}

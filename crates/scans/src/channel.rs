@@ -1,0 +1,153 @@
+//! A channel of a file as its header describes it.
+
+use crate::error::ScanReadError;
+use crate::format::ScanFormat;
+use crate::measure::Measure;
+use crate::metadata::Probe;
+use crate::raster::{Decoded, Raster};
+use crate::scan_size::ScanSize;
+use units::LengthUnit;
+
+/// What a channel holds and where; its numbers are decoded when it is read.
+#[derive(Debug)]
+pub(crate) struct Channel<'b> {
+    /// What the file calls it, if anything.
+    pub(crate) name: Option<String>,
+    pub(crate) quantity: Quantity,
+    pub(crate) lateral: Lateral,
+    pub(crate) samples: Samples<'b>,
+    pub(crate) units: UnitsBy,
+    /// Along which axis of the map the instrument scanned its lines, where the file says so.
+    pub(crate) fast_axis: Option<Axis>,
+    pub(crate) is_periodic: Option<bool>,
+    pub(crate) probe: Option<Probe>,
+    pub(crate) tip_radius_m: Option<f64>,
+    pub(crate) resolution_m: Option<f64>,
+    /// Comments and descriptions in the file, where a user may have written what no field holds.
+    pub(crate) free_text: String,
+    /// What was taken for granted, a sentence each.
+    pub(crate) notes: Vec<String>,
+}
+
+/// An axis of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// Along its rows.
+    X,
+    /// Across them.
+    Y,
+}
+
+/// What the numbers of a channel are.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Quantity {
+    /// Heights of the surface, in a unit that the file may leave open.
+    Heights(Option<LengthUnit>),
+    /// Lengths that are no heights: deflection, amplitude, error.
+    OtherLength(LengthUnit),
+    /// Anything else: phase, current, friction; with its unit as the file writes it.
+    Other(String),
+}
+
+/// Who settles the units of a channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum UnitsBy {
+    /// The format: another unit cannot be asked for.
+    Format,
+    /// Its reader, by what was asked for and what the file says.
+    Reader,
+    /// Whoever asks; the file says nothing.
+    Asker,
+}
+
+/// Where the points of a channel lie.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Lateral {
+    /// The file does not say.
+    Unknown,
+    /// So many spacings as there are points.
+    Size(ScanSize),
+    /// Distances of neighbours in m, along x and, where there are rows, along y.
+    Spacing { x_m: f64, y_m: Option<f64> },
+    /// The position of every point of a line; in m, rising.
+    Positions(Vec<f64>),
+}
+
+/// The numbers of a channel.
+#[derive(Debug)]
+pub(crate) enum Samples<'b> {
+    Raster(Raster<'b>),
+    /// Decoded already, row after row of so many columns.
+    Decoded { columns: usize, decoded: Decoded },
+    /// What stands in the way of reading this channel; others of the file may do.
+    Unreadable(Box<ScanReadError>),
+}
+
+impl<'b> Channel<'b> {
+    /// A channel of heights of a format that fixes all units.
+    pub(crate) fn heights_in_m(name: impl Into<String>, size: ScanSize, raster: Raster<'b>) -> Self {
+        Self::new(Some(name.into()), Quantity::Heights(Some(LengthUnit::METRE)), Lateral::Size(size), Samples::Raster(raster))
+    }
+
+    /// A channel of which no more is known; its units are fixed where it has any.
+    pub(crate) fn new(
+        name: Option<String>,
+        quantity: Quantity,
+        lateral: Lateral,
+        samples: Samples<'b>,
+    ) -> Self {
+        let units = if quantity == Quantity::Heights(None) { UnitsBy::Asker } else { UnitsBy::Format };
+        Self {
+            name: name.filter(|name| !name.is_empty()),
+            quantity,
+            lateral,
+            samples,
+            units,
+            fast_axis: None,
+            is_periodic: None,
+            probe: None,
+            tip_radius_m: None,
+            resolution_m: None,
+            free_text: String::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// What it measures.
+    pub(crate) fn measure(&self) -> Measure {
+        match &self.quantity {
+            Quantity::Heights(_) => Measure::Height,
+            Quantity::OtherLength(_) => Measure::Length,
+            Quantity::Other(unit) => Measure::Other(unit.clone()),
+        }
+    }
+
+    /// Whether nothing is known to stand in the way of reading it.
+    pub(crate) fn is_readable(&self) -> bool {
+        !matches!(self.samples, Samples::Unreadable(_))
+    }
+
+    /// Whether it holds heights of the surface.
+    pub(crate) fn is_heights(&self) -> bool {
+        matches!(self.quantity, Quantity::Heights(_))
+    }
+
+}
+
+impl Samples<'_> {
+    /// Number of points along x, and the values.
+    pub(crate) fn decode(self, format: ScanFormat) -> Result<(usize, Decoded), ScanReadError> {
+        match self {
+            Self::Raster(raster) => Ok((raster.columns, raster.decode(format)?)),
+            Self::Decoded { columns, decoded } => Ok((columns, decoded)),
+            Self::Unreadable(error) => Err(*error),
+        }
+    }
+}
+
+/// Whether a name is that of heights, by the words that makers of instruments have for them.
+pub(crate) fn is_named_after_height(name: &str) -> bool {
+    let name = name.to_lowercase().replace([' ', '_', '-'], "");
+    const WORDS: [&str; 8] = ["height", "topograph", "zsens", "zaxis", "ztrace", "zretrace", "elevation", "relief"];
+    WORDS.iter().any(|word| name.contains(word)) || name == "z"
+}

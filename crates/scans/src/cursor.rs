@@ -1,0 +1,120 @@
+//! Reading of binary fields one after the other, each within the file.
+
+use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
+
+/// The order of the bytes of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ByteOrder {
+    Little,
+    Big,
+}
+
+/// A position in the bytes of a file.
+#[derive(Clone, Copy)]
+pub(crate) struct Cursor<'b> {
+    format: ScanFormat,
+    bytes: &'b [u8],
+    at: usize,
+    order: ByteOrder,
+}
+
+macro_rules! numbers {
+    ($($type:ident)*) => { $(
+        #[allow(dead_code, reason = "one of a family")]
+        pub(crate) fn $type(&mut self, what: &str) -> Result<$type, ScanReadError> {
+            let bytes = self.array(what)?;
+            Ok(match self.order {
+                ByteOrder::Little => $type::from_le_bytes(bytes),
+                ByteOrder::Big => $type::from_be_bytes(bytes),
+            })
+        }
+    )* };
+}
+
+impl<'b> Cursor<'b> {
+    /// The beginning of a file.
+    pub(crate) fn new(format: ScanFormat, bytes: &'b [u8], order: ByteOrder) -> Self {
+        Self { format, bytes, at: 0, order }
+    }
+
+    /// The same file from another byte on, which may lie beyond its end: the next field then is truncated.
+    pub(crate) fn at(self, offset: usize) -> Self {
+        Self { at: offset, ..self }
+    }
+
+    pub(crate) fn offset(&self) -> usize {
+        self.at
+    }
+
+    pub(crate) fn order(&self) -> ByteOrder {
+        self.order
+    }
+
+    /// What is left of the file.
+    pub(crate) fn rest(&self) -> &'b [u8] {
+        self.bytes.get(self.at..).unwrap_or_default()
+    }
+
+    /// The next bytes.
+    pub(crate) fn take(&mut self, count: usize, what: &str) -> Result<&'b [u8], ScanReadError> {
+        let taken = self.rest().get(..count).ok_or_else(|| self.truncated(count, what))?;
+        self.at += count;
+        Ok(taken)
+    }
+
+    pub(crate) fn skip(&mut self, count: usize, what: &str) -> Result<(), ScanReadError> {
+        self.take(count, what).map(|_| ())
+    }
+
+    numbers! { u8 i8 u16 i16 u32 i32 u64 i64 f32 f64 }
+
+    /// A count of four bytes, above 0.
+    pub(crate) fn count(&mut self, what: &str) -> Result<usize, ScanReadError> {
+        let offset = self.at;
+        let count = self.u32(what)?;
+        match usize::try_from(count) {
+            Ok(count) if count > 0 => Ok(count),
+            _ => Err(self.bad(offset, what, &count.to_string(), "a whole number above 0")),
+        }
+    }
+
+    /// A text of a fixed number of bytes in Latin-1, which a zero byte may end early, without blanks around it.
+    pub(crate) fn text(&mut self, bytes: usize, what: &str) -> Result<String, ScanReadError> {
+        Ok(latin1(self.take(bytes, what)?))
+    }
+
+    fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N], ScanReadError> {
+        let found = self.rest().first_chunk().ok_or_else(|| self.truncated(N, what))?;
+        self.at += N;
+        Ok(*found)
+    }
+
+    fn truncated(&self, needed: usize, what: &str) -> ScanReadError {
+        ScanReadError::Truncated {
+            format: self.format,
+            offset: self.at as u64,
+            what: what.to_owned(),
+            needed: needed as u64,
+            available: self.rest().len() as u64,
+        }
+    }
+
+    /// The error of a field that holds what it must not.
+    pub(crate) fn bad(&self, offset: usize, field: &str, value: &str, bound: &str) -> ScanReadError {
+        ScanReadError::BadField {
+            format: self.format,
+            place: Place::Byte(offset as u64),
+            field: field.to_owned(),
+            value: value.to_owned(),
+            bound: bound.to_owned(),
+            mend: "the file is damaged or of a variant that is not known: export it again",
+        }
+    }
+}
+
+/// Latin-1 up to the first zero byte, without blanks around it.
+pub(crate) fn latin1(bytes: &[u8]) -> String {
+    let end = bytes.iter().position(|&byte| byte == 0).unwrap_or(bytes.len());
+    bytes[..end].iter().map(|&byte| char::from(byte)).collect::<String>().trim().to_owned()
+}

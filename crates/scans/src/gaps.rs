@@ -1,0 +1,73 @@
+//! Which points of a scan have no height.
+
+/// The points of a scan that were not measured, by their index in the order of the heights.
+///
+/// A scan without any takes no memory for them, any other a bit for each of its points.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Gaps {
+    words: Vec<u64>,
+    count: usize,
+}
+
+const BITS: usize = u64::BITS as usize;
+
+impl Gaps {
+    /// Whether every point has a height.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// How many points have none.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Whether this point has none.
+    #[inline]
+    #[must_use]
+    pub fn contains(&self, index: usize) -> bool {
+        self.words.get(index / BITS).is_some_and(|word| word >> (index % BITS) & 1 == 1)
+    }
+
+    /// The points without a height, in rising order.
+    pub fn indices(&self) -> impl Iterator<Item = usize> {
+        self.words.iter().enumerate().flat_map(|(at, &word)| {
+            (0..BITS).filter(move |bit| word >> bit & 1 == 1).map(move |bit| at * BITS + bit)
+        })
+    }
+
+    /// Adds a point.
+    pub(crate) fn insert(&mut self, index: usize) {
+        if self.contains(index) {
+            return;
+        }
+        if self.words.len() <= index / BITS {
+            self.words.resize(index / BITS + 1, 0);
+        }
+        self.words[index / BITS] |= 1 << (index % BITS);
+        self.count += 1;
+    }
+}
+
+impl FromIterator<usize> for Gaps {
+    fn from_iter<I: IntoIterator<Item = usize>>(indices: I) -> Self {
+        let mut gaps = Self::default();
+        indices.into_iter().for_each(|index| gaps.insert(index));
+        gaps
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_found_where_they_were_put() {
+        let gaps: Gaps = [3, 64, 3, 200].into_iter().collect();
+        assert_eq!((gaps.count(), gaps.indices().collect::<Vec<_>>()), (3, vec![3, 64, 200]));
+        assert!(gaps.contains(64) && !gaps.contains(65) && !gaps.contains(100_000));
+        assert!(Gaps::default().is_empty() && Gaps::default().indices().next().is_none());
+    }
+}

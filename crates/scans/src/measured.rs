@@ -1,0 +1,167 @@
+//! Heights as they were measured, some of whose points may have none.
+
+use crate::gaps::Gaps;
+use crate::heights::{HeightMap, Scan, ScanError, UniformLineScan};
+
+/// A scan as an instrument gives it: points without a height are known as such, and [`Measured::complete`] tells a whole
+/// scan from one that has to be mended first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Heights of gaps are 0 and nobody sees them.
+    scan: Scan,
+    gaps: Gaps,
+}
+
+impl From<Scan> for Measured {
+    fn from(scan: Scan) -> Self {
+        Self { scan, gaps: Gaps::default() }
+    }
+}
+
+impl Measured {
+    /// A scan some of whose points are gaps; what it holds there does not count.
+    pub fn with_gaps(scan: Scan, gaps: Gaps) -> Self {
+        Self { scan, gaps }
+    }
+
+    /// The points without a height.
+    #[must_use]
+    pub fn gaps(&self) -> &Gaps {
+        &self.gaps
+    }
+
+    /// Number of points along x and, of a map, along y.
+    #[must_use]
+    pub fn points(&self) -> (usize, Option<usize>) {
+        match &self.scan {
+            Scan::UniformLine(line) => (line.heights_m().len(), None),
+            Scan::NonuniformLine(line) => (line.heights_m().len(), None),
+            Scan::Map(map) => (map.columns(), Some(map.rows())),
+        }
+    }
+
+    /// Distances in m of neighbouring points along x and, of a map, along y; of unevenly spaced points, which have no gaps,
+    /// the mean.
+    #[must_use]
+    pub fn spacing_m(&self) -> (f64, Option<f64>) {
+        match &self.scan {
+            Scan::UniformLine(line) => (line.spacing_m(), None),
+            Scan::NonuniformLine(line) => (line.mean_spacing_m(), None),
+            Scan::Map(map) => (map.spacing_x_m(), Some(map.spacing_y_m())),
+        }
+    }
+
+    /// Size in m along x and, of a map, along y: points times spacing, of unevenly spaced points from the first to the last.
+    #[must_use]
+    pub fn size_m(&self) -> (f64, Option<f64>) {
+        match &self.scan {
+            Scan::UniformLine(line) => (line.length_m(), None),
+            Scan::NonuniformLine(line) => (line.length_m(), None),
+            Scan::Map(map) => {
+                (map.spacing_x_m() * map.columns() as f64, Some(map.spacing_y_m() * map.rows() as f64))
+            }
+        }
+    }
+
+    /// Positions in m of unevenly spaced points; none of any other scan.
+    #[must_use]
+    pub fn positions_m(&self) -> Option<&[f64]> {
+        match &self.scan {
+            Scan::NonuniformLine(line) => Some(line.positions_m()),
+            _ => None,
+        }
+    }
+
+    /// The heights in m, row after row, where there are any.
+    pub fn heights_m(&self) -> impl ExactSizeIterator<Item = Option<f64>> {
+        let height = |(index, &height_m): (usize, &f64)| (!self.gaps.contains(index)).then_some(height_m);
+        self.stored_m().iter().enumerate().map(height)
+    }
+
+    /// The height in m of a point, where it has one.
+    #[inline]
+    #[must_use]
+    pub fn height_m(&self, index: usize) -> Option<f64> {
+        self.stored_m().get(index).copied().filter(|_| !self.gaps.contains(index))
+    }
+
+    /// The scan, where every point has its height.
+    ///
+    /// # Errors
+    /// [`ScanError::Gaps`] with their number.
+    pub fn complete(self) -> Result<Scan, ScanError> {
+        match self.gaps.indices().next() {
+            None => Ok(self.scan),
+            Some(first) => {
+                let place = self.place(first);
+                Err(ScanError::Gaps { gaps: self.gaps.count(), points: self.stored_m().len(), place })
+            }
+        }
+    }
+
+    /// The scan with heights in m put into its gaps, in their order.
+    ///
+    /// # Errors
+    /// [`ScanError`] for heights that are not finite, and for more or fewer of them than there are gaps.
+    pub fn filled(self, heights_m: &[f64]) -> Result<Scan, ScanError> {
+        if heights_m.len() != self.gaps.count() {
+            let what = format!("{} gaps", self.gaps.count());
+            return Err(ScanError::LengthMismatch { heights: heights_m.len(), what });
+        }
+        let put = |mut all_m: Vec<f64>| {
+            self.gaps.indices().zip(heights_m).for_each(|(index, height_m)| all_m[index] = *height_m);
+            all_m
+        };
+        Ok(match self.scan {
+            Scan::UniformLine(line) => {
+                Scan::UniformLine(UniformLineScan::new(line.spacing_m(), put(line.into_heights_m()))?)
+            }
+            Scan::Map(map) => {
+                let (columns, x_m, y_m) = (map.columns(), map.spacing_x_m(), map.spacing_y_m());
+                Scan::Map(HeightMap::new(columns, x_m, y_m, put(map.into_heights_m()))?)
+            }
+            uneven @ Scan::NonuniformLine(_) => uneven,
+        })
+    }
+
+    fn stored_m(&self) -> &[f64] {
+        match &self.scan {
+            Scan::UniformLine(line) => line.heights_m(),
+            Scan::NonuniformLine(line) => line.heights_m(),
+            Scan::Map(map) => map.heights_m(),
+        }
+    }
+
+    /// A point in words, counted from 1.
+    fn place(&self, index: usize) -> String {
+        match &self.scan {
+            Scan::Map(map) => {
+                format!("row {}, column {}", index / map.columns() + 1, index % map.columns() + 1)
+            }
+            _ => format!("point {}", index + 1),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn map() -> Measured {
+        let heights_m = vec![1.0, 2.0, 0.0, 4.0, 5.0, 0.0];
+        let map = HeightMap::new(3, 1.0, 2.0, heights_m).unwrap();
+        Measured::with_gaps(Scan::Map(map), [2, 5].into_iter().collect())
+    }
+
+    #[test]
+    fn gaps_are_told_and_filled() {
+        assert_eq!(map().heights_m().flatten().collect::<Vec<_>>(), [1.0, 2.0, 4.0, 5.0]);
+        assert_eq!((map().height_m(1), map().height_m(2), map().height_m(6)), (Some(2.0), None, None));
+        assert_eq!((map().points(), map().size_m()), ((3, Some(2)), (3.0, Some(4.0))));
+        let refusal = map().complete().unwrap_err().to_string();
+        assert!(refusal.starts_with("building a scan: 2 of 6 points have no height, the first in row 1, column 3"));
+        let Scan::Map(filled) = map().filled(&[3.0, 6.0]).unwrap() else { panic!("a map") };
+        assert_eq!(filled.heights_m(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        assert!(map().filled(&[3.0]).is_err() && map().filled(&[3.0, f64::NAN]).is_err());
+    }
+}

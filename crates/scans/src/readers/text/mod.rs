@@ -1,0 +1,72 @@
+//! Scans as text: profiles, one column of heights, points and matrices.
+
+mod columns;
+mod grid;
+mod header;
+mod profile;
+mod style;
+
+use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
+use crate::choice_of_units::Units;
+use crate::error::ScanReadError;
+use crate::options::ScanOptions;
+use crate::raster::Decoded;
+use crate::readers::Reader;
+use columns::Columns;
+use header::Header;
+use style::FORMAT;
+use units::LengthUnit;
+
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+/// By the first bytes alone; what comes later is refused with its line.
+fn recognises(bytes: &[u8]) -> bool {
+    let is_binary = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c".contains(byte);
+    !bytes.starts_with(b"\\*Force file list")
+        && !bytes.starts_with(b"?*File list")
+        && !bytes.iter().take(512).any(is_binary)
+}
+
+/// What is read, in m.
+struct Found {
+    columns: usize,
+    lateral: Lateral,
+    heights_m: Decoded,
+}
+
+/// The one channel of a file, told by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h`, more a matrix. A
+/// header with both sizes of a map makes any number of columns a matrix.
+fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let text = style::decode(bytes)?;
+    let columns = Columns::read(&text)?;
+    let header = Header::read(&text, &columns)?;
+    let mut notes = Vec::new();
+    let found = match columns.count {
+        1 => matrix(columns, false, &header, options, &mut notes)?,
+        2 if !header.is_matrix() => profile::read(&text, columns, &header, options, &mut notes)?,
+        3 if !header.is_matrix() => grid::read(&text, &columns, &header, options, &mut notes)?,
+        _ => matrix(columns, true, &header, options, &mut notes)?,
+    };
+    let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
+    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
+    let channel = Channel::new(header.channel(), quantity, found.lateral, samples);
+    Ok(vec![Channel { units: UnitsBy::Reader, notes, ..channel }])
+}
+
+/// Heights row after row, or along a line.
+fn matrix(
+    columns: Columns,
+    is_map: bool,
+    header: &Header,
+    options: &ScanOptions,
+    notes: &mut Vec<String>,
+) -> Result<Found, ScanReadError> {
+    let Columns { count, mut values, .. } = columns;
+    let units = Units::of(options, header.lateral_unit(), header.map_height_unit(), notes);
+    let to_m = units.height_to_m(FORMAT)?;
+    let points = values.values.len();
+    let (columns, rows) = if is_map { (count, points / count) } else { (points, 0) };
+    let size = header.size(columns, rows, &units)?;
+    values.values.iter_mut().for_each(|value| *value = to_m(*value));
+    Ok(Found { columns, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
+}

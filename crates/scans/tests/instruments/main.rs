@@ -1,0 +1,95 @@
+//! Files of instruments, every byte of them made here: each reader finds what was written, and refuses what is damaged.
+//!
+//! A module a format has `fn samples() -> Vec<Sample>`: small files that the reader of the format reads. From them also
+//! start the fuzzer and the test that cuts and flips bytes.
+
+mod bytes;
+
+use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
+
+/// A file with what it holds.
+pub struct Sample {
+    /// A name of its own among those of the format.
+    pub name: &'static str,
+    pub bytes: Vec<u8>,
+}
+
+/// The samples of every format.
+fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
+    vec![]
+}
+
+/// The channels of heights of a file; each must be readable.
+pub fn heights(bytes: &[u8]) -> Vec<ScanFile> {
+    channels(bytes, false).into_iter().map(|channel| channel.unwrap()).collect()
+}
+
+/// Every channel of a file.
+pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>> {
+    let mut found = Vec::new();
+    visit_channels(bytes, "scan", &ScanOptions::default(), all, |channel| found.push(channel)).unwrap();
+    found
+}
+
+/// Asserts points, size in m to 1e-12, heights in m (nothing at gaps) within a resolution.
+#[track_caller]
+pub fn assert_holds(scan: &Measured, size_m: (f64, Option<f64>), heights_m: &[Option<f64>], resolution_m: f64) {
+    let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-12;
+    let (x_m, y_m) = scan.size_m();
+    assert!(close(x_m, size_m.0), "{x_m} is not {}", size_m.0);
+    match (y_m, size_m.1) {
+        (None, None) => {}
+        (Some(found), Some(expected)) => assert!(close(found, expected), "{found} is not {expected}"),
+        other => panic!("sizes along y: {other:?}"),
+    }
+    assert_eq!(scan.heights_m().len(), heights_m.len());
+    for (index, (found, expected)) in scan.heights_m().zip(heights_m).enumerate() {
+        match (found, expected) {
+            (None, None) => {}
+            (Some(found), Some(expected)) if (found - expected).abs() <= resolution_m => {}
+            other => panic!("point {index}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn every_sample_is_told_by_its_content_and_read() {
+    for (format, samples) in samples() {
+        for Sample { name, bytes } in samples {
+            if format != ScanFormat::Text {
+                assert_eq!(ScanFormat::of(&bytes), Some(format), "{name}");
+            }
+            assert!(!heights_if_told(&bytes).unwrap_or_else(|error| panic!("{format} {name}: {error}")).is_empty());
+        }
+    }
+}
+
+#[test]
+fn what_is_cut_or_damaged_is_read_or_refused_and_never_worse() {
+    for (_, samples) in samples() {
+        for Sample { bytes, .. } in samples {
+            let step = (bytes.len() / 500).max(1);
+            for end in (0..bytes.len()).step_by(step) {
+                let _ = heights_if_told(&bytes[..end]);
+            }
+            for at in (0..bytes.len()).step_by(step) {
+                for flip in [0x01, 0x80, 0xff] {
+                    let mut damaged = bytes.clone();
+                    damaged[at] ^= flip;
+                    let _ = heights_if_told(&damaged);
+                }
+            }
+        }
+    }
+}
+
+/// With unit and size to fall back on, for formats that have none.
+fn heights_if_told(bytes: &[u8]) -> Result<Vec<ScanFile>, ScanReadError> {
+    let options = ScanOptions {
+        fallback_unit: "nm".parse().ok(),
+        fallback_size: Some(ScanSize { x_m: 1e-6, y_m: None }),
+        max_unpacked_bytes: Some(1 << 20),
+        ..ScanOptions::default()
+    };
+    read_scans(bytes, "scan", &options)
+}
