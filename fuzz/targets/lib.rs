@@ -2,7 +2,7 @@
 
 use std::io::{Cursor, Write};
 
-use scans::{Scan, ScanOptions, ScanSize, read_scans};
+use scans::{Measured, ScanOptions, ScanSize, Statistics, read_scans, visit_channels};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
@@ -16,6 +16,12 @@ pub fn read(bytes: &[u8]) {
     };
     let in_unit = ScanOptions { size: None, ..told.clone() };
     let sized = ScanOptions { unit: None, ..told.clone() };
+    let _ = visit_channels(bytes, "fuzz", &bare, true, |channel| {
+        if let Ok(file) = channel {
+            check(&file.scan);
+            let _ = Statistics::of(&file.scan);
+        }
+    });
     for options in [bare, told, in_unit, sized] {
         match read_scans(bytes, "fuzz", &options) {
             Ok(scans) => scans.iter().for_each(|file| check(&file.scan)),
@@ -24,22 +30,16 @@ pub fn read(bytes: &[u8]) {
     }
 }
 
-fn check(scan: &Scan) {
-    let heights_m = match scan {
-        Scan::UniformLine(line) => {
-            assert!(line.spacing_m() > 0.0);
-            line.heights_m()
-        }
-        Scan::NonuniformLine(line) => {
-            assert!(line.positions_m().is_sorted());
-            line.heights_m()
-        }
-        Scan::Map(map) => {
-            assert_eq!(map.columns() * map.rows(), map.heights_m().len());
-            map.heights_m()
-        }
-    };
-    assert!(heights_m.len() >= 2 && heights_m.iter().all(|height_m| height_m.is_finite()));
+fn check(scan: &Measured) {
+    let (columns, rows) = scan.points();
+    let points = columns * rows.unwrap_or(1);
+    assert_eq!(scan.heights_m().len(), points);
+    assert!(points >= 2 && scan.gaps().count() <= points);
+    assert!(scan.gaps().indices().all(|index| index < points));
+    assert!(scan.heights_m().flatten().all(f64::is_finite));
+    let (spacing_x_m, spacing_y_m) = scan.spacing_m();
+    assert!(spacing_x_m > 0.0 && spacing_y_m.is_none_or(|spacing_y_m| spacing_y_m > 0.0));
+    assert!(scan.positions_m().is_none_or(|positions_m| positions_m.is_sorted()));
 }
 
 /// The bytes before and after the first zero byte: a text and data, which a target packs into an archive, since no

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use study::NoFiles;
 use study::scene::{Overrides, Scene};
 use study::surface::Surface;
-use study::topography::{CompositeOfFiles, ScanRequest};
+use measurements::{CompositeOfFiles, ScanRequest};
 use tests::shared_file;
 use topography::{CompositeSpectrum, Recipe};
 

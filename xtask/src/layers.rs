@@ -23,6 +23,17 @@ const LAYERS: &[Layer] = &[
         "truearea-topography",
         &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
     ),
+    (
+        "truearea-measurements",
+        &[
+            "truearea-units",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-scans",
+            "truearea-spectrum",
+            "truearea-topography",
+        ],
+    ),
     ("truearea-half-space", &["truearea-units", "truearea-parallel"]),
     (
         "truearea-elements",
@@ -51,6 +62,7 @@ const LAYERS: &[Layer] = &[
             "truearea-scans",
             "truearea-spectrum",
             "truearea-topography",
+            "truearea-measurements",
             "truearea-asperity",
             "truearea-stacked-contact",
             "truearea-stat-contact",
@@ -101,6 +113,7 @@ const LAYERS: &[Layer] = &[
             "truearea-gaussian-surfaces",
             "truearea-half-space",
             "truearea-topography",
+            "truearea-measurements",
             "truearea-asperity",
             "truearea-stacked-contact",
             "truearea-persson",

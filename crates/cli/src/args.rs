@@ -5,6 +5,7 @@ mod groups;
 mod misplaced;
 mod parsers;
 mod persson;
+mod scans;
 
 pub(crate) use bem::BemArgs;
 pub(crate) use groups::{
@@ -13,15 +14,14 @@ pub(crate) use groups::{
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{Deformation, GrowthArg, PerssonArgs};
+pub(crate) use scans::{ScanArgs, ScansArgs};
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
-use scans::LengthUnit;
 use stat_contact::InterferenceLaw;
-use topography::{Detrend, Window};
 
 use crate::output::Place;
 use crate::picture::Picture;
@@ -30,8 +30,6 @@ use rows::GivenColumn;
 use study::models::{Framework, ModelEntry};
 use study::plan::Tolerance;
 use study::scene::Template;
-use study::topography::ScanRequest;
-use topography::{Average, DEFAULT_BINS_PER_DECADE};
 use units::PressureRange;
 use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
 
@@ -170,12 +168,25 @@ Examples:
   truearea bem psd.csv --shortest 100nm --pressures 1MPa:1GPa:7 \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --figure area.svg")]
     Bem(Box<BemArgs>),
+    /// What is in the files of instruments: a row for each channel of heights
+    #[command(after_help = "\
+Columns: file, format, channel, points_x, points_y, size_x_m, size_y_m,
+rms_height_m (about the mean of the points that are there), peak_to_valley_m,
+gaps (points without a height), rms_slope_x, rms_slope_y (of neighbouring
+points), note. A line has points_y 1 and neither size nor slope along y. The
+size of evenly spaced points is points times spacing, of others their extent.
+
+Examples:
+  truearea scan *.sur
+  truearea scan map.gwy --all-channels
+  truearea scan map.opd --figure heights.png")]
+    Scan(ScanArgs),
     /// The power spectrum of scans, each in the band that shows the surface, and their composite
     #[command(after_help = "\
-Reads text (profiles, points, matrices), Nanoscope/Dimension, NetCDF-3, X3P,
-and containers of contact.engineering. Unit and size come from the file, else
-from a meta.yml or index.json beside it that names it, else from --unit.
-Options of a single file follow it after a colon.
+Reads the files of some thirty kinds of instruments, text, and containers of
+contact.engineering; `truearea scan FILE` tells what is in one. Unit and size
+come from the file, else from a meta.yml or index.json beside it that names it,
+else from --unit and --size. Options of a single file follow it after a colon.
 
 Columns: wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3 (standard error
 where several scans share a bin), measurements; a row per bin from long to
@@ -239,68 +250,6 @@ pub(crate) struct ManArgs {
     /// The folder for the pages, made where absent
     #[arg(long, value_name = "DIR", default_value = "man")]
     pub out: PathBuf,
-}
-
-/// Scans and how their spectra are made.
-#[derive(Debug, ClapArgs)]
-pub(crate) struct ScansArgs {
-    /// The scans, each perhaps with options of its own:
-    /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm
-    #[arg(required_unless_present = "list", value_name = "FILE")]
-    pub files: Vec<ScanRequest>,
-    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, all but file optional; files are
-    /// relative to it
-    #[arg(long, value_name = "PATH", value_parser = parse_place)]
-    pub list: Option<Place>,
-    /// What is subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
-    #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
-    pub detrend: Option<Detrend>,
-    /// The window: by default Hann, for periodic data none
-    #[arg(long, value_parser = one_of::<Window, _>(Window::ALL))]
-    pub window: Option<Window>,
-    /// How scans are averaged where they share a bin
-    #[arg(long, value_parser = one_of::<Average, _>(Average::ALL), default_value_t)]
-    pub average: Average,
-    /// Logarithmic bins per decade of wavevectors
-    #[arg(long, value_name = "N", value_parser = parse_count, default_value_t = DEFAULT_BINS_PER_DECADE)]
-    pub bins_per_decade: NonZeroU32,
-    /// Radius of the tip, for every scan that has no other: wavelengths that it cannot follow are left out
-    #[arg(long, value_name = "L", allow_hyphen_values = true)]
-    pub tip_radius: Option<Length>,
-    /// Unit of lengths and heights where neither the file nor metadata beside it tell
-    #[arg(long, value_name = "UNIT")]
-    pub unit: Option<LengthUnit>,
-    /// Size along the scan lines where neither the file nor metadata beside it tell
-    #[arg(long, value_name = "L", allow_hyphen_values = true)]
-    pub size: Option<Length>,
-    /// The channel to read, of files that have several
-    #[arg(long, value_name = "NAME")]
-    pub channel: Option<String>,
-    /// Where the table goes; the same as --output
-    #[arg(long, value_name = "PATH", value_parser = parse_place)]
-    pub out: Option<Place>,
-    /// Write every scan's spectrum under its name in the column series, whole as NAME (incl. unreliable data), and the
-    /// composite last
-    #[arg(long)]
-    pub per_scan: bool,
-    /// Draw the spectra and their composite
-    #[arg(long, value_name = "FILE.svg|FILE.png")]
-    pub figure: Option<Picture>,
-    /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
-    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average"])]
-    pub areal: bool,
-}
-
-impl ScansArgs {
-    /// A file with what is said for all of them where it says nothing itself.
-    pub fn with_common_options(&self, file: &ScanRequest) -> ScanRequest {
-        ScanRequest {
-            unit: file.unit.or(self.unit),
-            channel: file.channel.clone().or_else(|| self.channel.clone()),
-            size_m: file.size_m.or(self.size.map(|size| size.m)),
-            ..file.clone()
-        }
-    }
 }
 
 #[derive(Debug, ClapArgs)]

@@ -31,6 +31,13 @@ pub(crate) enum PictureError {
         /// The endings that would do.
         endings: &'static str,
     },
+    /// A picture of points, by a build that draws none.
+    #[cfg(not(feature = "png"))]
+    #[error("drawing {}: this program was built without pictures of maps", path.display())]
+    NoPoints {
+        /// The file.
+        path: PathBuf,
+    },
     /// The SVG could not be turned into a PNG.
     #[cfg(feature = "png")]
     #[error("drawing {}: {why}", path.display())]
@@ -64,6 +71,33 @@ impl FromStr for Picture {
 }
 
 impl Picture {
+    /// The same format in another file.
+    pub fn with_path(&self, path: PathBuf) -> Self {
+        Picture { path, format: self.format }
+    }
+
+    /// The bytes of the file, of points over their frame. In an SVG document they stand as an image.
+    ///
+    /// # Errors
+    /// [`PictureError::Drawing`].
+    #[cfg(feature = "png")]
+    pub fn bytes_of_field(&self, field: &FieldPicture) -> Result<Vec<u8>, PictureError> {
+        let drawing = |why| PictureError::Drawing { path: self.path.clone(), why };
+        match self.format {
+            PictureFormat::Png => png::of_field(field).map_err(drawing),
+            PictureFormat::Svg => png::within_svg(field).map(String::into_bytes).map_err(drawing),
+        }
+    }
+
+    /// The bytes of the file, of points over their frame.
+    ///
+    /// # Errors
+    /// [`PictureError::NoPoints`]: this build draws none.
+    #[cfg(not(feature = "png"))]
+    pub fn bytes_of_field(&self, _: &FieldPicture) -> Result<Vec<u8>, PictureError> {
+        Err(PictureError::NoPoints { path: self.path.clone() })
+    }
+
     /// The bytes of the file, of an SVG document.
     ///
     /// # Errors
@@ -101,6 +135,8 @@ pub(crate) fn png_of_field(_: &FieldPicture) -> Result<Option<Vec<u8>>, PictureE
 mod png {
     use std::sync::Arc;
 
+    use base64::Engine;
+    use base64::engine::general_purpose::STANDARD;
     use report::field_picture::FieldPicture;
     use resvg::tiny_skia::{Color, FilterQuality, IntSize, Pixmap, PixmapPaint, Transform};
     use resvg::usvg::fontdb::Database;
@@ -119,14 +155,7 @@ mod png {
     /// The PNG of a field: its points over its frame.
     pub(super) fn of_field(picture: &FieldPicture) -> Result<Vec<u8>, String> {
         let mut drawn = drawn(&picture.svg)?;
-        let rows = picture.colours.len() / picture.columns;
-        let [red_green_blue_alpha, size] = [4 * picture.colours.len(), picture.columns];
-        let mut bytes = Vec::with_capacity(red_green_blue_alpha);
-        picture.colours.iter().for_each(|[red, green, blue]| bytes.extend([*red, *green, *blue, 255]));
-        let too_large = || format!("a picture of {size} by {rows} points is too large");
-        let [columns, lines] = [size, rows].map(|points| u32::try_from(points).ok());
-        let size = columns.zip(lines).and_then(|(columns, lines)| IntSize::from_wh(columns, lines));
-        let points = size.and_then(|size| Pixmap::from_vec(bytes, size)).ok_or_else(too_large)?;
+        let points = points(picture)?;
         let [left, top, width, height] = picture.place.map(|px| px as f32 * SCALE);
         let (x, y) = (width / points.width() as f32, height / points.height() as f32);
         // Points larger than pixels keep their edges; smaller ones are averaged as far as the library does.
@@ -135,6 +164,30 @@ mod png {
         let place = Transform::from_row(x, 0.0, 0.0, y, left, top);
         drawn.draw_pixmap(0, 0, points.as_ref(), &paint, place, None);
         drawn.encode_png().map_err(|error| error.to_string())
+    }
+
+    /// The SVG of a field: its points as an image within its frame.
+    pub(super) fn within_svg(picture: &FieldPicture) -> Result<String, String> {
+        let bytes = points(picture)?.encode_png().map_err(|error| error.to_string())?;
+        let [left, top, width, height] = picture.place;
+        let image = format!(
+            "<image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
+             style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n</svg>",
+            STANDARD.encode(bytes)
+        );
+        Ok(picture.svg.replace("</svg>", &image))
+    }
+
+    /// The points alone, a pixel each.
+    fn points(picture: &FieldPicture) -> Result<Pixmap, String> {
+        let rows = picture.colours.len() / picture.columns;
+        let [red_green_blue_alpha, size] = [4 * picture.colours.len(), picture.columns];
+        let mut bytes = Vec::with_capacity(red_green_blue_alpha);
+        picture.colours.iter().for_each(|[red, green, blue]| bytes.extend([*red, *green, *blue, 255]));
+        let too_large = || format!("a picture of {size} by {rows} points is too large");
+        let [columns, lines] = [size, rows].map(|points| u32::try_from(points).ok());
+        let size = columns.zip(lines).and_then(|(columns, lines)| IntSize::from_wh(columns, lines));
+        size.and_then(|size| Pixmap::from_vec(bytes, size)).ok_or_else(too_large)
     }
 
     /// An SVG document in pixels. Its letters are those of a font that comes with the program, so that it is the same picture

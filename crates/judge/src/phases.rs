@@ -4,7 +4,7 @@ use gaussian_surfaces::{MapWaves, Surface};
 use half_space::{Grid, Loading, PeriodicElements};
 use parallel::Progress;
 use serde::Serialize;
-use study::topography::MapPatch;
+use measurements::MapPatch;
 use topography::{Detrend, detrended_m};
 
 use crate::JudgeError;

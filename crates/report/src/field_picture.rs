@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use elements::Field;
+use crate::plot::escaped;
 use units::display::{length, pressure};
 
 /// Width of the frame's longer side.
@@ -70,20 +71,28 @@ fn picture(
     most: &str,
 ) -> FieldPicture {
     let relief = field.relief;
-    let scale = FRAME_PX / relief.length_x_m.max(relief.length_y_m);
-    let (width, height) = ((relief.length_x_m * scale).max(1.0), (relief.length_y_m * scale).max(1.0));
-    let place = [MARGIN_PX, MARGIN_PX + TITLE_PX, width, height];
     let colour_of = |value: f64| if value > nothing { colour(value / largest) } else { [255; 3] };
-    FieldPicture {
-        svg: frame(title, place, &length(relief.length_x_m), most),
-        place,
-        columns: relief.columns,
-        colours: values.iter().map(|value| colour_of(*value)).collect(),
+    let colours = values.iter().map(|value| colour_of(*value)).collect();
+    FieldPicture::new(title, [relief.length_x_m, relief.length_y_m], ["0", most], relief.columns, colours)
+}
+
+impl FieldPicture {
+    /// Points in their colours, on a rectangle of this size in m; `ends` tells what the first and the last colour stand for.
+    pub(crate) fn new(
+        title: &str,
+        [x_m, y_m]: [f64; 2],
+        ends: [&str; 2],
+        columns: usize,
+        colours: Vec<[u8; 3]>,
+    ) -> Self {
+        let scale = FRAME_PX / x_m.max(y_m);
+        let place = [MARGIN_PX, MARGIN_PX + TITLE_PX, (x_m * scale).max(1.0), (y_m * scale).max(1.0)];
+        FieldPicture { svg: frame(title, place, &length(x_m), ends), place, columns, colours }
     }
 }
 
 /// The colour of a share of the largest value.
-fn colour(share: f64) -> [u8; 3] {
+pub(crate) fn colour(share: f64) -> [u8; 3] {
     let last = COLOURS.len() - 1;
     let at = share.clamp(0.0, 1.0) * last as f64;
     let below = (at as usize).min(last - 1);
@@ -94,7 +103,13 @@ fn colour(share: f64) -> [u8; 3] {
     })
 }
 
-fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, most: &str) -> String {
+fn frame(
+    title: &str,
+    [left, top, width, height]: [f64; 4],
+    side: &str,
+    [least, most]: [&str; 2],
+) -> String {
+    let title = escaped(title);
     let total = [left + width.max(0.6 * FRAME_PX) + MARGIN_PX, top + height + SCALE_PX + MARGIN_PX];
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" font-family=\"sans-serif\" font-size=\"13\">\n\
@@ -118,7 +133,7 @@ fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, most: &s
     let under = bar + 27.0;
     let _ = write!(
         svg,
-        "<text x=\"{left}\" y=\"{under}\">0</text>\n<text x=\"{}\" y=\"{under}\" text-anchor=\"end\">{most}</text>\n</svg>\n",
+        "<text x=\"{left}\" y=\"{under}\">{least}</text>\n<text x=\"{}\" y=\"{under}\" text-anchor=\"end\">{most}</text>\n</svg>\n",
         left + 0.5 * FRAME_PX
     );
     svg

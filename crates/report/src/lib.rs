@@ -9,6 +9,7 @@ pub mod elements_figure;
 pub mod elements_words;
 pub mod explain;
 pub mod field_picture;
+pub mod heights_picture;
 mod judged;
 mod listing;
 pub mod occasion;

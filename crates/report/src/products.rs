@@ -12,7 +12,7 @@ use answer::Answer;
 use judge::Judgement;
 use sensitivity::{Sensitivity, counted_sensitivities};
 use study::Unobserved;
-use study::figure::{Figure, FigureData, Shows};
+use study::figure::{Figure, FigureData, Shows, over_scans};
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
@@ -40,7 +40,7 @@ fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
     }
     let data = data.with_holes(scene.surface.holes());
     match &scene.surface.made_from {
-        Some(scans) => scans.beneath(data),
+        Some(scans) => over_scans(scans, data),
         None => data,
     }
 }

@@ -2,7 +2,6 @@
 
 pub mod choices_in_words;
 pub mod figure;
-mod files;
 pub mod hardness_and_strength;
 pub mod linear_laws;
 pub mod material;
@@ -14,9 +13,8 @@ pub mod plan;
 pub mod result_tables;
 pub mod scene;
 pub mod surface;
-pub mod topography;
 
 pub use features;
-pub use files::{Files, NoFiles};
+pub use measurements::{self, Files, NoFiles};
 pub use note::Note;
 pub use parallel::{Progress, Unobserved};

@@ -6,9 +6,9 @@ use spectrum::{ReadOptions, read_psd};
 use topography::Recipe;
 use units::named;
 
-use crate::files::Files;
+use measurements::Files;
 use crate::surface::{Surface, SurfaceError};
-use crate::topography::{MapOfFile, ScanProblem, ScanRequest, TopographyError};
+use measurements::{MapOfFile, ScanProblem, ScanRequest, TopographyError};
 
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

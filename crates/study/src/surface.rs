@@ -9,9 +9,9 @@ use spectrum::{
 };
 use topography::Recipe;
 
-use crate::files::Files;
+use measurements::Files;
 use crate::note::Note;
-use crate::topography::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
+use measurements::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
 
 /// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
 /// and licence stand in their comments.
@@ -116,7 +116,7 @@ impl Surface {
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
         };
         let PsdFile { psd, comments, notes } =
-            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of_binary(&bytes) {
+            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of(&bytes) {
                 Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
                 None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
             })?;

@@ -6,14 +6,14 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use elements::Boundary;
 use gaussian_surfaces::Phases;
-use scans::LengthUnit;
 use study::measured::Kind;
-use study::topography::ScanRequest;
+use measurements::ScanRequest;
 use topography::Detrend;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
 use super::groups::{CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, StrengthCapArg};
 use super::parsers::{one_of, parse_count, parse_labelled_pressure};
+use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
@@ -100,15 +100,10 @@ pub(crate) struct MapArgs {
     /// What is subtracted from the heights: by default a plane, from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
-    /// Unit of lengths and heights where neither the file nor metadata beside it tell
-    #[arg(long, value_name = "UNIT")]
-    pub unit: Option<LengthUnit>,
-    /// Size along the scan lines where neither the file nor metadata beside it tell
-    #[arg(long, value_name = "L", allow_hyphen_values = true)]
-    pub size: Option<Length>,
-    /// The channel to read, of files that have several
-    #[arg(long, value_name = "NAME")]
-    pub channel: Option<String>,
+    #[command(flatten)]
+    pub untold: UntoldArgs,
+    #[command(flatten)]
+    pub treatment: MapTreatmentArgs,
 }
 
 impl MapArgs {
@@ -117,9 +112,11 @@ impl MapArgs {
         let given = [
             ("--boundary", self.boundary.is_some()),
             ("--detrend", self.detrend.is_some()),
-            ("--unit", self.unit.is_some()),
-            ("--size", self.size.is_some()),
-            ("--channel", self.channel.is_some()),
+            ("--unit", self.untold.unit.is_some()),
+            ("--size", self.untold.size.is_some()),
+            ("--channel", self.untold.channel.is_some()),
+            ("--gaps", self.treatment.gaps.is_some()),
+            ("--direction", self.treatment.direction.is_some()),
         ];
         given.into_iter().filter_map(|(name, given)| given.then_some(name))
     }

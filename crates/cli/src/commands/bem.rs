@@ -12,7 +12,7 @@ use spectrum::ReadOptions;
 use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::{Surface, SurfaceError};
-use study::topography::{MapOfFile, ScanRequest};
+use measurements::MapOfFile;
 use topography::Recipe;
 
 use super::material_options::{loads, material};
@@ -108,12 +108,7 @@ fn load(
     pressing: &Pressing,
     context: &Context<'_>,
 ) -> Result<(Surfaces, Vec<String>), Failure> {
-    let request = ScanRequest {
-        unit: args.surface.unit.or(args.map.unit),
-        channel: args.surface.channel.clone().or_else(|| args.map.channel.clone()),
-        size_m: args.surface.size_m.or(args.map.size.map(|size| size.m)),
-        ..args.surface.clone()
-    };
+    let request = args.map.treatment.told_of(args.map.untold.told_of(&args.surface));
     let options = MeasuredOptions {
         kind: args.kind,
         spectrum: reading_options(&args.reading),

@@ -9,6 +9,7 @@ mod persson;
 mod psd;
 mod row_by_row;
 mod run_scene;
+mod scan;
 mod spectrum_tables;
 mod stacked;
 mod statistical;
@@ -54,6 +55,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
         Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
         Command::Bem(args) => bem::run(&args, &context),
+        Command::Scan(args) => scan::run(&args, &context),
         Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),

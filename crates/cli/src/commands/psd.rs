@@ -5,6 +5,7 @@ use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::{Folder, open_table};
 use crate::output::{Place, publish};
+use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
@@ -13,7 +14,10 @@ use report::scan_words;
 use report::scans_table::scans_table;
 use scans::ScanOption;
 use staging::StagedFiles;
-use study::topography::{CompositeOfFiles, ScanRequest, TopographyError, areal_spectrum, requests_of_list};
+use measurements::{
+    CompositeOfFiles, STEPS_PER_FILE, ScanRequest, TipRadius, TopographyError, areal_spectrum, requests_of_list,
+};
+use study::figure::composite_figure;
 use topography::{Recipe, Remark};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -23,7 +27,9 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         window: args.window,
         average: args.average,
         bins_per_decade: args.bins_per_decade,
-        tip_radius_m: args.tip_radius.map(|radius| radius.m),
+        tip_radius_m: args.tip_radius.and_then(TipRadius::known_m),
+        tip_from_file: args.tip_radius == Some(TipRadius::Auto),
+        ..Recipe::default()
     };
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
     let targets = context
@@ -46,7 +52,10 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         return publish(files);
     }
     let mut timings = Timings::start();
-    let found = CompositeOfFiles::read(&requests, &folder, &recipe).map_err(refused)?;
+    let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
+    let found =
+        CompositeOfFiles::read_observed(&requests, &folder, &recipe, &progress).map_err(refused)?;
+    drop(progress);
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
     let remarks = found.spectrum.remarks();
@@ -59,7 +68,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     let mut files = StagedFiles::default();
     if let Some(picture) = &args.figure {
         let subject = format!("{} scans", found.spectrum.scans.len());
-        context.stage_picture(&mut files, picture, &found.figure("psd"), &subject, &comments)?;
+        context.stage_picture(&mut files, picture, &composite_figure(&found, "psd"), &subject, &comments)?;
     }
     // Later commands tell from them what the composite is made of.
     context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&table)?))?;
@@ -93,8 +102,13 @@ fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> 
     Ok(requests.into_iter().map(beside).collect())
 }
 
-/// What is wrong with scans, with the option that mends it where one does.
+/// The failure of a command that cannot do without these scans.
 pub(super) fn refused(error: TopographyError) -> Failure {
+    Failure::Input(refusal(error))
+}
+
+/// What is wrong with scans, with the option that mends it where one does.
+pub(super) fn refusal(error: TopographyError) -> String {
     let flag = |option| match option {
         ScanOption::Unit => Some("--unit"),
         ScanOption::Size => Some("--size"),
@@ -102,7 +116,7 @@ pub(super) fn refused(error: TopographyError) -> Failure {
         _ => None,
     };
     let mend = error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, flag));
-    Failure::Input(format!("{error}{mend}"))
+    format!("{error}{mend}")
 }
 
 /// Says what there is to say of scans, a line each.

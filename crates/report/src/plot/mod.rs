@@ -2,6 +2,7 @@
 
 mod bands;
 mod decades;
+mod heights;
 mod labels;
 mod legend;
 mod marks;
@@ -14,6 +15,8 @@ use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+
+pub use heights::line_of_heights;
 
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
@@ -232,7 +235,8 @@ fn comment(lines: &[String]) -> String {
     comment
 }
 
-fn escaped(text: &str) -> String {
+/// A text within an element or an attribute.
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 

@@ -1,10 +1,13 @@
 //! Figures as data: the series of each, to be drawn, and written as tables.
 
 mod of_results;
+mod of_scans;
 mod table;
 
 use serde::{Deserialize, Serialize};
 use spectrum::Hole;
+
+pub use of_scans::{composite_figure, over_scans};
 
 /// What a figure shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

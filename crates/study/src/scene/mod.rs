@@ -26,7 +26,7 @@ pub use template::Template;
 
 use crate::choices_in_words;
 use crate::figure::Figure;
-use crate::files::{Files, NoFiles};
+use measurements::{Files, NoFiles};
 use crate::material::Material;
 use crate::plan::{CurveModel, Needs, Plan, Sampling};
 use crate::surface::Surface;

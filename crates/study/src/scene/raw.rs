@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer};
 use serde_spanned::Spanned;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
-use topography::{Average, Detrend, Window};
+use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 use super::error::SceneError;
 use super::from_toml::scene_error;
@@ -70,6 +70,8 @@ pub(super) struct RawScanKeys {
     pub size: Option<RawQuantity>,
     pub tip_radius: Option<RawQuantity>,
     pub shortest_wavelength: Option<RawQuantity>,
+    pub gaps: Option<GapTreatment>,
+    pub direction: Option<Direction>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -132,6 +134,8 @@ pub(super) struct RawLoadRange {
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCutoffs {
     pub shortest_wavelength: Option<RawQuantity>,
+    pub gaps: Option<GapTreatment>,
+    pub direction: Option<Direction>,
 }
 
 #[derive(Debug, Default, Deserialize)]

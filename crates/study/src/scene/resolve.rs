@@ -17,7 +17,7 @@ use super::raw::RawScene;
 use super::surfaces::resolve_surface;
 use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
-use crate::files::Files;
+use measurements::Files;
 use crate::models::ModelOptions;
 use crate::plan::{Needs, Sampling};
 use units::{Length, Pressure};

@@ -6,9 +6,9 @@ use spectrum::ReadOptions;
 use super::error::SceneError;
 use super::raw::{RawScan, RawSurface};
 use super::values::{count, optional, parsed};
-use crate::files::Files;
+use measurements::Files;
 use crate::surface::{Surface, SurfaceError};
-use crate::topography::ScanRequest;
+use measurements::ScanRequest;
 use topography::{DEFAULT_BINS_PER_DECADE, Recipe};
 use units::Length;
 
@@ -101,7 +101,7 @@ fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surfa
             .map(|raw| count(&format!("{key}.bins_per_decade"), raw))
             .transpose()?
             .unwrap_or(DEFAULT_BINS_PER_DECADE),
-        tip_radius_m: None,
+        ..Recipe::default()
     };
     let requests =
         surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;
@@ -125,7 +125,9 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
         channel: raw.channel.clone(),
         size_m: length("size", raw.size.as_ref())?,
-        tip_radius_m: length("tip_radius", raw.tip_radius.as_ref())?,
+        tip_radius: optional(&format!("{key}.scans.tip_radius"), raw.tip_radius.as_ref())?,
+        gaps: raw.gaps,
+        direction: raw.direction,
         shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
     })
 }

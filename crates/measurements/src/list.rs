@@ -2,15 +2,17 @@
 
 use tables::{InputTable, Refusal, Row};
 
-use super::request::{RequestError, ScanRequest};
+use crate::request::{RequestError, ScanRequest};
 
 /// The columns of a list and the options of a scan that they hold; the file stands in `file`.
-const COLUMNS: [(&str, &str); 5] = [
+const COLUMNS: [(&str, &str); 7] = [
     ("unit", "unit"),
     ("channel", "channel"),
     ("size", "size"),
     ("tip_radius", "tip-radius"),
     ("shortest", "shortest"),
+    ("gaps", "gaps"),
+    ("direction", "direction"),
 ];
 
 /// Why a table is no list of scans.
@@ -19,7 +21,7 @@ const COLUMNS: [(&str, &str); 5] = [
 pub enum ListError {
     /// A column that says nothing about scans.
     #[error(
-        "{list}: column {column} says nothing about a scan; the columns are file, unit, channel, size, tip_radius and shortest"
+        "{list}: column {column} says nothing about a scan; the columns are file, unit, channel, size, tip_radius, shortest, gaps and direction"
     )]
     UnknownColumn {
         /// The list.
@@ -38,8 +40,8 @@ pub enum ListError {
     Rows(#[from] Refusal),
 }
 
-/// The scans of a list, which `name` stands for in messages: columns `file, unit, channel, size, tip_radius, shortest`, all
-/// but the first one optional; an empty cell says nothing.
+/// The scans of a list, which `name` stands for in messages: columns `file, unit, channel, size, tip_radius, shortest,
+/// gaps, direction`, all but the first one optional; an empty cell says nothing.
 ///
 /// # Errors
 /// [`ListError`] with line, column and value where they are to blame.

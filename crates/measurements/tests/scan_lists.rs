@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use tables::TableSource;
 
-use study::topography::{ScanRequest, requests_of_list};
+use measurements::{ScanRequest, requests_of_list};
 
 fn read(text: &'static str) -> Result<Vec<ScanRequest>, String> {
     let list = TableSource::new("scans.csv", Cursor::new(text)).unwrap().whole().unwrap();

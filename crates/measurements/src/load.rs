@@ -4,8 +4,8 @@ use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_scans};
 use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
 
-use super::error::{ScanProblem, TopographyError};
-use super::request::ScanRequest;
+use crate::error::{ScanProblem, TopographyError};
+use crate::request::ScanRequest;
 use crate::files::{Files, file_name};
 
 /// Files that describe the scans beside them.
@@ -13,14 +13,14 @@ use crate::files::{Files, file_name};
 const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
 
 /// The scans of one file.
-pub(super) struct Loaded {
+pub(crate) struct Loaded {
     pub scans: Vec<ScanFile>,
     /// SHA-256 of the file, in hexadecimal digits.
     pub sha256: String,
 }
 
 /// Reads the scans in a file.
-pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
+pub(crate) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
     let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
     let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
     if read_psd(&bytes[..], &ReadOptions::default()).is_ok() {
@@ -30,23 +30,25 @@ pub(super) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, T
 }
 
 /// Reads the scans in the bytes of a file that is known to hold heights.
-pub(super) fn load_heights(
+pub(crate) fn load_heights(
     request: &ScanRequest,
     bytes: &[u8],
     files: &dyn Files,
 ) -> Result<Loaded, TopographyError> {
-    let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
-    // What the file and its metadata say counts; what was given stands in where they say nothing.
-    let options = ScanOptions {
+    let scans = read_scans(bytes, file_name(&request.path), &options(request, files)?)
+        .map_err(|error| TopographyError::of_file(&request.path, ScanProblem::Format(Box::new(error))))?;
+    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(bytes)) })
+}
+
+/// What the file and its metadata say counts; what was given stands in where they say nothing.
+pub(crate) fn options(request: &ScanRequest, files: &dyn Files) -> Result<ScanOptions, TopographyError> {
+    Ok(ScanOptions {
         channel: request.channel.clone(),
         metadata: metadata_beside(&request.path, files)?,
         fallback_unit: request.unit,
         fallback_size: request.size_m.map(|x_m| ScanSize { x_m, y_m: None }),
         ..ScanOptions::default()
-    };
-    let scans = read_scans(bytes, file_name(&request.path), &options)
-        .map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
-    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(bytes)) })
+    })
 }
 
 /// What a `meta.yml` or `index.json` in the same folder says of a file: nothing where these cannot be read.

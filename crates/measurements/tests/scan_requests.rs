@@ -1,6 +1,6 @@
 //! Scans as they are asked for.
 
-use study::topography::ScanRequest;
+use measurements::ScanRequest;
 use units::LengthUnit;
 
 #[test]

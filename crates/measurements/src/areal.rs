@@ -1,11 +1,11 @@
 //! The two-dimensional spectrum of a map.
 
 use scans::Scan;
-use topography::{MapSpectrum, Recipe, Remark};
+use topography::{MapSpectrum, Recipe, Remark, without_gaps};
 
-use super::error::{ScanProblem, TopographyError};
-use super::load::{Loaded, load};
-use super::request::ScanRequest;
+use crate::error::{ScanProblem, TopographyError};
+use crate::load::{Loaded, load};
+use crate::request::ScanRequest;
 use crate::files::Files;
 use tables::Table;
 
@@ -29,14 +29,17 @@ pub fn areal_spectrum(
     recipe: &Recipe,
 ) -> Result<AreaSpectrum, TopographyError> {
     let refused = |problem| TopographyError::of_file(&request.path, problem);
-    let Loaded { scans, sha256 } = load(request, files)?;
-    let [file] = &scans[..] else {
-        return Err(refused(ScanProblem::NotOneMap(scans.len())));
+    let Loaded { mut scans, sha256 } = load(request, files)?;
+    let (Some(file), true) = (scans.pop(), scans.is_empty()) else {
+        return Err(refused(ScanProblem::NotOneMap(scans.len() + 1)));
     };
+    let recipe = &request.recipe(recipe);
+    let file = without_gaps(file, recipe.gaps)
+        .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
     let Scan::Map(map) = &file.scan else {
         return Err(refused(ScanProblem::LineHasNoArea));
     };
-    let found = MapSpectrum::of(map, file, request.limits(), recipe)
+    let found = MapSpectrum::of(map, &file, request.limits(), recipe)
         .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
     let wavelengths_m = found.reliable.wavelengths_m();
     let modes = |wavelength_m: &f64| found.modes_at(*wavelength_m).map(|modes| modes as f64);

@@ -2,7 +2,7 @@
 
 use tables::Table;
 
-use super::composite::CompositeOfFiles;
+use crate::composite::CompositeOfFiles;
 
 impl CompositeOfFiles {
     /// The composite: `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3, measurements`, a row per bin from long to short

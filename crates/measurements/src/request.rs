@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use topography::BandLimits;
+use topography::{BandLimits, Direction, GapTreatment, Recipe};
 use units::{Length, LengthUnit};
 
 /// A file of scans, and what is known of them besides.
@@ -16,16 +16,64 @@ pub struct ScanRequest {
     pub channel: Option<String>,
     /// Size along the scan lines \[m\], where the file gives none.
     pub size_m: Option<f64>,
-    /// Radius of the tip \[m\], which limits the wavelengths that are trusted.
-    pub tip_radius_m: Option<f64>,
+    /// Radius of the tip, which limits the wavelengths that are trusted.
+    pub tip_radius: Option<TipRadius>,
     /// The shortest wavelength \[m\] that is trusted.
     pub shortest_m: Option<f64>,
+    /// What becomes of points without a height; as for all scans, where absent.
+    pub gaps: Option<GapTreatment>,
+    /// Along which axis of a map its spectrum is taken; as for all scans, where absent.
+    pub direction: Option<Direction>,
+}
+
+/// What is told of the radius of a tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TipRadius {
+    /// It is so many m.
+    Known(f64),
+    /// It stands in the file or in what lies beside it, in a field or in free text.
+    Auto,
+}
+
+impl FromStr for TipRadius {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim() {
+            "auto" => Ok(Self::Auto),
+            length => length
+                .parse::<Length>()
+                .map(|length| Self::Known(length.m))
+                .map_err(|error| format!("{error}; or write auto, to take the radius that the file speaks of")),
+        }
+    }
+}
+
+impl TipRadius {
+    /// The radius \[m\], where it is given.
+    #[must_use]
+    pub fn known_m(self) -> Option<f64> {
+        match self {
+            Self::Known(radius_m) => Some(radius_m),
+            Self::Auto => None,
+        }
+    }
 }
 
 impl ScanRequest {
     /// What is known of the instrument besides the file.
-    pub(super) fn limits(&self) -> BandLimits {
-        BandLimits { tip_radius_m: self.tip_radius_m, shortest_m: self.shortest_m }
+    pub(crate) fn limits(&self) -> BandLimits {
+        BandLimits { tip_radius_m: self.tip_radius.and_then(TipRadius::known_m), shortest_m: self.shortest_m }
+    }
+
+    /// The recipe for this scan: that for all of them but for what is asked for here.
+    pub(crate) fn recipe(&self, for_all: &Recipe) -> Recipe {
+        Recipe {
+            gaps: self.gaps.unwrap_or(for_all.gaps),
+            direction: self.direction.unwrap_or(for_all.direction),
+            tip_from_file: for_all.tip_from_file || self.tip_radius == Some(TipRadius::Auto),
+            ..*for_all
+        }
     }
 }
 
@@ -34,7 +82,7 @@ impl ScanRequest {
 pub enum RequestError {
     /// No such option.
     #[error(
-        "{file}: there is no option '{key}' of a scan; there are unit, channel, size, tip-radius and shortest"
+        "{file}: there is no option '{key}' of a scan; there are unit, channel, size, tip-radius, shortest, gaps and direction"
     )]
     UnknownKey {
         /// The file.
@@ -78,7 +126,7 @@ impl FromStr for ScanRequest {
 
 impl ScanRequest {
     /// Sets an option by its name on the command line.
-    pub(super) fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
+    pub(crate) fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
         let bad = |problem: String| RequestError::BadValue {
             file: self.path.clone(),
             key: key.to_owned(),
@@ -90,8 +138,14 @@ impl ScanRequest {
             "unit" => self.unit = Some(value.parse::<LengthUnit>().map_err(|error| bad(error.to_string()))?),
             "channel" => self.channel = Some(value.to_owned()),
             "size" => self.size_m = Some(length_m()?),
-            "tip-radius" => self.tip_radius_m = Some(length_m()?),
+            "tip-radius" => self.tip_radius = Some(value.parse().map_err(bad)?),
             "shortest" => self.shortest_m = Some(length_m()?),
+            "gaps" => {
+                self.gaps = Some(value.parse::<GapTreatment>().map_err(|error| bad(error.to_string()))?);
+            }
+            "direction" => {
+                self.direction = Some(value.parse::<Direction>().map_err(|error| bad(error.to_string()))?);
+            }
             _ => {
                 return Err(RequestError::UnknownKey { file: self.path.clone(), key: key.to_owned() });
             }

@@ -91,7 +91,7 @@ impl TopographyError {
     }
 
     /// The scans of one file are to blame.
-    pub(super) fn of_file(file: &str, problem: ScanProblem) -> Self {
+    pub(crate) fn of_file(file: &str, problem: ScanProblem) -> Self {
         TopographyError { file: Some(file.to_owned()), request: None, problem }
     }
 

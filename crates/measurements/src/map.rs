@@ -1,11 +1,11 @@
 //! The heights of one map, less their trend, as they are pressed.
 
 use scans::{HeightMap, Scan};
-use topography::{Recipe, Remark, ScanRemark, detrended_m};
+use topography::{Recipe, Remark, ScanRemark, detrended_m, without_gaps};
 
-use super::error::{ScanProblem, TopographyError};
-use super::load::{Loaded, load_heights};
-use super::request::ScanRequest;
+use crate::error::{ScanProblem, TopographyError};
+use crate::load::{Loaded, load_heights};
+use crate::request::ScanRequest;
 use crate::files::Files;
 
 /// A measured map.
@@ -26,7 +26,7 @@ impl MapOfFile {
     /// The one map in the bytes of a file, less the trend that a spectrum of it would be made without.
     ///
     /// # Errors
-    /// [`TopographyError`] where the file holds no map, several, or one with gaps.
+    /// [`TopographyError`] where the file holds no map, several, or one with too many gaps.
     pub fn read(
         request: &ScanRequest,
         bytes: &[u8],
@@ -38,6 +38,9 @@ impl MapOfFile {
         let (Some(file), true) = (scans.pop(), scans.is_empty()) else {
             return Err(refused(ScanProblem::NotOneSurface(scans.len() + 1)));
         };
+        let recipe = &request.recipe(recipe);
+        let file = without_gaps(file, recipe.gaps)
+            .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
         let Scan::Map(map) = &file.scan else {
             return Err(refused(ScanProblem::LineIsNoSurface));
         };

@@ -1,12 +1,13 @@
 //! The scans in some files become one spectrum, which remembers its files.
 
+use parallel::{Progress, Unobserved};
 use scans::{HeightMap, Scan, ScanFile};
-use topography::{CompositeSpectrum, ScanSpectrum, TransformError};
+use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
-use super::error::{ScanProblem, TopographyError};
-use super::load::{Loaded, load};
-use super::request::ScanRequest;
+use crate::error::{ScanProblem, TopographyError};
+use crate::load::{Loaded, load};
+use crate::request::ScanRequest;
 use crate::files::Files;
 use topography::Recipe;
 
@@ -32,11 +33,14 @@ pub struct MapPatch {
     pub is_periodic: bool,
 }
 
+/// A file is read, and what is in it transformed.
+pub const STEPS_PER_FILE: usize = 2;
+
 /// Points along a side of a patch: what the boundary elements of a judge take.
 const MOST_POINTS: usize = 256;
 
 impl MapPatch {
-    fn of(file: &ScanFile) -> Option<Self> {
+    fn of(file: &ScanFile<Scan>) -> Option<Self> {
         let Scan::Map(map) = &file.scan else { return None };
         let whole = map.columns() <= MOST_POINTS && map.rows() <= MOST_POINTS;
         Some(MapPatch {
@@ -66,7 +70,20 @@ impl CompositeOfFiles {
         files: &dyn Files,
         recipe: &Recipe,
     ) -> Result<Self, TopographyError> {
-        let of_files = parallel::map(requests, |request| of_file(request, files, recipe));
+        Self::read_observed(requests, files, recipe, &Unobserved)
+    }
+
+    /// The same, told how far it is: [`STEPS_PER_FILE`] steps for each file.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read).
+    pub fn read_observed(
+        requests: &[ScanRequest],
+        files: &dyn Files,
+        recipe: &Recipe,
+        progress: &dyn Progress,
+    ) -> Result<Self, TopographyError> {
+        let of_files = parallel::map(requests, |request| of_file(request, files, recipe, progress));
         let (mut scans, mut sources, mut maps) = (Vec::new(), Vec::new(), Vec::new());
         for (at, of_file) in of_files.into_iter().enumerate() {
             let (source, of_file, maps_of_file) =
@@ -107,16 +124,21 @@ fn of_file(
     request: &ScanRequest,
     files: &dyn Files,
     recipe: &Recipe,
+    progress: &dyn Progress,
 ) -> Result<(Source, Vec<ScanSpectrum>, Vec<MapPatch>), TopographyError> {
     let Loaded { scans, sha256 } = load(request, files)?;
-    let maps = scans.iter().filter_map(MapPatch::of).collect();
-    let spectrum = |scan: ScanFile| {
-        let name = scan.name.clone();
-        ScanSpectrum::of(scan, request.limits(), recipe).map_err(|error: TransformError| {
-            let scan = (name != request.path).then_some(name);
-            TopographyError::of_file(&request.path, ScanProblem::Transform { scan, error })
-        })
-    };
-    let spectra = scans.into_iter().map(spectrum).collect::<Result<_, _>>()?;
+    progress.advance(1);
+    let recipe = request.recipe(recipe);
+    let (mut spectra, mut maps) = (Vec::new(), Vec::new());
+    for scan in scans {
+        let name = (scan.name != request.path).then(|| scan.name.clone());
+        let blame = |error: TransformError| {
+            TopographyError::of_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
+        };
+        let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
+        maps.extend(MapPatch::of(&scan));
+        spectra.extend(ScanSpectrum::along(scan, request.limits(), &recipe).map_err(blame)?);
+    }
+    progress.advance(1);
     Ok((Source { file: request.path.clone(), sha256 }, spectra, maps))
 }

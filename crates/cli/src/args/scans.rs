@@ -1,0 +1,131 @@
+//! What `scan` and `psd` may be asked.
+
+use std::num::NonZeroU32;
+
+use clap::Args as ClapArgs;
+use measurements::{ScanRequest, TipRadius};
+use scans::LengthUnit;
+use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatment, Window};
+use units::Length;
+
+use super::parsers::{one_of, parse_count, parse_place};
+use crate::output::Place;
+use crate::picture::Picture;
+
+/// Files of instruments to look into.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct ScanArgs {
+    /// The files, each perhaps with options of its own: FILE:unit=nm,channel=Height,size=1um
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<ScanRequest>,
+    /// Every channel, whatever it measures: amplitude, phase, error, friction as well
+    #[arg(long)]
+    pub all_channels: bool,
+    #[command(flatten)]
+    pub untold: UntoldArgs,
+    /// Draw the heights: maps in colours with their gaps grey, lines as lines; of several channels, FILE-2, FILE-3 and so on
+    #[arg(long, value_name = "FILE.svg|FILE.png")]
+    pub figure: Option<Picture>,
+}
+
+/// What a file may leave open.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct UntoldArgs {
+    /// Unit of lengths and heights where neither the file nor metadata beside it tell
+    #[arg(long, value_name = "UNIT")]
+    pub unit: Option<LengthUnit>,
+    /// Size along the scan lines where neither the file nor metadata beside it tell
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub size: Option<Length>,
+    /// The channel to read, of files that have several
+    #[arg(long, value_name = "NAME")]
+    pub channel: Option<String>,
+}
+
+impl UntoldArgs {
+    /// A file with what is said for all of them where it says nothing itself.
+    pub fn told_of(&self, file: &ScanRequest) -> ScanRequest {
+        ScanRequest {
+            unit: file.unit.or(self.unit),
+            channel: file.channel.clone().or_else(|| self.channel.clone()),
+            size_m: file.size_m.or(self.size.map(|size| size.m)),
+            ..file.clone()
+        }
+    }
+}
+
+/// How maps are made whole, and which way they are looked at.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct MapTreatmentArgs {
+    /// What becomes of points without a height: harmonic, filled by the smoothest surface through the edges of each gap, up to
+    /// 20 % of a scan; lines, left out with their lines or the stretches of them that they interrupt; or refuse
+    #[arg(long, value_parser = one_of::<GapTreatment, _>(GapTreatment::ALL))]
+    pub gaps: Option<GapTreatment>,
+    /// The lines of a map: x, its rows; y, its columns; or both
+    #[arg(long, value_parser = one_of::<Direction, _>(Direction::ALL))]
+    pub direction: Option<Direction>,
+}
+
+impl MapTreatmentArgs {
+    /// A file with what is said for all of them where it says nothing itself.
+    pub fn told_of(&self, file: ScanRequest) -> ScanRequest {
+        ScanRequest {
+            gaps: file.gaps.or(self.gaps),
+            direction: file.direction.or(self.direction),
+            ..file
+        }
+    }
+}
+
+/// Scans and how their spectra are made.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct ScansArgs {
+    /// The scans, each perhaps with options of its own:
+    /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm,gaps=lines,direction=y
+    #[arg(required_unless_present = "list", value_name = "FILE")]
+    pub files: Vec<ScanRequest>,
+    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, gaps, direction, all but file
+    /// optional; files are relative to it
+    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    pub list: Option<Place>,
+    /// What is subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
+    #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
+    pub detrend: Option<Detrend>,
+    /// The window: by default Hann, for periodic data none
+    #[arg(long, value_parser = one_of::<Window, _>(Window::ALL))]
+    pub window: Option<Window>,
+    /// How scans are averaged where they share a bin
+    #[arg(long, value_parser = one_of::<Average, _>(Average::ALL), default_value_t)]
+    pub average: Average,
+    /// Logarithmic bins per decade of wavevectors
+    #[arg(long, value_name = "N", value_parser = parse_count, default_value_t = DEFAULT_BINS_PER_DECADE)]
+    pub bins_per_decade: NonZeroU32,
+    /// Radius of the tip, for every scan that has no other: wavelengths that it cannot follow are left out; auto takes what a
+    /// file or the metadata beside it speak of
+    #[arg(long, value_name = "L|auto", allow_hyphen_values = true)]
+    pub tip_radius: Option<TipRadius>,
+    #[command(flatten)]
+    pub untold: UntoldArgs,
+    #[command(flatten)]
+    pub maps: MapTreatmentArgs,
+    /// Where the table goes; the same as --output
+    #[arg(long, value_name = "PATH", value_parser = parse_place)]
+    pub out: Option<Place>,
+    /// Write every scan's spectrum under its name in the column series, whole as NAME (incl. unreliable data), and the
+    /// composite last
+    #[arg(long)]
+    pub per_scan: bool,
+    /// Draw the spectra and their composite
+    #[arg(long, value_name = "FILE.svg|FILE.png")]
+    pub figure: Option<Picture>,
+    /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
+    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average"])]
+    pub areal: bool,
+}
+
+impl ScansArgs {
+    /// A file with what is said for all of them where it says nothing itself.
+    pub fn with_common_options(&self, file: &ScanRequest) -> ScanRequest {
+        self.maps.told_of(self.untold.told_of(file))
+    }
+}

@@ -1,0 +1,77 @@
+//! `scan`: what is in the files of instruments.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use measurements::{Channels, ScanRequest, read_channels};
+use report::heights_picture::{HeightsPicture, of_heights};
+use report::provenance::program;
+use scans::ScanFile;
+use staging::StagedFiles;
+
+use super::{Context, psd};
+use crate::args::ScanArgs;
+use crate::failure::Failure;
+use crate::files::Folder;
+use crate::output::{publish, stage};
+use crate::picture::Picture;
+use crate::stderr::say;
+use crate::timings::Timings;
+
+pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
+    let folder = Folder::current(context.targets(args.figure.as_ref())?);
+    let mut timings = Timings::start();
+    let mut files = StagedFiles::default();
+    let mut drawn = Vec::new();
+    let found: Channels = read_channels(&requests, &folder, args.all_channels, |request, file| {
+        let Some(picture) = &args.figure else { return Ok(()) };
+        let picture = picture.with_path(numbered(&picture.path, drawn.len() + 1));
+        if stage_heights(&mut files, &picture, file)? {
+            let channel = file.channel.as_ref().map_or_else(String::new, |channel| format!(", {channel}"));
+            drawn.push(format!("{}: {}{channel}", picture.path.display(), request.path));
+        }
+        Ok::<(), Failure>(())
+    })?;
+    timings.lap("reading");
+    let comments = [program(context.typed)];
+    let table = found.table();
+    context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
+        Ok(out.block(&table)?)
+    })?;
+    publish(files)?;
+    if drawn.len() > 1 {
+        drawn.iter().for_each(|picture| say(picture));
+    }
+    timings.lap("writing");
+    timings.report(context.shared.timings);
+    // What can be read is told before the first file that cannot ends the command.
+    let refusals: Vec<String> = found.unreadable.into_iter().map(psd::refusal).collect();
+    if refusals.is_empty() { Ok(()) } else { Err(Failure::Input(refusals.join("\n"))) }
+}
+
+/// `heights.png`, `heights-2.png`, `heights-3.png`.
+fn numbered(path: &Path, number: usize) -> PathBuf {
+    if number == 1 {
+        return path.to_owned();
+    }
+    let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
+    name.push(format!("-{number}"));
+    if let Some(ending) = path.extension() {
+        name.push(".");
+        name.push(ending);
+    }
+    path.with_file_name(name)
+}
+
+/// Whether there was anything to draw.
+fn stage_heights(files: &mut StagedFiles, picture: &Picture, file: &ScanFile) -> Result<bool, Failure> {
+    let bytes = match of_heights(file) {
+        None => return Ok(false),
+        Some(HeightsPicture::Line(svg)) => picture.bytes(svg),
+        Some(HeightsPicture::Map(map)) => picture.bytes_of_field(&map),
+    };
+    let bytes = bytes.map_err(|error| Failure::System(error.to_string()))?;
+    stage(files, &picture.path, |out| out.write_all(&bytes))?;
+    Ok(true)
+}

@@ -1,0 +1,183 @@
+//! What is in the files of instruments: a row for each channel.
+
+use scans::{Axis, Measure, Probe, ScanFile, Statistics, visit_channels};
+use tables::Table;
+use units::display::length;
+
+use crate::error::{ScanProblem, TopographyError};
+use crate::files::{Files, file_name};
+use crate::load::options;
+use crate::request::ScanRequest;
+
+/// The channels of some files.
+#[derive(Debug, Default)]
+#[non_exhaustive]
+pub struct Channels {
+    /// A row for each channel that was looked at.
+    rows: Vec<Row>,
+    /// The files that cannot be read, each with why.
+    pub unreadable: Vec<TopographyError>,
+}
+
+/// A channel in numbers. What cannot be said is absent.
+#[derive(Debug, Default, Clone, PartialEq)]
+struct Row {
+    file: String,
+    format: String,
+    channel: String,
+    points: Option<(usize, usize)>,
+    size_x_m: Option<f64>,
+    size_y_m: Option<f64>,
+    rms_height_m: Option<f64>,
+    peak_to_valley_m: Option<f64>,
+    gaps: Option<usize>,
+    rms_slope_x: Option<f64>,
+    rms_slope_y: Option<f64>,
+    note: String,
+}
+
+impl Channels {
+    /// `file, format, channel, points_x, points_y, size_x_m, size_y_m, rms_height_m, peak_to_valley_m, gaps, rms_slope_x,
+    /// rms_slope_y, note`. A line has one point along y and no size there; lengths of channels that measure none stand in the
+    /// note, with their unit.
+    #[must_use]
+    pub fn table(&self) -> Table {
+        let text = |of: fn(&Row) -> &String| self.rows.iter().map(move |row| of(row).clone());
+        let number = |of: fn(&Row) -> Option<f64>| self.rows.iter().map(of);
+        let count = |of: fn(&Row) -> Option<usize>| self.rows.iter().map(move |row| of(row).map(|n| n as f64));
+        Table::default()
+            .with_text("file", text(|row| &row.file))
+            .with_text("format", text(|row| &row.format))
+            .with_text("channel", text(|row| &row.channel))
+            .with_numbers("points_x", count(|row| row.points.map(|(x, _)| x)))
+            .with_numbers("points_y", count(|row| row.points.map(|(_, y)| y)))
+            .with_numbers("size_x_m", number(|row| row.size_x_m))
+            .with_numbers("size_y_m", number(|row| row.size_y_m))
+            .with_numbers("rms_height_m", number(|row| row.rms_height_m))
+            .with_numbers("peak_to_valley_m", number(|row| row.peak_to_valley_m))
+            .with_numbers("gaps", count(|row| row.gaps))
+            .with_numbers("rms_slope_x", number(|row| row.rms_slope_x))
+            .with_numbers("rms_slope_y", number(|row| row.rms_slope_y))
+            .with_text("note", text(|row| &row.note))
+    }
+}
+
+/// Looks at every channel of heights in some files, or at every channel whatever it measures, and shows each to `see` while it is
+/// held in memory.
+///
+/// # Errors
+/// That of `see`; what is wrong with a file is told in [`Channels::unreadable`], with a channel in its note.
+pub fn read_channels<E>(
+    requests: &[ScanRequest],
+    files: &dyn Files,
+    all_channels: bool,
+    mut see: impl FnMut(&ScanRequest, &ScanFile) -> Result<(), E>,
+) -> Result<Channels, E> {
+    let mut found = Channels::default();
+    for request in requests {
+        let mut seen = Ok(());
+        let rows = channels_of(request, files, all_channels, &mut |file| {
+            if seen.is_ok() {
+                seen = see(request, file);
+            }
+        });
+        seen?;
+        match rows {
+            Ok(rows) => found.rows.extend(rows),
+            Err(error) => found.unreadable.push(error),
+        }
+    }
+    Ok(found)
+}
+
+fn channels_of(
+    request: &ScanRequest,
+    files: &dyn Files,
+    all_channels: bool,
+    see: &mut dyn FnMut(&ScanFile),
+) -> Result<Vec<Row>, TopographyError> {
+    let blame = |problem| TopographyError::of_file(&request.path, problem);
+    let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
+    let options = options(request, files)?;
+    let mut rows = Vec::new();
+    let mut failed = None;
+    let visited = visit_channels(&bytes, file_name(&request.path), &options, all_channels, |channel| match channel {
+        Ok(file) => {
+            rows.push(Row::of(request, &file));
+            see(&file);
+        }
+        Err(error) => failed = Some(error),
+    });
+    visited.map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
+    match failed {
+        // Where another channel can be read, this one is not the whole file's failure.
+        Some(error) if rows.is_empty() => Err(blame(ScanProblem::Format(Box::new(error)))),
+        Some(error) => {
+            rows.push(Row { file: request.path.clone(), note: error.to_string(), ..Row::default() });
+            Ok(rows)
+        }
+        None => Ok(rows),
+    }
+}
+
+impl Row {
+    fn of(request: &ScanRequest, file: &ScanFile) -> Self {
+        let scan = &file.scan;
+        let (points_x, points_y) = scan.points();
+        let (size_x_m, size_y_m) = scan.size_m();
+        let found = Statistics::of(scan);
+        let in_m = found.filter(|_| !matches!(file.measure, Measure::Other(_)));
+        Row {
+            file: request.path.clone(),
+            format: file.format.to_string(),
+            channel: channel(request, file),
+            points: Some((points_x, points_y.unwrap_or(1))),
+            size_x_m: Some(size_x_m),
+            size_y_m,
+            rms_height_m: in_m.map(|found| found.rms_height_m),
+            peak_to_valley_m: in_m.map(|found| found.peak_to_valley_m),
+            gaps: Some(scan.gaps().count()),
+            rms_slope_x: in_m.and_then(|found| found.rms_slope_x),
+            rms_slope_y: in_m.and_then(|found| found.rms_slope_y),
+            note: note(file, found),
+        }
+    }
+}
+
+/// The channel, behind the measurement where a container has several.
+fn channel(request: &ScanRequest, file: &ScanFile) -> String {
+    let measurement = (file.name != file_name(&request.path)).then(|| file.name.clone());
+    [measurement, file.channel.clone()].into_iter().flatten().collect::<Vec<_>>().join(": ")
+}
+
+/// What the numbers do not say.
+fn note(file: &ScanFile, found: Option<Statistics>) -> String {
+    let mut parts = Vec::new();
+    match (&file.measure, found) {
+        (Measure::Height, _) => {}
+        (Measure::Length, _) => parts.push("a length that is no height".to_owned()),
+        (Measure::Other(unit), Some(found)) => parts.push(format!(
+            "no length: rms {:.6e} {unit} about the mean, peak to valley {:.6e} {unit}",
+            found.rms_height_m, found.peak_to_valley_m
+        )),
+        (Measure::Other(unit), None) => parts.push(format!("no length, in {unit}")),
+    }
+    if found.is_none() {
+        parts.push("no point has a value".to_owned());
+    }
+    if file.scan.positions_m().is_some() {
+        parts.push("unevenly spaced".to_owned());
+    }
+    match file.fast_axis {
+        Some(Axis::X) => parts.push("fast axis x".to_owned()),
+        Some(Axis::Y) => parts.push("fast axis y".to_owned()),
+        None => {}
+    }
+    match (file.probe, file.tip_radius_m) {
+        (_, Some(radius_m)) => parts.push(format!("tip radius {}", length(radius_m))),
+        (Some(Probe::Microscope), None) => parts.push("no tip".to_owned()),
+        _ => {}
+    }
+    parts.extend(file.notes.iter().cloned());
+    parts.join("; ")
+}

@@ -1,0 +1,21 @@
+#![doc = include_str!("../README.md")]
+
+mod areal;
+mod channels;
+mod composite;
+mod error;
+mod files;
+mod list;
+mod load;
+mod map;
+mod request;
+mod tables;
+
+pub use areal::{AreaSpectrum, areal_spectrum};
+pub use channels::{Channels, read_channels};
+pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
+pub use error::{ScanProblem, TopographyError};
+pub use files::{Files, NoFiles, file_name};
+pub use list::{ListError, requests_of_list};
+pub use map::MapOfFile;
+pub use request::{RequestError, ScanRequest, TipRadius};

@@ -1,4 +1,0 @@
-//! Text: profiles, points, matrices, headers.
-#![no_main]
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fuzz::read(bytes));
