@@ -5,7 +5,8 @@ use spectrum::Hole;
 use study::Note;
 use study::surface::Surface;
 use topography::{
-    BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
+    BandEnd, DIRECTIONS_DIFFER, Derivative, Direction, DirectionRatio, FundamentalMode, Remark,
+    SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
 };
 use units::LengthUnit;
 use units::display::{length, three_digits};
@@ -73,8 +74,39 @@ pub fn remark(told: &Remark) -> String {
             };
             format!("{first} over {second}: {} {shared}{doubt}", three_digits(*ratio))
         }
+        Remark::Directions { names: [along_x, along_y], ratios, fast } => {
+            directions([along_x, along_y], ratios, *fast, told.severity() == Severity::Warning)
+        }
         Remark::Holes(found) => holes(found),
     }
+}
+
+/// The spectra of a map along both of its axes, decade by decade.
+fn directions(
+    [along_x, along_y]: [&String; 2],
+    ratios: &[DirectionRatio],
+    fast: Option<Direction>,
+    is_doubtful: bool,
+) -> String {
+    let of_decade = |found: &DirectionRatio| match found.bins {
+        1 => format!("{} at {}", three_digits(found.ratio), length(found.longest_m)),
+        _ => format!(
+            "{} from {} to {}",
+            three_digits(found.ratio),
+            length(found.longest_m),
+            length(found.shortest_m)
+        ),
+    };
+    let of_decades = ratios.iter().map(of_decade).collect::<Vec<_>>().join(", ");
+    let scanned = fast.map_or(String::new(), |fast| format!("; {fast} is the fast axis of the scan"));
+    let doubt = if is_doubtful {
+        format!(
+            "; a factor of {DIRECTIONS_DIFFER} or more: the surface has a direction, or its lines are offset against each other"
+        )
+    } else {
+        String::new()
+    };
+    format!("{along_y} over {along_x}: {of_decades}{scanned}{doubt}")
 }
 
 /// Wavelengths that were not measured, in a sentence.

@@ -26,7 +26,17 @@ pub struct HeightMap {
     heights_m: Vec<f64>,
 }
 
-/// Any of the three.
+/// Parallel lines of equally many evenly spaced points: what is left of a map or a line without the points that have no
+/// height. How far the lines are apart is not known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParallelLines {
+    spacing_m: f64,
+    points: usize,
+    heights_m: Vec<f64>,
+    across: Option<Box<ParallelLines>>,
+}
+
+/// Any of the four.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Scan {
     /// Evenly spaced along a line.
@@ -35,6 +45,8 @@ pub enum Scan {
     NonuniformLine(NonuniformLineScan),
     /// On a grid.
     Map(HeightMap),
+    /// Lines cut out of a map or a line with gaps.
+    Lines(ParallelLines),
 }
 
 /// Samples that make no scan. Points, rows and columns are counted from 1.
@@ -266,6 +278,70 @@ impl HeightMap {
     }
 }
 
+impl ParallelLines {
+    /// Heights in m, line after line of so many `points` each, which are `spacing_m` > 0 apart.
+    ///
+    /// # Errors
+    /// [`ScanError`] for fewer than two points, an incomplete line, an undefined height, or a bad spacing.
+    pub fn new(points: usize, spacing_m: f64, heights_m: Vec<f64>) -> Result<Self, ScanError> {
+        refuse_few("points of a line", points)?;
+        if heights_m.is_empty() || !heights_m.len().is_multiple_of(points) {
+            let what = format!("lines of {points} points");
+            return Err(ScanError::LengthMismatch { heights: heights_m.len(), what });
+        }
+        refuse_bad_spacing("spacing", spacing_m)?;
+        refuse_undefined(&heights_m, |index| {
+            format!("line {}, point {}", index / points + 1, index % points + 1)
+        })?;
+        Ok(Self { spacing_m, points, heights_m, across: None })
+    }
+
+    /// The same with the lines that were cut out of the same map along y.
+    #[must_use]
+    pub fn with_across(self, across: Self) -> Self {
+        Self { across: Some(Box::new(across)), ..self }
+    }
+
+    /// Distance of neighbouring points of a line in m.
+    #[inline]
+    pub fn spacing_m(&self) -> f64 {
+        self.spacing_m
+    }
+
+    /// Number of points of each line.
+    #[inline]
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Number of lines.
+    #[inline]
+    pub fn lines(&self) -> usize {
+        self.heights_m.len() / self.points
+    }
+
+    /// Heights in m, line after line.
+    #[inline]
+    pub fn heights_m(&self) -> &[f64] {
+        &self.heights_m
+    }
+
+    /// Length of a line in m: that of its period, one spacing more than from the first to the last point.
+    pub fn length_m(&self) -> f64 {
+        self.spacing_m * self.points as f64
+    }
+
+    /// The lines across these, where there are any.
+    pub fn across(&self) -> Option<&Self> {
+        self.across.as_deref()
+    }
+
+    /// The lines across these as the only ones.
+    pub fn into_across(self) -> Option<Self> {
+        self.across.map(|across| *across)
+    }
+}
+
 /// The columns of rows of so many values, one after the other.
 pub(crate) fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
     (0..columns).flat_map(|column| values.iter().skip(column).step_by(columns).copied()).collect()
@@ -306,6 +382,11 @@ mod tests {
             "building a scan: the height of row 2, column 2 is no finite number; leave the point out"
         );
         assert!(HeightMap::new(2, 1.0, 1.0, vec![0.0; 5]).is_err());
+        assert_eq!(
+            message(ParallelLines::new(3, 1.0, vec![0.0; 4]).unwrap_err()),
+            "building a scan: 4 heights do not fill lines of 3 points"
+        );
+        assert!(ParallelLines::new(3, 1.0, Vec::new()).is_err() && ParallelLines::new(1, 1.0, vec![0.0]).is_err());
         assert!(UniformLineScan::new(0.0, vec![0.0; 2]).is_err());
     }
 

@@ -37,7 +37,7 @@ pub use error::{Mend, Place, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use format::ScanFormat;
 pub use gaps::Gaps;
-pub use heights::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
+pub use heights::{HeightMap, NonuniformLineScan, ParallelLines, Scan, ScanError, UniformLineScan};
 pub use measure::Measure;
 pub use measured::Measured;
 pub use metadata::{MeasurementMetadata, Probe};

@@ -30,13 +30,14 @@ impl Measured {
         &self.gaps
     }
 
-    /// Number of points along x and, of a map, along y.
+    /// Number of points along x and, of a map, along y; of parallel lines the number of lines.
     #[must_use]
     pub fn points(&self) -> (usize, Option<usize>) {
         match &self.scan {
             Scan::UniformLine(line) => (line.heights_m().len(), None),
             Scan::NonuniformLine(line) => (line.heights_m().len(), None),
             Scan::Map(map) => (map.columns(), Some(map.rows())),
+            Scan::Lines(lines) => (lines.points(), Some(lines.lines())),
         }
     }
 
@@ -48,6 +49,7 @@ impl Measured {
             Scan::UniformLine(line) => (line.spacing_m(), None),
             Scan::NonuniformLine(line) => (line.mean_spacing_m(), None),
             Scan::Map(map) => (map.spacing_x_m(), Some(map.spacing_y_m())),
+            Scan::Lines(lines) => (lines.spacing_m(), None),
         }
     }
 
@@ -60,6 +62,7 @@ impl Measured {
             Scan::Map(map) => {
                 (map.spacing_x_m() * map.columns() as f64, Some(map.spacing_y_m() * map.rows() as f64))
             }
+            Scan::Lines(lines) => (lines.length_m(), None),
         }
     }
 
@@ -120,7 +123,7 @@ impl Measured {
                 let (columns, x_m, y_m) = (map.columns(), map.spacing_x_m(), map.spacing_y_m());
                 Scan::Map(HeightMap::new(columns, x_m, y_m, put(map.into_heights_m()))?)
             }
-            uneven @ Scan::NonuniformLine(_) => uneven,
+            without_gaps @ (Scan::NonuniformLine(_) | Scan::Lines(_)) => without_gaps,
         })
     }
 
@@ -129,6 +132,7 @@ impl Measured {
             Scan::UniformLine(line) => line.heights_m(),
             Scan::NonuniformLine(line) => line.heights_m(),
             Scan::Map(map) => map.heights_m(),
+            Scan::Lines(lines) => lines.heights_m(),
         }
     }
 
@@ -137,6 +141,9 @@ impl Measured {
         match &self.scan {
             Scan::Map(map) => {
                 format!("row {}, column {}", index / map.columns() + 1, index % map.columns() + 1)
+            }
+            Scan::Lines(lines) => {
+                format!("line {}, point {}", index / lines.points() + 1, index % lines.points() + 1)
             }
             _ => format!("point {}", index + 1),
         }

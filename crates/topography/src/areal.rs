@@ -7,9 +7,10 @@ use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
 use crate::detrend::Trend;
-use crate::lines::{BLOCK_ROWS, RowTransform, rows_of_block};
+use crate::lines::RowTransform;
 use crate::preparation::Preparation;
 use crate::radial::{ArealSpectrum, RadialBin};
+use crate::rows::{BLOCK_ROWS, Rows};
 use crate::sums::Spread;
 use scans::HeightMap;
 
@@ -93,7 +94,7 @@ impl<'a> ArealTransform<'a> {
         let mut transform = self.row_transform.clone();
         let mut rows = ArealRows { values: Vec::new(), spread: Spread::default() };
         rows.values.reserve_exact(BLOCK_ROWS.min(self.map.rows()) * self.half_columns());
-        for (row, heights_m) in rows_of_block(self.map, block) {
+        for (row, heights_m) in Rows::of_map(self.map).block(block) {
             let factor = self.row_factors[row];
             rows.spread = rows.spread.joined(transform.run(&self.trend, row, heights_m).times(factor));
             rows.values.extend(transform.output.iter().map(|value| value * factor));

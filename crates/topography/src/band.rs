@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::error::TransformError;
+use crate::rows::Lines;
 use crate::tip::tip_cutoff_m;
 use scans::Scan;
 
@@ -38,10 +39,9 @@ impl ReliableBand {
         refuse_bad("tip radius", limits.tip_radius_m)?;
         refuse_bad("shortest wavelength", limits.shortest_m)?;
         let sampling_m = 2.0
-            * match scan {
-                Scan::UniformLine(line) => line.spacing_m(),
-                Scan::NonuniformLine(line) => line.mean_spacing_m(),
-                Scan::Map(map) => map.spacing_x_m(),
+            * match Lines::of(scan) {
+                Lines::Even(rows) => rows.spacing_m,
+                Lines::Uneven(line) => line.mean_spacing_m(),
             };
         let tip_m = limits.tip_radius_m.and_then(|radius_m| tip_cutoff_m(scan, radius_m));
         let shortest_m = [tip_m, limits.shortest_m].into_iter().flatten().fold(sampling_m, f64::max);

@@ -1,6 +1,6 @@
 //! What ends the band of a scan at its short end.
 
-use scans::{Probe, ScanFile};
+use scans::{Probe, Scan, ScanFile};
 
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark};
@@ -8,7 +8,7 @@ use crate::{BandLimits, ReliableBand, TransformError};
 
 /// The band of a scan, and what ends it.
 pub(crate) fn band_of(
-    file: &ScanFile,
+    file: &ScanFile<Scan>,
     given: BandLimits,
     recipe: &Recipe,
 ) -> Result<(ReliableBand, BandEnd), TransformError> {
@@ -32,6 +32,6 @@ pub(crate) fn tip_remark(band: &ReliableBand, end: BandEnd) -> Option<ScanRemark
 
 /// Whether a tip may have touched the surface: not that of a microscope, nor heights that repeat themselves, which were
 /// computed.
-fn may_have_a_tip(file: &ScanFile) -> bool {
+fn may_have_a_tip(file: &ScanFile<Scan>) -> bool {
     file.probe != Some(Probe::Microscope) && !file.is_periodic
 }

@@ -1,11 +1,14 @@
 //! The spectra of several scans become one, with what they say of each other.
 
+use scans::Axis;
 use spectrum::{Convention, Hole, Psd};
 
 use crate::recipe::Recipe;
 use crate::remark::{Remark, differ};
 use crate::scan_spectrum::ScanSpectrum;
-use crate::{Composite, CompositeOptions, Overlap, TransformError, composite, overlaps};
+use crate::{
+    Composite, CompositeOptions, Direction, DirectionRatio, Overlap, TransformError, composite, overlaps,
+};
 
 /// In fewer shared bins the scatter of single lines may look as if instruments disagreed.
 const TELLING_BINS: usize = 3;
@@ -92,7 +95,9 @@ impl CompositeSpectrum {
     /// theirs is its spectrum.
     #[must_use]
     pub fn instruments_disagree(&self) -> Option<InstrumentsDisagree> {
-        let telling = |overlap: &&Overlap| overlap.bins >= TELLING_BINS && differ(overlap.ratio);
+        let telling = |overlap: &&Overlap| {
+            overlap.bins >= TELLING_BINS && differ(overlap.ratio) && !self.is_one_map(overlap)
+        };
         let apart = |overlap: &&Overlap| overlap.ratio.ln().abs();
         let worst = self.overlaps.iter().filter(telling).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
         let names = self.series_names();
@@ -102,6 +107,19 @@ impl CompositeSpectrum {
             longest_m: worst.longest_m,
             shortest_m: worst.shortest_m,
         })
+    }
+
+    /// The two spectra of each map that has one along each axis, by index: they follow each other.
+    fn both_directions(&self) -> impl Iterator<Item = (usize, usize)> {
+        let is_pair = |&(x, y): &(usize, usize)| {
+            [x, y].map(|scan| self.scans[scan].axis) == [Some(Axis::X), Some(Axis::Y)]
+        };
+        (1..self.scans.len()).map(|y| (y - 1, y)).filter(is_pair)
+    }
+
+    /// Whether the two are those of one map along both axes, which are no two instruments.
+    fn is_one_map(&self, overlap: &Overlap) -> bool {
+        self.both_directions().any(|pair| pair == (overlap.first, overlap.second))
     }
 
     /// What reading took for granted, and how far each spectrum, their overlaps and the whole can be believed.
@@ -114,7 +132,15 @@ impl CompositeSpectrum {
         });
         let same =
             self.repeated.iter().map(|&(scan, repeats)| Remark::SameData { names: both([scan, repeats]) });
-        let is_told = |overlap: &&Overlap| !self.repeated.contains(&(overlap.first, overlap.second));
+        let directions = self.both_directions().filter_map(|(x, y)| {
+            let [of_x, of_y] = [x, y].map(|scan| &self.scans[scan].reliable);
+            let ratios = DirectionRatio::per_decade(of_x, of_y, self.recipe.bins_per_decade);
+            let fast = self.scans[x].fast_axis.map(Direction::from);
+            (!ratios.is_empty()).then(|| Remark::Directions { names: both([x, y]), ratios, fast })
+        });
+        let is_told = |overlap: &&Overlap| {
+            !self.repeated.contains(&(overlap.first, overlap.second)) && !self.is_one_map(overlap)
+        };
         let overlaps = self.overlaps.iter().filter(is_told).map(|overlap| Remark::Overlap {
             names: both([overlap.first, overlap.second]),
             ratio: overlap.ratio,
@@ -123,7 +149,7 @@ impl CompositeSpectrum {
             shortest_m: overlap.shortest_m,
         });
         let holes = Some(self.holes()).filter(|holes| !holes.is_empty()).map(Remark::Holes);
-        of_scans.chain(same).chain(overlaps).chain(holes).collect()
+        of_scans.chain(same).chain(directions).chain(overlaps).chain(holes).collect()
     }
 }
 

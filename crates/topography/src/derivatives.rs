@@ -1,8 +1,9 @@
 //! Slopes and curvatures from the heights themselves, to hold against those from the spectrum.
 
-use crate::detrend::{Detrend, Trend};
+use crate::detrend::Detrend;
 use crate::piecewise::fitted_slope;
 use crate::rms::RmsDerivatives;
+use crate::rows::{Lines, Rows};
 use crate::sums::{dot, sum_of};
 use scans::{NonuniformLineScan, Scan};
 
@@ -27,17 +28,9 @@ pub enum Boundary {
 /// slope adds (2 pi/L)^2/3 times the variance to the mean square slope. Without one, the step between the two ends of a
 /// scan that is not periodic swamps the spectral values.
 pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
-    match scan {
-        Scan::UniformLine(line) => {
-            let trend = Trend::of_line(line.heights_m(), detrend);
-            let points = line.heights_m().len();
-            of_rows(&trend, line.heights_m(), points, line.spacing_m(), boundary)
-        }
-        Scan::Map(map) => {
-            let trend = Trend::of_map(map, detrend);
-            of_rows(&trend, map.heights_m(), map.columns(), map.spacing_x_m(), boundary)
-        }
-        Scan::NonuniformLine(line) => of_uneven(line, detrend),
+    match Lines::of(scan) {
+        Lines::Even(rows) => of_rows(&rows, detrend, boundary),
+        Lines::Uneven(line) => of_uneven(line, detrend),
     }
 }
 
@@ -51,21 +44,20 @@ pub fn real_space_derivatives_across(
     detrend: Detrend,
     boundary: Boundary,
 ) -> Option<RmsDerivatives> {
-    let Scan::Map(map) = scan else { return None };
-    Some(real_space_derivatives(&Scan::Map(map.turned()), detrend, boundary))
+    let across = match scan {
+        Scan::Map(map) => Scan::Map(map.turned()),
+        Scan::Lines(lines) => Scan::Lines(lines.across()?.clone()),
+        Scan::UniformLine(_) | Scan::NonuniformLine(_) => return None,
+    };
+    Some(real_space_derivatives(&across, detrend, boundary))
 }
 
-fn of_rows(
-    trend: &Trend,
-    heights_m: &[f64],
-    points: usize,
-    spacing_m: f64,
-    boundary: Boundary,
-) -> RmsDerivatives {
+fn of_rows(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
+    let (trend, Rows { points, spacing_m, .. }) = (lines.trend(detrend), *lines);
     let closing = usize::from(boundary == Boundary::Periodic);
     let (ones, mut rest_m, mut slopes) = (vec![1.0; points], vec![0.0; points], Vec::new());
     let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
-    for (row, heights_m) in heights_m.chunks_exact(points).enumerate() {
+    for (row, heights_m) in lines.iter().enumerate() {
         trend.subtract(row, heights_m, &ones, &mut rest_m);
         slopes.clear();
         slopes.extend(rest_m.windows(2).map(|pair| (pair[1] - pair[0]) / spacing_m));
@@ -76,7 +68,7 @@ fn of_rows(
         let bends: Vec<f64> = bends.chain((closing == 1).then(|| slopes[0] - last)).collect();
         curvature_squares += sum_of(&bends, |bend| (bend / spacing_m).powi(2));
     }
-    let rows = heights_m.len() / points;
+    let rows = lines.count();
     let (slopes, bends) = (rows * (points - 1 + closing), rows * (points - 2 + 2 * closing));
     RmsDerivatives {
         slope: (slope_squares / slopes as f64).sqrt(),

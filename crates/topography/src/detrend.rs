@@ -15,7 +15,7 @@ pub enum Detrend {
     /// A straight line: of a map, one for each of its rows, which also takes the drift between rows away and with it
     /// wavelengths across the rows.
     Line,
-    /// A plane through the whole map; of a line, a straight line.
+    /// A plane through the whole map; of a line, a straight line, and so of each of the lines that were cut out of a map.
     #[default]
     Plane,
 }
@@ -58,12 +58,17 @@ struct Plane {
 
 impl Trend {
     pub(crate) fn of_map(map: &HeightMap, detrend: Detrend) -> Self {
+        Self::of_rows(map.heights_m(), map.columns(), detrend)
+    }
+
+    /// Of rows of so many columns.
+    pub(crate) fn of_rows(heights_m: &[f64], columns: usize, detrend: Detrend) -> Self {
         let sloped = match detrend {
             Detrend::Mean => Some([false, false]),
             Detrend::Line => None,
             Detrend::Plane => Some([true, true]),
         };
-        Self::new(map.heights_m(), map.columns(), sloped)
+        Self::new(heights_m, columns, sloped)
     }
 
     pub(crate) fn of_line(heights_m: &[f64], detrend: Detrend) -> Self {

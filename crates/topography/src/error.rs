@@ -1,5 +1,6 @@
 //! What can be asked of a spectrum that it does not hold.
 
+use scans::{Axis, ScanError};
 use spectrum::PsdError;
 use thiserror::Error;
 use units::display::length;
@@ -55,6 +56,19 @@ pub enum TransformError {
     SingleBin {
         /// Wavelength in m of the centre of the bin.
         centre_m: f64,
+    },
+    /// A scan with gaps where none are wanted.
+    #[error(transparent)]
+    Gaps(#[from] ScanError),
+    /// No line, or stretch of one, without gaps.
+    #[error(
+        "cutting lines without gaps: along {} the longest stretch without a gap is too short; crop the scan to a part with \
+         fewer gaps, or have them filled (harmonic)",
+        match axis { Axis::X => "x", Axis::Y => "y" }
+    )]
+    NoLines {
+        /// The axis along which they would run.
+        axis: Axis,
     },
     /// A composite of nothing.
     #[error("averaging spectra: the number of measurements is 0, it must be at least 1")]

@@ -1,8 +1,9 @@
 //! How much of the longest wavelength detrending leaves.
 
 use crate::detrend::Detrend;
-use crate::lines::{map_line_spectrum, uniform_line_spectrum};
+use crate::lines::rows_spectrum;
 use crate::piecewise::nonuniform_line_spectrum_to;
+use crate::rows::Lines;
 use crate::window::Window;
 use crate::{LineSpectrum, Preparation};
 use scans::Scan;
@@ -20,10 +21,9 @@ pub fn fundamental_kept(scan: &Scan, detrend: Detrend) -> Option<f64> {
 
 fn fundamental_m3(scan: &Scan, detrend: Detrend) -> f64 {
     let preparation = Preparation { detrend, window: Window::None };
-    let spectrum: LineSpectrum = match scan {
-        Scan::UniformLine(line) => uniform_line_spectrum(line, preparation),
-        Scan::NonuniformLine(line) => nonuniform_line_spectrum_to(line, preparation, 1),
-        Scan::Map(map) => map_line_spectrum(map, preparation),
+    let spectrum: LineSpectrum = match Lines::of(scan) {
+        Lines::Even(rows) => rows_spectrum(rows, preparation),
+        Lines::Uneven(line) => nonuniform_line_spectrum_to(line, preparation, 1),
     };
     spectrum.c1d_m3()[0]
 }

@@ -19,8 +19,11 @@ mod composite;
 mod composite_spectrum;
 mod derivatives;
 mod detrend;
+mod direction;
+mod direction_ratio;
 mod error;
 mod fundamental;
+mod gap_treatment;
 mod line;
 mod lines;
 mod map_spectrum;
@@ -32,6 +35,7 @@ mod radial;
 mod recipe;
 mod remark;
 mod rms;
+mod rows;
 mod scan_spectrum;
 mod segment;
 mod sums;
@@ -46,8 +50,11 @@ pub use composite::{Composite, CompositeBin, CompositeOptions, composite};
 pub use composite_spectrum::{CompositeSpectrum, InstrumentsDisagree};
 pub use derivatives::{Boundary, real_space_derivatives, real_space_derivatives_across};
 pub use detrend::{Detrend, detrended_m};
+pub use direction::Direction;
+pub use direction_ratio::DirectionRatio;
 pub use error::TransformError;
 pub use fundamental::fundamental_kept;
+pub use gap_treatment::{GapTreatment, without_gaps};
 pub use line::{DerivativeOf, LineSpectrum};
 pub use lines::{LineSums, MapLines, map_line_spectrum, uniform_line_spectrum};
 pub use map_spectrum::MapSpectrum;
@@ -58,7 +65,8 @@ pub use preparation::Preparation;
 pub use radial::{ArealSpectrum, RadialBin};
 pub use recipe::{Average, DEFAULT_BINS_PER_DECADE, Recipe};
 pub use remark::{
-    BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
+    BandEnd, DIRECTIONS_DIFFER, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER,
+    ScanRemark, Severity,
 };
 pub use rms::RmsDerivatives;
 pub use scan_spectrum::ScanSpectrum;

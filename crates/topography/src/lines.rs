@@ -8,34 +8,31 @@ use realfft::{RealFftPlanner, RealToComplex};
 use crate::detrend::Trend;
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
+use crate::rows::{BLOCK_ROWS, Rows};
 use crate::sums::Spread;
 use scans::{HeightMap, UniformLineScan};
 
-/// Rows of a block: small enough to spread over threads, large enough that a block outweighs handing it over.
-pub(crate) const BLOCK_ROWS: usize = 64;
-
 /// The spectrum C1D of evenly spaced heights.
 pub fn uniform_line_spectrum(scan: &UniformLineScan, preparation: Preparation) -> LineSpectrum {
-    let heights_m = scan.heights_m();
-    let trend = Trend::of_line(heights_m, preparation.detrend);
-    let mut transform = RowTransform::new(heights_m.len(), preparation);
-    let variance_m2 = transform.run(&trend, 0, heights_m).variance();
-    let power_m2 = transform.output.iter().skip(1).map(|value| value.norm_sqr()).collect();
-    let flagged_bins = preparation.flagged_bins();
-    LineSpectrum::of_even_spacing(scan.spacing_m(), heights_m.len(), 1, power_m2, variance_m2, flagged_bins)
+    rows_spectrum(Rows::of_line(scan), preparation)
 }
 
 /// The mean of the spectra C1D of the rows of a map; with the feature `parallel` on all threads.
 pub fn map_line_spectrum(map: &HeightMap, preparation: Preparation) -> LineSpectrum {
-    let lines = MapLines::new(map, preparation);
+    rows_spectrum(Rows::of_map(map), preparation)
+}
+
+/// The mean of the spectra C1D of lines.
+pub(crate) fn rows_spectrum(rows: Rows, preparation: Preparation) -> LineSpectrum {
+    let lines = MapLines::of_rows(rows, preparation);
     let sums: Vec<LineSums> = parallel::map_indices(lines.blocks(), |block| lines.block(block));
     lines.spectrum(&sums)
 }
 
-/// The rows of a map in blocks, which may be transformed in any order and on any number of threads: their sums are added in
+/// The rows of a map, or other lines, in blocks, which may be transformed in any order and on any number of threads: their sums are added in
 /// the order of the map, so every digit of the spectrum is the same.
 pub struct MapLines<'a> {
-    map: &'a HeightMap,
+    rows: Rows<'a>,
     preparation: Preparation,
     trend: Trend,
     transform: RowTransform,
@@ -51,21 +48,25 @@ pub struct LineSums {
 impl<'a> MapLines<'a> {
     /// Fits the trend and plans the transform.
     pub fn new(map: &'a HeightMap, preparation: Preparation) -> Self {
-        let trend = Trend::of_map(map, preparation.detrend);
-        Self { map, preparation, trend, transform: RowTransform::new(map.columns(), preparation) }
+        Self::of_rows(Rows::of_map(map), preparation)
+    }
+
+    pub(crate) fn of_rows(rows: Rows<'a>, preparation: Preparation) -> Self {
+        let (trend, transform) =
+            (rows.trend(preparation.detrend), RowTransform::new(rows.points, preparation));
+        Self { rows, preparation, trend, transform }
     }
 
     /// How many blocks there are.
     pub fn blocks(&self) -> usize {
-        self.map.rows().div_ceil(BLOCK_ROWS)
+        self.rows.count().div_ceil(BLOCK_ROWS)
     }
 
     /// The sums of a block, counted from 0; nothing for blocks beyond the last.
     pub fn block(&self, block: usize) -> LineSums {
-        let columns = self.map.columns();
         let mut transform = self.transform.clone();
-        let mut sums = LineSums { power_m2: vec![0.0; columns / 2], variances_m2: 0.0 };
-        for (row, heights_m) in rows_of_block(self.map, block) {
+        let mut sums = LineSums { power_m2: vec![0.0; self.rows.points / 2], variances_m2: 0.0 };
+        for (row, heights_m) in self.rows.block(block) {
             sums.variances_m2 += transform.run(&self.trend, row, heights_m).variance();
             for (power_m2, value) in sums.power_m2.iter_mut().zip(&transform.output[1..]) {
                 *power_m2 += value.norm_sqr();
@@ -76,22 +77,22 @@ impl<'a> MapLines<'a> {
 
     /// The spectrum from the sums of all blocks, in their order.
     pub fn spectrum(&self, sums: &[LineSums]) -> LineSpectrum {
-        let columns = self.map.columns();
-        let mut power_m2 = vec![0.0; columns / 2];
+        let mut power_m2 = vec![0.0; self.rows.points / 2];
         for sums in sums {
             power_m2.iter_mut().zip(&sums.power_m2).for_each(|(total, part)| *total += part);
         }
         let variances_m2 = sums.iter().map(|sums| sums.variances_m2).sum();
-        let (spacing_m, rows) = (self.map.spacing_x_m(), self.map.rows());
+        let Rows { spacing_m, points, .. } = self.rows;
         let flagged_bins = self.preparation.flagged_bins();
-        LineSpectrum::of_even_spacing(spacing_m, columns, rows, power_m2, variances_m2, flagged_bins)
+        LineSpectrum::of_even_spacing(
+            spacing_m,
+            points,
+            self.rows.count(),
+            power_m2,
+            variances_m2,
+            flagged_bins,
+        )
     }
-}
-
-/// The rows of a block with their numbers.
-pub(crate) fn rows_of_block(map: &HeightMap, block: usize) -> impl Iterator<Item = (usize, &[f64])> {
-    let rows = map.heights_m().chunks_exact(map.columns()).enumerate();
-    rows.skip(block * BLOCK_ROWS).take(BLOCK_ROWS)
 }
 
 /// Detrends, windows and transforms one row after the other.

@@ -1,6 +1,6 @@
 //! A map becomes a two-dimensional spectrum, limited to the band that shows the surface.
 
-use scans::{HeightMap, ScanFile};
+use scans::{HeightMap, Scan, ScanFile};
 use spectrum::Psd;
 
 use crate::band_end::{band_of, tip_remark};
@@ -29,7 +29,7 @@ impl MapSpectrum {
     /// [`TransformError`] for limits that are no lengths, and a band without a bin.
     pub fn of(
         map: &HeightMap,
-        file: &ScanFile,
+        file: &ScanFile<Scan>,
         given: BandLimits,
         recipe: &Recipe,
     ) -> Result<Self, TransformError> {

@@ -4,7 +4,7 @@ use std::num::NonZeroU32;
 
 use serde::Serialize;
 
-use crate::bins::{BinMean, log_bins};
+use crate::bins::{Bin, BinMean, log_bins};
 use spectrum::ProfilePsd;
 
 /// The spectra of two measurements in the bins that both reach.
@@ -35,25 +35,42 @@ pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec
     let mut overlaps = Vec::new();
     for (first, bins) in binned.iter().enumerate() {
         for (second, others) in binned.iter().enumerate().skip(first + 1) {
-            let shared: Vec<_> = bins
-                .iter()
-                .filter_map(|bin| {
-                    let at = others.binary_search_by_key(&bin.index, |other| other.index).ok()?;
-                    Some((bin.wavelength_m, bin.c1d_m3 / others[at].c1d_m3))
-                })
-                .collect();
+            let shared = shared_bins(bins, others);
             if let (Some(longest), Some(shortest)) = (shared.first(), shared.last()) {
-                let ratios: Vec<f64> = shared.iter().map(|&(_, ratio)| ratio).collect();
                 overlaps.push(Overlap {
                     first,
                     second,
-                    longest_m: longest.0,
-                    shortest_m: shortest.0,
+                    longest_m: longest.wavelength_m,
+                    shortest_m: shortest.wavelength_m,
                     bins: shared.len(),
-                    ratio: BinMean::Geometric.of(&ratios),
+                    ratio: mean_ratio(&shared),
                 });
             }
         }
     }
     overlaps
+}
+
+/// Two spectra in a bin that both reach.
+#[derive(Clone, Copy)]
+pub(crate) struct SharedBin {
+    /// The wavelength of the first in m.
+    pub(crate) wavelength_m: f64,
+    /// The first over the second.
+    pub(crate) ratio: f64,
+}
+
+/// The bins that both spectra reach, from long to short wavelengths.
+pub(crate) fn shared_bins(bins: &[Bin], others: &[Bin]) -> Vec<SharedBin> {
+    let shared = |bin: &Bin| {
+        let at = others.binary_search_by_key(&bin.index, |other| other.index).ok()?;
+        Some(SharedBin { wavelength_m: bin.wavelength_m, ratio: bin.c1d_m3 / others[at].c1d_m3 })
+    };
+    bins.iter().filter_map(shared).collect()
+}
+
+/// The geometric mean of their ratios, of one bin at least.
+pub(crate) fn mean_ratio(shared: &[SharedBin]) -> f64 {
+    let ratios: Vec<f64> = shared.iter().map(|bin| bin.ratio).collect();
+    BinMean::Geometric.of(&ratios)
 }

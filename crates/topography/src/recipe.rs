@@ -5,7 +5,7 @@ use std::num::NonZeroU32;
 use scans::ScanFile;
 use serde::{Deserialize, Serialize};
 
-use crate::{BandLimits, BinMean, Detrend, Preparation, Window};
+use crate::{BandLimits, BinMean, Detrend, Direction, GapTreatment, Preparation, Window};
 
 /// The density of a composite where none is asked for.
 pub const DEFAULT_BINS_PER_DECADE: NonZeroU32 = NonZeroU32::new(10).expect("ten is not zero");
@@ -23,6 +23,10 @@ pub struct Recipe {
     pub bins_per_decade: NonZeroU32,
     /// Radius of the tip \[m\] of scans that have no other.
     pub tip_radius_m: Option<f64>,
+    /// What is done about points without a height.
+    pub gaps: GapTreatment,
+    /// Along which axis of maps their lines run.
+    pub direction: Direction,
 }
 
 impl Default for Recipe {
@@ -33,6 +37,8 @@ impl Default for Recipe {
             average: Average::Log,
             bins_per_decade: DEFAULT_BINS_PER_DECADE,
             tip_radius_m: None,
+            gaps: GapTreatment::default(),
+            direction: Direction::default(),
         }
     }
 }
@@ -51,7 +57,7 @@ impl Recipe {
     /// What limits the band of a scan: the tip and the shortest wavelength. What is `given` of the tip counts before what the
     /// file says, and that before the recipe; of two shortest wavelengths the longer one counts, which all vouch for.
     #[must_use]
-    pub fn limits(&self, given: BandLimits, file: &ScanFile) -> BandLimits {
+    pub fn limits<S>(&self, given: BandLimits, file: &ScanFile<S>) -> BandLimits {
         BandLimits {
             tip_radius_m: given.tip_radius_m.or(file.tip_radius_m).or(self.tip_radius_m),
             shortest_m: [given.shortest_m, file.resolution_m].into_iter().flatten().reduce(f64::max),
@@ -61,13 +67,20 @@ impl Recipe {
     /// The recipe in a line, for the record.
     #[must_use]
     pub fn describe(&self) -> String {
-        format!(
+        let mut line = format!(
             "detrend: {}, window: {}, average: {}, {} bins per decade",
             self.detrend.map_or("as fits the scan".to_owned(), |detrend| detrend.to_string()),
             self.window.map_or("as fits the scan".to_owned(), |window| window.to_string()),
             self.average.name(),
             self.bins_per_decade
-        )
+        );
+        if self.gaps != GapTreatment::default() {
+            line += &format!(", gaps: {}", self.gaps);
+        }
+        if self.direction != Direction::default() {
+            line += &format!(", direction: {}", self.direction);
+        }
+        line
     }
 }
 

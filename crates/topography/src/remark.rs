@@ -1,5 +1,7 @@
 //! What is worth knowing about spectra made from scans, as data.
 
+use crate::direction::Direction;
+use crate::direction_ratio::DirectionRatio;
 use serde::Serialize;
 use spectrum::Hole;
 
@@ -23,6 +25,8 @@ const LARGE_DERIVATIVE_UNEVEN: f64 = 0.5;
 /// Share of the variance, and gap over the median distance, beyond which a trace of uneven points is doubtful.
 const LEAST_SHARE: f64 = 0.9;
 const LARGE_GAP: f64 = 10.0;
+/// From this ratio on, the spectra along x and y are not those of an isotropic surface.
+pub const DIRECTIONS_DIFFER: f64 = 1.5;
 /// From this ratio on, the slopes along and across the lines of a map are not those of an isotropic surface.
 pub const SLOPES_DIFFER: f64 = 1.5;
 /// Instruments that differ by more than this factor where they overlap hardly show the same surface in the same units.
@@ -152,6 +156,15 @@ pub enum Remark {
         /// The shortest \[m\].
         shortest_m: f64,
     },
+    /// The spectra of a map along both of its axes.
+    Directions {
+        /// The names of the two, that along x first.
+        names: [String; 2],
+        /// That along y over that along x, from long to short wavelengths, at least one.
+        ratios: Vec<DirectionRatio>,
+        /// Along which the instrument scanned, where the file says so.
+        fast: Option<Direction>,
+    },
     /// Wavelengths that no scan shows, from long to short, at least one.
     Holes(Vec<Hole>),
 }
@@ -188,7 +201,10 @@ impl Remark {
             Remark::Scan { remark, .. } => remark.severity(),
             Remark::SameData { .. } | Remark::Holes(_) => Severity::Warning,
             Remark::Overlap { ratio, .. } if differ(*ratio) => Severity::Warning,
-            Remark::Overlap { .. } => Severity::Note,
+            Remark::Directions { ratios, .. } if ratios.iter().any(DirectionRatio::is_anisotropic) => {
+                Severity::Warning
+            }
+            Remark::Overlap { .. } | Remark::Directions { .. } => Severity::Note,
         }
     }
 }

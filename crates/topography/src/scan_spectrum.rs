@@ -1,12 +1,14 @@
 //! Heights become a spectrum, limited to the band that shows the surface.
 
-use scans::{Scan, ScanFile, ScanFormat};
+use scans::{Axis, Scan, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
 
 use crate::band_end::{band_of, tip_remark};
 use crate::checks::Checks;
+use crate::direction::{Direction, has_two, turned};
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark, Severity};
+use crate::rows::Lines;
 use crate::{BandLimits, LineSpectrum, Preparation, ReliableBand, TransformError, line_spectrum};
 
 /// Heights that differ by no more than this share of the largest one are as flat as numbers can tell.
@@ -34,6 +36,10 @@ pub struct ScanSpectrum {
     pub reliable: ProfilePsd,
     /// How far it can be believed.
     pub checks: Checks,
+    /// Along which axis of its map the lines run, where there is a spectrum along each.
+    pub axis: Option<Axis>,
+    /// Along which axis the instrument scanned, where the file says so.
+    pub fast_axis: Option<Axis>,
     /// What reading took for granted, a sentence each.
     pub notes: Vec<String>,
 }
@@ -44,25 +50,62 @@ impl ScanSpectrum {
     ///
     /// # Errors
     /// [`TransformError`] for limits that are no lengths, heights that are flat or beyond numbers, and a band without a bin.
-    pub fn of(file: ScanFile, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
+    pub fn of(file: ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
+        Self::of_file(&file, given, recipe)
+    }
+
+    /// The spectra of a scan along the axes that the recipe asks for: of a map one or two, of a line the one there is. Of two
+    /// the one along x comes first, and their names end in the axis.
+    ///
+    /// # Errors
+    /// As of [`ScanSpectrum::of`], and [`TransformError::NoLines`] where gaps left no line along y.
+    pub fn of_directions(
+        file: ScanFile<Scan>,
+        given: BandLimits,
+        recipe: &Recipe,
+    ) -> Result<Vec<Self>, TransformError> {
+        match recipe.direction {
+            Direction::X => Ok(vec![Self::of(file, given, recipe)?]),
+            Direction::Y => Ok(vec![Self::of(turned(file)?, given, recipe)?]),
+            Direction::Both if !has_two(&file.scan) => Ok(vec![Self::of(turned(file)?, given, recipe)?]),
+            Direction::Both => {
+                let along_x = Self::of_file(&file, given, recipe)?.named_along(Axis::X);
+                let along_y = Self::of(turned(file)?, given, recipe)?.named_along(Axis::Y);
+                Ok(vec![along_x, along_y])
+            }
+        }
+    }
+
+    fn of_file(file: &ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let (band, band_end) = band_of(&file, given, recipe)?;
+        let (band, band_end) = band_of(file, given, recipe)?;
         let spectrum = line_spectrum(&file.scan, preparation);
         refuse_flat(&file.scan, &spectrum)?;
         let reliable = spectrum.profile(&band)?;
         let checks = Checks::of(&file.scan, &spectrum, preparation, file.is_periodic);
         Ok(ScanSpectrum {
-            name: file.name,
+            name: file.name.clone(),
             format: file.format,
-            channel: file.channel,
+            channel: file.channel.clone(),
             preparation,
             spectrum,
             band,
             band_end,
             reliable,
             checks,
-            notes: file.notes,
+            axis: None,
+            fast_axis: file.fast_axis,
+            notes: file.notes.clone(),
         })
+    }
+
+    fn named_along(mut self, axis: Axis) -> Self {
+        self.name += match axis {
+            Axis::X => ", along x",
+            Axis::Y => ", along y",
+        };
+        self.axis = Some(axis);
+        self
     }
 
     /// What is worth knowing about it, passed checks too.
@@ -86,10 +129,9 @@ impl ScanSpectrum {
 
 /// Refuses heights that a trend takes away to rounding, and those whose squares overflow.
 fn refuse_flat(scan: &Scan, spectrum: &LineSpectrum) -> Result<(), TransformError> {
-    let heights_m = match scan {
-        Scan::UniformLine(line) => line.heights_m(),
-        Scan::NonuniformLine(line) => line.heights_m(),
-        Scan::Map(map) => map.heights_m(),
+    let heights_m = match Lines::of(scan) {
+        Lines::Even(rows) => rows.heights_m,
+        Lines::Uneven(line) => line.heights_m(),
     };
     let variance_m2 = spectrum.variance_m2();
     if !variance_m2.is_finite() {

@@ -1,5 +1,6 @@
 //! The wavelength below which the finite radius of a tip shows in a scan.
 
+use crate::rows::Lines;
 use scans::{NonuniformLineScan, Scan};
 
 /// The sharpest peak a tip of radius R can trace has the curvature 1/R; artefacts set in at this fraction of it, found on
@@ -21,8 +22,8 @@ const TOLERANCE: f64 = 1e-9;
 /// closer than that may hide from it.
 pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
     let lines = Lines::of(scan);
-    let (spacing_m, length_m) = lines.spacing_and_length_m();
-    let fails = |step_m: f64| lines.sharpest_peak_per_m(step_m) < -CURVATURE_FRACTION / tip_radius_m;
+    let (spacing_m, length_m) = spacing_and_length_m(&lines);
+    let fails = |step_m: f64| sharpest_peak_per_m(&lines, step_m) < -CURVATURE_FRACTION / tip_radius_m;
     let mut passing_m = length_m / 4.0;
     if passing_m <= spacing_m {
         return None; // four points or fewer: no step to try
@@ -40,44 +41,23 @@ pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
     None
 }
 
-enum Lines<'a> {
-    Even { spacing_m: f64, points: usize, heights_m: &'a [f64] },
-    Uneven(&'a NonuniformLineScan),
+fn spacing_and_length_m(lines: &Lines) -> (f64, f64) {
+    match lines {
+        Lines::Even(rows) => (rows.spacing_m, rows.length_m()),
+        Lines::Uneven(line) => (line.mean_spacing_m(), line.length_m()),
+    }
 }
 
-impl<'a> Lines<'a> {
-    fn of(scan: &'a Scan) -> Self {
-        match scan {
-            Scan::UniformLine(line) => Self::Even {
-                spacing_m: line.spacing_m(),
-                points: line.heights_m().len(),
-                heights_m: line.heights_m(),
-            },
-            Scan::Map(map) => {
-                Self::Even { spacing_m: map.spacing_x_m(), points: map.columns(), heights_m: map.heights_m() }
-            }
-            Scan::NonuniformLine(line) => Self::Uneven(line),
-        }
-    }
-
-    fn spacing_and_length_m(&self) -> (f64, f64) {
-        match self {
-            Self::Even { spacing_m, points, .. } => (*spacing_m, spacing_m * *points as f64),
-            Self::Uneven(line) => (line.mean_spacing_m(), line.length_m()),
-        }
-    }
-
-    /// The smallest second difference at a step in m, in 1/m; infinite where the step fits nowhere.
-    fn sharpest_peak_per_m(&self, step_m: f64) -> f64 {
-        let sharpest_m = match self {
-            Self::Even { spacing_m, points, heights_m } => {
-                let rows = heights_m.chunks_exact(*points);
-                rows.map(|row_m| sharpest_even_m(row_m, step_m / spacing_m)).fold(f64::INFINITY, f64::min)
-            }
-            Self::Uneven(line) => sharpest_uneven_m(line, step_m),
-        };
-        sharpest_m / (step_m * step_m)
-    }
+/// The smallest second difference at a step in m, in 1/m; infinite where the step fits nowhere.
+fn sharpest_peak_per_m(lines: &Lines, step_m: f64) -> f64 {
+    let sharpest_m = match lines {
+        Lines::Even(rows) => rows
+            .iter()
+            .map(|row_m| sharpest_even_m(row_m, step_m / rows.spacing_m))
+            .fold(f64::INFINITY, f64::min),
+        Lines::Uneven(line) => sharpest_uneven_m(line, step_m),
+    };
+    sharpest_m / (step_m * step_m)
 }
 
 /// The smallest h(i+s) - 2 h(i) + h(i-s) of a row, s >= 1 in points.

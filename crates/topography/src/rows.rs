@@ -1,0 +1,87 @@
+//! The evenly spaced lines of a scan, however they were measured.
+
+use crate::detrend::{Detrend, Trend};
+use scans::{HeightMap, NonuniformLineScan, ParallelLines, Scan, UniformLineScan};
+
+/// Rows of a block: small enough to spread over threads, large enough that a block outweighs handing it over.
+pub(crate) const BLOCK_ROWS: usize = 64;
+
+/// Lines of equally many evenly spaced points.
+#[derive(Clone, Copy)]
+pub(crate) struct Rows<'a> {
+    pub(crate) heights_m: &'a [f64],
+    pub(crate) points: usize,
+    pub(crate) spacing_m: f64,
+    /// Which of them share a trend.
+    trend_of: TrendOf,
+}
+
+#[derive(Clone, Copy)]
+enum TrendOf {
+    Line,
+    Map,
+    LinesApart,
+}
+
+/// The lines of a scan, evenly spaced or not.
+pub(crate) enum Lines<'a> {
+    Even(Rows<'a>),
+    Uneven(&'a NonuniformLineScan),
+}
+
+impl<'a> Lines<'a> {
+    pub(crate) fn of(scan: &'a Scan) -> Self {
+        match scan {
+            Scan::UniformLine(line) => Self::Even(Rows::of_line(line)),
+            Scan::Map(map) => Self::Even(Rows::of_map(map)),
+            Scan::Lines(lines) => Self::Even(Rows::of_lines(lines)),
+            Scan::NonuniformLine(line) => Self::Uneven(line),
+        }
+    }
+}
+
+impl<'a> Rows<'a> {
+    fn of_lines(lines: &'a ParallelLines) -> Self {
+        let (points, spacing_m) = (lines.points(), lines.spacing_m());
+        Self { heights_m: lines.heights_m(), points, spacing_m, trend_of: TrendOf::LinesApart }
+    }
+
+    pub(crate) fn of_line(line: &'a UniformLineScan) -> Self {
+        let heights_m = line.heights_m();
+        let (points, spacing_m) = (heights_m.len(), line.spacing_m());
+        Self { heights_m, points, spacing_m, trend_of: TrendOf::Line }
+    }
+
+    pub(crate) fn of_map(map: &'a HeightMap) -> Self {
+        let (points, spacing_m) = (map.columns(), map.spacing_x_m());
+        Self { heights_m: map.heights_m(), points, spacing_m, trend_of: TrendOf::Map }
+    }
+
+    /// The trend of the lines. A plane needs to know how far lines are apart: of others each has its own straight line.
+    pub(crate) fn trend(&self, detrend: Detrend) -> Trend {
+        match (self.trend_of, detrend) {
+            (TrendOf::Line, _) => Trend::of_line(self.heights_m, detrend),
+            (TrendOf::LinesApart, Detrend::Plane) => {
+                Trend::of_rows(self.heights_m, self.points, Detrend::Line)
+            }
+            (TrendOf::Map | TrendOf::LinesApart, _) => Trend::of_rows(self.heights_m, self.points, detrend),
+        }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.heights_m.len() / self.points
+    }
+
+    pub(crate) fn length_m(&self) -> f64 {
+        self.spacing_m * self.points as f64
+    }
+
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = &'a [f64]> + use<'a> {
+        self.heights_m.chunks_exact(self.points)
+    }
+
+    /// The lines of a block with their numbers.
+    pub(crate) fn block(&self, block: usize) -> impl Iterator<Item = (usize, &'a [f64])> + use<'a> {
+        self.iter().enumerate().skip(block * BLOCK_ROWS).take(BLOCK_ROWS)
+    }
+}
