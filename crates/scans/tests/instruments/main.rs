@@ -11,6 +11,7 @@ use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize
 pub struct Sample {
     /// A name of its own among those of the format.
     pub name: &'static str,
+    /// Its content.
     pub bytes: Vec<u8>,
 }
 
