@@ -4,6 +4,7 @@
 //! start the fuzzer and the test that cuts and flips bytes.
 
 mod bytes;
+mod text;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
 
@@ -17,7 +18,9 @@ pub struct Sample {
 
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
-    vec![]
+    vec![
+        (ScanFormat::Text, text::samples()),
+    ]
 }
 
 /// The channels of heights of a file; each must be readable.
