@@ -2,12 +2,12 @@
 
 mod support;
 
-use scans::ScanOptions;
+use scans::{Measure, ScanOptions};
 use support::nanoscope::{Image, NanoscopeFile};
 use support::netcdf::{Attribute, Kind, NetCdf, Variable};
 use support::x3p::X3p;
 use support::zip_file::zipped;
-use support::{heights_m, in_unit, read_one, refusal, self_affine_map, spacings_m};
+use support::{gaps, heights_m, in_unit, measured, read_one, refusal, self_affine_map, spacings_m};
 
 fn none() -> ScanOptions {
     ScanOptions::default()
@@ -24,15 +24,18 @@ fn replaced(bytes: &[u8], from: &str, to: &str) -> Vec<u8> {
 
 #[test]
 fn unknown_formats_are_named_by_their_first_bytes() {
-    assert_eq!(
-        refusal(b"\x89PNG\r\n\x1a\n", &none()),
-        "recognising the format of 'scan': no reader knows a file that begins with '\\x89PNG\\r\\n\\x1a\\n'; formats \
-         read are text (profiles, points, matrices), Nanoscope, NetCDF-3, X3P, and the containers of contact.engineering"
-    );
+    let unknown = refusal(b"\x89PNG\r\n\x1a\n", &none());
+    let told = "recognising the format of 'scan': no reader knows a file that begins with '\\x89PNG\\r\\n\\x1a\\n'; formats \
+                read are ";
+    let formats = unknown.strip_prefix(told).unwrap_or_else(|| panic!("{unknown}"));
+    for format in ["text", "Nanoscope", "NetCDF", "X3P", "containers of contact.engineering"] {
+        assert!(formats.split(", ").any(|listed| listed == format), "{format} in {formats}");
+    }
     assert!(refusal(b"", &none()).contains("reading text: the file holds no line of numbers"));
     assert!(refusal(b"\x89HDF\r\n\x1a\n....", &none()).contains("save it as NetCDF-3"));
-    assert!(refusal(b"GWYP....", &none()).contains("Gwyddion"));
-    assert!(refusal(&zipped(&[("a.txt", b"1")]), &none()).contains("holds neither an X3P"));
+    assert!(
+        refusal(&zipped(&[("a.txt", b"1")]), &none()).contains("a ZIP file without a scan that is known")
+    );
 }
 
 #[test]
@@ -47,7 +50,7 @@ fn nanoscope_headers_that_lie() {
     );
     assert_eq!(
         refused("Data offset: 2048", "Data offset: 2049"),
-        "reading Nanoscope, byte 2049: the image of 6 x 4 points takes 48 bytes, but the file ends 47 bytes on; the \
+        "reading Nanoscope, byte 2049: a channel of 6 x 4 points takes 48 bytes, but the file ends 47 bytes on; the \
          file is cut off or its header damaged: export it again"
     );
     assert!(refused("Data offset: 2048", "Data offset: 0000").contains("it must be a whole number from 4"));
@@ -96,10 +99,10 @@ fn nanoscope_channels_go_by_name() {
         refusal(&file.to_bytes(), &wanted("Amplitude")),
         "reading Nanoscope: there is no channel 'Amplitude'; there are 'Phase (Trace)', 'Height Sensor (Retrace)'"
     );
-    assert!(
-        refusal(&file.to_bytes(), &wanted("Phase"))
-            .contains("it must be a sensitivity in a unit of length per V")
-    );
+    let phase = read_one(&file.to_bytes(), &wanted("Phase")).unwrap();
+    assert_eq!(phase.channel.as_deref(), Some("Phase (Trace)"));
+    assert_eq!(phase.measure, Measure::Other("V".to_owned()));
+    assert_eq!(phase.channels, ["Height Sensor (Retrace)"]);
 }
 
 #[test]
@@ -176,7 +179,15 @@ fn netcdf_gaps_scales_and_records() {
         values: mask,
     });
     // Values run along y first: the sixth is the second point of the second column.
-    assert!(refusal(&masked.to_bytes(), &none()).contains("the height of row 2, column 2 is undefined"));
+    assert_eq!(gaps(&masked.to_bytes(), &none()), [7]);
+    assert_eq!(
+        read_one(&masked.to_bytes(), &none()).unwrap_err().to_string(),
+        "building a scan: 1 of 24 points have no height, the first in row 2, column 2; have them filled, or cut them out"
+    );
+    let kept = measured(&masked.to_bytes(), &none()).unwrap().scan;
+    for (index, (found, written)) in kept.heights_m().zip(&map).enumerate() {
+        assert!(found.map_or(index == 7, |found_m| (found_m - written).abs() < 1e-22), "{index}");
+    }
     masked.variables.last_mut().unwrap().dimensions = vec![1, 0];
     assert!(refusal(&masked.to_bytes(), &none()).contains(
         "the list of dimensions of 'mask' is y: 4, x: 6, it must be that of 'heights', x: 6, y: 4; write both over the same"
@@ -186,9 +197,7 @@ fn netcdf_gaps_scales_and_records() {
     for kind in [Kind::F32, Kind::F64] {
         let mut unwritten = NetCdf::map(2, kind, 6, &map);
         unwritten.variables[0].values[5] = 9.969_209_968_386_869e36;
-        assert!(
-            refusal(&unwritten.to_bytes(), &none()).contains("the height of row 2, column 2 is undefined")
-        );
+        assert_eq!(gaps(&unwritten.to_bytes(), &none()), [7]);
         unwritten.variables[0].attributes.push(("_FillValue", Attribute::Number(-1.0)));
         assert!(heights_m(&read_one(&unwritten.to_bytes(), &none()).unwrap().scan)[7] > 1e30);
     }
@@ -199,7 +208,7 @@ fn netcdf_gaps_scales_and_records() {
     filled.variables[0].attributes.push(("add_offset", Attribute::Number(-1.0)));
     assert_eq!(heights_m(&read_one(&filled.to_bytes(), &none()).unwrap().scan)[1], 1e-6);
     filled.variables[0].attributes.push(("_FillValue", Attribute::Number(23.0)));
-    assert!(refusal(&filled.to_bytes(), &none()).contains("the height of row 4, column 6 is undefined"));
+    assert_eq!(gaps(&filled.to_bytes(), &none()), [23]);
 
     // Records of x and heights take turns.
     let values = [[0.0, 1.0], [1.0, 2.0], [2.5, 4.0]];
@@ -243,9 +252,9 @@ fn x3p_descriptions_that_lie() {
     assert!(with("</Record3>", "").starts_with("reading 'main.xml': "));
     assert!(with("<DataLink>", "<DataList>").starts_with("reading 'main.xml': "));
     let invalid = X3p { valid: Some(&[0xff, 0xbf, 0xff]), ..X3p::surface('I', 6, &map) };
-    assert!(refusal(&invalid.to_bytes(), &none()).contains("the height of row 3, column 3 is undefined"));
-    let mut gaps = map.clone();
-    gaps[7] = f64::NAN;
-    let gap = X3p::surface('F', 6, &gaps).to_bytes();
-    assert!(refusal(&gap, &none()).contains("the height of row 2, column 2 is undefined"));
+    assert_eq!(gaps(&invalid.to_bytes(), &none()), [14]);
+    let mut holed = map.clone();
+    holed[7] = f64::NAN;
+    let gap = X3p::surface('F', 6, &holed).to_bytes();
+    assert_eq!(gaps(&gap, &none()), [7]);
 }

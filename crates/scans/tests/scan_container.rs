@@ -3,7 +3,7 @@
 
 mod support;
 
-use scans::{Probe, ScanFormat, ScanOptions, ScanReadError, read_metadata, read_scans};
+use scans::{Probe, Scan, ScanFile, ScanFormat, ScanOptions, ScanReadError, read_metadata, read_scans};
 use support::nanoscope::NanoscopeFile;
 use support::netcdf::{Kind, NetCdf};
 use support::x3p::X3p;
@@ -40,7 +40,7 @@ surfaces:
     unit: mm
 ";
 
-fn scans(options: &ScanOptions) -> Result<Vec<scans::ScanFile>, ScanReadError> {
+fn scans(options: &ScanOptions) -> Result<Vec<ScanFile<Scan>>, ScanReadError> {
     let map = self_affine_map(6, 4);
     let afm = NanoscopeFile::new(6, 4, &map).to_bytes();
     let archive = zipped(&[
@@ -48,7 +48,12 @@ fn scans(options: &ScanOptions) -> Result<Vec<scans::ScanFile>, ScanReadError> {
         ("afm.001", &afm),
         ("stylus.txt", b"0.0 1.5\n1.0 2.5\n2.0 0.5\n3.0 1.0\n"),
     ]);
-    read_scans(&archive, "container.zip", options)
+    complete_scans(&archive, options)
+}
+
+/// The scans of a container, none of which has gaps.
+fn complete_scans(archive: &[u8], options: &ScanOptions) -> Result<Vec<ScanFile<Scan>>, ScanReadError> {
+    read_scans(archive, "container.zip", options)?.into_iter().map(ScanFile::complete).collect()
 }
 
 #[test]
@@ -111,7 +116,7 @@ fn processed_copies_stand_in_for_originals_that_cannot_be_read() {
         ("folder/a.opd", b"\x01\x00Directory"),
         ("folder/a-squeezed.nc", &copy),
     ]);
-    let scans = read_scans(&archive, "container.zip", &ScanOptions::default()).unwrap();
+    let scans = complete_scans(&archive, &ScanOptions::default()).unwrap();
     assert!(scans[0].is_periodic);
     assert_close(heights_m(&scans[0].scan), &map, 1e-22);
     assert!(scans[0].notes[0].starts_with("the instrument's file cannot be read ("), "{:?}", scans[0].notes);

@@ -38,7 +38,7 @@ struct Expected {
     corners_m: [f64; 4],
 }
 
-fn assert_map(scan: &ScanFile, expected: &Expected) {
+fn assert_map(scan: &ScanFile<Scan>, expected: &Expected) {
     let Scan::Map(map) = &scan.scan else { panic!("a map") };
     assert_eq!((map.columns(), map.rows()), (512, 512));
     let (x_m, y_m) = spacings_m(&scan.scan);

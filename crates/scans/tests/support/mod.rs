@@ -33,11 +33,21 @@ fn cosines(x: f64, y: f64) -> f64 {
     (1..=7).map(mode).sum()
 }
 
-/// Reads the one scan in a file.
-pub fn read_one(bytes: &[u8], options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
+/// Reads the one scan in a file, which must have no gaps.
+pub fn read_one(bytes: &[u8], options: &ScanOptions) -> Result<ScanFile<Scan>, ScanReadError> {
+    measured(bytes, options)?.complete()
+}
+
+/// Reads the one scan in a file as it was measured.
+pub fn measured(bytes: &[u8], options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
     let mut scans = read_scans(bytes, "scan", options)?;
     assert_eq!(scans.len(), 1);
     Ok(scans.remove(0))
+}
+
+/// The points without a height of the one scan in a file, counted from 0, row after row.
+pub fn gaps(bytes: &[u8], options: &ScanOptions) -> Vec<usize> {
+    measured(bytes, options).unwrap().scan.gaps().indices().collect()
 }
 
 /// The message of a file that cannot be read.

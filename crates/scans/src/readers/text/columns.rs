@@ -1,8 +1,10 @@
 //! The numbers of a text file, and how finely they are printed.
 
+use std::ops::Range;
+
+use super::style::{Separator, is_gap, shortened, whole_rows};
 use crate::error::ScanReadError;
 use crate::raster::Decoded;
-use super::style::{Separator, is_gap, rows, shortened};
 
 /// Rows of numbers of one length.
 pub(crate) struct Columns {
@@ -13,6 +15,8 @@ pub(crate) struct Columns {
     /// The first line of numbers.
     pub(crate) first_line: usize,
     pub(crate) separator: Separator,
+    /// The fields of a line that are columns; those outside are empty in every row.
+    used: Range<usize>,
     /// How the first two columns are printed; empty for matrices, where nobody asks.
     printed: [Precision; 2],
 }
@@ -20,33 +24,36 @@ pub(crate) struct Columns {
 impl Columns {
     pub(crate) fn read(text: &str) -> Result<Self, ScanReadError> {
         let separator = Separator::of(text)?;
+        let (first_line, used) = used_fields(text, separator)?;
         let mut columns = Self {
-            count: 0,
+            count: used.len(),
             values: Decoded::default(),
-            first_line: 0,
+            first_line,
             separator,
+            used: used.clone(),
             printed: [Precision::default(); 2],
         };
         let mut decimals = Decimals::default();
         let mut scratch = String::new();
-        for (line, row) in rows(text) {
-            let start = columns.values.values.len();
-            for (index, field) in separator.split(row).enumerate() {
+        for (line, row) in lines(text, separator, used.end) {
+            for (index, field) in separator.split(row).skip(used.start).take(used.len()).enumerate() {
                 let field = decimals.with_point(field, line, &mut scratch)?;
-                columns.values.push(number(field, line, index + 1)?);
+                columns.values.push(number(field, line, used.start + index + 1)?);
                 if let (true, Some(printed)) = (columns.count <= 3, columns.printed.get_mut(index)) {
                     printed.take(field);
                 }
             }
-            let found = columns.values.values.len() - start;
-            if start == 0 {
-                (columns.count, columns.first_line) = (found, line);
-            } else if found != columns.count {
-                let Self { first_line, count: expected, .. } = columns;
-                return Err(ScanReadError::Ragged { line, found, first_line, expected });
-            }
         }
         Ok(columns)
+    }
+
+    /// The fields of a line of the header, as many as there are columns; none where it has more or fewer.
+    pub(crate) fn fields_of<'l>(&self, line: &'l str) -> Option<Vec<&'l str>> {
+        let mut fields: Vec<&str> = self.separator.split(line).skip(self.used.start).collect();
+        while fields.len() > self.count && fields.last().is_some_and(|field| field.is_empty()) {
+            fields.pop();
+        }
+        (fields.len() == self.count).then_some(fields)
     }
 
     /// Number of rows.
@@ -65,16 +72,22 @@ impl Columns {
         self.column(index).enumerate().map(at)
     }
 
-    /// Refuses a column of positions that has gaps.
-    pub(crate) fn refuse_gaps(&self, text: &str, column: usize) -> Result<(), ScanReadError> {
-        match self.measured(column).position(|value| value.is_none()) {
+    /// Refuses rows that have a height but no position in this column.
+    pub(crate) fn refuse_gaps(&self, text: &str, column: usize, height: usize) -> Result<(), ScanReadError> {
+        let mut points = self.measured(column).zip(self.measured(height));
+        match points.position(|(position, height)| position.is_none() && height.is_some()) {
             None => Ok(()),
             Some(row) => Err(ScanReadError::NotANumber {
-                line: line_of_row(text, row),
-                column: column + 1,
+                line: self.line_of_row(text, row),
+                column: self.used.start + column + 1,
                 text: "no position".to_owned(),
             }),
         }
+    }
+
+    /// The line of a row, from 0.
+    pub(crate) fn line_of_row(&self, text: &str, row: usize) -> usize {
+        lines(text, self.separator, self.used.end).nth(row).map_or(0, |(line, _)| line)
     }
 
     /// How far two printed positions of a column may lie from evenly spaced ones: a unit of the last digit, since
@@ -85,9 +98,58 @@ impl Columns {
     }
 }
 
-/// The line of a row, from 0.
-pub(crate) fn line_of_row(text: &str, row: usize) -> usize {
-    rows(text).nth(row).map_or(0, |(line, _)| line)
+/// The first line of numbers, and which fields of the lines are columns: from the first to the last that is not empty in
+/// every line, since instruments open and close lines with separators.
+///
+/// Every line must have all of them, but for lines of separators alone, which may have fewer.
+fn used_fields(text: &str, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
+    let rows = || whole_rows(text, separator).map(|(line, row)| (line, Extent::of(separator, row)));
+    let (first_line, first) = rows().next().ok_or(ScanReadError::NoRows)?;
+    let mut used = first.filled.clone();
+    for (line, row) in rows().filter(|(_, row)| !row.filled.is_empty()) {
+        if used.is_empty() {
+            used = row.filled.clone();
+        }
+        used = used.start.min(row.filled.start)..used.end.max(row.filled.end);
+        if row.filled.end > first.fields {
+            let expected = first.filled.end;
+            return Err(ScanReadError::Ragged { line, found: row.filled.end, first_line, expected });
+        }
+    }
+    for (line, row) in rows() {
+        if row.fields < used.end && !row.filled.is_empty() {
+            let expected = used.len();
+            let found = row.fields.saturating_sub(used.start);
+            return Err(ScanReadError::Ragged { line, found, first_line, expected });
+        }
+    }
+    Ok((first_line, used))
+}
+
+/// The fields of a line.
+struct Extent {
+    fields: usize,
+    /// From the first to the last that is not empty.
+    filled: Range<usize>,
+}
+
+impl Extent {
+    fn of(separator: Separator, line: &str) -> Self {
+        let (mut fields, mut filled) = (0, 0..0);
+        for field in separator.split(line) {
+            if !field.is_empty() {
+                let start = if filled.is_empty() { fields } else { filled.start };
+                filled = start..fields + 1;
+            }
+            fields += 1;
+        }
+        Self { fields, filled }
+    }
+}
+
+/// The lines of the rows; those of separators alone that are too short for one separate nothing.
+fn lines(text: &str, separator: Separator, fields: usize) -> impl Iterator<Item = (usize, &str)> {
+    whole_rows(text, separator).filter(move |(_, row)| separator.split(row).count() >= fields)
 }
 
 /// Which decimal mark a file uses, and since which line.

@@ -1,7 +1,7 @@
 //! Points `x y h` on a regular grid, in any order.
 
 use super::Found;
-use super::columns::{Columns, line_of_row};
+use super::columns::Columns;
 use super::header::Header;
 use super::profile::even_spacing;
 use super::style::FORMAT;
@@ -31,8 +31,8 @@ pub(super) fn read(
     let x_to_m = units.length_to_m(FORMAT)?;
     let y_to_m = Units { lateral: options.unit.or(header.column_unit(1)).or(units.lateral), ..units }
         .length_to_m(FORMAT)?;
-    columns.refuse_gaps(text, 0)?;
-    columns.refuse_gaps(text, 1)?;
+    columns.refuse_gaps(text, 0, 2)?;
+    columns.refuse_gaps(text, 1, 2)?;
     let x = Axis::find(text, columns, 0)?;
     let y = Axis::find(text, columns, 1)?;
     let heights = fill(text, columns, &x, &y)?;
@@ -44,10 +44,12 @@ pub(super) fn read(
 impl Axis {
     fn find(text: &str, columns: &Columns, column: usize) -> Result<Self, ScanReadError> {
         let rounding = columns.rounding(column);
-        let mut values: Vec<f64> = columns.column(column).collect();
+        let mut values: Vec<f64> = columns.measured(column).flatten().collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
-        let (first, last) = (values[0], values[values.len() - 1]);
+        let (Some(&first), Some(&last)) = (values.first(), values.last()) else {
+            return Err(ScanReadError::NoRows);
+        };
         if values.len() == 1 {
             // One column or row, which the map refuses with its own words.
             return Ok(Self { first, spacing: 1.0, count: 1 });
@@ -67,10 +69,11 @@ impl Axis {
         let count = values.len();
         let axis = Self { first, spacing: (last - first) / (count - 1) as f64, count };
         let off = |value: f64| (value - axis.position(axis.index(value))).abs();
-        let (row, position) = (columns.column(column).enumerate())
+        let known = |(row, value): (usize, Option<f64>)| Some((row, value?));
+        let (row, position) = (columns.measured(column).enumerate().filter_map(known))
             .reduce(|worst, next| if off(next.1) > off(worst.1) { next } else { worst })
             .unwrap_or((0, first));
-        let (line, axis) = (line_of_row(text, row), ['x', 'y'][column]);
+        let (line, axis) = (columns.line_of_row(text, row), if column == 0 { 'x' } else { 'y' });
         Err(ScanReadError::NotAGrid { line, axis, position, count, first, last })
     }
 
@@ -89,18 +92,25 @@ impl Axis {
 const SPARSEST: usize = 4;
 
 /// The height of every grid point that the file has a line for, which may say that it is a gap.
-fn fill(text: &str, columns: &Columns, x: &Axis, y: &Axis) -> Result<Vec<Option<Option<f64>>>, ScanReadError> {
+fn fill(
+    text: &str,
+    columns: &Columns,
+    x: &Axis,
+    y: &Axis,
+) -> Result<Vec<Option<Option<f64>>>, ScanReadError> {
     let points = columns.rows();
     let size = x.count.checked_mul(y.count).filter(|&size| size / SPARSEST <= points);
     let size = size.ok_or(ScanReadError::Scattered { points, columns: x.count, rows: y.count })?;
     let mut heights = vec![None; size];
-    let positions = || columns.column(0).zip(columns.column(1));
+    // Lines without a position have no height either.
+    let positions = || columns.measured(0).zip(columns.measured(1)).map(|(x, y)| Some((x?, y?)));
     let index = |(at_x, at_y): (f64, f64)| y.index(at_y) * x.count + x.index(at_x);
     for (row, (at, height)) in positions().zip(columns.measured(2)).enumerate() {
+        let Some(at) = at else { continue };
         let place = &mut heights[index(at)];
         if place.is_some() {
-            let first = positions().position(|other| index(other) == index(at)).unwrap_or(0);
-            let (line, first_line) = (line_of_row(text, row), line_of_row(text, first));
+            let first = positions().position(|other| other.map(index) == Some(index(at))).unwrap_or(0);
+            let (line, first_line) = (columns.line_of_row(text, row), columns.line_of_row(text, first));
             return Err(ScanReadError::RepeatedPoint { line, first_line, x: at.0, y: at.1 });
         }
         *place = Some(height);

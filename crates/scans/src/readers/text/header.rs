@@ -1,11 +1,11 @@
 //! What the header of a text file says: sizes, spacings, units, the channel.
 
-use crate::choice_of_units::Units;
-use crate::error::{Place, ScanReadError};
-use crate::scan_size::ScanSize;
 use super::columns::Columns;
 use super::style::FORMAT;
 use super::style::{is_comment, shortened};
+use crate::choice_of_units::Units;
+use crate::error::{Place, ScanReadError};
+use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
 /// What the lines before the first numbers say.
@@ -19,6 +19,14 @@ pub(crate) struct Header {
     value_unit: Option<LengthUnit>,
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
+    /// Whether a line names the last column as what says which points count.
+    has_validity: bool,
+    /// Whether a line names the first column as a count of the points.
+    has_index: bool,
+    /// Radius of the stylus in m, where a line tells it.
+    stylus_radius_m: Option<f64>,
+    /// The lines that hold no field known here.
+    free_text: String,
 }
 
 /// A length as written; without a unit it is in that of the lateral positions.
@@ -27,6 +35,11 @@ struct Length {
     value: f64,
     unit: Option<LengthUnit>,
 }
+
+/// What a column is called that counts the points.
+const INDEX_NAMES: [&str; 10] = ["index", "idx", "no", "no.", "nr", "nr.", "#", "n", "point", "sample"];
+/// Most bytes of lines that are kept for what a user may have written there.
+const MOST_FREE_TEXT: usize = 4096;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Key {
@@ -123,8 +136,15 @@ impl Header {
             match key_and_value(line) {
                 Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
                 Some((key, value)) if !is_below => header.set(key, value, number)?,
-                None if !is_below => header.set_column_units(line, columns),
+                None if !is_below => header.set_columns(line, columns),
                 _ => {}
+            }
+            if !line.is_empty()
+                && key_and_value(line).is_none()
+                && header.free_text.len() + line.len() < MOST_FREE_TEXT
+            {
+                header.free_text += line;
+                header.free_text.push('\n');
             }
         }
         Ok(header)
@@ -146,12 +166,20 @@ impl Header {
         Ok(())
     }
 
-    /// Takes a line for the names of the columns, or the units below them, where it holds as many units as columns.
-    fn set_column_units(&mut self, line: &str, columns: &Columns) {
+    /// Takes a line for the names of the columns, or the units below them, where it holds as many words or units as there
+    /// are columns.
+    fn set_columns(&mut self, line: &str, columns: &Columns) {
+        self.stylus_radius_m = self.stylus_radius_m.or(stylus_radius_m(line));
+        let names = columns.fields_of(line).unwrap_or_default();
+        let is_one_of = |name: Option<&&str>, accepted: &[&str]| {
+            name.is_some_and(|name| accepted.iter().any(|accepted| accepted.eq_ignore_ascii_case(name)))
+        };
+        self.has_validity |= is_one_of(names.last(), &["valid"]);
+        self.has_index |= is_one_of(names.first(), &INDEX_NAMES);
         let groups: Vec<&str> =
             line.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next()).collect();
         let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse_instrument(group)).collect();
-        let fields: Vec<_> = columns.separator.split(line).map(trailing_unit).collect();
+        let fields: Vec<_> = names.into_iter().map(trailing_unit).collect();
         for units in [in_brackets, fields] {
             if units.len() == columns.count && units.iter().any(Option::is_some) {
                 self.column_units = units;
@@ -163,6 +191,26 @@ impl Header {
     /// The channel of the file, where it has a name.
     pub(crate) fn channel(&self) -> Option<String> {
         self.channel.clone()
+    }
+
+    /// Whether the last column says which points count.
+    pub(crate) fn has_validity(&self) -> bool {
+        self.has_validity
+    }
+
+    /// Whether the first column counts the points, by its name.
+    pub(crate) fn has_index(&self) -> bool {
+        self.has_index
+    }
+
+    /// Radius of the stylus in m.
+    pub(crate) fn stylus_radius_m(&self) -> Option<f64> {
+        self.stylus_radius_m
+    }
+
+    /// What the header says beside the fields known here.
+    pub(crate) fn free_text(&self) -> &str {
+        self.free_text.trim_end()
     }
 
     /// Whether the header gives both sizes of a map.
@@ -211,6 +259,15 @@ impl Header {
         let y = if rows == 0 { None } else { axis(1, rows).filter(is_sure) };
         Ok(Some(ScanSize { x_m: to_m(x)?, y_m: y.map(to_m).transpose()? }))
     }
+}
+
+/// The radius in a line on the stylus, as Dektak exports write it: `Stylus,Radius: 2.5 µm`.
+fn stylus_radius_m(line: &str) -> Option<f64> {
+    let line = line.to_lowercase();
+    let (_, radius) = line.strip_prefix("stylus")?.split_once("radius")?;
+    let radius = radius.trim_start_matches([':', '=', ' ']).trim_end_matches([',', ';', ' ']);
+    let length = length(radius, 0).ok()??;
+    Some(length.unit?.to_m(length.value))
 }
 
 /// A recognised key with what follows it.

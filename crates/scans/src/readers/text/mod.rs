@@ -9,11 +9,13 @@ mod style;
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
+use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
 use columns::Columns;
 use header::Header;
+use profile::Roles;
 use style::FORMAT;
 use units::LengthUnit;
 
@@ -21,6 +23,12 @@ pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels 
 
 /// By the first bytes alone; what comes later is refused with its line.
 fn recognises(bytes: &[u8]) -> bool {
+    const UTF16_MARKS: [&[u8]; 2] = [b"\xff\xfe", b"\xfe\xff"];
+    if UTF16_MARKS.iter().any(|mark| bytes.starts_with(mark)) {
+        let start = bytes.get(..bytes.len().min(512)).unwrap_or_default();
+        return style::decode(start)
+            .is_ok_and(|text| !text.chars().any(|character| character < ' ' && !"\t\n\r\x0c".contains(character)));
+    }
     let is_binary = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c".contains(byte);
     !bytes.starts_with(b"\\*Force file list")
         && !bytes.starts_with(b"?*File list")
@@ -34,7 +42,8 @@ struct Found {
     heights_m: Decoded,
 }
 
-/// The one channel of a file, told by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h`, more a matrix. A
+/// The one channel of a file, told by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h` (or a profile with
+/// a column that counts its points or says which of them count), more a matrix. A
 /// header with both sizes of a map makes any number of columns a matrix.
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let text = style::decode(bytes)?;
@@ -43,14 +52,43 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let mut notes = Vec::new();
     let found = match columns.count {
         1 => matrix(columns, false, &header, options, &mut notes)?,
-        2 if !header.is_matrix() => profile::read(&text, columns, &header, options, &mut notes)?,
+        2 if !header.is_matrix() => {
+            let roles = Roles { position: 0, height: 1, validity: None };
+            profile::read(&text, &columns, roles, &header, options, &mut notes)?
+        }
+        3 if header.has_validity() => {
+            let roles = Roles { position: 0, height: 1, validity: Some(2) };
+            profile::read(&text, &columns, roles, &header, options, &mut notes)?
+        }
+        3 if !header.is_matrix() && counts_points(&columns, &header) => {
+            notes.push("the first column counts the points: the others are a profile".to_owned());
+            let roles = Roles { position: 1, height: 2, validity: None };
+            profile::read(&text, &columns, roles, &header, options, &mut notes)?
+        }
         3 if !header.is_matrix() => grid::read(&text, &columns, &header, options, &mut notes)?,
         _ => matrix(columns, true, &header, options, &mut notes)?,
     };
     let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let channel = Channel::new(header.channel(), quantity, found.lateral, samples);
-    Ok(vec![Channel { units: UnitsBy::Reader, notes, ..channel }])
+    Ok(vec![Channel {
+        units: UnitsBy::Reader,
+        probe: header.stylus_radius_m().map(|_| Probe::Tip),
+        tip_radius_m: header.stylus_radius_m(),
+        free_text: header.free_text().to_owned(),
+        notes,
+        ..channel
+    }])
+}
+
+/// Whether the first of three columns only counts the rows: it rises by one from row to row, and either it is named so, or
+/// the second column rises or falls throughout as no coordinate of a map does.
+fn counts_points(columns: &Columns, header: &Header) -> bool {
+    let rises_by_one = |column: Vec<f64>| column.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+    let second: Vec<f64> = columns.column(1).collect();
+    columns.rows() > 2
+        && rises_by_one(columns.column(0).collect())
+        && (header.has_index() || second.is_sorted_by(|a, b| a < b) || second.is_sorted_by(|a, b| a > b))
 }
 
 /// Heights row after row, or along a line.

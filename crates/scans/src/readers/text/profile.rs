@@ -1,58 +1,106 @@
 //! Profiles `x h`.
 
 use super::Found;
-use super::columns::{Columns, line_of_row};
+use super::columns::Columns;
 use super::header::Header;
 use super::style::FORMAT;
 use crate::channel::Lateral;
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::options::ScanOptions;
+use crate::raster::Decoded;
 
 /// The share of the spacing that the rounding of printed positions may take up before even spacing is a guess.
 const DISCERNIBLE: f64 = 0.25;
 
+/// Which columns are which, from 0.
+#[derive(Clone, Copy)]
+pub(super) struct Roles {
+    pub(super) position: usize,
+    pub(super) height: usize,
+    /// 0 where a height does not count.
+    pub(super) validity: Option<usize>,
+}
+
 /// A profile at even spacing where the printed positions agree with one, else at uneven spacing.
 pub(super) fn read(
     text: &str,
-    columns: Columns,
+    columns: &Columns,
+    roles: Roles,
     header: &Header,
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
-    let units = Units::of(options, header.column_unit(0), header.height_unit(1), notes);
+    let Roles { position, height, validity } = roles;
+    let units = Units::of(options, header.column_unit(position), header.height_unit(height), notes);
     let height_to_m = units.height_to_m(FORMAT)?;
     let length_to_m = units.length_to_m(FORMAT)?;
-    columns.refuse_gaps(text, 0)?;
-    let mut positions: Vec<f64> = columns.column(0).collect();
-    let mut heights_m: Vec<Option<f64>> = columns.measured(1).map(|height| height.map(&height_to_m)).collect();
-    if positions.first() > positions.last() && positions.is_sorted_by(|a, b| a > b) {
+    columns.refuse_gaps(text, position, height)?;
+    let mut rows: Vec<(usize, f64)> =
+        columns.measured(position).enumerate().filter_map(|(row, position)| Some((row, position?))).collect();
+    let mut heights_m: Vec<Option<f64>> =
+        columns.measured(height).map(|height| height.map(&height_to_m)).collect();
+    if let Some(validity) = validity {
+        let flags = columns.measured(validity).map(|flag| flag.is_some_and(|flag| flag != 0.0));
+        heights_m
+            .iter_mut()
+            .zip(flags)
+            .filter(|(_, counts)| !counts)
+            .for_each(|(height_m, _)| *height_m = None);
+    }
+    if rows.len() > 1 && rows.is_sorted_by(|a, b| a.1 > b.1) {
         notes.push("positions fall from line to line: the profile is read from its end".to_owned());
-        positions.reverse();
+        let last = heights_m.len().saturating_sub(1);
+        rows = rows.into_iter().rev().map(|(row, position)| (last - row, position)).collect();
         heights_m.reverse();
     }
-    if let Some(row) = positions.windows(2).position(|pair| pair[0] >= pair[1]) {
-        return Err(ScanReadError::PositionsDoNotRise {
-            line: line_of_row(text, row + 1),
-            position: positions[row + 1],
-            before: positions[row],
-        });
+    if let Some(pair) = rows.windows(2).find(|pair| pair[0].1 >= pair[1].1) {
+        let line = columns.line_of_row(text, pair[1].0);
+        return Err(ScanReadError::PositionsDoNotRise { line, position: pair[1].1, before: pair[0].1 });
     }
-    let lateral = match even_spacing(&positions, columns.rounding(0)) {
-        Some(spacing) => Lateral::Spacing { x_m: length_to_m(spacing), y_m: None },
-        None => Lateral::Positions(positions.into_iter().map(length_to_m).collect()),
-    };
-    Ok(Found { columns: heights_m.len(), lateral, heights_m: heights_m.into_iter().collect() })
+    let (first, end) = (rows.first().map_or(0, |row| row.0), rows.last().map_or(0, |row| row.0 + 1));
+    if let Some(spacing) = spacing_of_rows(&rows, columns.rounding(position)) {
+        let heights_m: Decoded = heights_m.into_iter().take(end).skip(first).collect();
+        let lateral = Lateral::Spacing { x_m: length_to_m(spacing), y_m: None };
+        return Ok(Found { columns: end - first, lateral, heights_m });
+    }
+    let heights_m: Decoded = rows.iter().map(|&(row, _)| heights_m.get(row).copied().flatten()).collect();
+    let positions_m = rows.into_iter().map(|(_, position)| length_to_m(position)).collect();
+    Ok(Found { columns: heights_m.values.len(), lateral: Lateral::Positions(positions_m), heights_m })
+}
+
+/// The spacing of rows with a position, where it is even; rows without one are gaps in their place.
+fn spacing_of_rows(rows: &[(usize, f64)], rounding: f64) -> Option<f64> {
+    let (first, last) = (rows.first()?, rows.last()?);
+    evenly_spaced(
+        rows.iter().map(|&(row, position)| (row - first.0, position)),
+        (first.1, last.1),
+        last.0 - first.0,
+        rounding,
+    )
 }
 
 /// The spacing of rising positions that are evenly spaced within the rounding of their digits.
 pub(crate) fn even_spacing(positions: &[f64], rounding: f64) -> Option<f64> {
     let (&first, &last) = (positions.first()?, positions.last()?);
-    let spacing = (last - first) / (positions.len() - 1) as f64;
+    evenly_spaced(positions.iter().copied().enumerate(), (first, last), positions.len() - 1, rounding)
+}
+
+/// The spacing of numbered positions from the first to the last, so many steps on, where they are even.
+fn evenly_spaced(
+    mut positions: impl Iterator<Item = (usize, f64)>,
+    (first, last): (f64, f64),
+    steps: usize,
+    rounding: f64,
+) -> Option<f64> {
+    if steps == 0 {
+        return None;
+    }
+    let spacing = (last - first) / steps as f64;
     let bound = rounding.min(DISCERNIBLE * spacing);
     let is_even =
-        |(index, position): (usize, &f64)| (position - (first + index as f64 * spacing)).abs() <= bound;
-    (positions.len() > 1 && positions.iter().enumerate().all(is_even)).then_some(spacing)
+        |(index, position): (usize, f64)| (position - (first + index as f64 * spacing)).abs() <= bound;
+    positions.all(is_even).then_some(spacing)
 }
 
 #[cfg(test)]

@@ -20,8 +20,11 @@ pub(crate) enum Separator {
 /// Words that stand for a point without a height.
 const GAPS: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
 
-/// UTF-8 with or without a byte order mark, else Latin-1, in which older instruments write `µ`.
+/// UTF-16 with a byte order mark, UTF-8 with or without one, else Latin-1, in which older instruments write `µ`.
 pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
+    if let Some(text) = decode_utf16(bytes) {
+        return Ok(Cow::Owned(text));
+    }
     let is_text = |byte: u8| byte >= b' ' || b"\t\n\r\x0c\x1a".contains(&byte);
     if let Some(offset) = bytes.iter().position(|&byte| !is_text(byte)) {
         let line = 1 + bytes[..offset].iter().filter(|&&byte| byte == b'\n').count();
@@ -31,6 +34,20 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
         Ok(text) => Cow::Borrowed(text.strip_prefix('\u{feff}').unwrap_or(text)),
         Err(_) => Cow::Owned(bytes.iter().map(|&byte| char::from(byte)).collect()),
     })
+}
+
+/// The characters of UTF-16 text behind its byte order mark, as the spreadsheets of some instruments are saved; none where
+/// there is no such mark. What is no character is put in as one that no number has.
+fn decode_utf16(bytes: &[u8]) -> Option<String> {
+    let to_unit = match bytes.first_chunk()? {
+        [0xff, 0xfe] => u16::from_le_bytes,
+        [0xfe, 0xff] => u16::from_be_bytes,
+        _ => return None,
+    };
+    let (pairs, _) = bytes.as_chunks::<2>();
+    let units = pairs.iter().skip(1).map(|pair| to_unit(*pair));
+    let characters = char::decode_utf16(units).map(|found| found.unwrap_or(char::REPLACEMENT_CHARACTER));
+    Some(characters.collect())
 }
 
 /// The lines that are neither blank nor comments, from 1, trimmed of blanks.
@@ -45,6 +62,15 @@ pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
 pub(crate) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let first = first_row(text).unwrap_or(usize::MAX);
     content(text).skip_while(move |(number, _)| *number < first)
+}
+
+/// The same with the separators at their ends, which tell empty fields.
+pub(crate) fn whole_rows(text: &str, separator: Separator) -> impl Iterator<Item = (usize, &str)> {
+    let first = first_row(text).unwrap_or(usize::MAX);
+    let is_margin =
+        move |character: char| is_blank(character) && !(separator == Separator::Tab && character == '\t');
+    let lines = text.lines().enumerate().map(move |(index, line)| (index + 1, line.trim_matches(is_margin)));
+    lines.filter(move |(number, line)| *number >= first && !line.is_empty() && !is_comment(line))
 }
 
 /// The first line of the scan: of numbers, or the first of the lines of gaps right above it with as many fields.
@@ -128,15 +154,14 @@ impl Separator {
         )
     }
 
-    /// The fields of a line; empty ones at its end are none, since instruments close lines with separators.
+    /// The fields of a line, empty ones among them.
     pub(crate) fn split(self, line: &str) -> impl Iterator<Item = &str> {
-        let (character, line) = match self {
-            Self::Semicolon => (Some(';'), line),
-            Self::Tab => (Some('\t'), line),
-            Self::Comma => (Some(','), line),
-            Self::Blanks => (None, line),
+        let character = match self {
+            Self::Semicolon => Some(';'),
+            Self::Tab => Some('\t'),
+            Self::Comma => Some(','),
+            Self::Blanks => None,
         };
-        let line = character.map_or(line, |character| line.trim_end_matches([character, ' ', '\t']));
         let delimited = character.map(|character| line.split(character).map(str::trim));
         let blanks = character.is_none().then(|| line.split_whitespace());
         delimited.into_iter().flatten().chain(blanks.into_iter().flatten())
@@ -179,6 +204,16 @@ mod tests {
     use super::*;
 
     #[test]
+    fn utf16_is_told_by_its_mark() {
+        let bytes = |order: fn(u16) -> [u8; 2]| -> Vec<u8> {
+            "\u{feff}1 µm\n".encode_utf16().flat_map(order).chain([0x31]).collect()
+        };
+        assert_eq!(decode(&bytes(u16::to_le_bytes)).unwrap(), "1 µm\n");
+        assert_eq!(decode(&bytes(u16::to_be_bytes)).unwrap(), "1 µm\n");
+        assert_eq!(decode(&[0xff, 0xfe, 0x00, 0xd8]).unwrap(), "\u{fffd}");
+    }
+
+    #[test]
     fn commas_are_separators_or_decimals_by_what_surrounds_them() {
         for (line, separates) in [
             ("0.5,1.5", Some(true)),
@@ -200,10 +235,10 @@ mod tests {
     }
 
     #[test]
-    fn fields_are_split_without_empty_ones_at_the_end() {
+    fn fields_are_split_with_empty_ones() {
         let split = |separator: Separator, line| separator.split(line).map(str::to_owned).collect::<Vec<_>>();
-        assert_eq!(split(Separator::Comma, "1, 2,"), ["1", "2"]);
-        assert_eq!(split(Separator::Comma, "1,2, ,"), ["1", "2"]);
+        assert_eq!(split(Separator::Comma, "1, 2,"), ["1", "2", ""]);
+        assert_eq!(split(Separator::Comma, "1,2, ,"), ["1", "2", "", ""]);
         assert_eq!(split(Separator::Blanks, "1  2\t3"), ["1", "2", "3"]);
         assert_eq!(split(Separator::Semicolon, "1;;3"), ["1", "", "3"]);
     }
