@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use measurements::{CompositeOfFiles, ScanRequest};
 use study::NoFiles;
 use study::scene::{Overrides, Scene};
 use study::surface::Surface;
-use measurements::{CompositeOfFiles, ScanRequest};
 use tests::shared_file;
 use topography::{CompositeSpectrum, Recipe};
 

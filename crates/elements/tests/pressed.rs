@@ -143,7 +143,7 @@ fn fields_are_read_back_as_they_were_written() {
         &scans::ScanOptions { channel: Some("heights".to_owned()), ..Default::default() },
     )
     .unwrap();
-    let scans::Scan::Map(map) = &read[0].scan else { panic!("{read:?}") };
+    let scans::Scan::Map(map) = &read[0].scan.clone().complete().unwrap() else { panic!("{read:?}") };
     assert_eq!(map.heights_m(), heights.into_inner().unwrap());
     assert_relative_eq!(map.spacing_x_m(), 1.0 / 24.0, max_relative = 1e-12);
 }

@@ -2,9 +2,9 @@
 
 use gaussian_surfaces::{MapWaves, Surface};
 use half_space::{Grid, Loading, PeriodicElements};
+use measurements::MapPatch;
 use parallel::Progress;
 use serde::Serialize;
-use measurements::MapPatch;
 use topography::{Detrend, detrended_m};
 
 use crate::JudgeError;

@@ -4,9 +4,9 @@ use scans::Scan;
 use topography::{MapSpectrum, Recipe, Remark, without_gaps};
 
 use crate::error::{ScanProblem, TopographyError};
+use crate::files::Files;
 use crate::load::{Loaded, load};
 use crate::request::ScanRequest;
-use crate::files::Files;
 use tables::Table;
 
 /// The two-dimensional spectrum of a map, averaged radially.

@@ -44,7 +44,8 @@ impl Channels {
     pub fn table(&self) -> Table {
         let text = |of: fn(&Row) -> &String| self.rows.iter().map(move |row| of(row).clone());
         let number = |of: fn(&Row) -> Option<f64>| self.rows.iter().map(of);
-        let count = |of: fn(&Row) -> Option<usize>| self.rows.iter().map(move |row| of(row).map(|n| n as f64));
+        let count =
+            |of: fn(&Row) -> Option<usize>| self.rows.iter().map(move |row| of(row).map(|n| n as f64));
         Table::default()
             .with_text("file", text(|row| &row.file))
             .with_text("format", text(|row| &row.format))
@@ -101,13 +102,14 @@ fn channels_of(
     let options = options(request, files)?;
     let mut rows = Vec::new();
     let mut failed = None;
-    let visited = visit_channels(&bytes, file_name(&request.path), &options, all_channels, |channel| match channel {
-        Ok(file) => {
-            rows.push(Row::of(request, &file));
-            see(&file);
-        }
-        Err(error) => failed = Some(error),
-    });
+    let visited =
+        visit_channels(&bytes, file_name(&request.path), &options, all_channels, |channel| match channel {
+            Ok(file) => {
+                rows.push(Row::of(request, &file));
+                see(&file);
+            }
+            Err(error) => failed = Some(error),
+        });
     visited.map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
     match failed {
         // Where another channel can be read, this one is not the whole file's failure.

@@ -6,9 +6,9 @@ use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
 use crate::error::{ScanProblem, TopographyError};
+use crate::files::Files;
 use crate::load::{Loaded, load};
 use crate::request::ScanRequest;
-use crate::files::Files;
 use topography::Recipe;
 
 /// The composite spectrum of the scans in some files.
@@ -137,7 +137,7 @@ fn of_file(
         };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         maps.extend(MapPatch::of(&scan));
-        spectra.extend(ScanSpectrum::along(scan, request.limits(), &recipe).map_err(blame)?);
+        spectra.extend(ScanSpectrum::of_directions(scan, request.limits(), &recipe).map_err(blame)?);
     }
     progress.advance(1);
     Ok((Source { file: request.path.clone(), sha256 }, spectra, maps))

@@ -96,7 +96,8 @@ impl TopographyError {
     }
 
     /// All of the scans together are to blame.
-    pub(crate) fn of_all(problem: ScanProblem) -> Self {
+    #[must_use]
+    pub fn of_all(problem: ScanProblem) -> Self {
         TopographyError { file: None, request: None, problem }
     }
 }

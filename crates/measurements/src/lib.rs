@@ -15,7 +15,7 @@ pub use areal::{AreaSpectrum, areal_spectrum};
 pub use channels::{Channels, read_channels};
 pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
 pub use error::{ScanProblem, TopographyError};
-pub use files::{Files, NoFiles, file_name};
+pub use files::{Files, NoFiles};
 pub use list::{ListError, requests_of_list};
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};

@@ -5,8 +5,8 @@ use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
 
 use crate::error::{ScanProblem, TopographyError};
-use crate::request::ScanRequest;
 use crate::files::{Files, file_name};
+use crate::request::ScanRequest;
 
 /// Files that describe the scans beside them.
 #[cfg(feature = "formats")]

@@ -1,12 +1,12 @@
 //! The heights of one map, less their trend, as they are pressed.
 
 use scans::{HeightMap, Scan};
-use topography::{Recipe, Remark, ScanRemark, detrended_m, without_gaps};
+use topography::{Direction, Recipe, Remark, ScanRemark, detrended_m, without_gaps};
 
 use crate::error::{ScanProblem, TopographyError};
+use crate::files::Files;
 use crate::load::{Loaded, load_heights};
 use crate::request::ScanRequest;
-use crate::files::Files;
 
 /// A measured map.
 #[derive(Debug, Clone)]
@@ -44,12 +44,19 @@ impl MapOfFile {
         let Scan::Map(map) = &file.scan else {
             return Err(refused(ScanProblem::LineIsNoSurface));
         };
+        // Pressing knows no direction, but a trend of lines and the pictures do.
+        let turned = (recipe.direction == Direction::Y).then(|| map.turned());
+        let map = turned.as_ref().unwrap_or(map);
         let detrend = recipe.preparation(file.is_periodic).detrend;
         let rest_m = detrended_m(map, detrend);
         let map = HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m)
             .map_err(|error| refused(ScanProblem::Format(Box::new(error.into()))))?;
-        let provenance =
-            format!("map: {} ({}), SHA-256 {sha256}, detrend {detrend}", request.path, file.format);
+        let provenance = format!(
+            "map: {} ({}){}, SHA-256 {sha256}, detrend {detrend}",
+            request.path,
+            file.format,
+            if turned.is_some() { ", turned" } else { "" }
+        );
         let of_map = |note: &String| Remark::Scan {
             name: file.name.clone(),
             remark: ScanRemark::Reading(note.clone()),

@@ -41,10 +41,9 @@ impl FromStr for TipRadius {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim() {
             "auto" => Ok(Self::Auto),
-            length => length
-                .parse::<Length>()
-                .map(|length| Self::Known(length.m))
-                .map_err(|error| format!("{error}; or write auto, to take the radius that the file speaks of")),
+            length => length.parse::<Length>().map(|length| Self::Known(length.m)).map_err(|error| {
+                format!("{error}; or write auto, to take the radius that the file speaks of")
+            }),
         }
     }
 }
@@ -71,7 +70,6 @@ impl ScanRequest {
         Recipe {
             gaps: self.gaps.unwrap_or(for_all.gaps),
             direction: self.direction.unwrap_or(for_all.direction),
-            tip_from_file: for_all.tip_from_file || self.tip_radius == Some(TipRadius::Auto),
             ..*for_all
         }
     }

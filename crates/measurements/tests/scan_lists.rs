@@ -22,8 +22,8 @@ fn a_row_says_what_options_after_a_file_say() {
 fn bad_lists_are_refused_with_their_place() {
     assert_eq!(
         read("file,width\na.txt,3nm\n").unwrap_err(),
-        "scans.csv: column width says nothing about a scan; the columns are file, unit, channel, size, tip_radius and \
-         shortest"
+        "scans.csv: column width says nothing about a scan; the columns are file, unit, channel, size, tip_radius, \
+         shortest, gaps and direction"
     );
     let bad = read("file,size\na.txt,3\n").unwrap_err();
     assert!(bad.starts_with("scans.csv, line 2, column size: '3' has no unit"), "{bad}");

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use elements::Field;
 use crate::plot::escaped;
+use elements::Field;
 use units::display::{length, pressure};
 
 /// Width of the frame's longer side.
@@ -103,12 +103,7 @@ pub(crate) fn colour(share: f64) -> [u8; 3] {
     })
 }
 
-fn frame(
-    title: &str,
-    [left, top, width, height]: [f64; 4],
-    side: &str,
-    [least, most]: [&str; 2],
-) -> String {
+fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, [least, most]: [&str; 2]) -> String {
     let title = escaped(title);
     let total = [left + width.max(0.6 * FRAME_PX) + MARGIN_PX, top + height + SCALE_PX + MARGIN_PX];
     let mut svg = format!(

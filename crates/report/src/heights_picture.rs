@@ -39,7 +39,8 @@ fn map(name: &str, scan: &Measured, columns: usize, rows: usize) -> Option<Field
     let [lowest_m, highest_m] = coloured_m(scan)?;
     let step = columns.max(rows).div_ceil(MOST_POINTS);
     let across = (0..columns).step_by(step);
-    let colour_of = |height_m: f64| colour((height_m - lowest_m) / (highest_m - lowest_m).max(f64::MIN_POSITIVE));
+    let colour_of =
+        |height_m: f64| colour((height_m - lowest_m) / (highest_m - lowest_m).max(f64::MIN_POSITIVE));
     let colours = (0..rows).step_by(step).flat_map(|row| {
         across.clone().map(move |column| scan.height_m(row * columns + column).map_or(GAP, colour_of))
     });
@@ -106,7 +107,9 @@ mod tests {
 
     #[test]
     fn gaps_of_maps_are_grey_and_the_ends_of_the_scale_stand_for_the_ends_of_the_heights() {
-        let HeightsPicture::Map(map) = picture("0 1 2 3\n4 5 nan 7\n0 1 2 3\n0 1 2 3\n") else { panic!("a map") };
+        let HeightsPicture::Map(map) = picture("0 1 2 3\n4 5 nan 7\n0 1 2 3\n0 1 2 3\n") else {
+            panic!("a map")
+        };
         assert_eq!((map.columns, map.colours.len(), map.colours[6]), (4, 16, GAP));
         assert_eq!((map.colours[0], map.colours[7]), (colour(0.0), colour(1.0)));
         assert!(map.svg.contains("a &lt;b&gt;") && map.svg.contains(">7 nm</text>"), "{}", map.svg);
@@ -117,6 +120,9 @@ mod tests {
         let HeightsPicture::Line(svg) = picture("0\n1\nnan\n2\n1\n") else { panic!("a line") };
         let HeightsPicture::Line(whole) = picture("0\n1\n3\n2\n1\n") else { panic!("a line") };
         assert!(svg.contains("position (µm)") && svg.contains("(nm)"), "{svg}");
-        assert_eq!(svg.matches("stroke-width=\"1.2\"").count(), whole.matches("stroke-width=\"1.2\"").count() + 1);
+        assert_eq!(
+            svg.matches("stroke-width=\"1.2\"").count(),
+            whole.matches("stroke-width=\"1.2\"").count() + 1
+        );
     }
 }

@@ -59,9 +59,7 @@ pub(crate) fn assembled(
     let measure = channel.measure();
     let Channel { quantity, lateral, samples, units, mut notes, .. } = channel;
     let height_to_m: Box<dyn Fn(f64) -> f64> = match (units, &quantity) {
-        (UnitsBy::Asker, _) => {
-            Box::new(Units::of(options, None, None, &mut notes).height_to_m(format)?)
-        }
+        (UnitsBy::Asker, _) => Box::new(Units::of(options, None, None, &mut notes).height_to_m(format)?),
         (UnitsBy::Format, _) => {
             refuse_unit(format, options)?;
             notes.extend(own_scale_note(options));
@@ -157,13 +155,20 @@ fn uneven_line(
     let gaps = &decoded.gaps;
     if !gaps.is_empty() {
         let (count, points) = (gaps.count(), positions_m.len());
-        notes.push(format!("{count} of {points} points have no height and are left out of the unevenly spaced line"));
+        notes.push(format!(
+            "{count} of {points} points have no height and are left out of the unevenly spaced line"
+        ));
     }
     let measured = |values: Vec<f64>| -> Vec<f64> {
         if gaps.is_empty() {
             return values;
         }
-        values.into_iter().enumerate().filter(|(index, _)| !gaps.contains(*index)).map(|(_, value)| value).collect()
+        values
+            .into_iter()
+            .enumerate()
+            .filter(|(index, _)| !gaps.contains(*index))
+            .map(|(_, value)| value)
+            .collect()
     };
     let line = NonuniformLineScan::new(measured(positions_m), measured(decoded.values))?;
     Ok(Scan::NonuniformLine(line).into())

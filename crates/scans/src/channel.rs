@@ -78,7 +78,10 @@ pub(crate) enum Lateral {
 pub(crate) enum Samples<'b> {
     Raster(Raster<'b>),
     /// Decoded already, row after row of so many columns.
-    Decoded { columns: usize, decoded: Decoded },
+    Decoded {
+        columns: usize,
+        decoded: Decoded,
+    },
     /// What stands in the way of reading this channel; others of the file may do.
     Unreadable(Box<ScanReadError>),
 }
@@ -86,7 +89,12 @@ pub(crate) enum Samples<'b> {
 impl<'b> Channel<'b> {
     /// A channel of heights of a format that fixes all units.
     pub(crate) fn heights_in_m(name: impl Into<String>, size: ScanSize, raster: Raster<'b>) -> Self {
-        Self::new(Some(name.into()), Quantity::Heights(Some(LengthUnit::METRE)), Lateral::Size(size), Samples::Raster(raster))
+        Self::new(
+            Some(name.into()),
+            Quantity::Heights(Some(LengthUnit::METRE)),
+            Lateral::Size(size),
+            Samples::Raster(raster),
+        )
     }
 
     /// A channel of which no more is known; its units are fixed where it has any.
@@ -131,7 +139,6 @@ impl<'b> Channel<'b> {
     pub(crate) fn is_heights(&self) -> bool {
         matches!(self.quantity, Quantity::Heights(_))
     }
-
 }
 
 impl Samples<'_> {
@@ -148,6 +155,7 @@ impl Samples<'_> {
 /// Whether a name is that of heights, by the words that makers of instruments have for them.
 pub(crate) fn is_named_after_height(name: &str) -> bool {
     let name = name.to_lowercase().replace([' ', '_', '-'], "");
-    const WORDS: [&str; 8] = ["height", "topograph", "zsens", "zaxis", "ztrace", "zretrace", "elevation", "relief"];
+    const WORDS: [&str; 8] =
+        ["height", "topograph", "zsens", "zaxis", "ztrace", "zretrace", "elevation", "relief"];
     WORDS.iter().any(|word| name.contains(word)) || name == "z"
 }

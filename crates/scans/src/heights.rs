@@ -386,7 +386,9 @@ mod tests {
             message(ParallelLines::new(3, 1.0, vec![0.0; 4]).unwrap_err()),
             "building a scan: 4 heights do not fill lines of 3 points"
         );
-        assert!(ParallelLines::new(3, 1.0, Vec::new()).is_err() && ParallelLines::new(1, 1.0, vec![0.0]).is_err());
+        assert!(
+            ParallelLines::new(3, 1.0, Vec::new()).is_err() && ParallelLines::new(1, 1.0, vec![0.0]).is_err()
+        );
         assert!(UniformLineScan::new(0.0, vec![0.0; 2]).is_err());
     }
 

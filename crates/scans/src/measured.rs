@@ -166,7 +166,10 @@ mod tests {
         assert_eq!((map().height_m(1), map().height_m(2), map().height_m(6)), (Some(2.0), None, None));
         assert_eq!((map().points(), map().size_m()), ((3, Some(2)), (3.0, Some(4.0))));
         let refusal = map().complete().unwrap_err().to_string();
-        assert!(refusal.starts_with("building a scan: 2 of 6 points have no height, the first in row 1, column 3"));
+        assert!(
+            refusal
+                .starts_with("building a scan: 2 of 6 points have no height, the first in row 1, column 3")
+        );
         let Scan::Map(filled) = map().filled(&[3.0, 6.0]).unwrap() else { panic!("a map") };
         assert_eq!(filled.heights_m(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
         assert!(map().filled(&[3.0]).is_err() && map().filled(&[3.0, f64::NAN]).is_err());

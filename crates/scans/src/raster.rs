@@ -105,8 +105,7 @@ impl Decoded {
 impl FromIterator<Option<f64>> for Decoded {
     fn from_iter<I: IntoIterator<Item = Option<f64>>>(values: I) -> Self {
         let values = values.into_iter();
-        let mut decoded =
-            Self { values: Vec::with_capacity(values.size_hint().0), gaps: Gaps::default() };
+        let mut decoded = Self { values: Vec::with_capacity(values.size_hint().0), gaps: Gaps::default() };
         values.for_each(|value| decoded.push(value));
         decoded
     }
@@ -137,7 +136,13 @@ impl<'b> Raster<'b> {
     }
 
     /// Packed little-endian numbers from a byte of a file on; the file may end too soon, which [`Raster::check`] tells.
-    pub(crate) fn within(number: NumberType, columns: usize, rows: usize, file: &'b [u8], offset: usize) -> Self {
+    pub(crate) fn within(
+        number: NumberType,
+        columns: usize,
+        rows: usize,
+        file: &'b [u8],
+        offset: usize,
+    ) -> Self {
         Self::new(number, columns, rows, file.get(offset..).unwrap_or_default(), offset)
     }
 
@@ -209,7 +214,8 @@ impl<'b> Raster<'b> {
     fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64) -> Decoded {
         let (_, run) = self.runs();
         let stride = self.stride.unwrap_or(run * N).max(run * N);
-        let mut decoded = Decoded { values: Vec::with_capacity(self.columns * self.rows), gaps: Gaps::default() };
+        let mut decoded =
+            Decoded { values: Vec::with_capacity(self.columns * self.rows), gaps: Gaps::default() };
         let mut take = |index: usize, bytes: &[u8]| {
             let raw = bytes.first_chunk().map_or(f64::NAN, |bytes| number(*bytes));
             let is_gap = match &self.gap {

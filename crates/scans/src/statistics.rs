@@ -31,9 +31,10 @@ impl Statistics {
         let first_m = heights().next()?;
         let mean_m = first_m + heights().map(|height_m| height_m - first_m).sum::<f64>() / count as f64;
         let variance_m2 = heights().map(|height_m| (height_m - mean_m).powi(2)).sum::<f64>() / count as f64;
-        let (lowest_m, highest_m) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height_m| {
-            (height_m.min(low), height_m.max(high))
-        });
+        let (lowest_m, highest_m) = heights()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height_m| {
+                (height_m.min(low), height_m.max(high))
+            });
         let (columns, rows) = scan.points();
         let rows = rows.unwrap_or(1);
         let (spacing_x_m, spacing_y_m) = scan.spacing_m();

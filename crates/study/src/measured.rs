@@ -6,8 +6,8 @@ use spectrum::{ReadOptions, read_psd};
 use topography::Recipe;
 use units::named;
 
-use measurements::Files;
 use crate::surface::{Surface, SurfaceError};
+use measurements::Files;
 use measurements::{MapOfFile, ScanProblem, ScanRequest, TopographyError};
 
 /// What a file holds.

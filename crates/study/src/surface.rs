@@ -9,8 +9,8 @@ use spectrum::{
 };
 use topography::Recipe;
 
-use measurements::Files;
 use crate::note::Note;
+use measurements::Files;
 use measurements::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
 
 /// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use elements::Boundary;
 use gaussian_surfaces::Phases;
-use study::measured::Kind;
 use measurements::ScanRequest;
+use study::measured::Kind;
 use topography::Detrend;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 

@@ -69,11 +69,7 @@ pub(crate) struct MapTreatmentArgs {
 impl MapTreatmentArgs {
     /// A file with what is said for all of them where it says nothing itself.
     pub fn told_of(&self, file: ScanRequest) -> ScanRequest {
-        ScanRequest {
-            gaps: file.gaps.or(self.gaps),
-            direction: file.direction.or(self.direction),
-            ..file
-        }
+        ScanRequest { gaps: file.gaps.or(self.gaps), direction: file.direction.or(self.direction), ..file }
     }
 }
 

@@ -6,13 +6,13 @@ use std::sync::{Mutex, PoisonError};
 use elements::{Boundary, ElementsError, Field, Pressing, RandomSurfaces, Relief, Surfaces};
 use gaussian_surfaces::{AreaSpectrum, GridBand, Synthesis};
 use half_space::HalfSpaceError;
+use measurements::MapOfFile;
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture};
 use spectrum::ReadOptions;
 use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::{Surface, SurfaceError};
-use measurements::MapOfFile;
 use topography::Recipe;
 
 use super::material_options::{loads, material};

@@ -9,14 +9,15 @@ use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
+use measurements::{
+    CompositeOfFiles, STEPS_PER_FILE, ScanRequest, TipRadius, TopographyError, areal_spectrum,
+    requests_of_list,
+};
 use report::provenance::program;
 use report::scan_words;
 use report::scans_table::scans_table;
 use scans::ScanOption;
 use staging::StagedFiles;
-use measurements::{
-    CompositeOfFiles, STEPS_PER_FILE, ScanRequest, TipRadius, TopographyError, areal_spectrum, requests_of_list,
-};
 use study::figure::composite_figure;
 use topography::{Recipe, Remark};
 
@@ -28,7 +29,6 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         average: args.average,
         bins_per_decade: args.bins_per_decade,
         tip_radius_m: args.tip_radius.and_then(TipRadius::known_m),
-        tip_from_file: args.tip_radius == Some(TipRadius::Auto),
         ..Recipe::default()
     };
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
@@ -53,8 +53,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     }
     let mut timings = Timings::start();
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
-    let found =
-        CompositeOfFiles::read_observed(&requests, &folder, &recipe, &progress).map_err(refused)?;
+    let found = CompositeOfFiles::read_observed(&requests, &folder, &recipe, &progress).map_err(refused)?;
     drop(progress);
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));

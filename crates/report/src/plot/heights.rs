@@ -14,7 +14,9 @@ use super::{HEIGHT_PX, MOST_TITLE_LETTERS, WIDE_PX, split};
 #[must_use]
 pub fn line_of_heights(title: &str, labels: [&str; 2], runs: &[Vec<(f64, f64)>]) -> String {
     let line = |run: &Vec<(f64, f64)>| {
-        Plot::Line(LinePlot::new().with_data(thinned(run.clone())).with_color(colour(0)).with_stroke_width(1.2))
+        Plot::Line(
+            LinePlot::new().with_data(thinned(run.clone())).with_color(colour(0)).with_stroke_width(1.2),
+        )
     };
     let lines: Vec<Plot> = runs.iter().filter(|run| !run.is_empty()).map(line).collect();
     let layout = Layout::auto_from_plots(&lines)

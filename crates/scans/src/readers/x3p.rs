@@ -64,9 +64,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let (positions_m, decoded) = description.values(&mut archive)?;
     let lateral = match description.spacing_x_m {
         None => Lateral::Positions(positions_m),
-        Some(x_m) => {
-            Lateral::Spacing { x_m, y_m: description.is_map.then_some(description.spacing_y_m) }
-        }
+        Some(x_m) => Lateral::Spacing { x_m, y_m: description.is_map.then_some(description.spacing_y_m) },
     };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let samples = Samples::Decoded { columns: description.columns, decoded };
@@ -176,9 +174,8 @@ impl Description {
         }
         let is_valid =
             |index: usize| valid.as_ref().is_none_or(|bits| bits[index / 8] >> (index % 8) & 1 == 1);
-        let height_m = |(index, point): (usize, &[u8])| {
-            is_valid(index).then(|| self.z.length_m(&point[x_size..]))
-        };
+        let height_m =
+            |(index, point): (usize, &[u8])| is_valid(index).then(|| self.z.length_m(&point[x_size..]));
         Ok((positions_m, data.chunks_exact(size).enumerate().map(height_m).collect()))
     }
 }

@@ -6,7 +6,9 @@
 mod bytes;
 mod text;
 
-use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
+use scans::{
+    Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
+};
 
 /// A file with what it holds.
 pub struct Sample {
@@ -18,9 +20,7 @@ pub struct Sample {
 
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
-    vec![
-        (ScanFormat::Text, text::samples()),
-    ]
+    vec![(ScanFormat::Text, text::samples())]
 }
 
 /// The channels of heights of a file; each must be readable.
@@ -37,7 +37,12 @@ pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>>
 
 /// Asserts points, size in m to 1e-12, heights in m (nothing at gaps) within a resolution.
 #[track_caller]
-pub fn assert_holds(scan: &Measured, size_m: (f64, Option<f64>), heights_m: &[Option<f64>], resolution_m: f64) {
+pub fn assert_holds(
+    scan: &Measured,
+    size_m: (f64, Option<f64>),
+    heights_m: &[Option<f64>],
+    resolution_m: f64,
+) {
     let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-12;
     let (x_m, y_m) = scan.size_m();
     assert!(close(x_m, size_m.0), "{x_m} is not {}", size_m.0);
@@ -63,7 +68,11 @@ fn every_sample_is_told_by_its_content_and_read() {
             if format != ScanFormat::Text {
                 assert_eq!(ScanFormat::of(&bytes), Some(format), "{name}");
             }
-            assert!(!heights_if_told(&bytes).unwrap_or_else(|error| panic!("{format} {name}: {error}")).is_empty());
+            assert!(
+                !heights_if_told(&bytes)
+                    .unwrap_or_else(|error| panic!("{format} {name}: {error}"))
+                    .is_empty()
+            );
         }
     }
 }

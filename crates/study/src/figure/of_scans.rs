@@ -20,7 +20,8 @@ pub fn composite_figure(scans: &CompositeOfFiles, name: &str) -> FigureData {
 /// A figure of the composite, with the scans beneath it.
 #[must_use]
 pub fn over_scans(scans: &CompositeOfFiles, figure: FigureData) -> FigureData {
-    let on_top = |series| Series { curve: "composite".to_owned(), colour: COMPOSITE_COLOUR, dash: 1, ..series };
+    let on_top =
+        |series| Series { curve: "composite".to_owned(), colour: COMPOSITE_COLOUR, dash: 1, ..series };
     let series = scan_series(scans).into_iter().chain(figure.series.into_iter().map(on_top)).collect();
     FigureData { series, ..figure }
 }

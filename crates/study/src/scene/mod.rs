@@ -26,10 +26,10 @@ pub use template::Template;
 
 use crate::choices_in_words;
 use crate::figure::Figure;
-use measurements::{Files, NoFiles};
 use crate::material::Material;
 use crate::plan::{CurveModel, Needs, Plan, Sampling};
 use crate::surface::Surface;
+use measurements::{Files, NoFiles};
 use units::number;
 
 /// A checked scene.

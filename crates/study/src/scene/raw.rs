@@ -134,8 +134,6 @@ pub(super) struct RawLoadRange {
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCutoffs {
     pub shortest_wavelength: Option<RawQuantity>,
-    pub gaps: Option<GapTreatment>,
-    pub direction: Option<Direction>,
 }
 
 #[derive(Debug, Default, Deserialize)]

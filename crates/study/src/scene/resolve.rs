@@ -17,9 +17,9 @@ use super::raw::RawScene;
 use super::surfaces::resolve_surface;
 use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
-use measurements::Files;
 use crate::models::ModelOptions;
 use crate::plan::{Needs, Sampling};
+use measurements::Files;
 use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.

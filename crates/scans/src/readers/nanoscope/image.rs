@@ -61,7 +61,8 @@ impl<'h> Image<'h> {
         let full_scale = self.z_scale().ok().and_then(scaled);
         let soft = full_scale.as_ref().and_then(|scale| self.header.sensitivity(scale.soft_scale.as_ref()?));
         let unit = |scaled: Scaled| scaled.number().map(|(_, unit)| unit);
-        let per_volt = soft.and_then(scaled).and_then(unit).and_then(|unit| Some(unit.split_once('/')?.0.to_owned()));
+        let per_volt =
+            soft.and_then(scaled).and_then(unit).and_then(|unit| Some(unit.split_once('/')?.0.to_owned()));
         per_volt.or_else(|| full_scale.and_then(unit)).unwrap_or_default()
     }
 
@@ -70,7 +71,8 @@ impl<'h> Image<'h> {
         let full_scale = Scaled::parse(&self.z_scale().ok()?.text)?;
         let (full, _) = full_scale.number()?;
         let soft = full_scale.soft_scale.as_ref().and_then(|name| self.header.sensitivity(name));
-        let sensitivity = soft.and_then(|value| Scaled::parse(&value.text)?.number()).map_or(1.0, |(value, _)| value);
+        let sensitivity =
+            soft.and_then(|value| Scaled::parse(&value.text)?.number()).map_or(1.0, |(value, _)| value);
         Some(full / 256f64.powi(self.bytes_per_pixel().ok()? as i32) * sensitivity)
     }
 

@@ -5,9 +5,9 @@
 
 use std::borrow::Cow;
 
-use crate::error::ScanReadError;
 use super::cursor::FORMAT;
 use super::cursor::{Cursor, bad};
+use crate::error::ScanReadError;
 
 const DIMENSIONS: u32 = 10;
 const VARIABLES: u32 = 11;
