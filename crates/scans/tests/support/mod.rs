@@ -69,6 +69,7 @@ pub fn heights_m(scan: &Scan) -> &[f64] {
         Scan::UniformLine(line) => line.heights_m(),
         Scan::NonuniformLine(line) => line.heights_m(),
         Scan::Map(map) => map.heights_m(),
+        Scan::Lines(_) => panic!("no file holds parallel lines"),
     }
 }
 
@@ -78,6 +79,7 @@ pub fn spacings_m(scan: &Scan) -> (f64, f64) {
         Scan::UniformLine(line) => (line.spacing_m(), 0.0),
         Scan::NonuniformLine(line) => (line.mean_spacing_m(), 0.0),
         Scan::Map(map) => (map.spacing_x_m(), map.spacing_y_m()),
+        Scan::Lines(_) => panic!("no file holds parallel lines"),
     }
 }
 
