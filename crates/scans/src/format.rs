@@ -71,6 +71,8 @@ impl ScanFormat {
     /// knows. Whether it can be read is [`read_scans`](crate::read_scans)'s to say.
     #[must_use]
     pub fn of(bytes: &[u8]) -> Option<Self> {
+        #[cfg(feature = "archives")]
+        let bytes = &*crate::unpacked::told_by(bytes);
         #[cfg(feature = "container")]
         if crate::readers::container::is_container(bytes) {
             return Some(Self::Container);

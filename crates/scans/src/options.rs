@@ -13,7 +13,8 @@ pub struct ScanOptions {
     /// The channel to read, by one of the names in [`ScanFile::channels`](crate::ScanFile::channels), or such a name
     /// without the bracket at its end. Without it the first height channel is read.
     pub channel: Option<String>,
-    /// The measurement to read from a container, by its name or that of its data file. Without it all are read.
+    /// The measurement to read from a container, by its name or that of its data file. Without it all are read. Also the
+    /// file to read from any other ZIP file, which without it may hold one scan.
     pub measurement: Option<String>,
     /// Unit of lengths, and of heights unless `height_unit` is given. Refused for formats that fix their units.
     pub unit: Option<LengthUnit>,
@@ -28,12 +29,12 @@ pub struct ScanOptions {
     /// What a container says about the scan; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies
     /// beside a file.
     pub metadata: Option<MeasurementMetadata>,
-    /// Most bytes that a ZIP file may unpack to; 1 GiB if none is given.
+    /// Most bytes that a ZIP or gzip file may unpack to; 1 GiB if none is given.
     pub max_unpacked_bytes: Option<u64>,
 }
 
 impl ScanOptions {
-    /// Most bytes that a ZIP file may unpack to by default.
+    /// Most bytes that a ZIP or gzip file may unpack to by default.
     pub const MAX_UNPACKED_BYTES: u64 = 1 << 30;
 
     /// The unit of heights asked for.

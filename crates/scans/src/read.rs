@@ -9,7 +9,7 @@ use crate::readers::{reader_of, unknown_format};
 
 /// Reads the scan in a file, or those in a container.
 ///
-/// The format is told by the content, see [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read,
+/// The format is told by the content, of files packed with gzip or alone in a ZIP file by what is packed, see [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read,
 /// else the first of heights. `name` is the name of the file, for messages. Memory is bounded by a small multiple of the
 /// file, or of what it unpacks to.
 ///
@@ -28,11 +28,20 @@ use crate::readers::{reader_of, unknown_format};
 /// # Errors
 /// [`ScanReadError`], with the place in the file, the value and the bound, for the first thing that is wrong.
 pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec<ScanFile>, ScanReadError> {
+    let bytes = &*unpacked(bytes, options)?;
     #[cfg(feature = "container")]
     if let Some(scans) = crate::readers::container::read(bytes, options) {
         return scans;
     }
-    Ok(vec![read_one(bytes, name, options)?])
+    Ok(vec![read_unpacked(bytes, name, options)?])
+}
+
+#[cfg(feature = "archives")]
+use crate::unpacked::unpacked;
+
+#[cfg(not(feature = "archives"))]
+fn unpacked<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<&'b [u8], ScanReadError> {
+    Ok(bytes)
 }
 
 /// Visits every channel of a file, one after the other, so that only one of them is held in memory: of heights and, where
@@ -48,6 +57,7 @@ pub fn visit_channels(
     all_channels: bool,
     mut visit: impl FnMut(Result<ScanFile, ScanReadError>),
 ) -> Result<(), ScanReadError> {
+    let bytes = &*unpacked(bytes, options)?;
     #[cfg(feature = "container")]
     if let Some(scans) = crate::readers::container::read(bytes, options) {
         scans?.into_iter().for_each(|scan| visit(Ok(scan)));
@@ -68,8 +78,13 @@ pub fn visit_channels(
     Ok(())
 }
 
-/// Reads a file with one scan: anything but a container.
+/// Reads a file with one scan, packed or not: anything but a container.
+#[cfg(feature = "container")]
 pub(crate) fn read_one(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
+    read_unpacked(&unpacked(bytes, options)?, name, options)
+}
+
+fn read_unpacked(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
     let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
     let channels = (reader.channels)(bytes, options)?;
     let heights = channels.iter().filter(|channel| channel.is_heights());

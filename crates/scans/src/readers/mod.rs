@@ -4,6 +4,7 @@
 pub(crate) mod container;
 mod nanoscope;
 mod netcdf;
+mod numpy;
 mod text;
 #[cfg(feature = "x3p")]
 mod x3p;
@@ -26,6 +27,7 @@ pub(crate) struct Reader {
 pub(crate) const READERS: &[Reader] = &[
     nanoscope::READER,
     netcdf::READER,
+    numpy::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     text::READER,

@@ -4,7 +4,12 @@
 //! start the fuzzer and the test that cuts and flips bytes.
 
 mod bytes;
+mod numpy;
+#[cfg(feature = "archives")]
+mod packed;
 mod text;
+#[path = "../support/zip_file.rs"]
+pub mod zip_file;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -21,6 +26,10 @@ pub struct Sample {
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![(ScanFormat::Text, text::samples())]
+    vec![
+        (ScanFormat::Numpy, numpy::samples()),
+        (ScanFormat::Text, text::samples()),
+    ]
 }
 
 /// The channels of heights of a file; each must be readable.

@@ -1,0 +1,230 @@
+//! Arrays of NumPy: `.npy` as NumPy's documentation of `numpy.lib.format` lays it down, and `.npz`, a ZIP file of them.
+//!
+//! The first index of a map counts its rows, as in images. An array has neither unit nor size.
+
+use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::cursor::{ByteOrder, Cursor};
+use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
+use crate::options::ScanOptions;
+use crate::raster::{Decoded, NumberType, Order, Raster};
+use crate::readers::Reader;
+
+const FORMAT: ScanFormat = ScanFormat::Numpy;
+const MAGIC: &[u8] = b"\x93NUMPY";
+const SUFFIX: &str = ".npy";
+
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+fn recognises(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) || is_archive(bytes)
+}
+
+fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    if bytes.starts_with(MAGIC) {
+        let array = Array::read(bytes)?;
+        return Ok(vec![array.channel(None, bytes.get(array.data..).unwrap_or_default().into())]);
+    }
+    arrays(bytes, options)
+}
+
+/// Whether the first file of a ZIP file is an array.
+#[cfg(feature = "archives")]
+fn is_archive(bytes: &[u8]) -> bool {
+    let length =
+        bytes.get(26..28).and_then(|length| length.first_chunk()).map(|length| u16::from_le_bytes(*length));
+    let name = length.and_then(|length| bytes.get(30..30 + usize::from(length)));
+    crate::archive::is_zip(bytes) && name.is_some_and(|name| name.ends_with(SUFFIX.as_bytes()))
+}
+
+#[cfg(not(feature = "archives"))]
+fn is_archive(_: &[u8]) -> bool {
+    false
+}
+
+/// The arrays of an archive, each a channel; what is none, such as a name or a single number, is left out.
+#[cfg(feature = "archives")]
+fn arrays<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let mut archive = crate::archive::Archive::open(bytes, options.unpacked_bound())?;
+    let paths: Vec<String> =
+        archive.paths().filter(|path| path.ends_with(SUFFIX)).map(str::to_owned).collect();
+    let mut channels = Vec::new();
+    for path in paths {
+        let name = path.strip_suffix(SUFFIX).unwrap_or(&path).to_owned();
+        let mut content = archive.read(&path)?;
+        let array = Array::read(&content)?;
+        if array.shape.iter().product::<usize>() < 2 || array.numbers.is_none() {
+            continue;
+        }
+        let data = content.split_off(array.data.min(content.len()));
+        let channel = array.channel(Some(name.clone()), data.into());
+        // Coordinates lie beside the heights they belong to.
+        let is_coordinate = ["x", "y"].iter().any(|axis| name.eq_ignore_ascii_case(axis));
+        let quantity = if is_coordinate { Quantity::Other(String::new()) } else { channel.quantity.clone() };
+        channels.push(Channel { quantity, ..channel });
+    }
+    Ok(channels)
+}
+
+#[cfg(not(feature = "archives"))]
+fn arrays<'b>(_: &[u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    Ok(Vec::new())
+}
+
+/// What the header of an array says.
+struct Array {
+    shape: Vec<usize>,
+    /// None of arrays of other things than real numbers.
+    numbers: Option<(Number, ByteOrder)>,
+    /// The type as written.
+    described: String,
+    is_fortran: bool,
+    /// Where the numbers begin.
+    data: usize,
+}
+
+#[derive(Clone, Copy)]
+enum Number {
+    Stored(NumberType),
+    /// A floating-point number of two bytes.
+    Half,
+}
+
+impl Array {
+    fn read(bytes: &[u8]) -> Result<Self, ScanReadError> {
+        let mut cursor = Cursor::new(FORMAT, bytes, ByteOrder::Little);
+        cursor.skip(MAGIC.len(), "the beginning of the file")?;
+        let version = cursor.u8("the version")?;
+        cursor.skip(1, "the version")?;
+        let length = match version {
+            1 => usize::from(cursor.u16("the length of the header")?),
+            2 | 3 => cursor.count("the length of the header")?,
+            _ => return Err(cursor.bad(MAGIC.len(), "the version", &version.to_string(), "1, 2 or 3")),
+        };
+        let at = cursor.offset();
+        let header = String::from_utf8_lossy(cursor.take(length, "the header")?).into_owned();
+        let missing = |field: &str| ScanReadError::MissingField {
+            format: FORMAT,
+            place: Place::Byte(at as u64),
+            field: format!("entry '{field}' in the header"),
+            mend: "save the array again",
+        };
+        let entry = |key: &str| {
+            let (_, rest) = header.split_once(&format!("'{key}'"))?;
+            rest.trim_start().strip_prefix(':').map(str::trim_start)
+        };
+        let shape = entry("shape").and_then(|text| text.strip_prefix('(')?.split_once(')'));
+        let (shape, _) = shape.ok_or_else(|| missing("shape"))?;
+        let lengths = shape.split(',').map(str::trim).filter(|length| !length.is_empty());
+        let lengths: Result<Vec<usize>, _> = lengths.map(str::parse).collect();
+        let bad_shape =
+            || cursor.bad(at, "the shape", &format!("({shape})"), "whole numbers whose product is one");
+        let shape = lengths.map_err(|_| bad_shape())?;
+        shape.iter().try_fold(1usize, |points, &length| points.checked_mul(length)).ok_or_else(bad_shape)?;
+        let described = entry("descr").ok_or_else(|| missing("descr"))?;
+        let quoted = described.strip_prefix('\'').and_then(|text| text.split_once('\''));
+        let described = quoted.map_or("a structure", |(described, _)| described).to_owned();
+        Ok(Self {
+            numbers: numbers(&described),
+            is_fortran: entry("fortran_order").ok_or_else(|| missing("fortran_order"))?.starts_with("True"),
+            shape,
+            described,
+            data: cursor.offset(),
+        })
+    }
+
+    /// A line or a map; axes of one point do not count.
+    fn channel<'b>(&self, name: Option<String>, data: std::borrow::Cow<'b, [u8]>) -> Channel<'b> {
+        let axes: Vec<usize> = self.shape.iter().copied().filter(|&length| length != 1).collect();
+        let (rows, columns) = match axes[..] {
+            [] => (1, 1),
+            [columns] => (1, columns),
+            [rows, columns] => (rows, columns),
+            _ => (0, 0),
+        };
+        let found = match self.numbers {
+            _ if columns == 0 || rows == 0 => Err(format!("an array of the shape {:?}", self.shape)),
+            None => Err(format!("an array of the type '{}'", self.described)),
+            Some(numbers) => Ok(numbers),
+        };
+        let samples = match found {
+            Err(found) => Samples::Unreadable(Box::new(ScanReadError::Unsupported {
+                format: FORMAT,
+                place: Place::File,
+                found,
+                mend: "save one line or map of real numbers",
+            })),
+            Ok((number, byte_order)) => {
+                let stored = if let Number::Stored(number) = number { number } else { NumberType::U16 };
+                let order = if self.is_fortran { Order::ColumnsFromTop } else { Order::RowsFromTop };
+                let raster =
+                    Raster { byte_order, order, ..Raster::new(stored, columns, rows, data, self.data) };
+                match number {
+                    Number::Stored(_) => Samples::Raster(raster),
+                    Number::Half => match raster.decode(FORMAT) {
+                        Ok(bits) => {
+                            let value = |bits: f64| Some(half(bits as u16));
+                            let decoded = bits.values.into_iter().map(value).collect::<Decoded>();
+                            Samples::Decoded { columns, decoded }
+                        }
+                        Err(error) => Samples::Unreadable(Box::new(error)),
+                    },
+                }
+            }
+        };
+        let mut channel = Channel::new(name, Quantity::Heights(None), Lateral::Unknown, samples);
+        if rows > 1 {
+            channel
+                .notes
+                .push("the first index of the array is taken to count the rows of the map".to_owned());
+        }
+        channel
+    }
+}
+
+/// The type of an array of real numbers, such as `<f8`.
+fn numbers(described: &str) -> Option<(Number, ByteOrder)> {
+    let order = if described.starts_with('>') { ByteOrder::Big } else { ByteOrder::Little };
+    let number = match described.trim_start_matches(['<', '>', '|', '=']) {
+        "i1" => NumberType::I8,
+        "u1" => NumberType::U8,
+        "i2" => NumberType::I16,
+        "u2" => NumberType::U16,
+        "i4" => NumberType::I32,
+        "u4" => NumberType::U32,
+        "i8" => NumberType::I64,
+        "u8" => NumberType::U64,
+        "f4" => NumberType::F32,
+        "f8" => NumberType::F64,
+        "f2" => return Some((Number::Half, order)),
+        _ => return None,
+    };
+    Some((Number::Stored(number), order))
+}
+
+/// The number that sixteen bits of IEEE 754 stand for.
+fn half(bits: u16) -> f64 {
+    let fraction = f64::from(bits & 0x3ff) / 1024.0;
+    let size = match i32::from(bits >> 10 & 0x1f) {
+        0 => fraction * 2f64.powi(-14),
+        0x1f if fraction == 0.0 => f64::INFINITY,
+        0x1f => f64::NAN,
+        exponent => (1.0 + fraction) * 2f64.powi(exponent - 15),
+    };
+    if bits >> 15 == 1 { -size } else { size }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::half;
+
+    #[test]
+    fn halves_are_decoded() {
+        for (bits, value) in
+            [(0x3c00, 1.0), (0xc000, -2.0), (0x3555, 0.333_251_953_125), (0x0001, 5.960_464_477_539_063e-8)]
+        {
+            assert_eq!(half(bits), value);
+        }
+        assert!(half(0x7c00).is_infinite() && half(0x7e00).is_nan());
+    }
+}
