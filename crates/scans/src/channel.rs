@@ -151,3 +151,23 @@ pub(crate) fn is_named_after_height(name: &str) -> bool {
     const WORDS: [&str; 8] = ["height", "topograph", "zsens", "zaxis", "ztrace", "zretrace", "elevation", "relief"];
     WORDS.iter().any(|word| name.contains(word)) || name == "z"
 }
+
+/// Whether a name is that of a signal that may be given as a length but is no height of the surface.
+pub(crate) fn is_named_after_signal(name: &str) -> bool {
+    let name = name.to_lowercase();
+    const WORDS: [&str; 12] = [
+        "amplitude",
+        "amp.",
+        "current",
+        "deflection",
+        "error",
+        "friction",
+        "frequency",
+        "lateral",
+        "phase",
+        "potential",
+        "vibration",
+        "xaxis",
+    ];
+    !is_named_after_height(&name) && WORDS.iter().any(|word| name.contains(word))
+}
