@@ -3,6 +3,7 @@
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod gwyddion;
+mod igor;
 mod nanoscope;
 mod netcdf;
 mod text;
@@ -26,6 +27,7 @@ pub(crate) struct Reader {
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
+    igor::READER,
     nanoscope::READER,
     netcdf::READER,
     #[cfg(feature = "x3p")]

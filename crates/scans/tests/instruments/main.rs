@@ -5,6 +5,7 @@
 
 mod bytes;
 mod gwyddion;
+mod igor;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
 
@@ -20,6 +21,7 @@ pub struct Sample {
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Gwyddion, gwyddion::samples()),
+        (ScanFormat::Igor, igor::samples()),
     ]
 }
 
