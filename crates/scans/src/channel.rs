@@ -154,10 +154,10 @@ pub(crate) fn is_named_after_height(name: &str) -> bool {
 
 /// Whether a name is that of a signal that may be given as a length but is no height of the surface.
 pub(crate) fn is_named_after_signal(name: &str) -> bool {
-    let name = name.to_lowercase();
-    const WORDS: [&str; 12] = [
+    let is_height = is_named_after_height(name);
+    let name = name.to_lowercase().replace([' ', '_', '-'], "");
+    const WORDS: [&str; 14] = [
         "amplitude",
-        "amp.",
         "current",
         "deflection",
         "error",
@@ -168,6 +168,9 @@ pub(crate) fn is_named_after_signal(name: &str) -> bool {
         "potential",
         "vibration",
         "xaxis",
+        "xsens",
+        "yaxis",
+        "ysens",
     ];
-    !is_named_after_height(&name) && WORDS.iter().any(|word| name.contains(word))
+    !is_height && WORDS.iter().any(|word| name.contains(word))
 }

@@ -5,7 +5,9 @@ pub(crate) mod container;
 mod gwyddion;
 mod igor;
 mod nanoscope;
+mod nanosurf;
 mod netcdf;
+mod sections;
 mod text;
 #[cfg(feature = "x3p")]
 mod x3p;
@@ -29,6 +31,7 @@ pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
     igor::READER,
     nanoscope::READER,
+    nanosurf::READER,
     netcdf::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,

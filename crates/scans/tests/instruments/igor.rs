@@ -208,8 +208,8 @@ fn what_holds_no_heights_is_refused() {
             .contains("a wave of four dimensions cannot be read")
     );
     assert!(
-        message(Wave { points: [3, 2, 3, 0], ..Wave::scan() })
-            .contains("a wave of [3, 2, 3] points takes 72 bytes")
+        message(Wave { points: [3, 2, 20, 0], ..Wave::scan() })
+            .contains("a wave of [3, 2, 20] points takes 480 bytes")
     );
     assert!(message(Wave { points: [0, 2, 3, 0], ..Wave::scan() }).contains("it must be at least one"));
     let over_time = Wave { units: ["m", "s", ""], ..table() };
