@@ -159,3 +159,26 @@ pub(crate) fn is_named_after_height(name: &str) -> bool {
         ["height", "topograph", "zsens", "zaxis", "ztrace", "zretrace", "elevation", "relief"];
     WORDS.iter().any(|word| name.contains(word)) || name == "z"
 }
+
+/// Whether a name is that of a signal that may be given as a length but is no height of the surface.
+pub(crate) fn is_named_after_signal(name: &str) -> bool {
+    let is_height = is_named_after_height(name);
+    let name = name.to_lowercase().replace([' ', '_', '-'], "");
+    const WORDS: [&str; 14] = [
+        "amplitude",
+        "current",
+        "deflection",
+        "error",
+        "friction",
+        "frequency",
+        "lateral",
+        "phase",
+        "potential",
+        "vibration",
+        "xaxis",
+        "xsens",
+        "yaxis",
+        "ysens",
+    ];
+    !is_height && WORDS.iter().any(|word| name.contains(word))
+}

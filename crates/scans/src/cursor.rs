@@ -84,6 +84,16 @@ impl<'b> Cursor<'b> {
         Ok(latin1(self.take(bytes, what)?))
     }
 
+    /// The bytes up to a zero byte, which is passed over.
+    pub(crate) fn zero_terminated(&mut self, what: &str) -> Result<&'b [u8], ScanReadError> {
+        let rest = self.rest();
+        let end = rest.iter().position(|&byte| byte == 0);
+        let end = end.ok_or_else(|| self.truncated(rest.len().saturating_add(1), what))?;
+        let text = self.take(end, what)?;
+        self.skip(1, what)?;
+        Ok(text)
+    }
+
     fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N], ScanReadError> {
         let found = self.rest().first_chunk().ok_or_else(|| self.truncated(N, what))?;
         self.at += N;

@@ -2,9 +2,13 @@
 
 #[cfg(feature = "container")]
 pub(crate) mod container;
+mod gwyddion;
+mod igor;
 mod nanoscope;
+mod nanosurf;
 mod netcdf;
 mod numpy;
+mod sections;
 mod text;
 #[cfg(feature = "x3p")]
 mod x3p;
@@ -25,7 +29,10 @@ pub(crate) struct Reader {
 
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
+    gwyddion::READER,
+    igor::READER,
     nanoscope::READER,
+    nanosurf::READER,
     netcdf::READER,
     numpy::READER,
     #[cfg(feature = "x3p")]

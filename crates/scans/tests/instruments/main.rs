@@ -10,6 +10,9 @@ mod packed;
 mod text;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
+mod gwyddion;
+mod igor;
+mod nanosurf;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -20,6 +23,7 @@ pub struct Sample {
     /// A name of its own among those of the format.
     pub name: &'static str,
     /// Its content.
+    /// The file.
     pub bytes: Vec<u8>,
 }
 
@@ -29,6 +33,10 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Numpy, numpy::samples()),
         (ScanFormat::Text, text::samples()),
+    vec![
+        (ScanFormat::Gwyddion, gwyddion::samples()),
+        (ScanFormat::Igor, igor::samples()),
+        (ScanFormat::Nanosurf, nanosurf::samples()),
     ]
 }
 

@@ -1,0 +1,154 @@
+//! Files of Gwyddion, as its user guide describes them: a container of objects under keys such as `/0/data`.
+//!
+//! Images are read, with their titles and masks; graphs, volume data, spectra and clouds of points are not.
+
+mod field;
+mod mask;
+mod object;
+
+use std::collections::BTreeMap;
+
+use crate::channel::{Channel, Lateral, Quantity, Samples, is_named_after_height, is_named_after_signal};
+use crate::error::{Place, ScanReadError};
+use crate::options::ScanOptions;
+use crate::raster::GapMark;
+use crate::readers::Reader;
+use field::Field;
+use mask::Mask;
+use object::{FORMAT, Object, Value};
+use units::LengthUnit;
+
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+const MARK: &[u8] = b"GWYP";
+/// That of versions before 2.0.
+const OLD_MARK: &[u8] = b"GWYO";
+
+fn recognises(bytes: &[u8]) -> bool {
+    [MARK, OLD_MARK]
+        .iter()
+        .any(|mark| bytes.strip_prefix(*mark).is_some_and(|rest| rest.starts_with(b"GwyContainer\0")))
+}
+
+/// What a file holds under one number.
+#[derive(Default)]
+struct Entry<'b> {
+    data: Option<Object<'b>>,
+    mask: Option<Object<'b>>,
+    title: Option<String>,
+    meta: Option<Object<'b>>,
+}
+
+/// The images in the order of their numbers.
+fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let mut entries: BTreeMap<u32, Entry> = BTreeMap::new();
+    for component in Object::of_file(bytes)?.components() {
+        let component = component?;
+        let Some((number, key)) = numbered(component.name) else { continue };
+        let entry = entries.entry(number).or_default();
+        match (key, component.value) {
+            (b"data", Value::Object(object)) => entry.data = Some(object),
+            (b"mask", Value::Object(object)) => entry.mask = Some(object),
+            (b"data/title", Value::Text(text)) => {
+                entry.title = Some(String::from_utf8_lossy(text).trim().to_owned())
+            }
+            (b"meta", Value::Object(object)) => entry.meta = Some(object),
+            _ => {}
+        }
+    }
+    let channels: Vec<_> = entries
+        .into_iter()
+        .filter_map(|(number, entry)| entry.data.map(|data| channel(number, data, &entry, bytes)))
+        .collect();
+    if channels.is_empty() {
+        return Err(ScanReadError::Unsupported {
+            format: FORMAT,
+            place: Place::File,
+            found: "a file without any image, such as one of graphs or volume data".to_owned(),
+            mend: "save an image of heights",
+        });
+    }
+    Ok(channels)
+}
+
+/// The number in a key, and what follows it: `/0/data/title`.
+fn numbered(key: &[u8]) -> Option<(u32, &[u8])> {
+    let key = key.strip_prefix(b"/")?;
+    let slash = key.iter().position(|&byte| byte == b'/')?;
+    let number = key.get(..slash)?;
+    let number =
+        if number.iter().all(u8::is_ascii_digit) { std::str::from_utf8(number).ok()? } else { return None };
+    Some((number.parse().ok()?, key.get(slash + 1..)?))
+}
+
+fn channel<'b>(number: u32, data: Object<'b>, entry: &Entry<'b>, bytes: &'b [u8]) -> Channel<'b> {
+    let key = format!("/{number}/data");
+    let name = entry.title.clone();
+    let free_text = entry.meta.map(free_text).unwrap_or_default();
+    let channel = match read(data, &key, entry, bytes) {
+        Ok((field, gap, notes)) => {
+            let quantity = quantity(&field, name.as_deref().unwrap_or_default());
+            let lateral = field.lateral();
+            let samples = Samples::Raster(crate::raster::Raster { gap, ..field.raster });
+            Channel { notes, ..Channel::new(name, quantity, lateral, samples) }
+        }
+        Err(error) => {
+            let quantity = Quantity::Heights(Some(LengthUnit::METRE));
+            Channel::new(name, quantity, Lateral::Unknown, Samples::Unreadable(Box::new(error)))
+        }
+    };
+    Channel { free_text, ..channel }
+}
+
+/// The image, which of its points are gaps, and what is to be said of it.
+fn read<'b>(
+    data: Object<'b>,
+    key: &str,
+    entry: &Entry<'b>,
+    bytes: &'b [u8],
+) -> Result<(Field<'b>, GapMark<'b>, Vec<String>), ScanReadError> {
+    let field = Field::read(data, key, bytes)?;
+    let Some(mask) = entry.mask else { return Ok((field, GapMark::None, Vec::new())) };
+    let mask = Field::read(mask, &key.replace("data", "mask"), bytes)?;
+    let (gap, note) = match Mask::read(&mask.raster, &field.raster)? {
+        Mask::Void => (GapMark::None, None),
+        Mask::Gaps { flags, count } => {
+            let note = format!(
+                "{count} points under the mask of the file all hold one filled-in value: they count as points without a height"
+            );
+            (GapMark::Flagged(flags.into()), Some(note))
+        }
+        Mask::Marks { count } => {
+            let note =
+                format!("{count} points are marked by the mask of the file; they have heights, which count");
+            (GapMark::None, Some(note))
+        }
+    };
+    Ok((field, gap, note.into_iter().collect()))
+}
+
+/// What an image measures. Images from elsewhere may have no units at all: then they may be heights.
+fn quantity(field: &Field, name: &str) -> Quantity {
+    match LengthUnit::parse(&field.value_unit) {
+        Some(unit) if is_named_after_signal(name) => Quantity::OtherLength(unit),
+        Some(unit) => Quantity::Heights(Some(unit)),
+        None if field.value_unit.is_empty() && (is_named_after_height(name) || !field.has_lateral_unit()) => {
+            Quantity::Heights(None)
+        }
+        None => Quantity::Other(field.value_unit.clone()),
+    }
+}
+
+/// The entries of the metadata, a line each; what is damaged there ends them.
+fn free_text(meta: Object) -> String {
+    let mut text = String::new();
+    for component in meta.components().map_while(Result::ok) {
+        if let Value::Text(value) = component.value
+            && !value.is_empty()
+        {
+            text +=
+                &format!("{}: {}\n", String::from_utf8_lossy(component.name), String::from_utf8_lossy(value));
+        }
+    }
+    text
+}

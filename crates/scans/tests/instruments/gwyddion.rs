@@ -1,0 +1,203 @@
+//! Files of Gwyddion.
+
+use scans::{Measure, ScanFormat};
+
+use super::bytes::Bytes;
+use super::{Sample, assert_holds, channels, heights};
+
+/// A component: its name, the letter of its type, its value.
+fn component(name: &str, letter: u8, value: impl AsRef<[u8]>) -> Vec<u8> {
+    Bytes::default().put(name).zeros(1).put([letter]).put(value).0.clone()
+}
+
+fn object(class: &str, components: &[Vec<u8>]) -> Vec<u8> {
+    let body = components.concat();
+    Bytes::default().put(class).zeros(1).put((body.len() as u32).to_le_bytes()).put(body).0.clone()
+}
+
+fn integer(name: &str, value: i32) -> Vec<u8> {
+    component(name, b'i', value.to_le_bytes())
+}
+
+fn real(name: &str, value: f64) -> Vec<u8> {
+    component(name, b'd', value.to_le_bytes())
+}
+
+fn text(name: &str, value: &str) -> Vec<u8> {
+    component(name, b's', [value.as_bytes(), b"\0"].concat())
+}
+
+fn reals(name: &str, values: &[f64]) -> Vec<u8> {
+    let numbers: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+    component(name, b'D', [&(values.len() as u32).to_le_bytes()[..], &numbers].concat())
+}
+
+fn unit(name: &str, unit: &str) -> Vec<u8> {
+    component(name, b'o', object("GwySIUnit", &[text("unitstr", unit)]))
+}
+
+/// An image of 3 x 2 points.
+fn field(lateral: &str, value: &str, values: &[f64]) -> Vec<u8> {
+    let parts = [
+        integer("xres", 3),
+        integer("yres", 2),
+        real("xreal", 3.0),
+        real("yreal", -1.0),
+        real("xoff", 7.0),
+        unit("si_unit_xy", lateral),
+        unit("si_unit_z", value),
+        reals("data", values),
+    ];
+    object("GwyDataField", &parts)
+}
+
+const VALUES: [f64; 6] = [1.0, 2.0, 3.0, 4.0, 5.0, 3.0];
+
+/// Every type of component, and three images.
+fn whole() -> Vec<u8> {
+    let meta = object("GwyContainer", &[text("Comment", "tip radius 8 nm"), text("Empty", "")]);
+    let brick = object("GwyBrick", &[]);
+    let names = Bytes::default().put(2u32.to_le_bytes()).put(b"one\0two\0").0.clone();
+    let objects = Bytes::default().put(1u32.to_le_bytes()).put(object("GwySelection", &[])).0.clone();
+    let parts = [
+        component("/0/base/visible", b'b', [1]),
+        component("/0/letter", b'c', b"x"),
+        component("/0/number", b'q', 7u64.to_le_bytes()),
+        component("/1/data", b'o', field("m", "V", &VALUES)),
+        text("/1/data/title", "Phase"),
+        component("/0/data", b'o', field("um", "nm", &VALUES)),
+        text("/0/data/title", "Height µ"),
+        component("/0/meta", b'o', meta),
+        component("/2/data", b'o', field("", "", &VALUES)),
+        component("/3/data", b'o', field("m", "m", &VALUES)),
+        text("/3/data/title", "Amplitude"),
+        component("/brick/0", b'o', brick),
+        component("/0/names", b'S', names),
+        component("/0/objects", b'O', objects),
+        component("/0/letters", b'C', [2, 0, 0, 0, 1, 2]),
+        component("/0/integers", b'I', [1, 0, 0, 0, 1, 2, 3, 4]),
+        component("/0/longs", b'Q', [0; 4]),
+    ];
+    [b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()
+}
+
+/// The container of version 1, whose types come first and are numbers.
+fn old() -> Vec<u8> {
+    let mut body = Bytes::default();
+    body.put(80u32.to_le_bytes()).put(b"/0/data\0").put(field("m", "m", &VALUES));
+    body.put(64u32.to_le_bytes()).put(b"/0/data/title\0").put(b"Old\0");
+    body.put(20u32.to_le_bytes()).put(b"/0/flag\0").put([1]);
+    let size = (body.0.len() as u32).to_le_bytes();
+    Bytes::default().put(b"GWYOGwyContainer\0").put(size).put(&body.0).0.clone()
+}
+
+fn masked(values: &[f64], mask: &[f64]) -> Vec<u8> {
+    let parts = [
+        component("/0/data", b'o', field("m", "m", values)),
+        component("/0/mask", b'o', field("m", "", mask)),
+    ];
+    [b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()
+}
+
+pub fn samples() -> Vec<Sample> {
+    vec![
+        Sample { name: "four images", bytes: whole() },
+        Sample { name: "version 1", bytes: old() },
+        Sample { name: "masked", bytes: masked(&VALUES, &[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]) },
+    ]
+}
+
+#[test]
+fn images_are_read_with_their_units_titles_and_comments() {
+    let all = channels(&whole(), true);
+    let names: Vec<_> =
+        all.iter().map(|channel| channel.as_ref().ok().and_then(|file| file.channel.clone())).collect();
+    assert_eq!(
+        names,
+        [Some("Height µ".to_owned()), Some("Phase".to_owned()), None, Some("Amplitude".to_owned())]
+    );
+    let first = all[0].as_ref().unwrap();
+    let expected: Vec<_> = VALUES.iter().map(|value| Some(value * 1e-9)).collect();
+    assert_holds(&first.scan, (3e-6, Some(1e-6)), &expected, 1e-24);
+    assert_eq!(first.format, ScanFormat::Gwyddion);
+    assert_eq!(first.free_text, "Comment: tip radius 8 nm\n");
+    assert_eq!(all[1].as_ref().unwrap().measure, Measure::Other("V".to_owned()));
+    assert_eq!(all[3].as_ref().unwrap().measure, Measure::Length);
+    // Without any unit the size must be given.
+    assert!(all[2].as_ref().unwrap_err().to_string().contains("does not say the unit of heights"));
+}
+
+#[test]
+fn containers_of_version_1_are_read() {
+    let found = heights(&old());
+    assert_eq!(found[0].channel.as_deref(), Some("Old"));
+    assert_holds(&found[0].scan, (3.0, Some(1.0)), &VALUES.map(Some), 0.0);
+}
+
+#[test]
+fn a_mask_over_filled_in_points_makes_gaps() {
+    let filled = [1.0, 2.5, 3.0, 2.5, 5.0, 0.5];
+    let found = heights(&masked(&filled, &[0.0, 1.0, 0.0, 0.7, 0.5, 0.0]));
+    let expected = [Some(1.0), None, Some(3.0), None, Some(5.0), Some(0.5)];
+    assert_holds(&found[0].scan, (3.0, Some(1.0)), &expected, 0.0);
+    assert_eq!(
+        found[0].notes,
+        [
+            "2 points under the mask of the file all hold one filled-in value: they count as points without a height"
+        ]
+    );
+    let zeros = heights(&masked(&[0.0, 0.0, 1.0, 2.0, 3.0, 0.0], &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0]));
+    assert_eq!(zeros[0].scan.gaps().count(), 1);
+}
+
+#[test]
+fn a_mask_over_other_points_is_told_and_changes_nothing() {
+    for mask in [[1.0, 1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]] {
+        let found = heights(&masked(&VALUES, &mask));
+        assert!(found[0].scan.gaps().is_empty());
+        let count = mask.iter().filter(|cover| **cover > 0.5).count();
+        assert_eq!(
+            found[0].notes,
+            [format!("{count} points are marked by the mask of the file; they have heights, which count")]
+        );
+    }
+    assert!(heights(&masked(&VALUES, &[0.0; 6]))[0].notes.is_empty());
+}
+
+#[test]
+fn values_that_are_not_finite_are_gaps() {
+    let values = [1.0, f64::NAN, 3.0, 4.0, f64::INFINITY, 6.0];
+    let found = heights(&masked(&values, &[0.0; 6]));
+    assert_eq!(found[0].scan.gaps().indices().collect::<Vec<_>>(), [1, 4]);
+}
+
+#[test]
+fn what_is_damaged_is_refused_with_its_place() {
+    let message = |bytes: &[u8]| {
+        scans::read_scans(bytes, "scan", &scans::ScanOptions::default()).unwrap_err().to_string()
+    };
+    let file = |parts: &[Vec<u8>]| [b"GWYP".to_vec(), object("GwyContainer", parts)].concat();
+    let short = component("/0/data", b'o', field("m", "m", &VALUES[1..]));
+    assert_eq!(
+        message(&file(&[short])),
+        "reading Gwyddion, /0/data: 'data' is an array of 5 values, it must be an array of the 3 x 2 values of 'xres' and \
+         'yres'; the file is damaged: save it again from Gwyddion"
+    );
+    let empty = component("/0/data", b'o', object("GwyDataField", &[]));
+    assert_eq!(
+        message(&file(&[empty])),
+        "reading Gwyddion, /0/data: there is no component 'xres'; the file is damaged: save it again from Gwyddion"
+    );
+    let negative = component("/0/data", b'o', object("GwyDataField", &[integer("xres", -3)]));
+    assert!(message(&file(&[negative])).contains("'xres' is -3, it must be a whole number above 0"));
+    let unknown = component("name", b'?', []);
+    assert_eq!(
+        message(&file(&[unknown])),
+        "reading Gwyddion, byte 26: the type of a component is '?', it must be one of the letters b, c, i, q, d, s, o, C, I, \
+         Q, D, S, O; the file is damaged: save it again from Gwyddion"
+    );
+    assert!(message(&file(&[])).contains("a file without any image"));
+    let mut cut = whole();
+    cut.truncate(500);
+    assert!(message(&cut).contains("byte 21: the object 'GwyContainer' takes"));
+}
