@@ -31,6 +31,8 @@ mod statistics;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container"))]
 mod archive;
+#[cfg(feature = "archives")]
+mod inflate;
 
 pub use channel::Axis;
 pub use error::{Mend, Place, ScanOption, ScanReadError};

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "container")]
 pub(crate) mod container;
+mod digital_surf;
 mod nanoscope;
 mod netcdf;
 mod text;
@@ -24,6 +25,7 @@ pub(crate) struct Reader {
 
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
+    digital_surf::READER,
     nanoscope::READER,
     netcdf::READER,
     #[cfg(feature = "x3p")]

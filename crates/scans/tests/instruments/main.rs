@@ -4,6 +4,7 @@
 //! start the fuzzer and the test that cuts and flips bytes.
 
 mod bytes;
+mod digital_surf;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
 
@@ -11,12 +12,15 @@ use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize
 pub struct Sample {
     /// A name of its own among those of the format.
     pub name: &'static str,
+    /// Its content.
     pub bytes: Vec<u8>,
 }
 
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
-    vec![]
+    vec![
+        (ScanFormat::DigitalSurf, digital_surf::samples()),
+    ]
 }
 
 /// The channels of heights of a file; each must be readable.
