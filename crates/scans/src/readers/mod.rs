@@ -6,6 +6,7 @@ mod digital_surf;
 mod nanoscope;
 mod netcdf;
 mod text;
+mod wyko;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -28,6 +29,7 @@ pub(crate) const READERS: &[Reader] = &[
     digital_surf::READER,
     nanoscope::READER,
     netcdf::READER,
+    wyko::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     text::READER,

@@ -5,6 +5,7 @@
 
 mod bytes;
 mod digital_surf;
+mod wyko;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
 
@@ -20,6 +21,7 @@ pub struct Sample {
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::Wyko, wyko::samples()),
     ]
 }
 
