@@ -6,6 +6,7 @@ mod digital_surf;
 mod nanoscope;
 mod netcdf;
 mod text;
+mod vision64;
 mod wyko;
 #[cfg(feature = "x3p")]
 mod x3p;
@@ -29,6 +30,7 @@ pub(crate) const READERS: &[Reader] = &[
     digital_surf::READER,
     nanoscope::READER,
     netcdf::READER,
+    vision64::READER,
     wyko::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,

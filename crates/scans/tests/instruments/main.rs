@@ -5,6 +5,7 @@
 
 mod bytes;
 mod digital_surf;
+mod vision64;
 mod wyko;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
@@ -21,6 +22,7 @@ pub struct Sample {
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Wyko, wyko::samples()),
     ]
 }
