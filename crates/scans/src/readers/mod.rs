@@ -5,6 +5,9 @@ pub(crate) mod container;
 mod digital_surf;
 mod nanoscope;
 mod netcdf;
+mod sensofar;
+#[cfg(feature = "archives")]
+mod sensofar_plux;
 mod text;
 mod vision64;
 mod wyko;
@@ -30,6 +33,9 @@ pub(crate) const READERS: &[Reader] = &[
     digital_surf::READER,
     nanoscope::READER,
     netcdf::READER,
+    sensofar::READER,
+    #[cfg(feature = "archives")]
+    sensofar_plux::READER,
     vision64::READER,
     wyko::READER,
     #[cfg(feature = "x3p")]

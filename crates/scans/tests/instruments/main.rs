@@ -5,6 +5,8 @@
 
 mod bytes;
 mod digital_surf;
+mod sensofar;
+mod sensofar_plux;
 mod vision64;
 mod wyko;
 
@@ -22,6 +24,8 @@ pub struct Sample {
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::Sensofar, sensofar::samples()),
+        (ScanFormat::SensofarPlux, sensofar_plux::samples()),
         (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Wyko, wyko::samples()),
     ]
