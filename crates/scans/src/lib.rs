@@ -33,6 +33,7 @@ mod statistics;
 mod archive;
 #[cfg(feature = "archives")]
 mod unpacked;
+mod inflate;
 
 pub use channel::Axis;
 pub use error::{Mend, Place, ScanOption, ScanReadError};

@@ -4,12 +4,18 @@
 pub(crate) mod container;
 mod gwyddion;
 mod igor;
+mod digital_surf;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
 mod numpy;
 mod sections;
+mod sensofar;
+#[cfg(feature = "archives")]
+mod sensofar_plux;
 mod text;
+mod vision64;
+mod wyko;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -31,10 +37,16 @@ pub(crate) struct Reader {
 pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
     igor::READER,
+    digital_surf::READER,
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
     numpy::READER,
+    sensofar::READER,
+    #[cfg(feature = "archives")]
+    sensofar_plux::READER,
+    vision64::READER,
+    wyko::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     text::READER,

@@ -13,6 +13,11 @@ pub mod zip_file;
 mod gwyddion;
 mod igor;
 mod nanosurf;
+mod digital_surf;
+mod sensofar;
+mod sensofar_plux;
+mod vision64;
+mod wyko;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -37,6 +42,12 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
+    vec![
+        (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::Sensofar, sensofar::samples()),
+        (ScanFormat::SensofarPlux, sensofar_plux::samples()),
+        (ScanFormat::Vision64, vision64::samples()),
+        (ScanFormat::Wyko, wyko::samples()),
     ]
 }
 

@@ -1,0 +1,152 @@
+//! Sensofar, PLu and S neox: `.plu` and `.apx`.
+//!
+//! A header of 500 bytes, then layers of floating-point numbers in µm, each before the pictures taken of it, little-endian,
+//! as the readers of Gwyddion and SurfaceTopography take them.
+
+use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::cursor::{ByteOrder, Cursor};
+use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
+use crate::metadata::Probe;
+use crate::options::ScanOptions;
+use crate::raster::{GapMark, NumberType, Raster};
+use crate::readers::Reader;
+use units::LengthUnit;
+
+const FORMAT: ScanFormat = ScanFormat::Sensofar;
+const HEADER_BYTES: usize = 500;
+/// Points without a height hold this number.
+const GAP: f64 = 1_000_001.0;
+
+const DAYS: [&[u8]; 7] = [b"Mon", b"Tue", b"Wed", b"Thu", b"Fri", b"Sat", b"Sun"];
+const MONTHS: [&[u8]; 12] =
+    [b"Jan", b"Feb", b"Mar", b"Apr", b"May", b"Jun", b"Jul", b"Aug", b"Sep", b"Oct", b"Nov", b"Dec"];
+
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+/// A file has no signature, but begins with a time such as `Fri Mar 10 16:35:59 2023`, filled up with zero bytes.
+fn recognises(bytes: &[u8]) -> bool {
+    let Some(time) = bytes.get(..128).filter(|_| bytes.len() > HEADER_BYTES) else { return false };
+    let is_time = DAYS.contains(&&time[..3])
+        && MONTHS.contains(&&time[4..7])
+        && [3, 7, 10, 19].iter().all(|&at| time[at] == b' ')
+        && [13, 16].iter().all(|&at| time[at] == b':')
+        && [9, 11, 12, 14, 15, 17, 18, 20, 21, 22, 23].iter().all(|&at| time[at].is_ascii_digit());
+    is_time && matches!(time[24..], [0, ..] | [b'\n', 0, ..])
+}
+
+/// What is measured.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Image,
+    Profile,
+    /// Rows at a distance of their own.
+    Profiles,
+    Topography,
+    Thickness,
+}
+
+struct Header {
+    comment: String,
+    kind: Kind,
+    /// Distances in µm of columns and rows.
+    spacings: [f32; 2],
+    /// Distance in µm of the rows of several profiles.
+    profile_spacing: f32,
+    layers: usize,
+    pictures: usize,
+}
+
+fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let mut cursor = Cursor::new(FORMAT, bytes, ByteOrder::Little);
+    let header = header(&mut cursor)?;
+    let mut channels = Vec::new();
+    for layer in 0..header.layers {
+        // A file may hold fewer layers than it announces; what is there is read.
+        if layer > 0 && cursor.rest().is_empty() {
+            break;
+        }
+        channels.push(channel(&mut cursor, &header, layer)?);
+    }
+    Ok(channels)
+}
+
+fn header(cursor: &mut Cursor) -> Result<Header, ScanReadError> {
+    cursor.skip(132, "the time of the measurement")?;
+    let comment = cursor.text(256, "the comment")?;
+    cursor.skip(12, "the numbers of points")?;
+    let profile_spacing = cursor.f32("the distance of profiles")?;
+    let spacings = [cursor.f32("the distance of columns")?, cursor.f32("the distance of rows")?];
+    cursor.skip(16, "the offsets")?;
+    let kind = kind(cursor)?;
+    cursor.skip(57, "the settings of the scan")?;
+    let layers = usize::from(cursor.u8("the number of layers")?);
+    cursor.skip(2, "the version")?;
+    let pictures = usize::from(cursor.u8("the number of pictures")?);
+    cursor.skip(7, "the rest of the header")?;
+    let comment = if comment == "(None)" { String::new() } else { comment };
+    Ok(Header { comment, kind, spacings, profile_spacing, layers: layers.max(1), pictures })
+}
+
+fn kind(cursor: &mut Cursor) -> Result<Kind, ScanReadError> {
+    let offset = cursor.offset();
+    match cursor.u32("the type of the measurement")? {
+        0 => Ok(Kind::Image),
+        1 => Ok(Kind::Profile),
+        2 => Ok(Kind::Profiles),
+        3 => Ok(Kind::Topography),
+        5 => Ok(Kind::Thickness),
+        other => Err(ScanReadError::Unsupported {
+            format: FORMAT,
+            place: Place::Byte(offset as u64),
+            found: format!("a measurement of type {other}"),
+            mend: "export a topography or a profile",
+        }),
+    }
+}
+
+/// The layer at the cursor, which moves on to the next.
+fn channel<'b>(cursor: &mut Cursor<'b>, header: &Header, layer: usize) -> Result<Channel<'b>, ScanReadError> {
+    let rows = cursor.count("the number of rows")?;
+    let columns = cursor.count("the number of columns")?;
+    let bytes = cursor.rest();
+    let raster = Raster::new(NumberType::F32, columns, rows, bytes, cursor.offset());
+    let raster = Raster { gap: GapMark::Equal(GAP), ..raster };
+    let points = columns.checked_mul(rows);
+    // The extreme values follow, then three bytes a point of each picture.
+    let size = points.and_then(|points| points.checked_mul(4 + 3 * header.pictures)?.checked_add(8));
+    *cursor = cursor.at(cursor.offset().saturating_add(size.unwrap_or(usize::MAX)));
+    let quantity = match header.kind {
+        Kind::Image => Quantity::Other(String::new()),
+        Kind::Thickness => Quantity::OtherLength(LengthUnit::MICROMETRE),
+        _ => Quantity::Heights(Some(LengthUnit::MICROMETRE)),
+    };
+    let mut notes = Vec::new();
+    let lateral = lateral(header, rows, &mut notes);
+    Ok(Channel {
+        probe: Some(Probe::Microscope),
+        free_text: header.comment.clone(),
+        notes,
+        ..Channel::new(Some(format!("layer{layer}")), quantity, lateral, Samples::Raster(raster))
+    })
+}
+
+fn lateral(header: &Header, rows: usize, notes: &mut Vec<String>) -> Lateral {
+    let in_m = |spacing: f32| {
+        let spacing_m = LengthUnit::MICROMETRE.to_m(f64::from(spacing.abs()));
+        (spacing_m.is_finite() && spacing_m > 0.0).then_some(spacing_m)
+    };
+    let [x_m, mut y_m] = header.spacings.map(in_m);
+    if header.kind == Kind::Profiles
+        && rows > 1
+        && let Some(own_m) = in_m(header.profile_spacing)
+    {
+        notes.push("the rows are profiles, taken to lie as far apart as their header says".to_owned());
+        y_m = Some(own_m);
+    }
+    match (x_m, y_m) {
+        (Some(x_m), _) if rows == 1 => Lateral::Spacing { x_m, y_m: None },
+        (Some(x_m), Some(_)) => Lateral::Spacing { x_m, y_m },
+        _ => Lateral::Unknown,
+    }
+}
