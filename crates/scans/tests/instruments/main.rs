@@ -4,20 +4,20 @@
 //! start the fuzzer and the test that cuts and flips bytes.
 
 mod bytes;
-mod numpy;
-#[cfg(feature = "archives")]
-mod packed;
-mod text;
-#[path = "../support/zip_file.rs"]
-pub mod zip_file;
+mod digital_surf;
 mod gwyddion;
 mod igor;
 mod nanosurf;
-mod digital_surf;
+mod numpy;
+#[cfg(feature = "archives")]
+mod packed;
 mod sensofar;
 mod sensofar_plux;
+mod text;
 mod vision64;
 mod wyko;
+#[path = "../support/zip_file.rs"]
+pub mod zip_file;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -28,24 +28,20 @@ pub struct Sample {
     /// A name of its own among those of the format.
     pub name: &'static str,
     /// Its content.
-    /// The file.
     pub bytes: Vec<u8>,
 }
 
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
-    vec![(ScanFormat::Text, text::samples())]
     vec![
-        (ScanFormat::Numpy, numpy::samples()),
-        (ScanFormat::Text, text::samples()),
-    vec![
+        (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
-    vec![
-        (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::Numpy, numpy::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
+        (ScanFormat::Text, text::samples()),
         (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Wyko, wyko::samples()),
     ]
