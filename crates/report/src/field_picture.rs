@@ -108,6 +108,7 @@ fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, [least, 
     let total = [left + width.max(0.6 * FRAME_PX) + MARGIN_PX, top + height + SCALE_PX + MARGIN_PX];
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" font-family=\"sans-serif\" font-size=\"13\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
          <text x=\"{left}\" y=\"{}\">{title}; {side} wide</text>\n\
          <rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"none\" stroke=\"black\"/>\n",
         total[0],

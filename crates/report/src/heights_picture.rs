@@ -45,9 +45,12 @@ fn map(name: &str, scan: &Measured, columns: usize, rows: usize) -> Option<Field
         across.clone().map(move |column| scan.height_m(row * columns + column).map_or(GAP, colour_of))
     });
     let (x_m, y_m) = scan.size_m();
-    let ends = [length(0.0), length(highest_m - lowest_m)];
-    let ends = [ends[0].as_str(), ends[1].as_str()];
-    Some(FieldPicture::new(name, [x_m, y_m.unwrap_or(x_m)], ends, across.len(), colours.collect()))
+    let title = match scan.gaps().count() {
+        0 => name.to_owned(),
+        count => format!("{name}; grey: {count} without a height"),
+    };
+    let ends = ["0", &length(highest_m - lowest_m)];
+    Some(FieldPicture::new(&title, [x_m, y_m.unwrap_or(x_m)], ends, across.len(), colours.collect()))
 }
 
 /// The heights in m that the first and the last colour stand for.

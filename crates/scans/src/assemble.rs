@@ -13,6 +13,7 @@ use crate::metadata::MeasurementMetadata;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::scan_size::ScanSize;
+use units::LengthUnit;
 
 /// How far the size in the metadata may lie from that of the file before a note says so.
 const SIZE_AGREEMENT: f64 = 1e-4;
@@ -58,8 +59,10 @@ pub(crate) fn assembled(
 ) -> Result<ScanFile, ScanReadError> {
     let measure = channel.measure();
     let Channel { quantity, lateral, samples, units, mut notes, .. } = channel;
-    let height_to_m: Box<dyn Fn(f64) -> f64> = match (units, &quantity) {
-        (UnitsBy::Asker, _) => Box::new(Units::of(options, None, None, &mut notes).height_to_m(format)?),
+    let height_to_m: Option<Box<dyn Fn(f64) -> f64>> = match (units, &quantity) {
+        (UnitsBy::Asker, _) => {
+            Some(Box::new(Units::of(options, None, None, &mut notes).height_to_m(format)?))
+        }
         (UnitsBy::Format, _) => {
             refuse_unit(format, options)?;
             notes.extend(own_scale_note(options));
@@ -68,7 +71,9 @@ pub(crate) fn assembled(
         (UnitsBy::Reader, _) => to_m(&quantity),
     };
     let (columns, mut decoded) = samples.decode(format)?;
-    decoded.values.iter_mut().for_each(|value| *value = height_to_m(*value));
+    if let Some(height_to_m) = height_to_m {
+        decoded.values.iter_mut().for_each(|value| *value = height_to_m(*value));
+    }
     let scan = scan(format, columns, decoded, lateral, options, &mut notes)?;
     let metadata = options.metadata.as_ref();
     if options.size.is_none() {
@@ -95,13 +100,13 @@ pub(crate) fn assembled(
     })
 }
 
-fn to_m(quantity: &Quantity) -> Box<dyn Fn(f64) -> f64> {
-    match quantity {
-        Quantity::Heights(Some(unit)) | Quantity::OtherLength(unit) => {
-            let unit = *unit;
-            Box::new(move |value| unit.to_m(value))
+/// What makes values lengths in m; nothing where they are, or are no lengths.
+fn to_m(quantity: &Quantity) -> Option<Box<dyn Fn(f64) -> f64>> {
+    match *quantity {
+        Quantity::Heights(Some(unit)) | Quantity::OtherLength(unit) if unit != LengthUnit::METRE => {
+            Some(Box::new(move |value| unit.to_m(value)))
         }
-        Quantity::Heights(None) | Quantity::Other(_) => Box::new(|value| value),
+        _ => None,
     }
 }
 

@@ -31,9 +31,9 @@ mod statistics;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container"))]
 mod archive;
+mod inflate;
 #[cfg(feature = "archives")]
 mod unpacked;
-mod inflate;
 
 pub use channel::Axis;
 pub use error::{Mend, Place, ScanOption, ScanReadError};

@@ -211,39 +211,77 @@ impl<'b> Raster<'b> {
         })
     }
 
-    fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64) -> Decoded {
+    fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64 + Copy) -> Decoded {
         let (_, run) = self.runs();
         let stride = self.stride.unwrap_or(run * N).max(run * N);
         let mut decoded =
             Decoded { values: Vec::with_capacity(self.columns * self.rows), gaps: Gaps::default() };
-        let mut take = |index: usize, bytes: &[u8]| {
-            let raw = bytes.first_chunk().map_or(f64::NAN, |bytes| number(*bytes));
-            let is_gap = match &self.gap {
-                GapMark::None => false,
-                GapMark::Equal(mark) => raw == *mark,
-                GapMark::AtLeast(mark) => raw >= *mark,
-                GapMark::AtMost(mark) => raw <= *mark,
-                GapMark::Flagged(flags) => flags[index] != 0,
-            };
-            decoded.push((!is_gap).then(|| raw * self.scale + self.zero));
-        };
         for row in 0..self.rows {
+            let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
+            let stored = if is_from_top { row } else { self.rows - 1 - row };
             match self.order {
                 Order::RowsFromTop | Order::RowsFromBottom => {
-                    let stored = if self.order == Order::RowsFromTop { row } else { self.rows - 1 - row };
-                    let bytes = &self.bytes[stored * stride..][..run * N];
-                    let first = stored * run;
-                    bytes.chunks_exact(N).enumerate().for_each(|(at, bytes)| take(first + at, bytes));
+                    let (numbers, _) = self.bytes[stored * stride..][..run * N].as_chunks();
+                    self.decode_row(
+                        numbers.iter().map(|bytes| number(*bytes)),
+                        stored * run,
+                        1,
+                        &mut decoded,
+                    );
                 }
                 Order::ColumnsFromTop | Order::ColumnsFromBottom => {
-                    let stored = if self.order == Order::ColumnsFromTop { row } else { self.rows - 1 - row };
-                    (0..self.columns).for_each(|column| {
-                        take(column * run + stored, &self.bytes[column * stride + stored * N..]);
-                    });
+                    let at = |column: usize| self.bytes[column * stride + stored * N..].first_chunk();
+                    let numbers =
+                        (0..self.columns).map(|column| at(column).map_or(f64::NAN, |bytes| number(*bytes)));
+                    self.decode_row(numbers, stored, run, &mut decoded);
                 }
             }
         }
         decoded
+    }
+
+    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values come
+    /// first and gaps after them, so that rows without any, the rule, are decoded many points at a time.
+    fn decode_row(
+        &self,
+        numbers: impl Iterator<Item = f64> + Clone,
+        first: usize,
+        step: usize,
+        decoded: &mut Decoded,
+    ) {
+        let start = decoded.values.len();
+        let (scale, zero) = (self.scale, self.zero);
+        decoded.values.extend(numbers.clone().map(|number| number * scale + zero));
+        let mut mark = |is_gap: &dyn Fn(usize, f64) -> bool| {
+            for (at, number) in numbers.clone().enumerate() {
+                if is_gap(at, number) {
+                    decoded.gaps.insert(start + at);
+                    decoded.values[start + at] = 0.0;
+                }
+            }
+        };
+        match &self.gap {
+            GapMark::None => {}
+            GapMark::Equal(value) if numbers.clone().any(|number| number == *value) => {
+                mark(&|_, number| number == *value);
+            }
+            GapMark::AtLeast(least) if numbers.clone().any(|number| number >= *least) => {
+                mark(&|_, number| number >= *least);
+            }
+            GapMark::AtMost(most) if numbers.clone().any(|number| number <= *most) => {
+                mark(&|_, number| number <= *most);
+            }
+            GapMark::Equal(_) | GapMark::AtLeast(_) | GapMark::AtMost(_) => {}
+            GapMark::Flagged(flags) => mark(&|at, _| flags[first + at * step] != 0),
+        }
+        if !decoded.values[start..].iter().all(|value| value.is_finite()) {
+            for index in start..decoded.values.len() {
+                if !decoded.values[index].is_finite() {
+                    decoded.gaps.insert(index);
+                    decoded.values[index] = 0.0;
+                }
+            }
+        }
     }
 }
 

@@ -2,9 +2,9 @@
 
 #[cfg(feature = "container")]
 pub(crate) mod container;
+mod digital_surf;
 mod gwyddion;
 mod igor;
-mod digital_surf;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
