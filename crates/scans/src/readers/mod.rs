@@ -2,10 +2,15 @@
 
 #[cfg(feature = "container")]
 pub(crate) mod container;
+mod frt;
+mod keyence;
+mod nanofocus;
 mod nanoscope;
 mod netcdf;
 mod numpy;
+mod sdf;
 mod text;
+mod truemap;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -25,11 +30,17 @@ pub(crate) struct Reader {
 
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
+    frt::READER,
+    keyence::READER,
     nanoscope::READER,
     netcdf::READER,
     numpy::READER,
+    sdf::READER,
+    truemap::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
+    // It has no name of its own, and no text is taken for it.
+    nanofocus::READER,
     text::READER,
 ];
 

@@ -4,10 +4,15 @@
 //! start the fuzzer and the test that cuts and flips bytes.
 
 mod bytes;
+mod frt;
+mod keyence;
+mod nanofocus;
 mod numpy;
 #[cfg(feature = "archives")]
 mod packed;
+mod sdf;
 mod text;
+mod truemap;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
 
@@ -24,8 +29,13 @@ pub struct Sample {
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
+        (ScanFormat::Frt, frt::samples()),
+        (ScanFormat::Keyence, keyence::samples()),
+        (ScanFormat::NanoFocus, nanofocus::samples()),
         (ScanFormat::Numpy, numpy::samples()),
+        (ScanFormat::Sdf, sdf::samples()),
         (ScanFormat::Text, text::samples()),
+        (ScanFormat::TrueMap, truemap::samples()),
     ]
 }
 
