@@ -11,6 +11,8 @@ mod numpy;
 mod sdf;
 mod text;
 mod truemap;
+#[cfg(feature = "workbook")]
+mod workbook;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -37,6 +39,8 @@ pub(crate) const READERS: &[Reader] = &[
     numpy::READER,
     sdf::READER,
     truemap::READER,
+    #[cfg(feature = "workbook")]
+    workbook::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     // It has no name of its own, and no text is taken for it.

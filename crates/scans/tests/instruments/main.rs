@@ -13,6 +13,7 @@ mod packed;
 mod sdf;
 mod text;
 mod truemap;
+mod workbook;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
 
@@ -36,6 +37,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Sdf, sdf::samples()),
         (ScanFormat::Text, text::samples()),
         (ScanFormat::TrueMap, truemap::samples()),
+        (ScanFormat::Workbook, workbook::samples()),
     ]
 }
 
