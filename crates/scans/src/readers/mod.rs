@@ -2,6 +2,7 @@
 
 #[cfg(feature = "container")]
 pub(crate) mod container;
+mod even_axis;
 mod frt;
 mod keyence;
 mod nanofocus;

@@ -17,7 +17,7 @@ use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
-use crate::readers::text::even_spacing;
+use crate::readers::even_axis::even_spacing;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Workbook;

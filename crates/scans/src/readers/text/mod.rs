@@ -14,8 +14,6 @@ use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
 use columns::Columns;
-#[cfg(feature = "workbook")]
-pub(super) use profile::even_spacing;
 use header::Header;
 use profile::Roles;
 use style::FORMAT;
