@@ -14,6 +14,7 @@ mod sdf;
 mod text;
 mod truemap;
 mod workbook;
+mod x3p;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
 
@@ -38,6 +39,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Text, text::samples()),
         (ScanFormat::TrueMap, truemap::samples()),
         (ScanFormat::Workbook, workbook::samples()),
+        (ScanFormat::X3p, x3p::samples()),
     ]
 }
 
