@@ -139,6 +139,30 @@ impl<'b> Channel<'b> {
     pub(crate) fn is_heights(&self) -> bool {
         matches!(self.quantity, Quantity::Heights(_))
     }
+
+    /// The same with bytes of its own, of files that are unpacked to be read.
+    #[cfg(feature = "archives")]
+    pub(crate) fn into_owned<'o>(self) -> Channel<'o> {
+        let samples = match self.samples {
+            Samples::Raster(raster) => Samples::Raster(raster.into_owned()),
+            Samples::Decoded { columns, decoded } => Samples::Decoded { columns, decoded },
+            Samples::Unreadable(error) => Samples::Unreadable(error),
+        };
+        Channel {
+            name: self.name,
+            quantity: self.quantity,
+            lateral: self.lateral,
+            samples,
+            units: self.units,
+            fast_axis: self.fast_axis,
+            is_periodic: self.is_periodic,
+            probe: self.probe,
+            tip_radius_m: self.tip_radius_m,
+            resolution_m: self.resolution_m,
+            free_text: self.free_text,
+            notes: self.notes,
+        }
+    }
 }
 
 impl Samples<'_> {

@@ -29,7 +29,7 @@ mod readers;
 mod scan_size;
 mod statistics;
 
-#[cfg(any(feature = "archives", feature = "x3p", feature = "container"))]
+#[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]
 mod archive;
 mod inflate;
 #[cfg(feature = "archives")]

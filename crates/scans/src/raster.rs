@@ -146,6 +146,30 @@ impl<'b> Raster<'b> {
         Self::new(number, columns, rows, file.get(offset..).unwrap_or_default(), offset)
     }
 
+    /// The same with bytes of its own.
+    #[cfg(feature = "archives")]
+    pub(crate) fn into_owned<'o>(self) -> Raster<'o> {
+        Raster {
+            columns: self.columns,
+            rows: self.rows,
+            number: self.number,
+            byte_order: self.byte_order,
+            order: self.order,
+            bytes: Cow::Owned(self.bytes.into_owned()),
+            offset: self.offset,
+            stride: self.stride,
+            scale: self.scale,
+            zero: self.zero,
+            gap: match self.gap {
+                GapMark::None => GapMark::None,
+                GapMark::Equal(mark) => GapMark::Equal(mark),
+                GapMark::AtLeast(mark) => GapMark::AtLeast(mark),
+                GapMark::AtMost(mark) => GapMark::AtMost(mark),
+                GapMark::Flagged(flags) => GapMark::Flagged(Cow::Owned(flags.into_owned())),
+            },
+        }
+    }
+
     /// Refuses numbers that are not all there, before any memory is set aside for them.
     pub(crate) fn check(&self, format: ScanFormat) -> Result<(), ScanReadError> {
         let points = self.columns.checked_mul(self.rows);

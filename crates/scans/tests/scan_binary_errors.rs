@@ -243,11 +243,12 @@ fn x3p_descriptions_that_lie() {
             .contains("MatrixDimension/SizeX: the text is '0', it must be a whole number")
     );
     assert!(with("<SizeZ>1<", "<SizeZ>2<").contains("it must be 1; export one layer"));
-    assert!(with("SUR", "PCL").contains("Record1/FeatureType: the feature type 'PCL' cannot be read"));
+    assert!(with("SUR", "PCL").contains("Record3: there is no element 'ListDimension'"));
     assert!(
         with("<Increment>0.00000025<", "<Increment>0<")
             .contains("Axes/CX/Increment: the text is '0', it must be")
     );
+    assert!(with("SUR", "VOL").contains("Record1/FeatureType: the feature type 'VOL' cannot be read"));
     assert!(with("<DataType>D<", "<DataType>X<").contains("it must be I, L, F or D"));
     assert!(with("bindata/data.bin", "../data.bin").contains("the path '../data.bin' leads out of it"));
     assert!(with("</Record3>", "").starts_with("reading 'main.xml': "));

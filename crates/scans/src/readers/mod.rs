@@ -5,6 +5,10 @@ pub(crate) mod container;
 mod digital_surf;
 mod gwyddion;
 mod igor;
+mod even_axis;
+mod frt;
+mod keyence;
+mod nanofocus;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
@@ -16,6 +20,11 @@ mod sensofar_plux;
 mod text;
 mod vision64;
 mod wyko;
+mod sdf;
+mod text;
+mod truemap;
+#[cfg(feature = "workbook")]
+mod workbook;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -38,6 +47,8 @@ pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
     igor::READER,
     digital_surf::READER,
+    frt::READER,
+    keyence::READER,
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
@@ -47,8 +58,14 @@ pub(crate) const READERS: &[Reader] = &[
     sensofar_plux::READER,
     vision64::READER,
     wyko::READER,
+    sdf::READER,
+    truemap::READER,
+    #[cfg(feature = "workbook")]
+    workbook::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
+    // It has no name of its own, and no text is taken for it.
+    nanofocus::READER,
     text::READER,
 ];
 

@@ -12,6 +12,7 @@ use crate::readers::Reader;
 
 const FORMAT: ScanFormat = ScanFormat::Numpy;
 const MAGIC: &[u8] = b"\x93NUMPY";
+#[cfg(feature = "archives")]
 const SUFFIX: &str = ".npy";
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };

@@ -16,6 +16,17 @@ mod sensofar_plux;
 mod text;
 mod vision64;
 mod wyko;
+mod frt;
+mod keyence;
+mod nanofocus;
+mod numpy;
+#[cfg(feature = "archives")]
+mod packed;
+mod sdf;
+mod text;
+mod truemap;
+mod workbook;
+mod x3p;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
 
@@ -44,6 +55,15 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Text, text::samples()),
         (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Wyko, wyko::samples()),
+        (ScanFormat::Frt, frt::samples()),
+        (ScanFormat::Keyence, keyence::samples()),
+        (ScanFormat::NanoFocus, nanofocus::samples()),
+        (ScanFormat::Numpy, numpy::samples()),
+        (ScanFormat::Sdf, sdf::samples()),
+        (ScanFormat::Text, text::samples()),
+        (ScanFormat::TrueMap, truemap::samples()),
+        (ScanFormat::Workbook, workbook::samples()),
+        (ScanFormat::X3p, x3p::samples()),
     ]
 }
 

@@ -3,20 +3,13 @@
 use super::Found;
 use super::columns::Columns;
 use super::header::Header;
-use super::profile::even_spacing;
 use super::style::FORMAT;
 use crate::channel::Lateral;
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
-
-/// One axis of a grid.
-struct Axis {
-    first: f64,
-    spacing: f64,
-    count: usize,
-}
+use crate::readers::even_axis::{Axis, points_of_grid};
 
 /// A map with its rows in the order of rising y.
 pub(super) fn read(
@@ -33,63 +26,31 @@ pub(super) fn read(
         .length_to_m(FORMAT)?;
     columns.refuse_gaps(text, 0, 2)?;
     columns.refuse_gaps(text, 1, 2)?;
-    let x = Axis::find(text, columns, 0)?;
-    let y = Axis::find(text, columns, 1)?;
+    let x = axis(text, columns, 0)?;
+    let y = axis(text, columns, 1)?;
     let heights = fill(text, columns, &x, &y)?;
     let heights_m = heights.into_iter().map(|height| height.flatten().map(&height_to_m)).collect::<Decoded>();
     let lateral = Lateral::Spacing { x_m: x_to_m(x.spacing), y_m: Some(y_to_m(y.spacing)) };
     Ok(Found { columns: x.count, lateral, heights_m })
 }
 
-impl Axis {
-    fn find(text: &str, columns: &Columns, column: usize) -> Result<Self, ScanReadError> {
-        let rounding = columns.rounding(column);
-        let mut values: Vec<f64> = columns.measured(column).flatten().collect();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
-        let (Some(&first), Some(&last)) = (values.first(), values.last()) else {
-            return Err(ScanReadError::NoRows);
-        };
-        if values.len() == 1 {
-            // One column or row, which the map refuses with its own words.
-            return Ok(Self { first, spacing: 1.0, count: 1 });
-        }
-        if let Some(spacing) = even_spacing(&values, rounding) {
-            return Ok(Self { first, spacing, count: values.len() });
-        }
-        // Instruments print the same position with a last digit that varies. The first of a group stands for it, so
-        // that a creeping sequence of close values does not merge into one; groups must lie well apart.
-        let mut groups = values.clone();
-        groups.dedup_by(|value, group| *value - *group <= 2.0 * rounding);
-        if let Some(spacing) = even_spacing(&groups, 3.0 * rounding)
-            && spacing > 8.0 * rounding
-        {
-            return Ok(Self { first, spacing, count: groups.len() });
-        }
-        let count = values.len();
-        let axis = Self { first, spacing: (last - first) / (count - 1) as f64, count };
-        let off = |value: f64| (value - axis.position(axis.index(value))).abs();
-        let known = |(row, value): (usize, Option<f64>)| Some((row, value?));
-        let (row, position) = (columns.measured(column).enumerate().filter_map(known))
-            .reduce(|worst, next| if off(next.1) > off(worst.1) { next } else { worst })
-            .unwrap_or((0, first));
-        let (line, axis) = (columns.line_of_row(text, row), if column == 0 { 'x' } else { 'y' });
-        Err(ScanReadError::NotAGrid { line, axis, position, count, first, last })
+/// The axis of a column of positions; the error tells which lies farthest off an even one.
+fn axis(text: &str, columns: &Columns, column: usize) -> Result<Axis, ScanReadError> {
+    let values: Vec<f64> = columns.measured(column).flatten().collect();
+    let rounding = columns.rounding(column);
+    if let Some(axis) = Axis::of(values.clone(), rounding) {
+        return Ok(axis);
     }
-
-    fn index(&self, position: f64) -> usize {
-        // A saturating conversion; the bound holds for positions between the first and the last.
-        (((position - self.first) / self.spacing).round() as usize).min(self.count - 1)
-    }
-
-    fn position(&self, index: usize) -> f64 {
-        self.first + index as f64 * self.spacing
-    }
+    let nearest = Axis::nearest(values).ok_or(ScanReadError::NoRows)?;
+    let off = |value: f64| (value - nearest.position(nearest.index(value))).abs();
+    let known = |(row, value): (usize, Option<f64>)| Some((row, value?));
+    let (row, position) = (columns.measured(column).enumerate().filter_map(known))
+        .reduce(|worst, next| if off(next.1) > off(worst.1) { next } else { worst })
+        .unwrap_or((0, nearest.first));
+    let (line, axis) = (columns.line_of_row(text, row), if column == 0 { 'x' } else { 'y' });
+    let Axis { first, count, .. } = nearest;
+    Err(ScanReadError::NotAGrid { line, axis, position, count, first, last: nearest.position(count - 1) })
 }
-
-/// How many times as many grid points as points there may be; the others are gaps. More would be no map, and two scattered
-/// points could demand a vast grid.
-const SPARSEST: usize = 4;
 
 /// The height of every grid point that the file has a line for, which may say that it is a gap.
 fn fill(
@@ -99,8 +60,11 @@ fn fill(
     y: &Axis,
 ) -> Result<Vec<Option<Option<f64>>>, ScanReadError> {
     let points = columns.rows();
-    let size = x.count.checked_mul(y.count).filter(|&size| size / SPARSEST <= points);
-    let size = size.ok_or(ScanReadError::Scattered { points, columns: x.count, rows: y.count })?;
+    let size = points_of_grid(x, y, points).ok_or(ScanReadError::Scattered {
+        points,
+        columns: x.count,
+        rows: y.count,
+    })?;
     let mut heights = vec![None; size];
     // Lines without a position have no height either.
     let positions = || columns.measured(0).zip(columns.measured(1)).map(|(x, y)| Some((x?, y?)));

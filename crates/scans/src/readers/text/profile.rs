@@ -9,9 +9,7 @@ use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
-
-/// The share of the spacing that the rounding of printed positions may take up before even spacing is a guess.
-const DISCERNIBLE: f64 = 0.25;
+use crate::readers::even_axis::evenly_spaced;
 
 /// Which columns are which, from 0.
 #[derive(Clone, Copy)]
@@ -78,45 +76,4 @@ fn spacing_of_rows(rows: &[(usize, f64)], rounding: f64) -> Option<f64> {
         last.0 - first.0,
         rounding,
     )
-}
-
-/// The spacing of rising positions that are evenly spaced within the rounding of their digits.
-pub(crate) fn even_spacing(positions: &[f64], rounding: f64) -> Option<f64> {
-    let (&first, &last) = (positions.first()?, positions.last()?);
-    evenly_spaced(positions.iter().copied().enumerate(), (first, last), positions.len() - 1, rounding)
-}
-
-/// The spacing of numbered positions from the first to the last, so many steps on, where they are even.
-fn evenly_spaced(
-    mut positions: impl Iterator<Item = (usize, f64)>,
-    (first, last): (f64, f64),
-    steps: usize,
-    rounding: f64,
-) -> Option<f64> {
-    if steps == 0 {
-        return None;
-    }
-    let spacing = (last - first) / steps as f64;
-    let bound = rounding.min(DISCERNIBLE * spacing);
-    let is_even =
-        |(index, position): (usize, f64)| (position - (first + index as f64 * spacing)).abs() <= bound;
-    positions.all(is_even).then_some(spacing)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spacings_are_even_within_the_printed_digits() {
-        let rounded: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 99.56).round() / 1e6).collect();
-        assert!((even_spacing(&rounded, 1e-6).unwrap() / 99.56e-6 - 1.0).abs() < 1e-5);
-        assert_eq!(even_spacing(&rounded, 1e-7), None);
-        let cut_off: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 99.56).floor() / 1e6).collect();
-        assert!(even_spacing(&cut_off, 1e-6).is_some());
-        // Whole numbers that are not evenly spaced are no rounded thirds.
-        assert_eq!(even_spacing(&[0.0, 1.0, 3.0, 4.0], 1.0), None);
-        assert_eq!(even_spacing(&[0.0, 1.0, 2.0, 3.0], 1.0), Some(1.0));
-        assert_eq!(even_spacing(&[1.0], 1.0), None);
-    }
 }

@@ -1,0 +1,189 @@
+//! Workbooks that surface testers of Mitutoyo export, `.xlsx`: a sheet `DATA` with results in its first column and a
+//! profile in its fifth and sixth, and a sheet `Certificate` with the conditions of the measurement.
+//!
+//! The unit of positions is that of the cut-off, the unit of heights that of the results, as SurfaceTopography takes them.
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+use calamine::{DataRef, Reader as _, Xlsx, XlsxError};
+
+use crate::archive::{Archive, is_named_in, is_zip};
+use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
+use crate::choice_of_units::Units;
+use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
+use crate::metadata::Probe;
+use crate::options::ScanOptions;
+use crate::raster::Decoded;
+use crate::readers::Reader;
+use crate::readers::even_axis::even_spacing;
+use units::LengthUnit;
+
+const FORMAT: ScanFormat = ScanFormat::Workbook;
+const INDEX: &str = "xl/workbook.xml";
+const LARGEST_INDEX: u64 = 1 << 20;
+const DATA: &str = "DATA";
+const CONDITIONS: &str = "Certificate";
+/// Columns of the sheet of data, from 0.
+const RESULT_COLUMN: u32 = 0;
+const POSITION_COLUMN: u32 = 4;
+const HEIGHT_COLUMN: u32 = 5;
+/// Most characters of texts that are looked at.
+const MOST_TEXT: usize = 10_000;
+/// The share of a spacing by which positions, which are stored as computed, may lie off even ones.
+const ROUNDING: f64 = 1e-6;
+
+pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
+
+/// By the names of its sheets: workbooks of spectra have others.
+fn recognises(bytes: &[u8]) -> bool {
+    if !is_zip(bytes) || !is_named_in(bytes, INDEX) {
+        return false;
+    }
+    let index =
+        Archive::open(bytes, LARGEST_INDEX).and_then(|mut archive| archive.read(INDEX)).unwrap_or_default();
+    let names = |sheet: &str| is_named_in(&index, &format!("name=\"{sheet}\""));
+    names(DATA) && names(CONDITIONS)
+}
+
+fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    refuse_what_swells(bytes, options)?;
+    let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(damaged)?;
+    let mut notes = Vec::new();
+    let conditions = Conditions::read(&mut workbook)?;
+    let profile = Profile::read(&mut workbook)?;
+    let units = Units::of(options, conditions.cut_off_unit, profile.result_unit, &mut notes);
+    let (length_to_m, height_to_m) = (units.length_to_m(FORMAT)?, units.height_to_m(FORMAT)?);
+    let (positions, heights): (Vec<f64>, Vec<Option<f64>>) =
+        profile.points.into_values().filter_map(|(position, height)| Some((position?, height))).unzip();
+    if let Some(pair) = positions.windows(2).find(|pair| pair[0] >= pair[1]) {
+        return Err(bad("a position", &pair[1].to_string(), &format!("above the one before, {}", pair[0])));
+    }
+    let range = positions.last().zip(positions.first()).map_or(0.0, |(last, first)| last - first);
+    let lateral = match even_spacing(&positions, ROUNDING * range / positions.len().max(1) as f64) {
+        Some(spacing) => Lateral::Spacing { x_m: length_to_m(spacing), y_m: None },
+        None => Lateral::Positions(positions.iter().map(|&position| length_to_m(position)).collect()),
+    };
+    let decoded: Decoded = heights.into_iter().map(|height| height.map(&height_to_m)).collect();
+    let samples = Samples::Decoded { columns: decoded.values.len(), decoded };
+    let channel = Channel::new(None, Quantity::Heights(Some(LengthUnit::METRE)), lateral, samples);
+    let free_text = conditions.text;
+    Ok(vec![Channel { units: UnitsBy::Reader, probe: Some(Probe::Tip), free_text, notes, ..channel }])
+}
+
+/// Unpacks every file once and lets it go: the library holds files whole, and the sizes that an archive states need not be
+/// true.
+fn refuse_what_swells(bytes: &[u8], options: &ScanOptions) -> Result<(), ScanReadError> {
+    let mut archive = Archive::open(bytes, options.unpacked_bound())?;
+    let paths: Vec<String> = archive.paths().map(str::to_owned).collect();
+    paths.iter().try_for_each(|path| archive.read(path).map(|_| ()))
+}
+
+struct Conditions {
+    cut_off_unit: Option<LengthUnit>,
+    /// All that is written there, a line each row.
+    text: String,
+}
+
+impl Conditions {
+    fn read(workbook: &mut Xlsx<Cursor<&[u8]>>) -> Result<Self, ScanReadError> {
+        let mut rows: BTreeMap<u32, Vec<String>> = BTreeMap::new();
+        let mut room = MOST_TEXT;
+        visit(workbook, CONDITIONS, |row, _, value| {
+            if let Some(text) = text_of(value).filter(|text| text.len() < room) {
+                room -= text.len();
+                rows.entry(row).or_default().push(text.trim().to_owned());
+            }
+        })?;
+        let cut_off = rows.values().flat_map(|row| row.windows(2)).find_map(|pair| match pair {
+            [name, value] if name.eq_ignore_ascii_case("Cut-Off") => Some(value),
+            _ => None,
+        });
+        let cut_off_unit = cut_off.and_then(|value| unit_behind_number(value));
+        Ok(Self {
+            cut_off_unit,
+            text: rows.into_values().map(|row| row.join(" ")).collect::<Vec<_>>().join("\n"),
+        })
+    }
+}
+
+#[derive(Default)]
+struct Profile {
+    /// Position and height by row.
+    points: BTreeMap<u32, (Option<f64>, Option<f64>)>,
+    /// The unit of the first result, a mean height.
+    result_unit: Option<LengthUnit>,
+}
+
+impl Profile {
+    fn read(workbook: &mut Xlsx<Cursor<&[u8]>>) -> Result<Self, ScanReadError> {
+        let mut profile = Self::default();
+        visit(workbook, DATA, |row, column, value| match column {
+            RESULT_COLUMN if profile.result_unit.is_none() => {
+                // `Ra 0.018 µm`
+                let value =
+                    text_of(value).and_then(|text| text.trim().split_once(' ')).map(|(_, value)| value);
+                profile.result_unit = value.and_then(unit_behind_number);
+            }
+            POSITION_COLUMN => profile.points.entry(row).or_default().0 = number_of(value),
+            HEIGHT_COLUMN => profile.points.entry(row).or_default().1 = number_of(value),
+            _ => {}
+        })?;
+        Ok(profile)
+    }
+}
+
+/// Visits the filled cells of a sheet with their row and column, from 0.
+fn visit(
+    workbook: &mut Xlsx<Cursor<&[u8]>>,
+    sheet: &str,
+    mut visit: impl FnMut(u32, u32, &DataRef),
+) -> Result<(), ScanReadError> {
+    let mut cells = workbook.worksheet_cells_reader(sheet).map_err(damaged)?;
+    while let Some(cell) = cells.next_cell().map_err(damaged)? {
+        let (row, column) = cell.get_position();
+        visit(row, column, cell.get_value());
+    }
+    Ok(())
+}
+
+fn text_of<'v>(value: &'v DataRef) -> Option<&'v str> {
+    match value {
+        DataRef::String(text) => Some(text),
+        DataRef::SharedString(text) => Some(text),
+        _ => None,
+    }
+}
+
+fn number_of(value: &DataRef) -> Option<f64> {
+    match value {
+        DataRef::Float(number) => Some(*number).filter(|number| number.is_finite()),
+        DataRef::Int(number) => Some(*number as f64),
+        _ => text_of(value)
+            .and_then(|text| text.trim().replace(',', ".").parse().ok())
+            .filter(|number: &f64| number.is_finite()),
+    }
+}
+
+/// The unit in texts such as `0.8mm` and ` 0.018  µm `.
+fn unit_behind_number(text: &str) -> Option<LengthUnit> {
+    let text = text.trim();
+    let at = text.find(|character: char| !character.is_ascii_digit() && !"+-., ".contains(character))?;
+    if at == 0 { None } else { LengthUnit::parse_instrument(text.get(at..)?.trim()) }
+}
+
+fn damaged(error: XlsxError) -> ScanReadError {
+    ScanReadError::Zip { what: "the workbook".to_owned(), problem: error.to_string() }
+}
+
+fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
+    ScanReadError::BadField {
+        format: FORMAT,
+        place: Place::Element(DATA.to_owned()),
+        field: field.to_owned(),
+        value: value.to_owned(),
+        bound: bound.to_owned(),
+        mend: "export the measurement again",
+    }
+}

@@ -1,0 +1,151 @@
+//! The data of points, in a file of the archive or listed in the XML.
+
+use super::FORMAT;
+use super::description::{Description, Points};
+use crate::archive::Archive;
+use crate::error::{Place, ScanReadError};
+use crate::raster::Decoded;
+
+/// The type of a number, little-endian.
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    I16,
+    I32,
+    F32,
+    F64,
+}
+
+/// How raw numbers become lengths in m.
+#[derive(Clone, Copy)]
+pub(super) struct Coordinate {
+    pub(super) kind: Kind,
+    pub(super) increment: f64,
+    pub(super) offset: f64,
+}
+
+/// The data in m, those of an even axis left out.
+#[derive(Default)]
+pub(super) struct Data {
+    pub(super) x_m: Vec<f64>,
+    pub(super) y_m: Vec<f64>,
+    pub(super) z_m: Decoded,
+}
+
+impl Description {
+    pub(super) fn data(&self, archive: &mut Archive) -> Result<Data, ScanReadError> {
+        let fields = [self.x.given(), self.y.given(), Some(self.z)];
+        match &self.points {
+            Points::Binary { data, valid } => self.binary(fields, archive, data, valid.as_deref()),
+            Points::Listed(points) => self.listed(fields, points),
+        }
+    }
+
+    fn binary(
+        &self,
+        fields: [Option<Coordinate>; 3],
+        archive: &mut Archive,
+        path: &str,
+        valid: Option<&str>,
+    ) -> Result<Data, ScanReadError> {
+        let points = self.columns.checked_mul(self.rows);
+        let size: usize = fields.iter().flatten().map(|field| field.kind.size()).sum();
+        let bytes = archive.read(path)?;
+        let needed = points.and_then(|points| points.checked_mul(size));
+        let bytes = needed.and_then(|needed| bytes.get(..needed)).ok_or_else(|| {
+            truncated(format!("{} x {} points in '{path}'", self.columns, self.rows), needed, bytes.len())
+        })?;
+        let bits = valid.map(|path| archive.read(path)).transpose()?;
+        let needed = (bytes.len() / size).div_ceil(8);
+        if let (Some(bits), Some(path)) = (&bits, valid)
+            && bits.len() < needed
+        {
+            return Err(truncated(format!("a bit for each point in '{path}'"), Some(needed), bits.len()));
+        }
+        let is_valid =
+            |index: usize| bits.as_ref().is_none_or(|bits| bits[index / 8] >> (index % 8) & 1 == 1);
+        let mut data = Data::default();
+        for (index, point) in bytes.chunks_exact(size).enumerate() {
+            let mut rest = point;
+            let mut next = |field: Coordinate| {
+                let (raw, behind) = rest.split_at(field.kind.size().min(rest.len()));
+                rest = behind;
+                field.length_m(field.kind.number(raw))
+            };
+            data.x_m.extend(fields[0].map(&mut next));
+            data.y_m.extend(fields[1].map(&mut next));
+            let z_m = next(self.z);
+            data.z_m.push(is_valid(index).then_some(z_m));
+        }
+        Ok(data)
+    }
+
+    fn listed(
+        &self,
+        fields: [Option<Coordinate>; 3],
+        points: &[Option<Vec<f64>>],
+    ) -> Result<Data, ScanReadError> {
+        let bad = |field: &str, value: String, bound: String| ScanReadError::BadField {
+            format: FORMAT,
+            place: Place::Element("Record3/DataList".to_owned()),
+            field: field.to_owned(),
+            value,
+            bound,
+            mend: "export the file again",
+        };
+        if Some(points.len()) != self.columns.checked_mul(self.rows) {
+            let bound = format!("{} x {}, as the dimensions say", self.columns, self.rows);
+            return Err(bad("the number of points", points.len().to_string(), bound));
+        }
+        let expected = fields.iter().flatten().count();
+        let mut data = Data::default();
+        for point in points {
+            if let Some(point) = point
+                && point.len() != expected
+            {
+                return Err(bad(
+                    "the number of values of a point",
+                    point.len().to_string(),
+                    expected.to_string(),
+                ));
+            }
+            let mut values = point.iter().flatten();
+            let mut next = |field: Coordinate| values.next().map(|&value| field.length_m(value));
+            // What does not count has no position either: the line leaves it out.
+            data.x_m.extend(fields[0].map(|field| next(field).unwrap_or_default()));
+            data.y_m.extend(fields[1].map(|field| next(field).unwrap_or_default()));
+            data.z_m.push(next(self.z));
+        }
+        Ok(data)
+    }
+}
+
+fn truncated(what: String, needed: Option<usize>, available: usize) -> ScanReadError {
+    let needed = needed.map_or(u64::MAX, |needed| needed as u64);
+    ScanReadError::Truncated { format: FORMAT, offset: 0, what, needed, available: available as u64 }
+}
+
+impl Coordinate {
+    fn length_m(self, raw: f64) -> f64 {
+        raw * self.increment + self.offset
+    }
+}
+
+impl Kind {
+    fn number(self, raw: &[u8]) -> f64 {
+        match (self, raw) {
+            (Self::I16, &[a, b]) => f64::from(i16::from_le_bytes([a, b])),
+            (Self::I32, &[a, b, c, d]) => f64::from(i32::from_le_bytes([a, b, c, d])),
+            (Self::F32, &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
+            (Self::F64, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
+            _ => f64::NAN,
+        }
+    }
+
+    fn size(self) -> usize {
+        match self {
+            Self::I16 => 2,
+            Self::I32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+}

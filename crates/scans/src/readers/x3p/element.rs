@@ -1,0 +1,99 @@
+//! Elements of the XML of a file, each with its path for messages.
+
+use roxmltree::Node;
+
+use super::data::{Coordinate, Kind};
+use super::description::Axis;
+use super::{FORMAT, INDEX};
+use crate::archive::leads_outside;
+use crate::error::{Place, ScanReadError};
+
+/// An element with its path, for messages.
+pub(super) struct Element<'a, 'd> {
+    pub(super) node: Node<'a, 'd>,
+    pub(super) path: String,
+}
+
+impl<'a, 'd> Element<'a, 'd> {
+    pub(super) fn child(&self, name: &str) -> Result<Self, ScanReadError> {
+        let path = if self.path.is_empty() { name.to_owned() } else { format!("{}/{name}", self.path) };
+        let node = self.node.children().find(|node| node.is_element() && node.tag_name().name() == name);
+        let missing = || ScanReadError::MissingField {
+            format: FORMAT,
+            place: Place::Element(if self.path.is_empty() { INDEX.to_owned() } else { self.path.clone() }),
+            field: format!("element '{name}'"),
+            mend: "export the file again",
+        };
+        Ok(Self { node: node.ok_or_else(missing)?, path })
+    }
+
+    pub(super) fn text(&self) -> &'a str {
+        self.node.text().unwrap_or_default().trim()
+    }
+
+    pub(super) fn one_of(&self, name: &str, accepted: &[&str]) -> Result<&'a str, ScanReadError> {
+        let child = self.child(name)?;
+        let is_accepted = accepted.contains(&child.text());
+        if is_accepted {
+            Ok(child.text())
+        } else {
+            Err(child.bad(&accepted.join(" or "), "export the file otherwise"))
+        }
+    }
+
+    pub(super) fn count(&self) -> Result<usize, ScanReadError> {
+        let count = self.text().parse().ok().filter(|&count: &usize| count > 0);
+        count.ok_or_else(|| self.bad("a whole number above 0", "export the file again"))
+    }
+
+    pub(super) fn number(&self) -> Result<f64, ScanReadError> {
+        let number = self.text().parse().ok().filter(|number: &f64| number.is_finite());
+        number.ok_or_else(|| self.bad("a finite number", "export the file again"))
+    }
+
+    pub(super) fn positive(&self) -> Result<f64, ScanReadError> {
+        let number = self.number()?;
+        if number > 0.0 { Ok(number) } else { Err(self.bad("above 0", "export the file again")) }
+    }
+
+    pub(super) fn axis(&self) -> Result<Axis, ScanReadError> {
+        match self.one_of("AxisType", &["I", "A"])? {
+            "I" => Ok(Axis::Even(self.child("Increment")?.positive()?)),
+            _ => Ok(Axis::Given(self.coordinate()?)),
+        }
+    }
+
+    /// The type and scale of an axis whose values are in the data.
+    pub(super) fn coordinate(&self) -> Result<Coordinate, ScanReadError> {
+        let kind = self.child("DataType")?;
+        let kind = match kind.text() {
+            "I" => Kind::I16,
+            "L" => Kind::I32,
+            "F" => Kind::F32,
+            "D" => Kind::F64,
+            _ => return Err(kind.bad("I, L, F or D", "export the file again")),
+        };
+        let number = |name: &str| self.child(name).ok().map(|child| child.number()).transpose();
+        let increment = number("Increment")?.unwrap_or(1.0);
+        if increment == 0.0 {
+            return Err(self.child("Increment")?.bad("other than 0", "export the file again"));
+        }
+        Ok(Coordinate { kind, increment, offset: number("Offset")?.unwrap_or(0.0) })
+    }
+
+    pub(super) fn path_inside(&self) -> Result<String, ScanReadError> {
+        let path = self.text().to_owned();
+        if leads_outside(&path) { Err(ScanReadError::PathOutside { path }) } else { Ok(path) }
+    }
+
+    pub(super) fn bad(&self, bound: &str, mend: &'static str) -> ScanReadError {
+        ScanReadError::BadField {
+            format: FORMAT,
+            place: Place::Element(self.path.clone()),
+            field: "the text".to_owned(),
+            value: format!("'{}'", self.text().chars().take(60).collect::<String>()),
+            bound: bound.to_owned(),
+            mend,
+        }
+    }
+}
