@@ -4,6 +4,7 @@
 pub(crate) mod container;
 mod gwyddion;
 mod igor;
+mod molecular_imaging;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
@@ -30,6 +31,7 @@ pub(crate) struct Reader {
 pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
     igor::READER,
+    molecular_imaging::READER,
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,

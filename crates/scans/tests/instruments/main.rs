@@ -6,6 +6,7 @@
 mod bytes;
 mod gwyddion;
 mod igor;
+mod molecular_imaging;
 mod nanosurf;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
@@ -23,6 +24,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
+        (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
     ]
 }
