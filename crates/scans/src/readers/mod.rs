@@ -10,6 +10,7 @@ mod nanosurf;
 mod netcdf;
 mod sections;
 mod text;
+mod wsxm;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -35,6 +36,7 @@ pub(crate) const READERS: &[Reader] = &[
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
+    wsxm::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     text::READER,

@@ -8,6 +8,7 @@ mod gwyddion;
 mod igor;
 mod molecular_imaging;
 mod nanosurf;
+mod wsxm;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
 
@@ -26,6 +27,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
+        (ScanFormat::Wsxm, wsxm::samples()),
     ]
 }
 
