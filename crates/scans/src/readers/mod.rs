@@ -8,8 +8,10 @@ mod molecular_imaging;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
+mod park;
 mod sections;
 mod text;
+mod tiff;
 mod wsxm;
 #[cfg(feature = "x3p")]
 mod x3p;
@@ -36,6 +38,7 @@ pub(crate) const READERS: &[Reader] = &[
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
+    park::READER,
     wsxm::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,

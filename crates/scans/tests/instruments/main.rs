@@ -8,6 +8,8 @@ mod gwyddion;
 mod igor;
 mod molecular_imaging;
 mod nanosurf;
+mod park;
+mod tiff_file;
 mod wsxm;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
@@ -27,6 +29,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
+        (ScanFormat::ParkTiff, park::samples()),
         (ScanFormat::Wsxm, wsxm::samples()),
     ]
 }
