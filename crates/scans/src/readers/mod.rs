@@ -4,6 +4,7 @@
 pub(crate) mod container;
 mod gwyddion;
 mod igor;
+mod jpk;
 mod molecular_imaging;
 mod nanoscope;
 mod nanosurf;
@@ -34,6 +35,7 @@ pub(crate) struct Reader {
 pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
     igor::READER,
+    jpk::READER,
     molecular_imaging::READER,
     nanoscope::READER,
     nanosurf::READER,

@@ -6,6 +6,7 @@
 mod bytes;
 mod gwyddion;
 mod igor;
+mod jpk;
 mod molecular_imaging;
 mod nanosurf;
 mod park;
@@ -27,6 +28,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
+        (ScanFormat::Jpk, jpk::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
         (ScanFormat::ParkTiff, park::samples()),
