@@ -64,6 +64,8 @@ pub enum ScanFormat {
     Hdf5,
     /// Workbooks of profilometers: `.xlsx`.
     Workbook,
+    /// JPK Instruments: `.jpk`, `.jpk-qi-image`.
+    Jpk,
 }
 
 impl ScanFormat {
@@ -112,6 +114,7 @@ impl fmt::Display for ScanFormat {
             Self::Numpy => "NumPy",
             Self::Hdf5 => "HDF5",
             Self::Workbook => "workbook",
+            Self::Jpk => "JPK",
         })
     }
 }

@@ -13,6 +13,12 @@ mod nanoscope;
 mod nanosurf;
 mod netcdf;
 mod numpy;
+mod jpk;
+mod molecular_imaging;
+mod nanoscope;
+mod nanosurf;
+mod netcdf;
+mod park;
 mod sections;
 mod sensofar;
 #[cfg(feature = "archives")]
@@ -25,6 +31,8 @@ mod text;
 mod truemap;
 #[cfg(feature = "workbook")]
 mod workbook;
+mod tiff;
+mod wsxm;
 #[cfg(feature = "x3p")]
 mod x3p;
 
@@ -62,6 +70,13 @@ pub(crate) const READERS: &[Reader] = &[
     truemap::READER,
     #[cfg(feature = "workbook")]
     workbook::READER,
+    jpk::READER,
+    molecular_imaging::READER,
+    nanoscope::READER,
+    nanosurf::READER,
+    netcdf::READER,
+    park::READER,
+    wsxm::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     // It has no name of its own, and no text is taken for it.

@@ -7,6 +7,8 @@ mod bytes;
 mod digital_surf;
 mod gwyddion;
 mod igor;
+mod jpk;
+mod molecular_imaging;
 mod nanosurf;
 mod numpy;
 #[cfg(feature = "archives")]
@@ -29,6 +31,9 @@ mod workbook;
 mod x3p;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
+mod park;
+mod tiff_file;
+mod wsxm;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -48,6 +53,8 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
+        (ScanFormat::Jpk, jpk::samples()),
+        (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
         (ScanFormat::Numpy, numpy::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
@@ -64,6 +71,8 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::TrueMap, truemap::samples()),
         (ScanFormat::Workbook, workbook::samples()),
         (ScanFormat::X3p, x3p::samples()),
+        (ScanFormat::ParkTiff, park::samples()),
+        (ScanFormat::Wsxm, wsxm::samples()),
     ]
 }
 

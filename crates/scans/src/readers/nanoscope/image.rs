@@ -55,6 +55,13 @@ impl<'h> Image<'h> {
         is_named_after_height(&self.name())
     }
 
+    /// What the user wrote of the image and of the file.
+    pub(crate) fn note(&self) -> String {
+        let of_file = ["Note", "Sample description"].map(|key| self.header.file_list(key));
+        let values = of_file.into_iter().chain([self.section.get("Note")]).flatten();
+        values.filter(|value| !value.text.is_empty()).map(|value| format!("{}\n", value.text)).collect()
+    }
+
     /// The unit of what is no length, as the sensitivity names it; that of the full scale where there is none.
     pub(crate) fn unit(&self) -> String {
         let scaled = |value: Value| Scaled::parse(&value.text);

@@ -3,7 +3,7 @@
 mod header;
 mod image;
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Axis, Channel, Lateral, Quantity, Samples};
 use crate::error::{Place, ScanReadError};
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -52,7 +52,14 @@ fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {
         }
         Err(error) => (Lateral::Unknown, Samples::Unreadable(Box::new(error)), Vec::new()),
     };
-    Channel { probe: Some(Probe::Tip), notes, ..Channel::new(label, quantity, lateral, samples) }
+    Channel {
+        probe: Some(Probe::Tip),
+        // Images lie in the frame of the scan, however it is turned on the sample.
+        fast_axis: Some(Axis::X),
+        free_text: image.note(),
+        notes,
+        ..Channel::new(label, quantity, lateral, samples)
+    }
 }
 
 /// Force curves and unevenly spaced profiles have image sections that hold no map.

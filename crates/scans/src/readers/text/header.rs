@@ -147,7 +147,34 @@ impl Header {
                 header.free_text.push('\n');
             }
         }
+        if header.sizes.iter().all(Option::is_none) {
+            header.set_by_position(text, columns)?;
+        }
         Ok(header)
+    }
+
+    /// Takes the first four lines for those of an export from Gwyddion in a language that is not known: whatever the keys are,
+    /// the channel, the two sizes and the unit of the values follow each other.
+    fn set_by_position(&mut self, text: &str, columns: &Columns) -> Result<(), ScanReadError> {
+        const EXPORT: [Key; 4] = [Key::Channel, Key::Size(0), Key::Size(1), Key::ValueUnit];
+        let lines = text.lines().take(columns.first_line.saturating_sub(1));
+        let values: Vec<&str> = lines
+            .map_while(|line| line.trim_start_matches('\u{feff}').strip_prefix('#'))
+            .map_while(|line| line.split_once([':', '：']).map(|(_, value)| value.trim()))
+            .take(EXPORT.len())
+            .collect();
+        let &[_, width, height, unit] = &values[..] else { return Ok(()) };
+        let is_size = |text| matches!(length(text, 0), Ok(Some(Length { unit: Some(_), .. })));
+        let is_unit = !unit.is_empty()
+            && unit.chars().all(|letter| !letter.is_whitespace() && !letter.is_ascii_digit());
+        if !(is_size(width) && is_size(height) && is_unit) {
+            return Ok(());
+        }
+        EXPORT
+            .into_iter()
+            .zip(values)
+            .enumerate()
+            .try_for_each(|(index, (key, value))| self.set(key, value, index + 1))
     }
 
     fn set(&mut self, key: Key, value: &str, line: usize) -> Result<(), ScanReadError> {
@@ -346,6 +373,47 @@ mod tests {
         assert_eq!(units("Scan of sample A\n1 2"), []);
         assert_eq!(units("X_(microns),y1\n0.5,2.5"), [Some(um), None]);
         assert_eq!(units("x[microns]\ty1\n0.5\t2.5"), [Some(um), None]);
+    }
+
+    #[test]
+    fn exports_in_any_language_are_told_by_the_order_of_their_lines() {
+        let size = |header: &Header| header.sizes.map(|size| size.map(|size| size.value));
+        // Swahili, to which Gwyddion was not translated when this was written.
+        let found = header("# Kituo: Juu\n# Upana: 5,00 µm\n# Urefu: 2.5 µm\n# Vipimo: nm\n1 2 3 4\n1 2 3 4")
+            .unwrap();
+        assert_eq!((found.channel.as_deref(), size(&found)), (Some("Juu"), [Some(5.0), Some(2.5)]));
+        assert_eq!(found.value_unit, Some(LengthUnit::NANOMETRE));
+        for text in [
+            "# a: b\n# c: 5 µm\n# d: 5\n# e: nm\n1 2 3 4\n1 2 3 4",
+            "# a: b\n# c: 5 µm\n# d: 5 µm\n# e: 12 points\n1 2 3 4\n1 2 3 4",
+            "# a: b\n# c: 5 µm\n# d: 5 µm\n1 2 3 4\n1 2 3 4",
+            "# a: b\n\n# c: 5 µm\n# d: 5 µm\n# e: nm\n1 2 3 4\n1 2 3 4",
+        ] {
+            assert_eq!(size(&header(text).unwrap()), [None; 2], "{text}");
+        }
+        let phase = header("# Kituo: Awamu\n# Upana: 5 µm\n# Urefu: 5 µm\n# Vipimo: deg\n1 2 3 4\n1 2 3 4");
+        assert!(phase.err().unwrap().to_string().starts_with("reading text, line 4: the unit is 'deg'"));
+    }
+
+    #[test]
+    fn every_translation_of_gwyddion_is_known() {
+        for (language, keys) in [
+            ("cs", ["Kanál:", "Šířka:", "Výška:", "Jednotky hodnot:"]),
+            ("de", ["Kanal:", "Breite:", "Höhe:", "Einheiten:"]),
+            ("en", ["Channel:", "Width:", "Height:", "Value units:"]),
+            ("es", ["Canal:", "Anchura:", "Altura:", "Value units:"]),
+            ("fr", ["Canal :", "Largeur :", "Hauteur :", "Unités :"]),
+            ("it", ["Canale:", "Larghezza:", "Altezza:", "unità valore:"]),
+            ("ja", ["チャネル：", "幅:", "高さ：", "値の単位:"]),
+            ("ko", ["채널:", "폭:", "높이:", "값 단위:"]),
+            ("pt", ["Canal:", "Largura:", "Altura:", "Unidades de valor:"]),
+            ("ru", ["Канал:", "Ширина:", "Высота:", "Единицы измерения:"]),
+        ] {
+            let expected = [Key::Channel, Key::Size(0), Key::Size(1), Key::ValueUnit];
+            for (key, expected) in keys.into_iter().zip(expected) {
+                assert!(key_and_value(key).is_some_and(|(found, _)| found == expected), "{language} {key}");
+            }
+        }
     }
 
     #[test]

@@ -1,0 +1,260 @@
+//! TIFF as far as microscopes make use of it: pages of tags, of which the makers claim some for themselves.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use crate::cursor::{ByteOrder, Cursor, latin1};
+use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
+use crate::raster::{NumberType, Raster};
+
+/// Files of instruments have some dozens of pages; a file with more is damaged.
+const MOST_PAGES: usize = 1024;
+const MOST_TAGS: usize = 1 << 16;
+
+const WIDTH: u16 = 256;
+const LENGTH: u16 = 257;
+const BITS: u16 = 258;
+const COMPRESSION: u16 = 259;
+const STRIP_OFFSETS: u16 = 273;
+const SAMPLES_PER_PIXEL: u16 = 277;
+const STRIP_BYTES: u16 = 279;
+const SAMPLE_FORMAT: u16 = 339;
+
+/// The pages of a file.
+pub(super) struct Tiff<'b> {
+    pub(super) pages: Vec<Page<'b>>,
+}
+
+/// The tags of a page, whose values are all there.
+pub(super) struct Page<'b> {
+    file: Cursor<'b>,
+    format: ScanFormat,
+    tags: BTreeMap<u16, Tag<'b>>,
+}
+
+/// A value: its type, its bytes, and where they are.
+#[derive(Clone, Copy)]
+struct Tag<'b> {
+    kind: u16,
+    bytes: &'b [u8],
+    offset: usize,
+}
+
+/// The order of bytes of a file that begins as TIFF does.
+fn byte_order(bytes: &[u8]) -> Option<ByteOrder> {
+    match bytes.first_chunk()? {
+        b"II*\0" => Some(ByteOrder::Little),
+        b"MM\0*" => Some(ByteOrder::Big),
+        _ => None,
+    }
+}
+
+impl<'b> Tiff<'b> {
+    pub(super) fn read(format: ScanFormat, bytes: &'b [u8]) -> Result<Self, ScanReadError> {
+        let file = whole(format, bytes);
+        let mut cursor = file.at(4);
+        let mut pages: Vec<Page> = Vec::new();
+        let mut tags = 0;
+        loop {
+            let offset = cursor.offset();
+            let place = cursor.u32("the place of a page")? as usize;
+            if place == 0 {
+                return Ok(Self { pages });
+            }
+            // Pages may point back at each other.
+            if tags > MOST_TAGS || pages.len() == MOST_PAGES {
+                let bound = format!("one of at most {MOST_PAGES} with at most {MOST_TAGS} tags in all");
+                return Err(cursor.bad(offset, "the page", &format!("page {}", pages.len() + 1), &bound));
+            }
+            cursor = file.at(place);
+            let page = Page::read(format, file, &mut cursor)?;
+            tags += page.tags.len();
+            pages.push(page);
+        }
+    }
+}
+
+/// The first page alone, by which formats are told.
+pub(super) fn first_page<'b>(format: ScanFormat, bytes: &'b [u8]) -> Option<Page<'b>> {
+    byte_order(bytes)?;
+    let file = whole(format, bytes);
+    let place = file.at(4).u32("the place of a page").ok()?;
+    Page::read(format, file, &mut file.at(place as usize)).ok()
+}
+
+fn whole(format: ScanFormat, bytes: &[u8]) -> Cursor<'_> {
+    Cursor::new(format, bytes, byte_order(bytes).unwrap_or(ByteOrder::Little))
+}
+
+impl<'b> Page<'b> {
+    /// Reads the tags; the cursor then is at the place of the next page. Tags of an unknown type are passed over.
+    fn read(format: ScanFormat, file: Cursor<'b>, cursor: &mut Cursor<'b>) -> Result<Self, ScanReadError> {
+        let mut tags = BTreeMap::new();
+        for _ in 0..cursor.u16("the number of tags")? {
+            let number = cursor.u16("a tag")?;
+            let kind = cursor.u16("the type of a tag")?;
+            let count = cursor.u32("the number of values of a tag")? as usize;
+            let Some(bytes_each) = bytes_of(kind) else {
+                cursor.skip(4, "the value of a tag")?;
+                continue;
+            };
+            let length = count.saturating_mul(bytes_each);
+            // Values of up to four bytes stand where the place of others does.
+            let inside = cursor.offset();
+            let place = cursor.u32("the value of a tag")? as usize;
+            let offset = if length <= 4 { inside } else { place };
+            let bytes = file.at(offset).take(length, &format!("the value of tag {number}"))?;
+            tags.entry(number).or_insert(Tag { kind, bytes, offset });
+        }
+        Ok(Self { file, format, tags })
+    }
+
+    /// The bytes of a tag with the place where they are.
+    pub(super) fn bytes(&self, tag: u16) -> Result<(&'b [u8], usize), ScanReadError> {
+        self.tags.get(&tag).map(|tag| (tag.bytes, tag.offset)).ok_or_else(|| self.missing(tag))
+    }
+
+    /// A text in Latin-1, or in UTF-16 where every other byte is 0.
+    pub(super) fn text(&self, tag: u16) -> Option<String> {
+        let bytes = self.tags.get(&tag)?.bytes;
+        let (pairs, _) = bytes.as_chunks::<2>();
+        if pairs.first().is_some_and(|[low, high]| *low != 0 && *high == 0) && pairs.len() > 1 {
+            return Some(utf16(bytes));
+        }
+        Some(latin1(bytes))
+    }
+
+    /// The first number of a tag.
+    pub(super) fn number(&self, tag: u16) -> Option<f64> {
+        let tag = self.tags.get(&tag)?;
+        self.numbers(tag).next()
+    }
+
+    /// The numbers of a tag that must be there.
+    fn require(&self, tag: u16) -> Result<Vec<usize>, ScanReadError> {
+        let found = self.tags.get(&tag).ok_or_else(|| self.missing(tag))?;
+        Ok(self.numbers(found).map(|number| number as usize).collect())
+    }
+
+    fn numbers(&self, tag: &Tag<'b>) -> impl Iterator<Item = f64> {
+        let mut cursor = self.file.at(tag.offset);
+        let (kind, end) = (tag.kind, tag.offset + tag.bytes.len());
+        std::iter::from_fn(move || {
+            if cursor.offset() >= end {
+                return None;
+            }
+            let what = "a number";
+            match kind {
+                1 | 7 => cursor.u8(what).map(f64::from),
+                3 => cursor.u16(what).map(f64::from),
+                4 => cursor.u32(what).map(f64::from),
+                6 => cursor.i8(what).map(f64::from),
+                8 => cursor.i16(what).map(f64::from),
+                9 => cursor.i32(what).map(f64::from),
+                11 => cursor.f32(what).map(f64::from),
+                12 => cursor.f64(what),
+                _ => return None,
+            }
+            .ok()
+        })
+    }
+
+    fn missing(&self, tag: u16) -> ScanReadError {
+        ScanReadError::MissingField {
+            format: self.format,
+            place: Place::File,
+            field: format!("tag {tag}"),
+            mend: "export the file again",
+        }
+    }
+
+    fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
+        ScanReadError::BadField {
+            format: self.format,
+            place: Place::File,
+            field: field.to_owned(),
+            value: value.to_owned(),
+            bound: bound.to_owned(),
+            mend: "export the file again without packing its data",
+        }
+    }
+
+    /// The image of the page: one number a point, not packed.
+    pub(super) fn raster(&self) -> Result<Raster<'b>, ScanReadError> {
+        let first = |tag: u16| Ok::<_, ScanReadError>(self.require(tag)?.first().copied().unwrap_or(0));
+        let or =
+            |tag: u16, default: usize| if self.tags.contains_key(&tag) { first(tag) } else { Ok(default) };
+        if or(COMPRESSION, 1)? != 1 {
+            return Err(self.bad(
+                "the packing of the image",
+                &first(COMPRESSION)?.to_string(),
+                "1, which is none",
+            ));
+        }
+        if or(SAMPLES_PER_PIXEL, 1)? != 1 {
+            let found = first(SAMPLES_PER_PIXEL)?.to_string();
+            return Err(self.bad("the number of values of a point", &found, "1"));
+        }
+        let (bits, format) = (or(BITS, 1)?, or(SAMPLE_FORMAT, 1)?);
+        let number = match (bits, format) {
+            (8, 1) => NumberType::U8,
+            (8, 2) => NumberType::I8,
+            (16, 1) => NumberType::U16,
+            (16, 2) => NumberType::I16,
+            (32, 1) => NumberType::U32,
+            (32, 2) => NumberType::I32,
+            (32, 3) => NumberType::F32,
+            (64, 3) => NumberType::F64,
+            _ => {
+                let found = format!("{bits} bits of format {format}");
+                return Err(self.bad(
+                    "the type of the numbers",
+                    &found,
+                    "8, 16 or 32 bits, or a floating-point number",
+                ));
+            }
+        };
+        let (columns, rows) = (first(WIDTH)?, first(LENGTH)?);
+        let (bytes, offset) = self.strips()?;
+        let raster = Raster::new(number, columns, rows, bytes, offset);
+        Ok(Raster { byte_order: self.file.order(), ..raster })
+    }
+
+    /// The bytes of the image, which may stand in several strips, and where the first is.
+    fn strips(&self) -> Result<(Cow<'b, [u8]>, usize), ScanReadError> {
+        let (offsets, lengths) = (self.require(STRIP_OFFSETS)?, self.require(STRIP_BYTES)?);
+        let strip =
+            |(&offset, &length): (&usize, &usize)| self.file.at(offset).take(length, "a strip of the image");
+        let first = offsets.first().copied().unwrap_or(0);
+        if let ([_], [_]) = (&offsets[..], &lengths[..]) {
+            let bytes = offsets.iter().zip(&lengths).next().map(strip).transpose()?;
+            return Ok((Cow::Borrowed(bytes.unwrap_or_default()), first));
+        }
+        // Strips cannot hold more than the file does, whatever their table says.
+        let total = lengths.iter().fold(0usize, |total, length| total.saturating_add(*length));
+        self.file.at(0).take(total, "the strips of the image")?;
+        let strips: Result<Vec<&[u8]>, _> = offsets.iter().zip(&lengths).map(strip).collect();
+        Ok((Cow::Owned(strips?.concat()), first))
+    }
+}
+
+/// Length of a value of a type.
+fn bytes_of(kind: u16) -> Option<usize> {
+    Some(match kind {
+        1 | 2 | 6 | 7 => 1,
+        3 | 8 => 2,
+        4 | 9 | 11 => 4,
+        5 | 10 | 12 => 8,
+        _ => return None,
+    })
+}
+
+/// UTF-16 in the order of Intel up to the first zero, without blanks around it.
+pub(super) fn utf16(bytes: &[u8]) -> String {
+    let (pairs, _) = bytes.as_chunks::<2>();
+    let letters = pairs.iter().map(|pair| u16::from_le_bytes(*pair)).take_while(|&letter| letter != 0);
+    let text: String =
+        char::decode_utf16(letters).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
+    text.trim().to_owned()
+}

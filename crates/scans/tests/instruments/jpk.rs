@@ -1,0 +1,97 @@
+//! Image scans of JPK Instruments.
+
+use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+
+use super::tiff_file::{Tag, tiff};
+use super::{Sample, assert_holds, channels, heights};
+
+/// The page with the tags of the scan as a whole.
+fn first(size_m: [f64; 2]) -> Vec<Tag> {
+    vec![
+        Tag::long(256, 1),
+        Tag::text(0x8005, "PEG on mica"),
+        Tag::text(0x8010, "tip radius 10 nm"),
+        Tag::double(0x8042, size_m[0]),
+        Tag::double(0x8043, size_m[1]),
+    ]
+}
+
+/// A page of 3 x 2 counts in two strips, with a slot of volts and one that is used.
+fn page(name: &str, unit: &str, scaling: &str, is_retrace: bool, strips: [(u32, u32); 2]) -> Vec<Tag> {
+    vec![
+        Tag::long(256, 3),
+        Tag::long(257, 2),
+        Tag::short(258, 16),
+        Tag::short(259, 1),
+        Tag::longs(273, &strips.map(|(offset, _)| offset)),
+        Tag::short(277, 1),
+        Tag::longs(279, &strips.map(|(_, length)| length)),
+        Tag::short(339, 2),
+        Tag::short(0x8045, u16::from(is_retrace)),
+        Tag::text(0x8050, "height"),
+        Tag::short(0x8051, u16::from(is_retrace)),
+        Tag::text(0x8052, name),
+        Tag::long(0x8080, 2),
+        Tag::text(0x8081, "absolute"),
+        Tag::text(0x8090, "volts"),
+        Tag::text(0x8090 + 0x12, "V"),
+        Tag::text(0x80c0, "absolute"),
+        Tag::text(0x80c0 + 0x12, unit),
+        Tag::text(0x80c0 + 0x13, scaling),
+        Tag::double(0x80c0 + 0x14, -2e-9),
+        Tag::double(0x80c0 + 0x15, 1e-9),
+    ]
+}
+
+/// The counts of every page stand at the end of the file, the second row first.
+fn scan(scaling: &str) -> Vec<u8> {
+    let build = |strips| {
+        tiff(&[
+            first([3e-6, 1e-6]),
+            page("Height (measured)", "m", scaling, false, strips),
+            page("Vertical Deflection", "m", "LinearScaling", false, strips),
+            page("Height", "m", "LinearScaling", true, strips),
+            page("Phase", "deg", "LinearScaling", true, strips),
+        ])
+    };
+    let end = build([(0, 0); 2]).len() as u32;
+    let mut bytes = build([(end + 6, 6), (end, 6)]);
+    bytes.extend([4i16, 5, -6, 1, 2, 3].map(i16::to_le_bytes).concat());
+    bytes
+}
+
+pub fn samples() -> Vec<Sample> {
+    vec![Sample { name: "four channels", bytes: scan("LinearScaling") }]
+}
+
+#[test]
+fn channels_are_scaled_by_their_default_slot() {
+    let all: Vec<_> = channels(&scan("LinearScaling"), true).into_iter().map(Result::unwrap).collect();
+    let size = (3e-6, Some(1e-6));
+    assert_holds(&all[0].scan, size, &[-7e-9, -9e-9, 13e-9, -1e-9, -3e-9, -5e-9].map(Some), 1e-22);
+    assert_holds(&all[2].scan, size, &[-1e-9, -3e-9, -5e-9, -7e-9, -9e-9, 13e-9].map(Some), 1e-22);
+    let names: Vec<_> = all.iter().map(|file| file.channel.as_deref().unwrap()).collect();
+    let expected =
+        ["Height (measured) (Trace)", "Vertical Deflection (Trace)", "Height (Retrace)", "Phase (Retrace)"];
+    assert_eq!(names, expected);
+    let measures: Vec<_> = all.iter().map(|file| file.measure.clone()).collect();
+    let phase = Measure::Other("deg".to_owned());
+    assert_eq!(measures, [Measure::Height, Measure::Length, Measure::Height, phase]);
+    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+    assert_eq!(all[0].free_text, "PEG on mica\ntip radius 10 nm\n");
+}
+
+#[test]
+fn what_cannot_be_read_is_told() {
+    let odd = scan("QuadraticScaling");
+    let error = channels(&odd, true).remove(0).unwrap_err().to_string();
+    assert!(error.contains("a channel with the scaling 'QuadraticScaling' cannot be read"), "{error}");
+    // The other direction is read instead.
+    let read = read_scans(&odd, "scan", &ScanOptions::default()).unwrap();
+    assert_eq!(read[0].channel.as_deref(), Some("Height (Retrace)"));
+    let mut cut = scan("LinearScaling");
+    cut.truncate(cut.len() - 8);
+    let error = channels(&cut, true).remove(0).unwrap_err().to_string();
+    assert!(error.contains("a strip of the image takes 6 bytes, but the file ends 0 bytes on"), "{error}");
+    assert_eq!(heights(&scan("LinearScaling")).len(), 2);
+}
