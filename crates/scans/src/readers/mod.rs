@@ -1,5 +1,6 @@
 //! One module a format: how its files are told, and what channels they hold.
 
+mod alicona;
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod digital_surf;
@@ -30,6 +31,7 @@ pub(crate) struct Reader {
 
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
+    alicona::READER,
     digital_surf::READER,
     nanoscope::READER,
     netcdf::READER,

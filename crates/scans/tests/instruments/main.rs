@@ -3,6 +3,7 @@
 //! A module a format has `fn samples() -> Vec<Sample>`: small files that the reader of the format reads. From them also
 //! start the fuzzer and the test that cuts and flips bytes.
 
+mod alicona;
 mod bytes;
 mod digital_surf;
 mod sensofar;
@@ -23,6 +24,7 @@ pub struct Sample {
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
+        (ScanFormat::Alicona, alicona::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
