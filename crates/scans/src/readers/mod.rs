@@ -4,6 +4,7 @@ mod alicona;
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod digital_surf;
+mod metropro;
 mod nanoscope;
 mod netcdf;
 mod sensofar;
@@ -33,6 +34,7 @@ pub(crate) struct Reader {
 pub(crate) const READERS: &[Reader] = &[
     alicona::READER,
     digital_surf::READER,
+    metropro::READER,
     nanoscope::READER,
     netcdf::READER,
     sensofar::READER,

@@ -6,6 +6,7 @@
 mod alicona;
 mod bytes;
 mod digital_surf;
+mod metropro;
 mod sensofar;
 mod sensofar_plux;
 mod vision64;
@@ -26,6 +27,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Alicona, alicona::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
         (ScanFormat::Vision64, vision64::samples()),
