@@ -1,6 +1,7 @@
 //! One module a format: how its files are told, and what channels they hold.
 
 mod alicona;
+mod bcr;
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod digital_surf;
@@ -33,6 +34,7 @@ pub(crate) struct Reader {
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
     alicona::READER,
+    bcr::READER,
     digital_surf::READER,
     metropro::READER,
     nanoscope::READER,

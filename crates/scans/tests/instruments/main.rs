@@ -4,6 +4,7 @@
 //! start the fuzzer and the test that cuts and flips bytes.
 
 mod alicona;
+mod bcr;
 mod bytes;
 mod digital_surf;
 mod metropro;
@@ -26,6 +27,7 @@ pub struct Sample {
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Alicona, alicona::samples()),
+        (ScanFormat::Bcr, bcr::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
