@@ -6,6 +6,8 @@ mod bcr;
 pub(crate) mod container;
 mod digital_surf;
 mod metropro;
+#[cfg(feature = "mountains")]
+mod mountains_map;
 mod nanoscope;
 mod netcdf;
 mod sensofar;
@@ -37,6 +39,8 @@ pub(crate) const READERS: &[Reader] = &[
     bcr::READER,
     digital_surf::READER,
     metropro::READER,
+    #[cfg(feature = "mountains")]
+    mountains_map::READER,
     nanoscope::READER,
     netcdf::READER,
     sensofar::READER,

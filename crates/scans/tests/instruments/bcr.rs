@@ -40,7 +40,7 @@ fn numbers(lines: &[&str]) -> Vec<u8> {
 }
 
 /// The lines and one more.
-fn with<'a>(line: &'a str) -> Vec<&'a str> {
+fn with(line: &str) -> Vec<&str> {
     let key = line.split(' ').next().unwrap();
     let others = LINES.iter().copied().filter(|own| !own.starts_with(key));
     others.chain([line]).collect()

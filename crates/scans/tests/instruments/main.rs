@@ -8,6 +8,7 @@ mod bcr;
 mod bytes;
 mod digital_surf;
 mod metropro;
+mod mountains_map;
 mod sensofar;
 mod sensofar_plux;
 mod vision64;
@@ -30,6 +31,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Bcr, bcr::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
+        (ScanFormat::MountainsMap, mountains_map::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
         (ScanFormat::Vision64, vision64::samples()),
