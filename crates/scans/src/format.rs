@@ -64,6 +64,10 @@ pub enum ScanFormat {
     Hdf5,
     /// Workbooks of profilometers: `.xlsx`.
     Workbook,
+    /// Digital Metrology OmniSurf3D: `.os3d`.
+    OmniSurf,
+    /// KLA Zeta: `.zmg`.
+    Zeta,
 }
 
 impl ScanFormat {
@@ -110,6 +114,8 @@ impl fmt::Display for ScanFormat {
             Self::Numpy => "NumPy",
             Self::Hdf5 => "HDF5",
             Self::Workbook => "workbook",
+            Self::OmniSurf => "OmniSurf3D",
+            Self::Zeta => "Zeta",
         })
     }
 }

@@ -10,6 +10,7 @@ mod metropro;
 mod mountains_map;
 mod nanoscope;
 mod netcdf;
+mod omni_surf;
 mod sensofar;
 #[cfg(feature = "archives")]
 mod sensofar_plux;
@@ -18,6 +19,7 @@ mod vision64;
 mod wyko;
 #[cfg(feature = "x3p")]
 mod x3p;
+mod zeta;
 
 use crate::channel::Channel;
 use crate::error::ScanReadError;
@@ -43,6 +45,7 @@ pub(crate) const READERS: &[Reader] = &[
     mountains_map::READER,
     nanoscope::READER,
     netcdf::READER,
+    omni_surf::READER,
     sensofar::READER,
     #[cfg(feature = "archives")]
     sensofar_plux::READER,
@@ -50,6 +53,7 @@ pub(crate) const READERS: &[Reader] = &[
     wyko::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
+    zeta::READER,
     text::READER,
 ];
 

@@ -9,10 +9,12 @@ mod bytes;
 mod digital_surf;
 mod metropro;
 mod mountains_map;
+mod omni_surf;
 mod sensofar;
 mod sensofar_plux;
 mod vision64;
 mod wyko;
+mod zeta;
 
 use scans::{Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels};
 
@@ -32,10 +34,12 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::MountainsMap, mountains_map::samples()),
+        (ScanFormat::OmniSurf, omni_surf::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
         (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Wyko, wyko::samples()),
+        (ScanFormat::Zeta, zeta::samples()),
     ]
 }
 
