@@ -66,6 +66,10 @@ pub enum ScanFormat {
     Workbook,
     /// JPK Instruments: `.jpk`, `.jpk-qi-image`.
     Jpk,
+    /// Digital Metrology OmniSurf3D: `.os3d`.
+    OmniSurf,
+    /// KLA Zeta: `.zmg`.
+    Zeta,
 }
 
 impl ScanFormat {
@@ -115,6 +119,8 @@ impl fmt::Display for ScanFormat {
             Self::Hdf5 => "HDF5",
             Self::Workbook => "workbook",
             Self::Jpk => "JPK",
+            Self::OmniSurf => "OmniSurf3D",
+            Self::Zeta => "Zeta",
         })
     }
 }

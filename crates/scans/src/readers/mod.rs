@@ -1,5 +1,7 @@
 //! One module a format: how its files are told, and what channels they hold.
 
+mod alicona;
+mod bcr;
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod digital_surf;
@@ -9,6 +11,9 @@ mod even_axis;
 mod frt;
 mod keyence;
 mod nanofocus;
+mod metropro;
+#[cfg(feature = "mountains")]
+mod mountains_map;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
@@ -20,6 +25,7 @@ mod nanosurf;
 mod netcdf;
 mod park;
 mod sections;
+mod omni_surf;
 mod sensofar;
 #[cfg(feature = "archives")]
 mod sensofar_plux;
@@ -35,6 +41,7 @@ mod tiff;
 mod wsxm;
 #[cfg(feature = "x3p")]
 mod x3p;
+mod zeta;
 
 use crate::channel::Channel;
 use crate::error::ScanReadError;
@@ -57,10 +64,17 @@ pub(crate) const READERS: &[Reader] = &[
     digital_surf::READER,
     frt::READER,
     keyence::READER,
+    alicona::READER,
+    bcr::READER,
+    digital_surf::READER,
+    metropro::READER,
+    #[cfg(feature = "mountains")]
+    mountains_map::READER,
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
     numpy::READER,
+    omni_surf::READER,
     sensofar::READER,
     #[cfg(feature = "archives")]
     sensofar_plux::READER,
@@ -81,6 +95,7 @@ pub(crate) const READERS: &[Reader] = &[
     x3p::READER,
     // It has no name of its own, and no text is taken for it.
     nanofocus::READER,
+    zeta::READER,
     text::READER,
 ];
 

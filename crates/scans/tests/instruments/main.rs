@@ -3,6 +3,8 @@
 //! A module a format has `fn samples() -> Vec<Sample>`: small files that the reader of the format reads. From them also
 //! start the fuzzer and the test that cuts and flips bytes.
 
+mod alicona;
+mod bcr;
 mod bytes;
 mod digital_surf;
 mod gwyddion;
@@ -13,6 +15,9 @@ mod nanosurf;
 mod numpy;
 #[cfg(feature = "archives")]
 mod packed;
+mod metropro;
+mod mountains_map;
+mod omni_surf;
 mod sensofar;
 mod sensofar_plux;
 mod text;
@@ -34,6 +39,7 @@ pub mod zip_file;
 mod park;
 mod tiff_file;
 mod wsxm;
+mod zeta;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -50,6 +56,8 @@ pub struct Sample {
 /// The samples of every format.
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
+        (ScanFormat::Alicona, alicona::samples()),
+        (ScanFormat::Bcr, bcr::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
@@ -57,6 +65,9 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
         (ScanFormat::Numpy, numpy::samples()),
+        (ScanFormat::MetroPro, metropro::samples()),
+        (ScanFormat::MountainsMap, mountains_map::samples()),
+        (ScanFormat::OmniSurf, omni_surf::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
         (ScanFormat::Text, text::samples()),
@@ -73,6 +84,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::X3p, x3p::samples()),
         (ScanFormat::ParkTiff, park::samples()),
         (ScanFormat::Wsxm, wsxm::samples()),
+        (ScanFormat::Zeta, zeta::samples()),
     ]
 }
 

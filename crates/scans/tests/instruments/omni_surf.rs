@@ -1,0 +1,52 @@
+//! OmniSurf3D: heights behind texts of any length.
+
+use scans::{ScanOptions, read_scans};
+
+use crate::bytes::Bytes;
+use crate::{Sample, assert_holds, heights};
+
+fn map(spacing: f64, rows: u32) -> Vec<u8> {
+    let mut file = Bytes::default();
+    file.put("OmniSurf3D").put(1u32.to_le_bytes()).put(0u32.to_le_bytes());
+    for text in ["plateau honed", "2024-01-02 03:04:05"] {
+        file.put((text.len() as u32).to_le_bytes()).put(text);
+    }
+    file.put(3u32.to_le_bytes()).put(rows.to_le_bytes());
+    for number in [spacing, 2.0, 0.0, 0.0] {
+        file.put(number.to_le_bytes());
+    }
+    for point in [1.0, -2.0, 3.0, f32::MIN, 5.0, 6.0] {
+        file.put(point.to_le_bytes());
+    }
+    file.0
+}
+
+pub fn samples() -> Vec<Sample> {
+    vec![Sample { name: "map", bytes: map(0.5, 2) }, Sample { name: "line", bytes: map(0.5, 1) }]
+}
+
+#[test]
+fn maps_and_lines_are_read() {
+    let [scan] = heights(&map(0.5, 2)).try_into().unwrap();
+    let heights_m = [1.0, -2.0, 3.0, 0.0, 5.0, 6.0].map(|um| Some(um * 1e-6).filter(|_| um != 0.0));
+    assert_holds(&scan.scan, (1.5e-6, Some(4e-6)), &heights_m, 1e-20);
+    assert_eq!(scan.free_text, "plateau honed");
+    let [line] = heights(&map(0.5, 1)).try_into().unwrap();
+    assert_holds(&line.scan, (1.5e-6, None), &heights_m[..3], 1e-20);
+}
+
+#[test]
+fn damage_is_told() {
+    assert_eq!(
+        refusal(&map(-1.0, 2)),
+        "reading OmniSurf3D, byte 66: the distance of columns is -1, it must be a number above 0; the file is damaged or \
+         of a variant that is not known: export it again"
+    );
+    assert!(refusal(&map(1.0, 3)).contains("takes 36 bytes, but the file ends 24 bytes on"));
+    assert!(refusal(&map(1.0, 0)).contains("the number of rows is 0"));
+    assert!(refusal(&map(1.0, 2)[..30]).contains("the identification takes 13 bytes"));
+}
+
+fn refusal(bytes: &[u8]) -> String {
+    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+}
