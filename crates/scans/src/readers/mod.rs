@@ -5,40 +5,36 @@ mod bcr;
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod digital_surf;
-mod gwyddion;
-mod igor;
 mod even_axis;
 mod frt;
+mod gwyddion;
+mod igor;
+mod jpk;
 mod keyence;
-mod nanofocus;
 mod metropro;
+mod molecular_imaging;
 #[cfg(feature = "mountains")]
 mod mountains_map;
+mod nanofocus;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
 mod numpy;
-mod jpk;
-mod molecular_imaging;
-mod nanoscope;
-mod nanosurf;
-mod netcdf;
-mod park;
-mod sections;
 mod omni_surf;
+mod park;
+mod sdf;
+mod sections;
 mod sensofar;
 #[cfg(feature = "archives")]
 mod sensofar_plux;
 mod text;
-mod vision64;
-mod wyko;
-mod sdf;
-mod text;
+mod tiff;
 mod truemap;
+mod vision64;
 #[cfg(feature = "workbook")]
 mod workbook;
-mod tiff;
 mod wsxm;
+mod wyko;
 #[cfg(feature = "x3p")]
 mod x3p;
 mod zeta;
@@ -59,42 +55,37 @@ pub(crate) struct Reader {
 
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
-    gwyddion::READER,
-    igor::READER,
-    digital_surf::READER,
-    frt::READER,
-    keyence::READER,
     alicona::READER,
     bcr::READER,
     digital_surf::READER,
+    frt::READER,
+    gwyddion::READER,
+    igor::READER,
+    jpk::READER,
+    keyence::READER,
     metropro::READER,
+    molecular_imaging::READER,
     #[cfg(feature = "mountains")]
     mountains_map::READER,
+    nanofocus::READER,
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
     numpy::READER,
     omni_surf::READER,
+    park::READER,
+    sdf::READER,
     sensofar::READER,
     #[cfg(feature = "archives")]
     sensofar_plux::READER,
-    vision64::READER,
-    wyko::READER,
-    sdf::READER,
     truemap::READER,
+    vision64::READER,
     #[cfg(feature = "workbook")]
     workbook::READER,
-    jpk::READER,
-    molecular_imaging::READER,
-    nanoscope::READER,
-    nanosurf::READER,
-    netcdf::READER,
-    park::READER,
     wsxm::READER,
+    wyko::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
-    // It has no name of its own, and no text is taken for it.
-    nanofocus::READER,
     zeta::READER,
     text::READER,
 ];

@@ -7,39 +7,35 @@ mod alicona;
 mod bcr;
 mod bytes;
 mod digital_surf;
+mod frt;
 mod gwyddion;
 mod igor;
 mod jpk;
+mod keyence;
+mod metropro;
 mod molecular_imaging;
+mod mountains_map;
+mod nanofocus;
 mod nanosurf;
 mod numpy;
+mod omni_surf;
 #[cfg(feature = "archives")]
 mod packed;
-mod metropro;
-mod mountains_map;
-mod omni_surf;
+mod park;
+mod sdf;
 mod sensofar;
 mod sensofar_plux;
 mod text;
-mod vision64;
-mod wyko;
-mod frt;
-mod keyence;
-mod nanofocus;
-mod numpy;
-#[cfg(feature = "archives")]
-mod packed;
-mod sdf;
-mod text;
+mod tiff_file;
 mod truemap;
+mod vision64;
 mod workbook;
+mod wsxm;
+mod wyko;
 mod x3p;
+mod zeta;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
-mod park;
-mod tiff_file;
-mod wsxm;
-mod zeta;
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -59,31 +55,29 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Alicona, alicona::samples()),
         (ScanFormat::Bcr, bcr::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::Frt, frt::samples()),
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Jpk, jpk::samples()),
+        (ScanFormat::Keyence, keyence::samples()),
+        (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
+        (ScanFormat::MountainsMap, mountains_map::samples()),
+        (ScanFormat::NanoFocus, nanofocus::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
         (ScanFormat::Numpy, numpy::samples()),
-        (ScanFormat::MetroPro, metropro::samples()),
-        (ScanFormat::MountainsMap, mountains_map::samples()),
         (ScanFormat::OmniSurf, omni_surf::samples()),
+        (ScanFormat::ParkTiff, park::samples()),
+        (ScanFormat::Sdf, sdf::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
         (ScanFormat::SensofarPlux, sensofar_plux::samples()),
         (ScanFormat::Text, text::samples()),
-        (ScanFormat::Vision64, vision64::samples()),
-        (ScanFormat::Wyko, wyko::samples()),
-        (ScanFormat::Frt, frt::samples()),
-        (ScanFormat::Keyence, keyence::samples()),
-        (ScanFormat::NanoFocus, nanofocus::samples()),
-        (ScanFormat::Numpy, numpy::samples()),
-        (ScanFormat::Sdf, sdf::samples()),
-        (ScanFormat::Text, text::samples()),
         (ScanFormat::TrueMap, truemap::samples()),
+        (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Workbook, workbook::samples()),
-        (ScanFormat::X3p, x3p::samples()),
-        (ScanFormat::ParkTiff, park::samples()),
         (ScanFormat::Wsxm, wsxm::samples()),
+        (ScanFormat::Wyko, wyko::samples()),
+        (ScanFormat::X3p, x3p::samples()),
         (ScanFormat::Zeta, zeta::samples()),
     ]
 }
