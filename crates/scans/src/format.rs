@@ -68,6 +68,8 @@ pub enum ScanFormat {
     OmniSurf,
     /// KLA Zeta: `.zmg`.
     Zeta,
+    /// Mahr MarWin: `.qep`.
+    MarWin,
 }
 
 impl ScanFormat {
@@ -116,6 +118,7 @@ impl fmt::Display for ScanFormat {
             Self::Workbook => "workbook",
             Self::OmniSurf => "OmniSurf3D",
             Self::Zeta => "Zeta",
+            Self::MarWin => "MarWin",
         })
     }
 }

@@ -5,6 +5,8 @@ mod bcr;
 #[cfg(feature = "container")]
 pub(crate) mod container;
 mod digital_surf;
+#[cfg(feature = "archives")]
+mod marwin;
 mod metropro;
 #[cfg(feature = "mountains")]
 mod mountains_map;
@@ -40,6 +42,8 @@ pub(crate) const READERS: &[Reader] = &[
     alicona::READER,
     bcr::READER,
     digital_surf::READER,
+    #[cfg(feature = "archives")]
+    marwin::READER,
     metropro::READER,
     #[cfg(feature = "mountains")]
     mountains_map::READER,

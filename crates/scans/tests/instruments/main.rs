@@ -7,6 +7,7 @@ mod alicona;
 mod bcr;
 mod bytes;
 mod digital_surf;
+mod marwin;
 mod metropro;
 mod mountains_map;
 mod omni_surf;
@@ -32,6 +33,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Alicona, alicona::samples()),
         (ScanFormat::Bcr, bcr::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
+        (ScanFormat::MarWin, marwin::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::MountainsMap, mountains_map::samples()),
         (ScanFormat::OmniSurf, omni_surf::samples()),

@@ -14,6 +14,8 @@ use crate::raster::Decoded;
 use crate::readers::Reader;
 use columns::Columns;
 use header::Header;
+#[cfg(feature = "archives")]
+pub(super) use profile::even_spacing;
 use style::FORMAT;
 use units::LengthUnit;
 
