@@ -54,15 +54,40 @@ const LONG: u16 = 12;
 
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let blocks = blocks(bytes)?;
+    let wavelengths = number(&blocks, "Wavelength").map(|wavelength_nm| {
+        let factor = number(&blocks, "Mult").filter(|&factor| factor != 0.0);
+        wavelength_nm / factor.unwrap_or(1.0)
+    });
+    let (lateral, free_text) = (lateral(&blocks), free_text(&blocks));
     let mut channels = Vec::new();
     for block in blocks.iter().filter(|block| block.kind == ARRAY) {
-        if HEIGHTS.contains(&block.name.as_str()) {
-            channels.push(heights(block, &blocks));
+        let (quantity, scale) = if HEIGHTS.contains(&block.name.as_str()) {
+            (Quantity::Heights(Some(LengthUnit::NANOMETRE)), wavelengths.ok_or_else(no_wavelength))
         } else if INTENSITIES.contains(&block.name.as_str()) {
-            channels.push(channel(block, &blocks, Quantity::Other(String::new()), Ok(1.0)));
-        }
+            (Quantity::Other(String::new()), Ok(1.0))
+        } else {
+            continue;
+        };
+        let samples = match scale.and_then(|scale| raster(block, scale)) {
+            Ok(raster) => Samples::Raster(raster),
+            Err(error) => Samples::Unreadable(Box::new(error)),
+        };
+        channels.push(Channel {
+            probe: Some(Probe::Microscope),
+            free_text: free_text.clone(),
+            ..Channel::new(Some(block.name.clone()), quantity, lateral.clone(), samples)
+        });
     }
     Ok(channels)
+}
+
+fn no_wavelength() -> ScanReadError {
+    ScanReadError::MissingField {
+        format: FORMAT,
+        place: Place::File,
+        field: "block 'Wavelength', which scales the heights".to_owned(),
+        mend: "export the file again",
+    }
 }
 
 /// The blocks that are not empty, in the order of the file.
@@ -105,41 +130,12 @@ fn entry(cursor: &mut Cursor) -> Result<Entry, ScanReadError> {
     Ok(Entry { name, kind, length: usize::try_from(length).unwrap_or(0) })
 }
 
-fn heights<'b>(block: &Block<'b>, blocks: &[Block<'b>]) -> Channel<'b> {
-    let scale = match number(blocks, "Wavelength") {
-        Some(wavelength) => {
-            let factor = number(blocks, "Mult").filter(|&factor| factor != 0.0);
-            Ok(wavelength / factor.unwrap_or(1.0))
-        }
-        None => Err(ScanReadError::MissingField {
-            format: FORMAT,
-            place: Place::File,
-            field: "block 'Wavelength', which scales the heights".to_owned(),
-            mend: "export the file again",
-        }),
-    };
-    channel(block, blocks, Quantity::Heights(Some(LengthUnit::NANOMETRE)), scale)
-}
-
-fn channel<'b>(
-    block: &Block<'b>,
-    blocks: &[Block<'b>],
-    quantity: Quantity,
-    scale: Result<f64, ScanReadError>,
-) -> Channel<'b> {
-    let samples = match scale.and_then(|scale| raster(block, scale)) {
-        Ok(raster) => Samples::Raster(raster),
-        Err(error) => Samples::Unreadable(Box::new(error)),
-    };
+fn free_text(blocks: &[Block]) -> String {
     let text = |name: &&str| {
         let found = blocks.iter().find(|block| block.kind == TEXT && block.name == **name)?;
         Some(latin1(found.bytes)).filter(|text| !text.is_empty())
     };
-    Channel {
-        probe: Some(Probe::Microscope),
-        free_text: TEXTS.iter().filter_map(text).collect::<Vec<_>>().join("\n"),
-        ..Channel::new(Some(block.name.clone()), quantity, lateral(blocks), samples)
-    }
+    TEXTS.iter().filter_map(text).collect::<Vec<_>>().join("\n")
 }
 
 /// The numbers of columns and rows and the bytes of a point, then the points.
