@@ -15,7 +15,8 @@ use crate::readers::Reader;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Wyko;
-const MAGIC: &[u8] = b"\x01\x00Directory\0";
+/// The name of the first block, which lists the others.
+const MAGIC: &[u8] = b"Directory\0";
 /// The directory begins after two bytes.
 const DIRECTORY: usize = 2;
 const ENTRY_BYTES: usize = 24;
@@ -33,7 +34,7 @@ const GAP_I16: f64 = 32766.0;
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
 fn recognises(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
+    bytes.get(DIRECTORY..).is_some_and(|directory| directory.starts_with(MAGIC))
 }
 
 /// An entry of the directory with the bytes of its block that the file holds.
@@ -183,9 +184,9 @@ fn number(blocks: &[Block], name: &str) -> Option<f64> {
     let block = blocks.iter().find(|block| block.name == name)?;
     match (block.kind, block.bytes) {
         (SHORT | FLOAT | LONG, &[a, b]) => Some(f64::from(i16::from_le_bytes([a, b]))),
-        (SHORT | LONG, &[a, b, c, d]) => Some(f64::from(i32::from_le_bytes([a, b, c, d]))),
-        (FLOAT, &[a, b, c, d]) => Some(f64::from(f32::from_le_bytes([a, b, c, d]))),
-        (DOUBLE, &[a, b, c, d, e, f, g, h]) => Some(f64::from_le_bytes([a, b, c, d, e, f, g, h])),
+        (SHORT | LONG, &[a, b, c, d, ..]) => Some(f64::from(i32::from_le_bytes([a, b, c, d]))),
+        (FLOAT, &[a, b, c, d, ..]) => Some(f64::from(f32::from_le_bytes([a, b, c, d]))),
+        (DOUBLE, &[a, b, c, d, e, f, g, h, ..]) => Some(f64::from_le_bytes([a, b, c, d, e, f, g, h])),
         _ => None,
     }
 }
