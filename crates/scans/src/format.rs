@@ -70,6 +70,8 @@ pub enum ScanFormat {
     OmniSurf,
     /// KLA Zeta: `.zmg`.
     Zeta,
+    /// Mahr MarWin: `.qep`.
+    MarWin,
 }
 
 impl ScanFormat {
@@ -121,6 +123,7 @@ impl fmt::Display for ScanFormat {
             Self::Jpk => "JPK",
             Self::OmniSurf => "OmniSurf3D",
             Self::Zeta => "Zeta",
+            Self::MarWin => "MarWin",
         })
     }
 }

@@ -11,6 +11,8 @@ mod gwyddion;
 mod igor;
 mod jpk;
 mod keyence;
+#[cfg(feature = "archives")]
+mod marwin;
 mod metropro;
 mod molecular_imaging;
 #[cfg(feature = "mountains")]
@@ -63,6 +65,8 @@ pub(crate) const READERS: &[Reader] = &[
     igor::READER,
     jpk::READER,
     keyence::READER,
+    #[cfg(feature = "archives")]
+    marwin::READER,
     metropro::READER,
     molecular_imaging::READER,
     #[cfg(feature = "mountains")]

@@ -18,6 +18,9 @@ const HEADER_BYTES: usize = 500;
 /// Points without a height hold this number.
 const GAP: f64 = 1_000_001.0;
 
+/// Most profiles of a measurement, each of which is a channel; instruments take some tens.
+const MOST_PROFILES: usize = 10_000;
+
 const DAYS: [&[u8]; 7] = [b"Mon", b"Tue", b"Wed", b"Thu", b"Fri", b"Sat", b"Sun"];
 const MONTHS: [&[u8]; 12] =
     [b"Jan", b"Feb", b"Mar", b"Apr", b"May", b"Jun", b"Jul", b"Aug", b"Sep", b"Oct", b"Nov", b"Dec"];
@@ -39,11 +42,11 @@ fn recognises(bytes: &[u8]) -> bool {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Image,
-    Profile,
-    /// Rows at a distance of their own.
+    /// One profile or several, each a row.
     Profiles,
     Topography,
-    Thickness,
+    /// Profiles of the thickness of a layer.
+    Thicknesses,
 }
 
 struct Header {
@@ -51,8 +54,6 @@ struct Header {
     kind: Kind,
     /// Distances in µm of columns and rows.
     spacings: [f32; 2],
-    /// Distance in µm of the rows of several profiles.
-    profile_spacing: f32,
     layers: usize,
     pictures: usize,
 }
@@ -66,7 +67,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         if layer > 0 && cursor.rest().is_empty() {
             break;
         }
-        channels.push(channel(&mut cursor, &header, layer)?);
+        channels.extend(layer_channels(&mut cursor, &header, layer)?);
     }
     Ok(channels)
 }
@@ -74,8 +75,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 fn header(cursor: &mut Cursor) -> Result<Header, ScanReadError> {
     cursor.skip(132, "the time of the measurement")?;
     let comment = cursor.text(256, "the comment")?;
-    cursor.skip(12, "the numbers of points")?;
-    let profile_spacing = cursor.f32("the distance of profiles")?;
+    cursor.skip(16, "the numbers of points")?;
     let spacings = [cursor.f32("the distance of columns")?, cursor.f32("the distance of rows")?];
     cursor.skip(16, "the offsets")?;
     let kind = kind(cursor)?;
@@ -85,17 +85,16 @@ fn header(cursor: &mut Cursor) -> Result<Header, ScanReadError> {
     let pictures = usize::from(cursor.u8("the number of pictures")?);
     cursor.skip(7, "the rest of the header")?;
     let comment = if comment == "(None)" { String::new() } else { comment };
-    Ok(Header { comment, kind, spacings, profile_spacing, layers: layers.max(1), pictures })
+    Ok(Header { comment, kind, spacings, layers: layers.max(1), pictures })
 }
 
 fn kind(cursor: &mut Cursor) -> Result<Kind, ScanReadError> {
     let offset = cursor.offset();
     match cursor.u32("the type of the measurement")? {
         0 => Ok(Kind::Image),
-        1 => Ok(Kind::Profile),
-        2 => Ok(Kind::Profiles),
+        1 | 2 => Ok(Kind::Profiles),
         3 => Ok(Kind::Topography),
-        5 => Ok(Kind::Thickness),
+        5 => Ok(Kind::Thicknesses),
         other => Err(ScanReadError::Unsupported {
             format: FORMAT,
             place: Place::Byte(offset as u64),
@@ -105,48 +104,61 @@ fn kind(cursor: &mut Cursor) -> Result<Kind, ScanReadError> {
     }
 }
 
-/// The layer at the cursor, which moves on to the next.
-fn channel<'b>(cursor: &mut Cursor<'b>, header: &Header, layer: usize) -> Result<Channel<'b>, ScanReadError> {
+/// The layer at the cursor, which moves on to the next: one channel, or one for each of several profiles.
+fn layer_channels<'b>(
+    cursor: &mut Cursor<'b>,
+    header: &Header,
+    layer: usize,
+) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let start = cursor.offset();
     let rows = cursor.count("the number of rows")?;
     let columns = cursor.count("the number of columns")?;
-    let bytes = cursor.rest();
-    let raster = Raster::new(NumberType::F32, columns, rows, bytes, cursor.offset());
+    let (points_bytes, offset) = (cursor.rest(), cursor.offset());
+    let raster = Raster::new(NumberType::F32, columns, rows, points_bytes, offset);
     let raster = Raster { gap: GapMark::Equal(GAP), ..raster };
     let points = columns.checked_mul(rows);
     // The extreme values follow, then three bytes a point of each picture.
     let size = points.and_then(|points| points.checked_mul(4 + 3 * header.pictures)?.checked_add(8));
     *cursor = cursor.at(cursor.offset().saturating_add(size.unwrap_or(usize::MAX)));
-    let quantity = match header.kind {
-        Kind::Image => Quantity::Other(String::new()),
-        Kind::Thickness => Quantity::OtherLength(LengthUnit::MICROMETRE),
-        _ => Quantity::Heights(Some(LengthUnit::MICROMETRE)),
+    if rows == 1 || matches!(header.kind, Kind::Image | Kind::Topography) {
+        return Ok(vec![channel(header, format!("layer{layer}"), raster)]);
+    }
+    if rows > MOST_PROFILES {
+        let bound = format!("at most {MOST_PROFILES}");
+        return Err(cursor.bad(start, "the number of profiles", &rows.to_string(), &bound));
+    }
+    raster.check(FORMAT)?;
+    let row_bytes = columns * NumberType::F32.bytes();
+    let row = |row: usize| {
+        let first = row * row_bytes;
+        let bytes = points_bytes.get(first..).unwrap_or_default();
+        let own = Raster { rows: 1, bytes: bytes.into(), offset: offset + first, ..raster.clone() };
+        channel(header, format!("profile {} of layer{layer}", row + 1), own)
     };
-    let mut notes = Vec::new();
-    let lateral = lateral(header, rows, &mut notes);
-    Ok(Channel {
-        probe: Some(Probe::Microscope),
-        free_text: header.comment.clone(),
-        notes,
-        ..Channel::new(Some(format!("layer{layer}")), quantity, lateral, Samples::Raster(raster))
-    })
+    Ok((0..rows).map(row).collect())
 }
 
-fn lateral(header: &Header, rows: usize, notes: &mut Vec<String>) -> Lateral {
+fn channel<'b>(header: &Header, name: String, raster: Raster<'b>) -> Channel<'b> {
+    let quantity = match header.kind {
+        Kind::Image => Quantity::Other(String::new()),
+        Kind::Thicknesses => Quantity::OtherLength(LengthUnit::MICROMETRE),
+        Kind::Profiles | Kind::Topography => Quantity::Heights(Some(LengthUnit::MICROMETRE)),
+    };
+    Channel {
+        probe: Some(Probe::Microscope),
+        free_text: header.comment.clone(),
+        ..Channel::new(Some(name), quantity, lateral(header, raster.rows), Samples::Raster(raster))
+    }
+}
+
+fn lateral(header: &Header, rows: usize) -> Lateral {
     let in_m = |spacing: f32| {
         let spacing_m = LengthUnit::MICROMETRE.to_m(f64::from(spacing.abs()));
         (spacing_m.is_finite() && spacing_m > 0.0).then_some(spacing_m)
     };
-    let [x_m, mut y_m] = header.spacings.map(in_m);
-    if header.kind == Kind::Profiles
-        && rows > 1
-        && let Some(own_m) = in_m(header.profile_spacing)
-    {
-        notes.push("the rows are profiles, taken to lie as far apart as their header says".to_owned());
-        y_m = Some(own_m);
-    }
-    match (x_m, y_m) {
-        (Some(x_m), _) if rows == 1 => Lateral::Spacing { x_m, y_m: None },
-        (Some(x_m), Some(_)) => Lateral::Spacing { x_m, y_m },
+    match header.spacings.map(in_m) {
+        [Some(x_m), _] if rows == 1 => Lateral::Spacing { x_m, y_m: None },
+        [Some(x_m), Some(y_m)] => Lateral::Spacing { x_m, y_m: Some(y_m) },
         _ => Lateral::Unknown,
     }
 }

@@ -15,7 +15,8 @@ use crate::readers::Reader;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Wyko;
-const MAGIC: &[u8] = b"\x01\x00Directory\0";
+/// The name of the first block, which lists the others.
+const MAGIC: &[u8] = b"Directory\0";
 /// The directory begins after two bytes.
 const DIRECTORY: usize = 2;
 const ENTRY_BYTES: usize = 24;
@@ -33,7 +34,7 @@ const GAP_I16: f64 = 32766.0;
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
 fn recognises(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
+    bytes.get(DIRECTORY..).is_some_and(|directory| directory.starts_with(MAGIC))
 }
 
 /// An entry of the directory with the bytes of its block that the file holds.
@@ -54,15 +55,40 @@ const LONG: u16 = 12;
 
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let blocks = blocks(bytes)?;
+    let wavelengths = number(&blocks, "Wavelength").map(|wavelength_nm| {
+        let factor = number(&blocks, "Mult").filter(|&factor| factor != 0.0);
+        wavelength_nm / factor.unwrap_or(1.0)
+    });
+    let (lateral, free_text) = (lateral(&blocks), free_text(&blocks));
     let mut channels = Vec::new();
     for block in blocks.iter().filter(|block| block.kind == ARRAY) {
-        if HEIGHTS.contains(&block.name.as_str()) {
-            channels.push(heights(block, &blocks));
+        let (quantity, scale) = if HEIGHTS.contains(&block.name.as_str()) {
+            (Quantity::Heights(Some(LengthUnit::NANOMETRE)), wavelengths.ok_or_else(no_wavelength))
         } else if INTENSITIES.contains(&block.name.as_str()) {
-            channels.push(channel(block, &blocks, Quantity::Other(String::new()), Ok(1.0)));
-        }
+            (Quantity::Other(String::new()), Ok(1.0))
+        } else {
+            continue;
+        };
+        let samples = match scale.and_then(|scale| raster(block, scale)) {
+            Ok(raster) => Samples::Raster(raster),
+            Err(error) => Samples::Unreadable(Box::new(error)),
+        };
+        channels.push(Channel {
+            probe: Some(Probe::Microscope),
+            free_text: free_text.clone(),
+            ..Channel::new(Some(block.name.clone()), quantity, lateral.clone(), samples)
+        });
     }
     Ok(channels)
+}
+
+fn no_wavelength() -> ScanReadError {
+    ScanReadError::MissingField {
+        format: FORMAT,
+        place: Place::File,
+        field: "block 'Wavelength', which scales the heights".to_owned(),
+        mend: "export the file again",
+    }
 }
 
 /// The blocks that are not empty, in the order of the file.
@@ -105,41 +131,12 @@ fn entry(cursor: &mut Cursor) -> Result<Entry, ScanReadError> {
     Ok(Entry { name, kind, length: usize::try_from(length).unwrap_or(0) })
 }
 
-fn heights<'b>(block: &Block<'b>, blocks: &[Block<'b>]) -> Channel<'b> {
-    let scale = match number(blocks, "Wavelength") {
-        Some(wavelength) => {
-            let factor = number(blocks, "Mult").filter(|&factor| factor != 0.0);
-            Ok(wavelength / factor.unwrap_or(1.0))
-        }
-        None => Err(ScanReadError::MissingField {
-            format: FORMAT,
-            place: Place::File,
-            field: "block 'Wavelength', which scales the heights".to_owned(),
-            mend: "export the file again",
-        }),
-    };
-    channel(block, blocks, Quantity::Heights(Some(LengthUnit::NANOMETRE)), scale)
-}
-
-fn channel<'b>(
-    block: &Block<'b>,
-    blocks: &[Block<'b>],
-    quantity: Quantity,
-    scale: Result<f64, ScanReadError>,
-) -> Channel<'b> {
-    let samples = match scale.and_then(|scale| raster(block, scale)) {
-        Ok(raster) => Samples::Raster(raster),
-        Err(error) => Samples::Unreadable(Box::new(error)),
-    };
+fn free_text(blocks: &[Block]) -> String {
     let text = |name: &&str| {
         let found = blocks.iter().find(|block| block.kind == TEXT && block.name == **name)?;
         Some(latin1(found.bytes)).filter(|text| !text.is_empty())
     };
-    Channel {
-        probe: Some(Probe::Microscope),
-        free_text: TEXTS.iter().filter_map(text).collect::<Vec<_>>().join("\n"),
-        ..Channel::new(Some(block.name.clone()), quantity, lateral(blocks), samples)
-    }
+    TEXTS.iter().filter_map(text).collect::<Vec<_>>().join("\n")
 }
 
 /// The numbers of columns and rows and the bytes of a point, then the points.
@@ -187,9 +184,9 @@ fn number(blocks: &[Block], name: &str) -> Option<f64> {
     let block = blocks.iter().find(|block| block.name == name)?;
     match (block.kind, block.bytes) {
         (SHORT | FLOAT | LONG, &[a, b]) => Some(f64::from(i16::from_le_bytes([a, b]))),
-        (SHORT | LONG, &[a, b, c, d]) => Some(f64::from(i32::from_le_bytes([a, b, c, d]))),
-        (FLOAT, &[a, b, c, d]) => Some(f64::from(f32::from_le_bytes([a, b, c, d]))),
-        (DOUBLE, &[a, b, c, d, e, f, g, h]) => Some(f64::from_le_bytes([a, b, c, d, e, f, g, h])),
+        (SHORT | LONG, &[a, b, c, d, ..]) => Some(f64::from(i32::from_le_bytes([a, b, c, d]))),
+        (FLOAT, &[a, b, c, d, ..]) => Some(f64::from(f32::from_le_bytes([a, b, c, d]))),
+        (DOUBLE, &[a, b, c, d, e, f, g, h, ..]) => Some(f64::from_le_bytes([a, b, c, d, e, f, g, h])),
         _ => None,
     }
 }

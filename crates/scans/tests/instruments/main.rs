@@ -12,6 +12,7 @@ mod gwyddion;
 mod igor;
 mod jpk;
 mod keyence;
+mod marwin;
 mod metropro;
 mod molecular_imaging;
 mod mountains_map;
@@ -60,6 +61,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Jpk, jpk::samples()),
         (ScanFormat::Keyence, keyence::samples()),
+        (ScanFormat::MarWin, marwin::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::MountainsMap, mountains_map::samples()),

@@ -83,14 +83,15 @@ fn every_layer_of_a_topography_is_a_channel() {
 }
 
 #[test]
-fn profiles_are_lines_or_rows_of_their_own_distance() {
+fn every_profile_is_a_line() {
     let [line] = heights(&profile().bytes()).try_into().unwrap();
     let heights_m = [Some(1e-6), Some(2e-6), None, Some(4e-6)];
     assert_holds(&line.scan, (2e-6, None), &heights_m, 1e-20);
     let several = heights(&profiles().bytes());
-    assert_holds(&several[0].scan, (1e-6, Some(16e-6)), &HEIGHTS_M, 1e-20);
-    let note = "the rows are profiles, taken to lie as far apart as their header says";
-    assert_eq!(several[0].notes, [note]);
+    assert_eq!(several.len(), 4);
+    assert_holds(&several[0].scan, (1e-6, None), &HEIGHTS_M[..2], 1e-20);
+    assert_holds(&several[1].scan, (1e-6, None), &HEIGHTS_M[2..], 1e-20);
+    assert_eq!(several[1].channel.as_deref(), Some("profile 2 of layer0"));
 }
 
 #[test]
@@ -115,6 +116,9 @@ fn damage_is_told() {
     );
     let no_size = Measurement { spacings: [0.0, f32::NAN], ..topography() }.bytes();
     assert_eq!(refusal(&no_size), "reading Sensofar: the file does not say how large the map is");
+    let mut many = profiles().bytes();
+    many[502] = 1;
+    assert!(refusal(&many).contains("the number of profiles is 65538, it must be at most 10000"));
     let profile = profile().bytes();
     assert!(refusal(&profile[..520]).contains("takes 16 bytes, but the file ends 12 bytes on"));
 }

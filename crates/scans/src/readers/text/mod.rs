@@ -16,6 +16,8 @@ use crate::readers::Reader;
 use columns::Columns;
 use header::Header;
 use profile::Roles;
+#[cfg(feature = "archives")]
+pub(super) use profile::even_spacing;
 use style::FORMAT;
 use units::LengthUnit;
 

@@ -5,6 +5,8 @@
 
 mod stream;
 
+use std::collections::HashMap;
+
 use stream::{Tree, Value};
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, is_named_after_height};
@@ -40,14 +42,24 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     // The map shown first is the first to be read.
     groups.sort_by_key(|&group| primary.as_deref() != Some(group));
     let kinds: Vec<String> = groups.iter().map(|group| kind(&tree, group)).collect();
-    let is_unique = |kind: &String| kinds.iter().filter(|other| *other == kind).count() == 1;
+    let mut groups_of_kind: HashMap<&str, usize> = HashMap::new();
+    kinds.iter().for_each(|kind| *groups_of_kind.entry(kind).or_default() += 1);
+    let is_unique = |kind: &str| groups_of_kind.get(kind) == Some(&1);
     let label = |(group, kind): (&&str, &String)| {
         let own = group.rsplit('/').next().unwrap_or_default();
         if is_unique(kind) { kind.clone() } else { format!("{kind} ({own})") }
     };
     let labels: Vec<String> = groups.iter().zip(&kinds).map(label).collect();
-    let channels = groups.iter().zip(kinds).zip(labels);
-    Ok(channels.map(|((group, kind), label)| channel(bytes, &tree, group, &kind, label)).collect())
+    let about = About { probe: probe(&tree), tip_radius_m: tip_radius_m(&tree), free_text: free_text(&tree) };
+    let channels = groups.iter().zip(&kinds).zip(labels);
+    Ok(channels.map(|((group, kind), label)| channel(bytes, &tree, group, kind, label, &about)).collect())
+}
+
+/// What the file says of its instrument and specimen.
+struct About {
+    probe: Option<Probe>,
+    tip_radius_m: Option<f64>,
+    free_text: String,
 }
 
 /// The group of a path to the numbers of a profile or a map: `/2D_Data/Raw`.
@@ -63,7 +75,14 @@ fn kind(tree: &Tree, group: &str) -> String {
     tree.text(&format!("{group}/DataKind")).unwrap_or_else(own).to_owned()
 }
 
-fn channel<'b>(bytes: &'b [u8], tree: &Tree, group: &str, kind: &str, label: String) -> Channel<'b> {
+fn channel<'b>(
+    bytes: &'b [u8],
+    tree: &Tree,
+    group: &str,
+    kind: &str,
+    label: String,
+    about: &About,
+) -> Channel<'b> {
     let (scale, unit) = tree.quantity(&format!("{group}/DataScale")).unwrap_or((1.0, ""));
     let quantity = match length_unit(unit) {
         Some(unit) if is_named_after_height(kind) || kind == "Raw" => Quantity::Heights(Some(unit)),
@@ -86,9 +105,9 @@ fn channel<'b>(bytes: &'b [u8], tree: &Tree, group: &str, kind: &str, label: Str
         Err(error) => (Lateral::Unknown, Samples::Unreadable(Box::new(error))),
     };
     Channel {
-        probe: probe(tree),
-        tip_radius_m: tip_radius_m(tree),
-        free_text: free_text(tree),
+        probe: about.probe,
+        tip_radius_m: about.tip_radius_m,
+        free_text: about.free_text.clone(),
         ..Channel::new(Some(label), quantity, lateral, samples)
     }
 }

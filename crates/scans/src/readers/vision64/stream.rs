@@ -1,5 +1,7 @@
 //! The tree of values: each has a name, a type, and content as its type has it.
 
+use std::collections::HashMap;
+
 use super::FORMAT;
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::ScanReadError;
@@ -10,9 +12,11 @@ pub(super) const MAGIC: &[u8] = b"VCA DATA\x01\x00\x00\x55";
 /// Files nest their values four deep.
 const DEEPEST: usize = 32;
 
-/// Values by the paths of their names, in the order of the file.
+/// Values by the paths of their names.
 pub(super) struct Tree {
-    items: Vec<(String, Value)>,
+    values: HashMap<String, Value>,
+    /// In the order of the file.
+    paths: Vec<String>,
 }
 
 /// Content of a value, as far as it is of use; bytes are counted from the beginning of the file.
@@ -27,17 +31,17 @@ pub(super) enum Value {
 
 impl Tree {
     pub(super) fn read(bytes: &[u8]) -> Result<Self, ScanReadError> {
-        let mut tree = Self { items: Vec::new() };
+        let mut tree = Self { values: HashMap::new(), paths: Vec::new() };
         tree.take_items(bytes, MAGIC.len(), "", 0)?;
         Ok(tree)
     }
 
     pub(super) fn get(&self, path: &str) -> Option<&Value> {
-        self.items.iter().find(|(own, _)| own == path).map(|(_, value)| value)
+        self.values.get(path)
     }
 
     pub(super) fn paths(&self) -> impl Iterator<Item = &str> {
-        self.items.iter().map(|(path, _)| path.as_str())
+        self.paths.iter().map(String::as_str)
     }
 
     pub(super) fn text(&self, path: &str) -> Option<&str> {
@@ -90,10 +94,18 @@ impl Tree {
                 let within = bytes.get(..start.saturating_add(length)).unwrap_or(bytes);
                 self.take_items(within, start, &path, depth + 1)?;
             } else if let Some(value) = value(&mut cursor, kind, offset)? {
-                self.items.push((path, value));
+                self.put(path, value);
             }
         }
         Ok(())
+    }
+
+    /// Adds a value; of several at one path the first counts.
+    fn put(&mut self, path: String, value: Value) {
+        if !self.values.contains_key(&path) {
+            self.paths.push(path.clone());
+            self.values.insert(path, value);
+        }
     }
 }
 
