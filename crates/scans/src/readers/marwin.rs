@@ -12,7 +12,7 @@ use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::raster::{Decoded, NumberType, Raster};
 use crate::readers::Reader;
-use crate::readers::text::even_spacing;
+use super::even_axis::even_spacing;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::MarWin;

@@ -17,7 +17,6 @@ use columns::Columns;
 use header::Header;
 use profile::Roles;
 #[cfg(feature = "archives")]
-pub(super) use profile::even_spacing;
 use style::FORMAT;
 use units::LengthUnit;
 
