@@ -4,6 +4,8 @@
 pub(crate) mod container;
 mod even_axis;
 mod frt;
+#[cfg(feature = "hdf5")]
+mod hdf5;
 mod keyence;
 mod nanofocus;
 mod nanoscope;
@@ -34,6 +36,8 @@ pub(crate) struct Reader {
 /// The readers, the more certain of their files first; text, which may be anything, comes last.
 pub(crate) const READERS: &[Reader] = &[
     frt::READER,
+    #[cfg(feature = "hdf5")]
+    hdf5::READER,
     keyence::READER,
     nanoscope::READER,
     netcdf::READER,

@@ -5,6 +5,7 @@
 
 mod bytes;
 mod frt;
+mod hdf5;
 mod keyence;
 mod nanofocus;
 mod numpy;
@@ -32,6 +33,7 @@ pub struct Sample {
 fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
     vec![
         (ScanFormat::Frt, frt::samples()),
+        (ScanFormat::Hdf5, hdf5::samples()),
         (ScanFormat::Keyence, keyence::samples()),
         (ScanFormat::NanoFocus, nanofocus::samples()),
         (ScanFormat::Numpy, numpy::samples()),
