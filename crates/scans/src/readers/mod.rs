@@ -10,6 +10,8 @@ mod frt;
 mod gwyddion;
 mod igor;
 mod jpk;
+#[cfg(feature = "hdf5")]
+mod hdf5;
 mod keyence;
 #[cfg(feature = "archives")]
 mod marwin;
@@ -64,6 +66,8 @@ pub(crate) const READERS: &[Reader] = &[
     gwyddion::READER,
     igor::READER,
     jpk::READER,
+    #[cfg(feature = "hdf5")]
+    hdf5::READER,
     keyence::READER,
     #[cfg(feature = "archives")]
     marwin::READER,

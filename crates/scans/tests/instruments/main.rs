@@ -11,6 +11,7 @@ mod frt;
 mod gwyddion;
 mod igor;
 mod jpk;
+mod hdf5;
 mod keyence;
 mod marwin;
 mod metropro;
@@ -60,6 +61,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Jpk, jpk::samples()),
+        (ScanFormat::Hdf5, hdf5::samples()),
         (ScanFormat::Keyence, keyence::samples()),
         (ScanFormat::MarWin, marwin::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
