@@ -8,10 +8,10 @@ mod digital_surf;
 mod even_axis;
 mod frt;
 mod gwyddion;
-mod igor;
-mod jpk;
 #[cfg(feature = "hdf5")]
 mod hdf5;
+mod igor;
+mod jpk;
 mod keyence;
 #[cfg(feature = "archives")]
 mod marwin;
@@ -64,10 +64,10 @@ pub(crate) const READERS: &[Reader] = &[
     digital_surf::READER,
     frt::READER,
     gwyddion::READER,
-    igor::READER,
-    jpk::READER,
     #[cfg(feature = "hdf5")]
     hdf5::READER,
+    igor::READER,
+    jpk::READER,
     keyence::READER,
     #[cfg(feature = "archives")]
     marwin::READER,

@@ -9,9 +9,9 @@ mod bytes;
 mod digital_surf;
 mod frt;
 mod gwyddion;
+mod hdf5;
 mod igor;
 mod jpk;
-mod hdf5;
 mod keyence;
 mod marwin;
 mod metropro;
@@ -59,9 +59,9 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::Frt, frt::samples()),
         (ScanFormat::Gwyddion, gwyddion::samples()),
+        (ScanFormat::Hdf5, hdf5::samples()),
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Jpk, jpk::samples()),
-        (ScanFormat::Hdf5, hdf5::samples()),
         (ScanFormat::Keyence, keyence::samples()),
         (ScanFormat::MarWin, marwin::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
