@@ -9,6 +9,7 @@ use super::{Sample, assert_holds, channels, heights};
 fn first(size_m: [f64; 2]) -> Vec<Tag> {
     vec![
         Tag::long(256, 1),
+        Tag::text(0x8003, "2026-01-02 03:04:05"),
         Tag::text(0x8005, "PEG on mica"),
         Tag::text(0x8010, "tip radius 10 nm"),
         Tag::double(0x8042, size_m[0]),
@@ -23,8 +24,10 @@ fn page(name: &str, unit: &str, scaling: &str, is_retrace: bool, strips: [(u32, 
         Tag::long(257, 2),
         Tag::short(258, 16),
         Tag::short(259, 1),
+        Tag::short(262, 1),
         Tag::longs(273, &strips.map(|(offset, _)| offset)),
         Tag::short(277, 1),
+        Tag::short(278, 1),
         Tag::longs(279, &strips.map(|(_, length)| length)),
         Tag::short(339, 2),
         Tag::short(0x8045, u16::from(is_retrace)),
