@@ -66,6 +66,8 @@ pub enum ScanFormat {
     Workbook,
     /// JPK Instruments: `.jpk`, `.jpk-qi-image`.
     Jpk,
+    /// NT-MDT: `.mdt`.
+    NtMdt,
 }
 
 impl ScanFormat {
@@ -113,6 +115,7 @@ impl fmt::Display for ScanFormat {
             Self::Hdf5 => "HDF5",
             Self::Workbook => "workbook",
             Self::Jpk => "JPK",
+            Self::NtMdt => "NT-MDT",
         })
     }
 }

@@ -9,6 +9,7 @@ mod molecular_imaging;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
+mod nt_mdt;
 mod park;
 mod sections;
 mod text;
@@ -40,6 +41,7 @@ pub(crate) const READERS: &[Reader] = &[
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
+    nt_mdt::READER,
     park::READER,
     wsxm::READER,
     #[cfg(feature = "x3p")]

@@ -9,6 +9,7 @@ mod igor;
 mod jpk;
 mod molecular_imaging;
 mod nanosurf;
+mod nt_mdt;
 mod park;
 mod tiff_file;
 mod wsxm;
@@ -31,6 +32,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Jpk, jpk::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
+        (ScanFormat::NtMdt, nt_mdt::samples()),
         (ScanFormat::ParkTiff, park::samples()),
         (ScanFormat::Wsxm, wsxm::samples()),
     ]
