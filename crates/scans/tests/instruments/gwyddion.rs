@@ -3,7 +3,7 @@
 use scans::{Measure, ScanFormat};
 
 use super::bytes::Bytes;
-use super::{Sample, assert_holds, channels, heights};
+use super::{Sample, assert_holds, channels, heights, heights_if_told};
 
 /// A component: its name, the letter of its type, its value.
 fn component(name: &str, letter: u8, value: impl AsRef<[u8]>) -> Vec<u8> {
@@ -125,6 +125,14 @@ fn images_are_read_with_their_units_titles_and_comments() {
     assert_eq!(all[3].as_ref().unwrap().measure, Measure::Length);
     // Without any unit the size must be given.
     assert!(all[2].as_ref().unwrap_err().to_string().contains("does not say the unit of heights"));
+}
+
+#[test]
+fn an_image_without_units_takes_those_that_are_given() {
+    let parts = [component("/0/data", b'o', field("", "", &VALUES))];
+    let found = &heights_if_told(&[b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()).unwrap()[0];
+    let expected = VALUES.map(|value| Some(value * 1e-9));
+    assert_holds(&found.scan, (1e-6, Some(2.0 / 3.0 * 1e-6)), &expected, 1e-24);
 }
 
 #[test]

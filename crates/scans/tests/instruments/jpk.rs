@@ -92,6 +92,19 @@ fn what_cannot_be_read_is_told() {
     // The other direction is read instead.
     let read = read_scans(&odd, "scan", &ScanOptions::default()).unwrap();
     assert_eq!(read[0].channel.as_deref(), Some("Height (Retrace)"));
+    let empty = tiff(&[
+        first([1e-6, 1e-6]),
+        page("Height", "m", "LinearScaling", false, [(0, 0); 2])
+            .into_iter()
+            .chain([Tag::long(256, 0)])
+            .rev()
+            .collect(),
+    ]);
+    let error = channels(&empty, true).remove(0).unwrap_err().to_string();
+    assert!(
+        error.contains("the size of the image is 0 x 2 points, it must be at least one point"),
+        "{error}"
+    );
     let mut cut = scan("LinearScaling");
     cut.truncate(cut.len() - 8);
     let error = channels(&cut, true).remove(0).unwrap_err().to_string();
