@@ -188,21 +188,7 @@ pub(crate) fn is_named_after_height(name: &str) -> bool {
 pub(crate) fn is_named_after_signal(name: &str) -> bool {
     let is_height = is_named_after_height(name);
     let name = name.to_lowercase().replace([' ', '_', '-'], "");
-    const WORDS: [&str; 14] = [
-        "amplitude",
-        "current",
-        "deflection",
-        "error",
-        "friction",
-        "frequency",
-        "lateral",
-        "phase",
-        "potential",
-        "vibration",
-        "xaxis",
-        "xsens",
-        "yaxis",
-        "ysens",
-    ];
+    const WORDS: [&str; 8] =
+        ["amplitude", "deflection", "error", "vibration", "xaxis", "xsens", "yaxis", "ysens"];
     !is_height && WORDS.iter().any(|word| name.contains(word))
 }

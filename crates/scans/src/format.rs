@@ -72,6 +72,8 @@ pub enum ScanFormat {
     Zeta,
     /// Mahr MarWin: `.qep`.
     MarWin,
+    /// NT-MDT: `.mdt`.
+    NtMdt,
 }
 
 impl ScanFormat {
@@ -124,6 +126,7 @@ impl fmt::Display for ScanFormat {
             Self::OmniSurf => "OmniSurf3D",
             Self::Zeta => "Zeta",
             Self::MarWin => "MarWin",
+            Self::NtMdt => "NT-MDT",
         })
     }
 }

@@ -25,6 +25,7 @@ mod nanosurf;
 mod netcdf;
 mod numpy;
 mod omni_surf;
+mod nt_mdt;
 mod park;
 mod sdf;
 mod sections;
@@ -81,6 +82,7 @@ pub(crate) const READERS: &[Reader] = &[
     netcdf::READER,
     numpy::READER,
     omni_surf::READER,
+    nt_mdt::READER,
     park::READER,
     sdf::READER,
     sensofar::READER,

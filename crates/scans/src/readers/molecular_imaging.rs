@@ -92,7 +92,7 @@ impl Header {
             header.data_offset += raw.len();
             let (key, value) = raw.split_at(raw.len().min(KEY_BYTES));
             // Lines that begin with a blank go on with the value before.
-            if key.starts_with(b" ") {
+            if key.trim_ascii().is_empty() || key.starts_with(b" ") {
                 continue;
             }
             let (key, value) = (latin1(key), latin1(value));

@@ -7,7 +7,7 @@ use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 
 /// Headers take some ten kilobytes; a file that goes on with lines beyond this is none.
-const LONGEST: usize = 1 << 22;
+const LONGEST: usize = 1 << 20;
 
 /// The values of a header by section and key. Of values under one key the first counts.
 pub(super) struct Sections {

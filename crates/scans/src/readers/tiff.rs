@@ -216,6 +216,13 @@ impl<'b> Page<'b> {
             }
         };
         let (columns, rows) = (first(WIDTH)?, first(LENGTH)?);
+        if columns == 0 || rows == 0 {
+            return Err(self.bad(
+                "the size of the image",
+                &format!("{columns} x {rows} points"),
+                "at least one point",
+            ));
+        }
         let (bytes, offset) = self.strips()?;
         let raster = Raster::new(number, columns, rows, bytes, offset);
         Ok(Raster { byte_order: self.file.order(), ..raster })

@@ -3,7 +3,7 @@
 use scans::{Measure, ScanFormat};
 
 use super::bytes::Bytes;
-use super::{Sample, assert_holds, channels, heights};
+use super::{Sample, assert_holds, channels, heights, heights_if_told};
 
 /// A component: its name, the letter of its type, its value.
 fn component(name: &str, letter: u8, value: impl AsRef<[u8]>) -> Vec<u8> {
@@ -38,9 +38,13 @@ fn unit(name: &str, unit: &str) -> Vec<u8> {
 
 /// An image of 3 x 2 points.
 fn field(lateral: &str, value: &str, values: &[f64]) -> Vec<u8> {
+    field_of([3, 2], lateral, value, values)
+}
+
+fn field_of(points: [i32; 2], lateral: &str, value: &str, values: &[f64]) -> Vec<u8> {
     let parts = [
-        integer("xres", 3),
-        integer("yres", 2),
+        integer("xres", points[0]),
+        integer("yres", points[1]),
         real("xreal", 3.0),
         real("yreal", -1.0),
         real("xoff", 7.0),
@@ -128,6 +132,14 @@ fn images_are_read_with_their_units_titles_and_comments() {
 }
 
 #[test]
+fn an_image_without_units_takes_those_that_are_given() {
+    let parts = [component("/0/data", b'o', field("", "", &VALUES))];
+    let found = &heights_if_told(&[b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()).unwrap()[0];
+    let expected = VALUES.map(|value| Some(value * 1e-9));
+    assert_holds(&found.scan, (1e-6, Some(2.0 / 3.0 * 1e-6)), &expected, 1e-24);
+}
+
+#[test]
 fn containers_of_version_1_are_read() {
     let found = heights(&old());
     assert_eq!(found[0].channel.as_deref(), Some("Old"));
@@ -143,11 +155,30 @@ fn a_mask_over_filled_in_points_makes_gaps() {
     assert_eq!(
         found[0].notes,
         [
-            "2 points under the mask of the file all hold one filled-in value: they count as points without a height"
+            "2 points under the mask of the file hold values that were filled in: they count as points without a height"
         ]
     );
     let zeros = heights(&masked(&[0.0, 0.0, 1.0, 2.0, 3.0, 0.0], &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0]));
     assert_eq!(zeros[0].scan.gaps().count(), 1);
+}
+
+#[test]
+fn a_mask_over_interpolated_points_makes_gaps() {
+    let mut values: Vec<f64> = (0..49).map(|index| f64::from(index * 37 % 11)).collect();
+    let covered: Vec<usize> = (16..=32).filter(|index| (2..5).contains(&(index % 7))).collect();
+    let measured = values.clone();
+    for _ in 0..100 {
+        for &at in &covered {
+            values[at] = (values[at - 7] + values[at - 1] + values[at + 1] + values[at + 7]) / 4.0;
+        }
+    }
+    let mask: Vec<f64> = (0..49).map(|index| f64::from(u8::from(covered.contains(&index)))).collect();
+    let gaps = |values: &[f64]| {
+        let image = component("/0/data", b'o', field_of([7, 7], "m", "m", values));
+        let mask = component("/0/mask", b'o', field_of([7, 7], "m", "", &mask));
+        heights(&[b"GWYP".to_vec(), object("GwyContainer", &[image, mask])].concat())[0].scan.gaps().count()
+    };
+    assert_eq!((gaps(&values), gaps(&measured)), (9, 0));
 }
 
 #[test]

@@ -9,6 +9,7 @@ use super::{Sample, assert_holds, channels, heights};
 fn first(size_m: [f64; 2]) -> Vec<Tag> {
     vec![
         Tag::long(256, 1),
+        Tag::text(0x8003, "2026-01-02 03:04:05"),
         Tag::text(0x8005, "PEG on mica"),
         Tag::text(0x8010, "tip radius 10 nm"),
         Tag::double(0x8042, size_m[0]),
@@ -23,8 +24,10 @@ fn page(name: &str, unit: &str, scaling: &str, is_retrace: bool, strips: [(u32, 
         Tag::long(257, 2),
         Tag::short(258, 16),
         Tag::short(259, 1),
+        Tag::short(262, 1),
         Tag::longs(273, &strips.map(|(offset, _)| offset)),
         Tag::short(277, 1),
+        Tag::short(278, 1),
         Tag::longs(279, &strips.map(|(_, length)| length)),
         Tag::short(339, 2),
         Tag::short(0x8045, u16::from(is_retrace)),
@@ -89,6 +92,19 @@ fn what_cannot_be_read_is_told() {
     // The other direction is read instead.
     let read = read_scans(&odd, "scan", &ScanOptions::default()).unwrap();
     assert_eq!(read[0].channel.as_deref(), Some("Height (Retrace)"));
+    let empty = tiff(&[
+        first([1e-6, 1e-6]),
+        page("Height", "m", "LinearScaling", false, [(0, 0); 2])
+            .into_iter()
+            .chain([Tag::long(256, 0)])
+            .rev()
+            .collect(),
+    ]);
+    let error = channels(&empty, true).remove(0).unwrap_err().to_string();
+    assert!(
+        error.contains("the size of the image is 0 x 2 points, it must be at least one point"),
+        "{error}"
+    );
     let mut cut = scan("LinearScaling");
     cut.truncate(cut.len() - 8);
     let error = channels(&cut, true).remove(0).unwrap_err().to_string();

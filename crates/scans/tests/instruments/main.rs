@@ -23,6 +23,7 @@ mod numpy;
 mod omni_surf;
 #[cfg(feature = "archives")]
 mod packed;
+mod nt_mdt;
 mod park;
 mod sdf;
 mod sensofar;
@@ -71,6 +72,7 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Nanosurf, nanosurf::samples()),
         (ScanFormat::Numpy, numpy::samples()),
         (ScanFormat::OmniSurf, omni_surf::samples()),
+        (ScanFormat::NtMdt, nt_mdt::samples()),
         (ScanFormat::ParkTiff, park::samples()),
         (ScanFormat::Sdf, sdf::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),

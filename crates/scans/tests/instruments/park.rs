@@ -66,7 +66,7 @@ impl Image {
             .put(double(-10.0))
             .put(double(self.scale))
             .put(double(1.0));
-        header.put(wide(self.unit, 8)).pad_to(348).put(self.data_type.to_le_bytes()).pad_to(380);
+        header.put(wide(self.unit, 8)).pad_to(348).put(self.data_type.to_le_bytes()).pad_to(580);
         tiff(&[vec![
             Tag::long(256, 1),
             Tag::long(50_432, 235_082_497),

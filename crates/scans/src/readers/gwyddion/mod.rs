@@ -114,7 +114,7 @@ fn read<'b>(
         Mask::Void => (GapMark::None, None),
         Mask::Gaps { flags, count } => {
             let note = format!(
-                "{count} points under the mask of the file all hold one filled-in value: they count as points without a height"
+                "{count} points under the mask of the file hold values that were filled in: they count as points without a height"
             );
             (GapMark::Flagged(flags.into()), Some(note))
         }
