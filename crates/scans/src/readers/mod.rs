@@ -23,9 +23,9 @@ mod nanofocus;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
+mod nt_mdt;
 mod numpy;
 mod omni_surf;
-mod nt_mdt;
 mod park;
 mod sdf;
 mod sections;
@@ -80,9 +80,9 @@ pub(crate) const READERS: &[Reader] = &[
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,
+    nt_mdt::READER,
     numpy::READER,
     omni_surf::READER,
-    nt_mdt::READER,
     park::READER,
     sdf::READER,
     sensofar::READER,

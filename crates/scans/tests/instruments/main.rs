@@ -19,11 +19,11 @@ mod molecular_imaging;
 mod mountains_map;
 mod nanofocus;
 mod nanosurf;
+mod nt_mdt;
 mod numpy;
 mod omni_surf;
 #[cfg(feature = "archives")]
 mod packed;
-mod nt_mdt;
 mod park;
 mod sdf;
 mod sensofar;
@@ -70,9 +70,9 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::MountainsMap, mountains_map::samples()),
         (ScanFormat::NanoFocus, nanofocus::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
+        (ScanFormat::NtMdt, nt_mdt::samples()),
         (ScanFormat::Numpy, numpy::samples()),
         (ScanFormat::OmniSurf, omni_surf::samples()),
-        (ScanFormat::NtMdt, nt_mdt::samples()),
         (ScanFormat::ParkTiff, park::samples()),
         (ScanFormat::Sdf, sdf::samples()),
         (ScanFormat::Sensofar, sensofar::samples()),
