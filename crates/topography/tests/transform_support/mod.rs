@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
 pub mod files;
+pub mod holes;
 
 use std::f64::consts::TAU;
 
