@@ -3,6 +3,7 @@
 use scans::{Axis, Scan, ScanFile};
 use serde::{Deserialize, Serialize};
 
+use crate::cut_lines::LEAST_POINTS;
 use crate::error::TransformError;
 
 /// Along which axis of a map its lines run.
@@ -46,9 +47,9 @@ pub(crate) fn has_two(scan: &Scan) -> bool {
 pub(crate) fn turned(mut file: ScanFile<Scan>) -> Result<ScanFile<Scan>, TransformError> {
     file.scan = match file.scan {
         Scan::Map(map) => Scan::Map(map.turned()),
-        Scan::Lines(lines) => {
-            Scan::Lines(lines.into_across().ok_or(TransformError::NoLines { axis: Axis::Y })?)
-        }
+        Scan::Lines(lines) => Scan::Lines(
+            lines.into_across().ok_or(TransformError::NoLines { axis: Axis::Y, least: LEAST_POINTS })?,
+        ),
         line => {
             file.notes
                 .push("a line has one direction: its spectrum is that along it, not along y".to_owned());

@@ -60,16 +60,44 @@ pub enum TransformError {
     /// A scan with gaps where none are wanted.
     #[error(transparent)]
     Gaps(#[from] ScanError),
+    /// More gaps than can be filled.
+    #[error(
+        "filling gaps: {:.1} % of the points have no height, at most {:.0} % are filled; crop the scan to a part with fewer \
+         gaps, use only its lines without gaps (gaps = \"lines\"), or measure with an instrument that loses fewer points",
+        100.0 * share, 100.0 * bound
+    )]
+    TooManyGaps {
+        /// Share of the points that have no height.
+        share: f64,
+        /// The largest share that is filled.
+        bound: f64,
+    },
+    /// No height at all.
+    #[error(
+        "filling gaps: none of the {points} points has a height; check the channel, or export the scan again"
+    )]
+    NoHeights {
+        /// Number of points.
+        points: usize,
+    },
     /// No line, or stretch of one, without gaps.
     #[error(
-        "cutting lines without gaps: along {} the longest stretch without a gap is too short; crop the scan to a part with \
-         fewer gaps, or have them filled (harmonic)",
+        "cutting lines without gaps: along {} no stretch without a gap has {least} points or more; crop the scan to a part \
+         with fewer gaps, or measure with an instrument that loses fewer points",
         match axis { Axis::X => "x", Axis::Y => "y" }
     )]
     NoLines {
+        /// Fewest points that a stretch must have.
+        least: usize,
         /// The axis along which they would run.
         axis: Axis,
     },
+    /// An area is asked for where gaps left lines.
+    #[error(
+        "taking the heights of an area: only lines without gaps take part, which are no map; have the gaps filled \
+         (gaps = \"harmonic\")"
+    )]
+    LinesHaveNoArea,
     /// A composite of nothing.
     #[error("averaging spectra: the number of measurements is 0, it must be at least 1")]
     NoMeasurements,

@@ -1,9 +1,13 @@
 //! What is done about the points of a scan that have no height.
 
-use scans::{Scan, ScanFile};
+use scans::{Measured, Scan, ScanFile};
 use serde::{Deserialize, Serialize};
+use units::display::{counted, length};
 
+use crate::cut_lines::{Cut, cut};
 use crate::error::TransformError;
+use crate::harmonic::harmonic_m;
+use crate::holes::{Holes, extent, points};
 
 /// What is done about the points of a scan that have no height.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -11,24 +15,125 @@ use crate::error::TransformError;
 pub enum GapTreatment {
     /// A scan with gaps is refused.
     Refuse,
-    /// Gaps are filled by the harmonic surface through the points around them.
+    /// Gaps are filled by the harmonic surface through the points around them: Laplace's equation, the points around a hole
+    /// as boundary values, flat at the edge of the map. In a line by a straight line from end to end. Up to
+    /// [`MOST_FILLED`] of the points.
     #[default]
     Harmonic,
-    /// Only lines, or stretches of lines, without gaps take part.
+    /// Only lines, or stretches of lines, without gaps take part: the rows without gaps where they hold half of the measured
+    /// points or more; else stretches of one length, the one whose longest stretches hold most points.
+    ///
+    /// Stretches know no wavelengths beyond their length. Where it is steep flanks that have no height, they lie where
+    /// the surface is flat, and the spectrum is too low.
     Lines,
 }
 
 units::named!(GapTreatment, "treatment of gaps", { Refuse => "refuse", Harmonic => "harmonic", Lines => "lines" });
 
+/// The largest share of the points of a scan that is filled.
+pub const MOST_FILLED: f64 = 0.2;
+
 /// A file whose scan is whole, with a note of what was done about its gaps.
 ///
 /// # Errors
-/// [`TransformError::Gaps`] where they are refused.
+/// [`TransformError::Gaps`] where they are refused, [`TransformError::TooManyGaps`] where there are more than are filled,
+/// [`TransformError::NoLines`] where no line without gaps is left, [`TransformError::NoHeights`] where there is nothing but
+/// gaps.
 pub fn without_gaps(file: ScanFile, treatment: GapTreatment) -> Result<ScanFile<Scan>, TransformError> {
-    match treatment {
-        // Filling and cutting follow; until then gaps are refused whatever was asked for.
-        GapTreatment::Refuse | GapTreatment::Harmonic | GapTreatment::Lines => {
-            file.try_map(|scan| Ok(scan.complete()?))
-        }
+    if file.scan.gaps().is_empty() || treatment == GapTreatment::Refuse {
+        return file.try_map(|scan| Ok(scan.complete()?));
     }
+    let count = count(&file.scan);
+    let gaps = file.scan.gaps().count();
+    if gaps >= count {
+        return Err(TransformError::NoHeights { points: count });
+    }
+    let share = gaps as f64 / count as f64;
+    match treatment {
+        GapTreatment::Lines => of_lines(file, share),
+        _ if share > MOST_FILLED => Err(TransformError::TooManyGaps { share, bound: MOST_FILLED }),
+        _ => filled(file, share),
+    }
+}
+
+fn count(scan: &Measured) -> usize {
+    let (columns, rows) = scan.points();
+    columns * rows.unwrap_or(1)
+}
+
+fn filled(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> {
+    let (columns, rows) = file.scan.points();
+    let holes = Holes::of(file.scan.gaps().indices(), columns);
+    let heights_m = match rows {
+        Some(_) => harmonic_m(&file.scan, &holes),
+        None => interpolated_m(&file.scan),
+    };
+    let surface = if rows.is_some() { "harmonic surface" } else { "straight line" };
+    let note = format!(
+        "{} of the points have no height ({}, the largest {}): filled by the {surface} through the points around them",
+        percent(share),
+        counted(holes.count(), "hole"),
+        size_of_largest(&holes, &file.scan)
+    );
+    let mut file = file.try_map(|scan| scan.filled(&heights_m))?;
+    file.notes.push(note);
+    Ok(file)
+}
+
+/// Heights in m for the gaps of a line: on straight lines between the points beside them, level at the ends.
+fn interpolated_m(line: &Measured) -> Vec<f64> {
+    let (points, _) = line.points();
+    let known = |index: usize| line.height_m(index).map(|height_m| (index, height_m));
+    let (mut before, mut after) = (None, (0..points).find_map(known));
+    let mut heights_m = Vec::with_capacity(line.gaps().count());
+    for index in 0..points {
+        if let Some(here) = known(index) {
+            before = Some(here);
+            continue;
+        }
+        if after.is_some_and(|(at, _)| at < index) {
+            after = (index..points).find_map(known);
+        }
+        heights_m.push(match (before, after) {
+            (Some((from, from_m)), Some((to, to_m))) => {
+                let share = (index - from) as f64 / (to - from) as f64;
+                (1.0 - share) * from_m + share * to_m
+            }
+            (Some((_, height_m)), None) | (None, Some((_, height_m))) => height_m,
+            (None, None) => 0.0, // a line of gaps, which was refused
+        });
+    }
+    heights_m
+}
+
+fn size_of_largest(holes: &Holes, scan: &Measured) -> String {
+    let Some(largest) = (0..holes.count()).rev().max_by_key(|&hole| points(holes.hole(hole))) else {
+        return length(0.0);
+    };
+    let (rows, columns) = extent(holes.hole(largest));
+    let (x_m, y_m) = scan.spacing_m();
+    let along_x = length(x_m * columns.len() as f64);
+    y_m.map_or(along_x.clone(), |y_m| format!("{along_x} x {}", length(y_m * rows.len() as f64)))
+}
+
+fn of_lines(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> {
+    let Cut { lines, is_whole } = cut(&file.scan)?;
+    let (whole, kept) = (if is_whole { "whole lines" } else { "stretches" }, lines.heights_m().len());
+    let note = format!(
+        "{} of the points have no height: {} {whole} of {} ({} points each) without gaps take part, {} of the points",
+        percent(share),
+        lines.lines(),
+        length(lines.length_m()),
+        lines.points(),
+        percent(kept as f64 / count(&file.scan) as f64)
+    );
+    let mut file = file.try_map(|_| Ok::<Scan, TransformError>(Scan::Lines(lines)))?;
+    file.is_periodic &= is_whole;
+    file.notes.push(note);
+    Ok(file)
+}
+
+/// A share that is told as more than nothing where it is.
+fn percent(share: f64) -> String {
+    if share < 1e-4 { "less than 0.01 %".to_owned() } else { format!("{:.2} %", 100.0 * share) }
 }

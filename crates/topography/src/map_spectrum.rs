@@ -22,6 +22,18 @@ pub struct MapSpectrum {
     pub remarks: Vec<ScanRemark>,
 }
 
+/// The map in a scan; none in a line.
+///
+/// # Errors
+/// [`TransformError::LinesHaveNoArea`] for lines that were cut out of a map.
+pub fn map_of(scan: &Scan) -> Result<Option<&HeightMap>, TransformError> {
+    match scan {
+        Scan::Map(map) => Ok(Some(map)),
+        Scan::Lines(_) => Err(TransformError::LinesHaveNoArea),
+        Scan::UniformLine(_) | Scan::NonuniformLine(_) => Ok(None),
+    }
+}
+
 impl MapSpectrum {
     /// The spectrum of the map in a file; what is `given` counts as for a [`ScanSpectrum`](crate::ScanSpectrum).
     ///

@@ -1,6 +1,9 @@
 //! Deterministic numbers and surfaces of known spectrum.
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
+pub mod files;
+pub mod holes;
+
 use std::f64::consts::TAU;
 
 /// Splitmix64: numbers between 0 and 1, the same on every machine.
