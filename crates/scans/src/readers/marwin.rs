@@ -3,6 +3,7 @@
 //! A ZIP file with profiles: a header, a table of texts `>key=value`, then the positions and heights of all points in mm,
 //! little-endian, as the reader of SurfaceTopography takes them.
 
+use super::even_axis::even_spacing;
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -12,7 +13,6 @@ use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::raster::{Decoded, NumberType, Raster};
 use crate::readers::Reader;
-use super::even_axis::even_spacing;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::MarWin;

@@ -16,7 +16,6 @@ use crate::readers::Reader;
 use columns::Columns;
 use header::Header;
 use profile::Roles;
-#[cfg(feature = "archives")]
 use style::FORMAT;
 use units::LengthUnit;
 
