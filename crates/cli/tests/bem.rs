@@ -201,7 +201,7 @@ fn bad_input_is_refused_with_what_would_do() {
             .contains("--grid has no bearing on a scan")
     );
     assert!(pressed(&["line.txt", "--unit=um"]).contains("line scan"));
-    assert!(pressed(&["gaps.txt", "--unit=um", "--size=1um"]).contains("fill the gaps"));
+    assert!(pressed(&["gaps.txt", "--unit=um", "--size=1um", "--gaps=refuse"]).contains("have no height"));
     assert!(pressed(&["waves.txt", "--as=spectrum"]).starts_with("error: waves.txt: "));
     assert!(pressed(&["psd.csv", "--fields", "psd.csv"]).contains("results go into a folder"));
     assert!(pressed(&["absent.nc"]).contains("reading absent.nc"));

@@ -31,6 +31,7 @@ mod statistics;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]
 mod archive;
+#[cfg(feature = "archives")]
 mod inflate;
 #[cfg(feature = "archives")]
 mod unpacked;
