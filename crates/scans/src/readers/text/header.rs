@@ -17,6 +17,9 @@ pub(crate) struct Header {
     spacings: [Option<Length>; 2],
     lateral_unit: Option<LengthUnit>,
     value_unit: Option<LengthUnit>,
+    /// What values are multiplied by to be in their unit.
+    value_factor: Option<f64>,
+    to_nanometres: Option<f64>,
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
     /// Whether a line names the last column as what says which points count.
@@ -49,10 +52,13 @@ enum Key {
     LateralUnit,
     ValueUnit,
     Unit,
+    /// The factor from values to nm, which counts where they have no unit.
+    ToNanometres,
+    Program,
 }
 
 /// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
-const KEYS: [(Key, &[&str]); 8] = [
+const KEYS: [(Key, &[&str]); 10] = [
     (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
     (
         Key::Size(0),
@@ -122,6 +128,8 @@ const KEYS: [(Key, &[&str]); 8] = [
         ],
     ),
     (Key::Unit, &["unit", "units"]),
+    (Key::ToNanometres, &["bit2nm"]),
+    (Key::Program, &["file format"]),
 ];
 
 impl Header {
@@ -136,7 +144,10 @@ impl Header {
             match key_and_value(line) {
                 Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
                 Some((key, value)) if !is_below => header.set(key, value, number)?,
-                None if !is_below => header.set_columns(line, columns),
+                None if !is_below => {
+                    header.set_conversion(line, number)?;
+                    header.set_columns(line, columns);
+                }
                 _ => {}
             }
             if !line.is_empty()
@@ -155,6 +166,15 @@ impl Header {
             Key::Channel => self.channel = Some(value.to_owned()),
             Key::Size(axis) => self.sizes[axis] = length(value, line)?.or(self.sizes[axis]),
             Key::Spacing(axis) => self.spacings[axis] = length(value, line)?.or(self.spacings[axis]),
+            Key::ToNanometres => {
+                let factor = value.replace(',', ".").parse().ok().filter(|factor: &f64| factor.is_finite());
+                self.to_nanometres = factor.or(self.to_nanometres);
+            }
+            // SPIP exports sizes in nm without saying so.
+            Key::Program if value.eq_ignore_ascii_case("ascii") => {
+                self.lateral_unit.get_or_insert(LengthUnit::NANOMETRE);
+            }
+            Key::Program => {}
             Key::LateralUnit => self.lateral_unit = Some(unit(value, line)?),
             Key::ValueUnit => self.value_unit = Some(unit(value, line)?),
             Key::Unit => {
@@ -163,6 +183,24 @@ impl Header {
                 self.value_unit.get_or_insert(unit);
             }
         }
+        Ok(())
+    }
+
+    /// Takes a line for the factor of heights, as exports of some microscopes write it: `height conversion factor (-> m) = 2.5e-7`.
+    fn set_conversion(&mut self, text: &str, line: usize) -> Result<(), ScanReadError> {
+        let lower = text.to_lowercase();
+        let Some((name, factor)) =
+            lower.split_once('=').filter(|(name, _)| name.starts_with("height conversion factor"))
+        else {
+            return Ok(());
+        };
+        let unit_name = name.split_once("->").map_or("", |(_, unit)| unit.trim().trim_end_matches(')'));
+        self.value_unit = Some(unit(unit_name, line)?);
+        let number = factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite() && *factor != 0.0);
+        let bound = || "a finite number other than 0".to_owned();
+        self.value_factor = Some(
+            number.ok_or_else(|| bad_field(line, "the height conversion factor", factor.trim(), bound()))?,
+        );
         Ok(())
     }
 
@@ -222,8 +260,12 @@ impl Header {
         self.lateral_unit
     }
 
-    pub(crate) fn map_height_unit(&self) -> Option<LengthUnit> {
-        self.value_unit
+    /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
+    pub(crate) fn map_heights(&self) -> (Option<LengthUnit>, f64) {
+        match (self.value_unit, self.to_nanometres) {
+            (None, Some(factor)) => (Some(LengthUnit::NANOMETRE), factor),
+            (unit, _) => (unit, self.value_factor.unwrap_or(1.0)),
+        }
     }
 
     /// Unit of a column of positions, from 0.
