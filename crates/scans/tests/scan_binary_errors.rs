@@ -34,7 +34,8 @@ fn unknown_formats_are_named_by_their_first_bytes() {
     assert!(refusal(b"", &none()).contains("reading text: the file holds no line of numbers"));
     assert!(refusal(b"\x89HDF\r\n\x1a\n....", &none()).starts_with("reading 'HDF5': "));
     assert!(
-        refusal(&zipped(&[("a.bin", b"\0\x01")]), &none()).contains("a ZIP file without a scan that is known")
+        refusal(&zipped(&[("a.bin", b"\0\x01")]), &none())
+            .contains("a ZIP file without a scan that is known")
     );
 }
 

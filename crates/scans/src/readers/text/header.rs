@@ -1,6 +1,7 @@
 //! What the header of a text file says: sizes, spacings, units, the channel.
 
 use super::columns::Columns;
+use super::keys::{Key, key_and_value};
 use super::style::FORMAT;
 use super::style::{is_comment, shortened};
 use crate::choice_of_units::Units;
@@ -43,94 +44,6 @@ struct Length {
 const INDEX_NAMES: [&str; 10] = ["index", "idx", "no", "no.", "nr", "nr.", "#", "n", "point", "sample"];
 /// Most bytes of lines that are kept for what a user may have written there.
 const MOST_FREE_TEXT: usize = 4096;
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Key {
-    Channel,
-    Size(usize),
-    Spacing(usize),
-    LateralUnit,
-    ValueUnit,
-    Unit,
-    /// The factor from values to nm, which counts where they have no unit.
-    ToNanometres,
-    Program,
-}
-
-/// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
-const KEYS: [(Key, &[&str]); 10] = [
-    (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
-    (
-        Key::Size(0),
-        &[
-            "width",
-            "x length",
-            "x size",
-            "size x",
-            "x range",
-            "length",
-            "šířka",
-            "breite",
-            "anchura",
-            "largeur",
-            "larghezza",
-            "幅",
-            "폭",
-            "largura",
-            "ширина",
-        ],
-    ),
-    (
-        Key::Size(1),
-        &[
-            "height",
-            "y length",
-            "y size",
-            "size y",
-            "y range",
-            "výška",
-            "höhe",
-            "altura",
-            "hauteur",
-            "altezza",
-            "高さ",
-            "높이",
-            "высота",
-        ],
-    ),
-    (
-        Key::Spacing(0),
-        &["spacing", "x spacing", "pixel size", "x step", "step", "dx", "scale x", "point spacing"],
-    ),
-    (Key::Spacing(1), &["y spacing", "y step", "dy", "scale y", "line spacing"]),
-    (
-        Key::LateralUnit,
-        &["lateral units", "lateral unit", "x unit", "xy unit", "xy units", "unit x", "length unit"],
-    ),
-    (
-        Key::ValueUnit,
-        &[
-            "value units",
-            "value unit",
-            "z unit",
-            "z units",
-            "height unit",
-            "height units",
-            "unit data",
-            "jednotky hodnot",
-            "einheiten",
-            "unités",
-            "unità valore",
-            "値の単位",
-            "값 단위",
-            "unidades de valor",
-            "единицы измерения",
-        ],
-    ),
-    (Key::Unit, &["unit", "units"]),
-    (Key::ToNanometres, &["bit2nm"]),
-    (Key::Program, &["file format"]),
-];
 
 impl Header {
     pub(crate) fn read(text: &str, columns: &Columns) -> Result<Self, ScanReadError> {
@@ -310,14 +223,6 @@ fn stylus_radius_m(line: &str) -> Option<f64> {
     let radius = radius.trim_start_matches([':', '=', ' ']).trim_end_matches([',', ';', ' ']);
     let length = length(radius, 0).ok()??;
     Some(length.unit?.to_m(length.value))
-}
-
-/// A recognised key with what follows it.
-fn key_and_value(line: &str) -> Option<(Key, &str)> {
-    let (name, value) = line.split_once([':', '=', '：'])?;
-    let name = name.trim().to_lowercase().replace(['-', '_'], " ");
-    let (key, _) = KEYS.iter().find(|(_, names)| names.contains(&name.as_str()))?;
-    Some((*key, value.trim()))
 }
 
 /// A number with or without a unit; none for what is no number, the key of something else.

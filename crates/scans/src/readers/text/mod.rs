@@ -3,6 +3,7 @@
 mod columns;
 mod grid;
 mod header;
+mod keys;
 mod profile;
 mod style;
 
@@ -26,8 +27,9 @@ fn recognises(bytes: &[u8]) -> bool {
     const UTF16_MARKS: [&[u8]; 2] = [b"\xff\xfe", b"\xfe\xff"];
     if UTF16_MARKS.iter().any(|mark| bytes.starts_with(mark)) {
         let start = bytes.get(..bytes.len().min(512)).unwrap_or_default();
-        return style::decode(start)
-            .is_ok_and(|text| !text.chars().any(|character| character < ' ' && !"\t\n\r\x0c".contains(character)));
+        return style::decode(start).is_ok_and(|text| {
+            !text.chars().any(|character| character < ' ' && !"\t\n\r\x0c".contains(character))
+        });
     }
     let is_binary = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c".contains(byte);
     !bytes.starts_with(b"\\*Force file list")
