@@ -114,3 +114,20 @@ fn lines_without_position_and_height_stay_in_their_place() {
         "line 2: column 1 is 'no position', which is no number; correct it or remove the line"
     );
 }
+
+#[test]
+fn maps_of_other_programs_tell_factors() {
+    let map =
+        |text: &str| read_scans(text.as_bytes(), "scan", &ScanOptions::default()).unwrap().remove(0).scan;
+    let rows = "1 2 3 4\n5 6 7 bad\n";
+    let heights = |factor: f64| [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|height| Some(height * factor));
+    let expected = |factor: f64| [&heights(factor)[..], &[None]].concat();
+    let spip = "# File Format = ASCII\n# x-pixels = 4\n# y-pixels = 2\n# x-length = 400\n# y-length = 100\n";
+    let scaled = map(&format!("{spip}# Bit2nm = 0.5\n{rows}"));
+    assert_holds(&scaled, (400e-9, Some(100e-9)), &expected(0.5e-9), 1e-22);
+    // A unit leaves nothing to scale.
+    let in_unit = map(&format!("{spip}# Bit2nm = 0.5\n# z-unit = um\n{rows}"));
+    assert_holds(&in_unit, (400e-9, Some(100e-9)), &expected(1e-6), 1e-20);
+    let attocube = "# pixel size = 0.25 um\n# height conversion factor (-> m) = 2.5e-7\n";
+    assert_holds(&map(&format!("{attocube}{rows}")), (1e-6, Some(0.5e-6)), &expected(2.5e-7), 1e-20);
+}

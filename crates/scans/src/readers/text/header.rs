@@ -1,6 +1,7 @@
 //! What the header of a text file says: sizes, spacings, units, the channel.
 
 use super::columns::Columns;
+use super::keys::{Key, key_and_value};
 use super::style::FORMAT;
 use super::style::{is_comment, shortened};
 use crate::choice_of_units::Units;
@@ -17,6 +18,9 @@ pub(crate) struct Header {
     spacings: [Option<Length>; 2],
     lateral_unit: Option<LengthUnit>,
     value_unit: Option<LengthUnit>,
+    /// What values are multiplied by to be in their unit.
+    value_factor: Option<f64>,
+    to_nanometres: Option<f64>,
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
     /// Whether a line names the last column as what says which points count.
@@ -41,89 +45,6 @@ const INDEX_NAMES: [&str; 10] = ["index", "idx", "no", "no.", "nr", "nr.", "#", 
 /// Most bytes of lines that are kept for what a user may have written there.
 const MOST_FREE_TEXT: usize = 4096;
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Key {
-    Channel,
-    Size(usize),
-    Spacing(usize),
-    LateralUnit,
-    ValueUnit,
-    Unit,
-}
-
-/// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
-const KEYS: [(Key, &[&str]); 8] = [
-    (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
-    (
-        Key::Size(0),
-        &[
-            "width",
-            "x length",
-            "x size",
-            "size x",
-            "x range",
-            "length",
-            "šířka",
-            "breite",
-            "anchura",
-            "largeur",
-            "larghezza",
-            "幅",
-            "폭",
-            "largura",
-            "ширина",
-        ],
-    ),
-    (
-        Key::Size(1),
-        &[
-            "height",
-            "y length",
-            "y size",
-            "size y",
-            "y range",
-            "výška",
-            "höhe",
-            "altura",
-            "hauteur",
-            "altezza",
-            "高さ",
-            "높이",
-            "высота",
-        ],
-    ),
-    (
-        Key::Spacing(0),
-        &["spacing", "x spacing", "pixel size", "x step", "step", "dx", "scale x", "point spacing"],
-    ),
-    (Key::Spacing(1), &["y spacing", "y step", "dy", "scale y", "line spacing"]),
-    (
-        Key::LateralUnit,
-        &["lateral units", "lateral unit", "x unit", "xy unit", "xy units", "unit x", "length unit"],
-    ),
-    (
-        Key::ValueUnit,
-        &[
-            "value units",
-            "value unit",
-            "z unit",
-            "z units",
-            "height unit",
-            "height units",
-            "unit data",
-            "jednotky hodnot",
-            "einheiten",
-            "unités",
-            "unità valore",
-            "値の単位",
-            "값 단위",
-            "unidades de valor",
-            "единицы измерения",
-        ],
-    ),
-    (Key::Unit, &["unit", "units"]),
-];
-
 impl Header {
     pub(crate) fn read(text: &str, columns: &Columns) -> Result<Self, ScanReadError> {
         let mut header = Self::default();
@@ -136,7 +57,10 @@ impl Header {
             match key_and_value(line) {
                 Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
                 Some((key, value)) if !is_below => header.set(key, value, number)?,
-                None if !is_below => header.set_columns(line, columns),
+                None if !is_below => {
+                    header.set_conversion(line, number)?;
+                    header.set_columns(line, columns);
+                }
                 _ => {}
             }
             if !line.is_empty()
@@ -182,6 +106,15 @@ impl Header {
             Key::Channel => self.channel = Some(value.to_owned()),
             Key::Size(axis) => self.sizes[axis] = length(value, line)?.or(self.sizes[axis]),
             Key::Spacing(axis) => self.spacings[axis] = length(value, line)?.or(self.spacings[axis]),
+            Key::ToNanometres => {
+                let factor = value.replace(',', ".").parse().ok().filter(|factor: &f64| factor.is_finite());
+                self.to_nanometres = factor.or(self.to_nanometres);
+            }
+            // SPIP exports sizes in nm without saying so.
+            Key::Program if value.eq_ignore_ascii_case("ascii") => {
+                self.lateral_unit.get_or_insert(LengthUnit::NANOMETRE);
+            }
+            Key::Program => {}
             Key::LateralUnit => self.lateral_unit = Some(unit(value, line)?),
             Key::ValueUnit => self.value_unit = Some(unit(value, line)?),
             Key::Unit => {
@@ -190,6 +123,24 @@ impl Header {
                 self.value_unit.get_or_insert(unit);
             }
         }
+        Ok(())
+    }
+
+    /// Takes a line for the factor of heights, as exports of some microscopes write it: `height conversion factor (-> m) = 2.5e-7`.
+    fn set_conversion(&mut self, text: &str, line: usize) -> Result<(), ScanReadError> {
+        let lower = text.to_lowercase();
+        let Some((name, factor)) =
+            lower.split_once('=').filter(|(name, _)| name.starts_with("height conversion factor"))
+        else {
+            return Ok(());
+        };
+        let unit_name = name.split_once("->").map_or("", |(_, unit)| unit.trim().trim_end_matches(')'));
+        self.value_unit = Some(unit(unit_name, line)?);
+        let number = factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite() && *factor != 0.0);
+        let bound = || "a finite number other than 0".to_owned();
+        self.value_factor = Some(
+            number.ok_or_else(|| bad_field(line, "the height conversion factor", factor.trim(), bound()))?,
+        );
         Ok(())
     }
 
@@ -249,8 +200,12 @@ impl Header {
         self.lateral_unit
     }
 
-    pub(crate) fn map_height_unit(&self) -> Option<LengthUnit> {
-        self.value_unit
+    /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
+    pub(crate) fn map_heights(&self) -> (Option<LengthUnit>, f64) {
+        match (self.value_unit, self.to_nanometres) {
+            (None, Some(factor)) => (Some(LengthUnit::NANOMETRE), factor),
+            (unit, _) => (unit, self.value_factor.unwrap_or(1.0)),
+        }
     }
 
     /// Unit of a column of positions, from 0.
@@ -295,14 +250,6 @@ fn stylus_radius_m(line: &str) -> Option<f64> {
     let radius = radius.trim_start_matches([':', '=', ' ']).trim_end_matches([',', ';', ' ']);
     let length = length(radius, 0).ok()??;
     Some(length.unit?.to_m(length.value))
-}
-
-/// A recognised key with what follows it.
-fn key_and_value(line: &str) -> Option<(Key, &str)> {
-    let (name, value) = line.split_once([':', '=', '：'])?;
-    let name = name.trim().to_lowercase().replace(['-', '_'], " ");
-    let (key, _) = KEYS.iter().find(|(_, names)| names.contains(&name.as_str()))?;
-    Some((*key, value.trim()))
 }
 
 /// A number with or without a unit; none for what is no number, the key of something else.

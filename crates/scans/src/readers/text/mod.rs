@@ -3,6 +3,7 @@
 mod columns;
 mod grid;
 mod header;
+mod keys;
 mod profile;
 mod style;
 
@@ -101,11 +102,12 @@ fn matrix(
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
     let Columns { count, mut values, .. } = columns;
-    let units = Units::of(options, header.lateral_unit(), header.map_height_unit(), notes);
+    let (height_unit, factor) = header.map_heights();
+    let units = Units::of(options, header.lateral_unit(), height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
     let points = values.values.len();
     let (columns, rows) = if is_map { (count, points / count) } else { (points, 0) };
     let size = header.size(columns, rows, &units)?;
-    values.values.iter_mut().for_each(|value| *value = to_m(*value));
+    values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));
     Ok(Found { columns, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
 }
