@@ -70,6 +70,7 @@ impl ScanRequest {
         Recipe {
             gaps: self.gaps.unwrap_or(for_all.gaps),
             direction: self.direction.unwrap_or(for_all.direction),
+            tip_radius_auto: for_all.tip_radius_auto || self.tip_radius == Some(TipRadius::Auto),
             ..*for_all
         }
     }

@@ -6,7 +6,7 @@ use study::Note;
 use study::surface::Surface;
 use topography::{
     BandEnd, DIRECTIONS_DIFFER, Derivative, Direction, DirectionRatio, FundamentalMode, Remark,
-    SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
+    SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity, TipIndication, TipWords,
 };
 use units::LengthUnit;
 use units::display::{length, three_digits};
@@ -147,6 +147,14 @@ fn scan_remark(remark: &ScanRemark) -> String {
             "used down to {} (2 pixels; no tip radius given): give the tip radius, or the shortest wavelength to be trusted",
             length(*shortest_m)
         ),
+        ScanRemark::TipIndicated(found) => tip_indicated(found),
+        ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: true } => {
+            format!("tip radius {} from its metadata ('{text}')", length(*radius_m))
+        }
+        ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: false } => format!(
+            "its metadata speak of a tip radius of {} ('{text}'); tip radius auto uses it",
+            length(*radius_m)
+        ),
         ScanRemark::Variance { share, evenly_spaced: true } => match remark.severity() {
             Severity::Warning => {
                 format!("Parseval: the spectrum holds {:.1} % of the variance of the heights", 100.0 * share)
@@ -196,6 +204,23 @@ fn scan_remark(remark: &ScanRemark) -> String {
         }
         ScanRemark::Fundamental(mode) => fundamental(mode),
     }
+}
+
+/// What a scan tells of a tip that nobody knows.
+fn tip_indicated(found: &TipIndication) -> String {
+    let sharpest = found.sharpest_peak_radius_m.map_or(String::new(), |radius_m| {
+        format!(
+            "its sharpest peaks have a radius of {}, which the tip does not exceed unless they are noise; ",
+            length(radius_m)
+        )
+    });
+    let trusted = found.trusted.iter().map(|trusted| {
+        let of_scan = trusted
+            .shortest_m
+            .map_or("all of it".to_owned(), |shortest_m| format!("down to about {}", length(shortest_m)));
+        format!("{of_scan} with a tip of {}", length(trusted.radius_m))
+    });
+    format!("{sharpest}the scan could be trusted {}", trusted.collect::<Vec<_>>().join(", "))
 }
 
 /// What ends the band of a scan.

@@ -344,7 +344,20 @@ impl ParallelLines {
 
 /// The columns of rows of so many values, one after the other.
 pub(crate) fn transposed(values: &[f64], columns: usize) -> Vec<f64> {
-    (0..columns).flat_map(|column| values.iter().skip(column).step_by(columns).copied()).collect()
+    /// Values of a tile lie in the cache, whichever way they are gone through.
+    const TILE: usize = 32;
+    let rows = values.len() / columns;
+    let mut turned = vec![0.0; values.len()];
+    for first_row in (0..rows).step_by(TILE) {
+        for first_column in (0..columns).step_by(TILE) {
+            for row in first_row..rows.min(first_row + TILE) {
+                for column in first_column..columns.min(first_column + TILE) {
+                    turned[column * rows + row] = values[row * columns + column];
+                }
+            }
+        }
+    }
+    turned
 }
 
 fn refuse_few(what: &'static str, found: usize) -> Result<(), ScanError> {

@@ -4,14 +4,23 @@ use scans::{Probe, Scan, ScanFile};
 
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark};
+use crate::tip_indication::TipIndication;
+use crate::tip_words::proposed_tip;
 use crate::{BandLimits, ReliableBand, TransformError};
+
+/// The band of a scan, what ends it, and what there is to say of its tip.
+pub(crate) struct FoundBand {
+    pub(crate) band: ReliableBand,
+    pub(crate) end: BandEnd,
+    pub(crate) of_tip: Vec<ScanRemark>,
+}
 
 /// The band of a scan, and what ends it.
 pub(crate) fn band_of(
     file: &ScanFile<Scan>,
     given: BandLimits,
     recipe: &Recipe,
-) -> Result<(ReliableBand, BandEnd), TransformError> {
+) -> Result<FoundBand, TransformError> {
     let limits = recipe.limits(given, file);
     let band = ReliableBand::of(&file.scan, limits)?;
     let ends = |limit_m: Option<f64>| limit_m == Some(band.shortest_m);
@@ -22,16 +31,32 @@ pub(crate) fn band_of(
         None if limits.shortest_m.is_none() && may_have_a_tip(file) => BandEnd::PixelsWithoutTip,
         _ => BandEnd::Pixels,
     };
-    Ok((band, end))
+    let of_tip = of_tip(file, given, recipe, (&band, end));
+    Ok(FoundBand { band, end, of_tip })
 }
 
-/// What there is to say of a tip that nobody knows.
-pub(crate) fn tip_remark(band: &ReliableBand, end: BandEnd) -> Option<ScanRemark> {
-    (end == BandEnd::PixelsWithoutTip).then_some(ScanRemark::TipUnknown { shortest_m: band.shortest_m })
+/// Where the radius of the tip comes from, and what there is to say of a tip that nobody knows.
+fn of_tip(
+    file: &ScanFile<Scan>,
+    given: BandLimits,
+    recipe: &Recipe,
+    (band, end): (&ReliableBand, BandEnd),
+) -> Vec<ScanRemark> {
+    if given.tip_radius_m.or(file.tip_radius_m).is_some() {
+        return Vec::new();
+    }
+    let words = proposed_tip(&file.free_text).filter(|_| may_have_a_tip(file));
+    let mut remarks = Vec::new();
+    if end == BandEnd::PixelsWithoutTip {
+        remarks.push(ScanRemark::TipUnknown { shortest_m: band.shortest_m });
+        remarks.push(ScanRemark::TipIndicated(TipIndication::of(&file.scan)));
+    }
+    remarks.extend(words.map(|words| ScanRemark::TipWords { words, is_used: recipe.tip_radius_auto }));
+    remarks
 }
 
 /// Whether a tip may have touched the surface: not that of a microscope, nor heights that repeat themselves, which were
 /// computed.
-fn may_have_a_tip(file: &ScanFile<Scan>) -> bool {
+pub(crate) fn may_have_a_tip<S>(file: &ScanFile<S>) -> bool {
     file.probe != Some(Probe::Microscope) && !file.is_periodic
 }

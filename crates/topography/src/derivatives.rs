@@ -55,17 +55,19 @@ pub fn real_space_derivatives_across(
 fn of_rows(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
     let (trend, Rows { points, spacing_m, .. }) = (lines.trend(detrend), *lines);
     let closing = usize::from(boundary == Boundary::Periodic);
-    let (ones, mut rest_m, mut slopes) = (vec![1.0; points], vec![0.0; points], Vec::new());
+    let (ones, mut rest_m) = (vec![1.0; points], vec![0.0; points]);
+    let (mut slopes, mut bends) = (Vec::with_capacity(points), Vec::with_capacity(points));
     let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
     for (row, heights_m) in lines.iter().enumerate() {
         trend.subtract(row, heights_m, &ones, &mut rest_m);
         slopes.clear();
-        slopes.extend(rest_m.windows(2).map(|pair| (pair[1] - pair[0]) / spacing_m));
+        slopes.extend(rest_m.iter().zip(&rest_m[1..]).map(|(here_m, next_m)| (next_m - here_m) / spacing_m));
         slopes.extend((closing == 1).then(|| (rest_m[0] - rest_m[points - 1]) / spacing_m));
         slope_squares += sum_of(&slopes, |slope| slope * slope);
         let last = slopes[slopes.len() - 1];
-        let bends = slopes.windows(2).map(|pair| pair[1] - pair[0]);
-        let bends: Vec<f64> = bends.chain((closing == 1).then(|| slopes[0] - last)).collect();
+        bends.clear();
+        bends.extend(slopes.iter().zip(&slopes[1..]).map(|(here, next)| next - here));
+        bends.extend((closing == 1).then(|| slopes[0] - last));
         curvature_squares += sum_of(&bends, |bend| (bend / spacing_m).powi(2));
     }
     let rows = lines.count();

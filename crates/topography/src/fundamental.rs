@@ -1,11 +1,13 @@
 //! How much of the longest wavelength detrending leaves.
 
+use std::f64::consts::TAU;
+
+use crate::Preparation;
 use crate::detrend::Detrend;
-use crate::lines::rows_spectrum;
 use crate::piecewise::nonuniform_line_spectrum_to;
-use crate::rows::Lines;
+use crate::rows::{Lines, Rows};
+use crate::sums::dot;
 use crate::window::Window;
-use crate::{LineSpectrum, Preparation};
 use scans::Scan;
 
 /// The spectrum at q = 2 pi/L after detrending over that with only the mean subtracted, both without a window; `None`
@@ -20,10 +22,26 @@ pub fn fundamental_kept(scan: &Scan, detrend: Detrend) -> Option<f64> {
 }
 
 fn fundamental_m3(scan: &Scan, detrend: Detrend) -> f64 {
-    let preparation = Preparation { detrend, window: Window::None };
-    let spectrum: LineSpectrum = match Lines::of(scan) {
-        Lines::Even(rows) => rows_spectrum(rows, preparation),
-        Lines::Uneven(line) => nonuniform_line_spectrum_to(line, preparation, 1),
+    match Lines::of(scan) {
+        Lines::Even(rows) => fundamental_of_rows(&rows, detrend),
+        Lines::Uneven(line) => {
+            let preparation = Preparation { detrend, window: Window::None };
+            nonuniform_line_spectrum_to(line, preparation, 1).c1d_m3()[0]
+        }
+    }
+}
+
+/// The first bin alone, summed as it is defined: a whole transform would be thrown away but for it.
+fn fundamental_of_rows(rows: &Rows, detrend: Detrend) -> f64 {
+    let points = rows.points;
+    let trend = rows.trend(detrend);
+    let wave = |of: fn(f64) -> f64| -> Vec<f64> { (0..points).map(|i| of(TAU * i as f64 / points as f64)).collect() };
+    let (cosine, sine) = (wave(f64::cos), wave(f64::sin));
+    let (ones, mut rest_m) = (vec![1.0; points], vec![0.0; points]);
+    let power_m2 = |(row, heights_m): (usize, &[f64])| {
+        trend.subtract(row, heights_m, &ones, &mut rest_m);
+        dot(&rest_m, &cosine).powi(2) + dot(&rest_m, &sine).powi(2)
     };
-    spectrum.c1d_m3()[0]
+    let mean_m2 = rows.iter().enumerate().map(power_m2).sum::<f64>() / rows.count() as f64;
+    mean_m2 * rows.spacing_m / points as f64
 }

@@ -44,6 +44,8 @@ mod scan_spectrum;
 mod segment;
 mod sums;
 mod tip;
+mod tip_indication;
+mod tip_words;
 mod window;
 
 pub use areal::{ArealRows, ArealSums, ArealTransform, areal_spectrum};
@@ -75,6 +77,8 @@ pub use remark::{
 pub use rms::RmsDerivatives;
 pub use scan_spectrum::ScanSpectrum;
 pub use tip::tip_cutoff_m;
+pub use tip_indication::{TipIndication, TrustedDownTo, sharpest_peak_radius_m};
+pub use tip_words::{TipWords, proposed_tip, tip_words};
 pub use window::Window;
 
 /// The example of the page runs.

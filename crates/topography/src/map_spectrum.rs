@@ -3,7 +3,7 @@
 use scans::{HeightMap, Scan, ScanFile};
 use spectrum::Psd;
 
-use crate::band_end::{band_of, tip_remark};
+use crate::band_end::{FoundBand, band_of};
 use crate::recipe::Recipe;
 use crate::remark::ScanRemark;
 use crate::{ArealSpectrum, BandLimits, Preparation, TransformError, areal_spectrum};
@@ -46,11 +46,11 @@ impl MapSpectrum {
         recipe: &Recipe,
     ) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let (band, end) = band_of(file, given, recipe)?;
+        let FoundBand { band, of_tip, .. } = band_of(file, given, recipe)?;
         let spectrum = areal_spectrum(map, preparation);
         let reliable = spectrum.ciso(&band)?;
         let mut remarks: Vec<ScanRemark> = file.notes.iter().cloned().map(ScanRemark::Reading).collect();
-        remarks.extend(tip_remark(&band, end));
+        remarks.extend(of_tip);
         Ok(MapSpectrum { preparation, spectrum, reliable, remarks })
     }
 

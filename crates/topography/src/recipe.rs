@@ -5,6 +5,8 @@ use std::num::NonZeroU32;
 use scans::ScanFile;
 use serde::{Deserialize, Serialize};
 
+use crate::band_end::may_have_a_tip;
+use crate::tip_words::proposed_tip;
 use crate::{BandLimits, BinMean, Detrend, Direction, GapTreatment, Preparation, Window};
 
 /// The density of a composite where none is asked for.
@@ -23,6 +25,8 @@ pub struct Recipe {
     pub bins_per_decade: NonZeroU32,
     /// Radius of the tip \[m\] of scans that have no other.
     pub tip_radius_m: Option<f64>,
+    /// Whether the radius of a tip that a file tells in free text alone is used: the largest it speaks of.
+    pub tip_radius_auto: bool,
     /// What is done about points without a height.
     pub gaps: GapTreatment,
     /// Along which axis of maps their lines run.
@@ -37,6 +41,7 @@ impl Default for Recipe {
             average: Average::Log,
             bins_per_decade: DEFAULT_BINS_PER_DECADE,
             tip_radius_m: None,
+            tip_radius_auto: false,
             gaps: GapTreatment::default(),
             direction: Direction::default(),
         }
@@ -55,11 +60,16 @@ impl Recipe {
     }
 
     /// What limits the band of a scan: the tip and the shortest wavelength. What is `given` of the tip counts before what the
-    /// file says, and that before the recipe; of two shortest wavelengths the longer one counts, which all vouch for.
+    /// file says in a field of its own, that before what it says in free text, where the recipe wants that, and that before the
+    /// recipe; of two shortest wavelengths the longer one counts, which all vouch for.
     #[must_use]
     pub fn limits<S>(&self, given: BandLimits, file: &ScanFile<S>) -> BandLimits {
+        let in_words = || {
+            let is_wanted = self.tip_radius_auto && may_have_a_tip(file);
+            is_wanted.then(|| proposed_tip(&file.free_text)).flatten().map(|words| words.radius_m)
+        };
         BandLimits {
-            tip_radius_m: given.tip_radius_m.or(file.tip_radius_m).or(self.tip_radius_m),
+            tip_radius_m: given.tip_radius_m.or(file.tip_radius_m).or_else(in_words).or(self.tip_radius_m),
             shortest_m: [given.shortest_m, file.resolution_m].into_iter().flatten().reduce(f64::max),
         }
     }
@@ -74,6 +84,9 @@ impl Recipe {
             self.average.name(),
             self.bins_per_decade
         );
+        if self.tip_radius_auto {
+            line += ", tip radius: auto";
+        }
         if self.gaps != GapTreatment::default() {
             line += &format!(", gaps: {}", self.gaps);
         }

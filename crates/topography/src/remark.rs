@@ -2,6 +2,8 @@
 
 use crate::direction::Direction;
 use crate::direction_ratio::DirectionRatio;
+use crate::tip_indication::TipIndication;
+use crate::tip_words::TipWords;
 use serde::Serialize;
 use spectrum::Hole;
 
@@ -50,6 +52,15 @@ pub enum ScanRemark {
     TipUnknown {
         /// The wavelength \[m\] down to which the scan is used all the same: twice the distance of its points.
         shortest_m: f64,
+    },
+    /// What the scan itself tells of that tip.
+    TipIndicated(TipIndication),
+    /// People wrote down the radius of the tip.
+    TipWords {
+        /// What they wrote.
+        words: TipWords,
+        /// Whether it is used; it is only where that is asked for.
+        is_used: bool,
     },
     /// The variance of the spectrum over that of the heights.
     Variance {
@@ -175,7 +186,9 @@ impl ScanRemark {
     pub fn severity(&self) -> Severity {
         // A comparison with NaN is false and must not pass a check.
         let passed = match *self {
-            ScanRemark::Reading(_) => return Severity::Note,
+            ScanRemark::Reading(_) | ScanRemark::TipIndicated(_) | ScanRemark::TipWords { .. } => {
+                return Severity::Note;
+            }
             ScanRemark::Band { .. } | ScanRemark::Fundamental(_) => true,
             ScanRemark::TipUnknown { .. } => false,
             ScanRemark::Variance { share, evenly_spaced: true } => (share - 1.0).abs() <= LARGE_PARSEVAL,

@@ -3,7 +3,7 @@
 use scans::{Axis, Scan, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
 
-use crate::band_end::{band_of, tip_remark};
+use crate::band_end::{FoundBand, band_of};
 use crate::checks::Checks;
 use crate::direction::{Direction, has_two, turned};
 use crate::recipe::Recipe;
@@ -32,6 +32,8 @@ pub struct ScanSpectrum {
     pub band: ReliableBand,
     /// What ends them at the short end.
     pub band_end: BandEnd,
+    /// Where the radius of the tip comes from, and what there is to say of a tip that nobody knows.
+    pub of_tip: Vec<ScanRemark>,
     /// The spectrum at these.
     pub reliable: ProfilePsd,
     /// How far it can be believed.
@@ -78,7 +80,7 @@ impl ScanSpectrum {
 
     fn of_file(file: &ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let (band, band_end) = band_of(file, given, recipe)?;
+        let FoundBand { band, end: band_end, of_tip } = band_of(file, given, recipe)?;
         let spectrum = line_spectrum(&file.scan, preparation);
         refuse_flat(&file.scan, &spectrum)?;
         let reliable = spectrum.profile(&band)?;
@@ -91,6 +93,7 @@ impl ScanSpectrum {
             spectrum,
             band,
             band_end,
+            of_tip,
             reliable,
             checks,
             axis: None,
@@ -115,7 +118,7 @@ impl ScanSpectrum {
         let (longest_m, shortest_m) =
             (self.reliable.longest_wavelength_m(), self.reliable.shortest_wavelength_m());
         remarks.push(ScanRemark::Band { longest_m, shortest_m, end: self.band_end });
-        remarks.extend(tip_remark(&self.band, self.band_end));
+        remarks.extend(self.of_tip.iter().cloned());
         remarks.extend(self.checks.remarks());
         remarks
     }

@@ -5,7 +5,7 @@ use scans::{NonuniformLineScan, Scan};
 
 /// The sharpest peak a tip of radius R can trace has the curvature 1/R; artefacts set in at this fraction of it, found on
 /// simulated scans by Sanner et al. (2022).
-const CURVATURE_FRACTION: f64 = 0.5;
+pub(crate) const CURVATURE_FRACTION: f64 = 0.5;
 /// Trial steps for each factor of two in the search from long steps to short ones.
 const STEPS_PER_OCTAVE: f64 = 4.0;
 /// Relative width at which the search ends.
@@ -23,7 +23,7 @@ const TOLERANCE: f64 = 1e-9;
 pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
     let lines = Lines::of(scan);
     let (spacing_m, length_m) = spacing_and_length_m(&lines);
-    let fails = |step_m: f64| sharpest_peak_per_m(&lines, step_m) < -CURVATURE_FRACTION / tip_radius_m;
+    let fails = |step_m: f64| sharpest_peak_per_m(&lines, 1, step_m) < -CURVATURE_FRACTION / tip_radius_m;
     let mut passing_m = length_m / 4.0;
     if passing_m <= spacing_m {
         return None; // four points or fewer: no step to try
@@ -48,11 +48,60 @@ fn spacing_and_length_m(lines: &Lines) -> (f64, f64) {
     }
 }
 
+/// Lines of a map that are looked at where an indication is enough.
+const FEW_LINES: usize = 256;
+
+/// Every how many-th line is looked at, so that they are at most so many, spread over the scan.
+fn every_line(lines: &Lines, most: usize) -> usize {
+    match lines {
+        Lines::Even(rows) => rows.count().div_ceil(most).max(1),
+        Lines::Uneven(_) => 1,
+    }
+}
+
+/// The steps in m of the search in [`tip_cutoff_m`], from long to short, each with the smallest second difference in 1/m that
+/// some lines of the scan have there.
+pub(crate) fn trial_steps(lines: &Lines) -> Vec<(f64, f64)> {
+    let (spacing_m, length_m) = spacing_and_length_m(lines);
+    let longest_m = length_m / 4.0;
+    let octaves = (longest_m / spacing_m).log2();
+    let count = if octaves > 0.0 { (octaves * STEPS_PER_OCTAVE).floor() as usize + 1 } else { 0 };
+    let every = every_line(lines, FEW_LINES);
+    let step_m = |at: usize| longest_m * 2f64.powf(-(at as f64) / STEPS_PER_OCTAVE);
+    (0..count)
+        .map(step_m)
+        .chain((octaves > 0.0).then_some(spacing_m))
+        .map(|step_m| (step_m, sharpest_peak_per_m(lines, every, step_m)))
+        .collect()
+}
+
+/// The curvatures in 1/m, positive on peaks, of neighbouring points of some lines of a scan.
+pub(crate) fn peak_curvatures_per_m(lines: &Lines) -> Vec<f64> {
+    let every = every_line(lines, FEW_LINES);
+    match lines {
+        Lines::Even(rows) => {
+            let square_m2 = rows.spacing_m * rows.spacing_m;
+            let curvature_per_m = |near: &[f64]| -((near[2] - near[1]) + (near[0] - near[1])) / square_m2;
+            rows.iter().step_by(every).flat_map(|row_m| row_m.windows(3).map(curvature_per_m)).collect()
+        }
+        Lines::Uneven(line) => {
+            let near = line.positions_m().windows(3).zip(line.heights_m().windows(3));
+            let curvature_per_m = |(at_m, height_m): (&[f64], &[f64])| {
+                let slope =
+                    |from: usize| (height_m[from + 1] - height_m[from]) / (at_m[from + 1] - at_m[from]);
+                -(slope(1) - slope(0)) / (0.5 * (at_m[2] - at_m[0]))
+            };
+            near.map(curvature_per_m).collect()
+        }
+    }
+}
+
 /// The smallest second difference at a step in m, in 1/m; infinite where the step fits nowhere.
-fn sharpest_peak_per_m(lines: &Lines, step_m: f64) -> f64 {
+fn sharpest_peak_per_m(lines: &Lines, every: usize, step_m: f64) -> f64 {
     let sharpest_m = match lines {
         Lines::Even(rows) => rows
             .iter()
+            .step_by(every)
             .map(|row_m| sharpest_even_m(row_m, step_m / rows.spacing_m))
             .fold(f64::INFINITY, f64::min),
         Lines::Uneven(line) => sharpest_uneven_m(line, step_m),
