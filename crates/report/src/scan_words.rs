@@ -155,6 +155,12 @@ fn scan_remark(remark: &ScanRemark) -> String {
             "its metadata speak of a tip radius of {} ('{text}'); tip radius auto uses it",
             length(*radius_m)
         ),
+        ScanRemark::NoiseFloor(floor) => format!(
+            "the spectrum is level at {} m³ at its short end: noise of the instrument, which sets in at {}; trust only longer \
+             wavelengths",
+            three_digits(floor.c1d_m3),
+            length(floor.wavelength_m)
+        ),
         ScanRemark::Variance { share, evenly_spaced: true } => match remark.severity() {
             Severity::Warning => {
                 format!("Parseval: the spectrum holds {:.1} % of the variance of the heights", 100.0 * share)
@@ -220,7 +226,7 @@ fn tip_indicated(found: &TipIndication) -> String {
             .map_or("all of it".to_owned(), |shortest_m| format!("down to about {}", length(shortest_m)));
         format!("{of_scan} with a tip of {}", length(trusted.radius_m))
     });
-    format!("{sharpest}the scan could be trusted {}", trusted.collect::<Vec<_>>().join(", "))
+    format!("{sharpest}to be trusted: {}", trusted.collect::<Vec<_>>().join(", "))
 }
 
 /// What ends the band of a scan.
@@ -265,6 +271,8 @@ fn difference(real: f64, spectral: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use topography::TrustedDownTo;
+
     use super::*;
 
     #[test]
@@ -298,6 +306,57 @@ mod tests {
                 evenly_spaced: true
             }),
             "rms slope 0 from neighbouring points, 0.1 from the spectrum (none to compare with)"
+        );
+    }
+
+    #[test]
+    fn directions_are_compared_decade_by_decade() {
+        let decade = |longest_m: f64, bins, ratio| DirectionRatio {
+            longest_m,
+            shortest_m: longest_m / 8.0,
+            bins,
+            ratio,
+        };
+        let told = |ratio| {
+            remark(&Remark::Directions {
+                names: ["a, along x".to_owned(), "a, along y".to_owned()],
+                ratios: vec![decade(8e-6, 9, 1.1), decade(8e-7, 1, ratio)],
+                fast: Some(Direction::X),
+            })
+        };
+        assert_eq!(
+            told(3.0),
+            "a, along y over a, along x: 1.1 from 8 µm to 1 µm, 3 at 800 nm; x is the fast axis of the scan"
+        );
+        let anisotropic = Remark::Directions {
+            names: ["a, along x".to_owned(), "a, along y".to_owned()],
+            ratios: vec![decade(8e-6, 9, 0.5)],
+            fast: None,
+        };
+        assert_eq!(anisotropic.severity(), Severity::Warning);
+        assert_eq!(
+            remark(&anisotropic),
+            "a, along y over a, along x: 0.5 from 8 µm to 1 µm; a factor of 1.5 or more: the surface has a direction, or its \
+             lines are offset against each other"
+        );
+    }
+
+    #[test]
+    fn a_tip_that_nobody_knows_is_told_in_words() {
+        let words = TipWords { radius_m: 26e-9, text: "Final tip radii - 26 nm".to_owned() };
+        assert_eq!(
+            scan_remark(&ScanRemark::TipWords { words, is_used: false }),
+            "its metadata speak of a tip radius of 26 nm ('Final tip radii - 26 nm'); tip radius auto uses it"
+        );
+        let trusted = |radius_m, shortest_m| TrustedDownTo { radius_m, shortest_m };
+        let indicated = TipIndication {
+            sharpest_peak_radius_m: Some(12e-9),
+            trusted: vec![trusted(5e-9, None), trusted(20e-9, Some(4e-9))],
+        };
+        assert_eq!(
+            scan_remark(&ScanRemark::TipIndicated(indicated)),
+            "its sharpest peaks have a radius of 12 nm, which the tip does not exceed unless they are noise; to be trusted: all \
+             of it with a tip of 5 nm, down to about 4 nm with a tip of 20 nm"
         );
     }
 

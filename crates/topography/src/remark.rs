@@ -2,6 +2,7 @@
 
 use crate::direction::Direction;
 use crate::direction_ratio::DirectionRatio;
+use crate::noise_floor::NoiseFloor;
 use crate::tip_indication::TipIndication;
 use crate::tip_words::TipWords;
 use serde::Serialize;
@@ -62,6 +63,8 @@ pub enum ScanRemark {
         /// Whether it is used; it is only where that is asked for.
         is_used: bool,
     },
+    /// The noise of the instrument, at wavelengths that are used.
+    NoiseFloor(NoiseFloor),
     /// The variance of the spectrum over that of the heights.
     Variance {
         /// 1 by Parseval's theorem, of unevenly spaced points the part at the wavelengths of the spectrum.
@@ -190,7 +193,7 @@ impl ScanRemark {
                 return Severity::Note;
             }
             ScanRemark::Band { .. } | ScanRemark::Fundamental(_) => true,
-            ScanRemark::TipUnknown { .. } => false,
+            ScanRemark::TipUnknown { .. } | ScanRemark::NoiseFloor(_) => false,
             ScanRemark::Variance { share, evenly_spaced: true } => (share - 1.0).abs() <= LARGE_PARSEVAL,
             ScanRemark::Variance { share, evenly_spaced: false } => share >= LEAST_SHARE,
             ScanRemark::Gap { over_median } => over_median <= LARGE_GAP,

@@ -6,6 +6,7 @@ use spectrum::ProfilePsd;
 use crate::band_end::{FoundBand, band_of};
 use crate::checks::Checks;
 use crate::direction::{Direction, has_two, turned};
+use crate::noise_floor::{NoiseFloor, noise_floor};
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark, Severity};
 use crate::rows::Lines;
@@ -34,6 +35,8 @@ pub struct ScanSpectrum {
     pub band_end: BandEnd,
     /// Where the radius of the tip comes from, and what there is to say of a tip that nobody knows.
     pub of_tip: Vec<ScanRemark>,
+    /// The noise of the instrument, where it shows.
+    pub noise_floor: Option<NoiseFloor>,
     /// The spectrum at these.
     pub reliable: ProfilePsd,
     /// How far it can be believed.
@@ -90,6 +93,7 @@ impl ScanSpectrum {
             format: file.format,
             channel: file.channel.clone(),
             preparation,
+            noise_floor: noise_floor(&spectrum),
             spectrum,
             band,
             band_end,
@@ -119,6 +123,8 @@ impl ScanSpectrum {
             (self.reliable.longest_wavelength_m(), self.reliable.shortest_wavelength_m());
         remarks.push(ScanRemark::Band { longest_m, shortest_m, end: self.band_end });
         remarks.extend(self.of_tip.iter().cloned());
+        let is_used = |floor: &NoiseFloor| floor.wavelength_m > shortest_m;
+        remarks.extend(self.noise_floor.filter(is_used).map(ScanRemark::NoiseFloor));
         remarks.extend(self.checks.remarks());
         remarks
     }
