@@ -1,10 +1,9 @@
-//! The inputs that fuzzing starts from: a few synthetic files of each format, in `fuzz/corpus`.
+//! The inputs that fuzzing starts from, of formats whose writers the tests of scans share; those of others stand in `instruments`.
 
 mod support;
 
-use std::path::Path;
-
 use scans::{ScanOptions, read_scans};
+use support::corpus::keep;
 use support::nanoscope::{Image, NanoscopeFile};
 use support::netcdf::{Kind, NetCdf};
 use support::x3p::X3p;
@@ -57,23 +56,10 @@ fn inputs() -> Vec<(&'static str, &'static str, Vec<u8>)> {
     ]
 }
 
-fn corpus() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus")
-}
-
-/// Set this variable to have the inputs written anew.
-const WRITE: &str = "WRITE_FUZZ_CORPUS";
-
 #[test]
 fn the_corpus_is_small_and_read_by_the_readers_it_is_for() {
     for (target, name, bytes) in inputs() {
-        let path = corpus().join(target).join(name);
-        if std::env::var_os(WRITE).is_some() {
-            std::fs::create_dir_all(corpus().join(target)).unwrap();
-            std::fs::write(&path, &bytes).unwrap();
-        }
-        assert!(path.exists(), "{} is missing; set {WRITE}=1 to write it", path.display());
-        assert!(bytes.len() <= 4096, "{target}/{name} has {} bytes", bytes.len());
+        keep(target, name, &bytes);
         let gaps = usize::from(name == "one-column");
         if ["nanoscope", "netcdf", "archive"].contains(&target) {
             read_scans(&bytes, name, &ScanOptions::default()).unwrap();

@@ -6,6 +6,8 @@
 mod alicona;
 mod bcr;
 mod bytes;
+#[path = "../support/corpus.rs"]
+mod corpus;
 mod digital_surf;
 mod frt;
 mod gwyddion;
@@ -139,6 +141,19 @@ fn every_sample_is_told_by_its_content_and_read() {
                     .is_empty()
             );
         }
+    }
+}
+
+/// Fuzzing starts from the samples: a folder a format in `fuzz/corpus`.
+#[test]
+fn samples_are_kept_for_fuzzing() {
+    for (format, samples) in samples() {
+        // The inputs of `x3p` are unpacked ones.
+        let folder = match format {
+            ScanFormat::X3p => "archive".to_owned(),
+            _ => format.to_string().to_lowercase().replace(' ', "-"),
+        };
+        samples.iter().for_each(|sample| corpus::keep(&folder, &sample.name.replace(' ', "-"), &sample.bytes));
     }
 }
 

@@ -1,6 +1,7 @@
 //! Synthetic scans and writers of every format that scans are read from.
 #![allow(dead_code, reason = "every test uses some of it")]
 
+pub mod corpus;
 pub mod nanoscope;
 pub mod netcdf;
 pub mod x3p;
