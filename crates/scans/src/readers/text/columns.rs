@@ -106,24 +106,29 @@ fn used_fields(text: &str, separator: Separator) -> Result<(usize, Range<usize>)
     let rows = || whole_rows(text, separator).map(|(line, row)| (line, Extent::of(separator, row)));
     let (first_line, first) = rows().next().ok_or(ScanReadError::NoRows)?;
     let mut used = first.filled.clone();
+    let mut fewest = first.fields;
     for (line, row) in rows().filter(|(_, row)| !row.filled.is_empty()) {
         if used.is_empty() {
             used = row.filled.clone();
         }
         used = used.start.min(row.filled.start)..used.end.max(row.filled.end);
+        fewest = fewest.min(row.fields);
         if row.filled.end > first.fields {
             let expected = first.filled.end;
             return Err(ScanReadError::Ragged { line, found: row.filled.end, first_line, expected });
         }
     }
-    for (line, row) in rows() {
-        if row.fields < used.end && !row.filled.is_empty() {
+    let is_short = |(_, row): &(usize, Extent)| row.fields < used.end && !row.filled.is_empty();
+    // Lines are gone through again only where one of them is known to be too short.
+    let short = (fewest < used.end).then(|| rows().find(is_short)).flatten();
+    match short {
+        None => Ok((first_line, used)),
+        Some((line, row)) => {
             let expected = used.len();
             let found = row.fields.saturating_sub(used.start);
-            return Err(ScanReadError::Ragged { line, found, first_line, expected });
+            Err(ScanReadError::Ragged { line, found, first_line, expected })
         }
     }
-    Ok((first_line, used))
 }
 
 /// The fields of a line.
@@ -149,7 +154,12 @@ impl Extent {
 
 /// The lines of the rows; those of separators alone that are too short for one separate nothing.
 fn lines(text: &str, separator: Separator, fields: usize) -> impl Iterator<Item = (usize, &str)> {
-    whole_rows(text, separator).filter(move |(_, row)| separator.split(row).count() >= fields)
+    // A line of numbers has them all, which was looked at: only one that begins with a separator may have too few.
+    let is_whole = move |row: &str| {
+        let begins_with_number = row.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+        begins_with_number || separator.split(row).count() >= fields
+    };
+    whole_rows(text, separator).filter(move |(_, row)| is_whole(row))
 }
 
 /// Which decimal mark a file uses, and since which line.
