@@ -26,6 +26,7 @@ mod options;
 mod raster;
 mod read;
 mod readers;
+mod room;
 mod scan_size;
 mod statistics;
 
