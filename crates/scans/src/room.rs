@@ -19,7 +19,6 @@ impl Room {
     }
 
     /// What is left of it.
-    #[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]
     pub(crate) fn left(&self) -> u64 {
         self.left
     }
