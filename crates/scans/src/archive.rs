@@ -5,34 +5,36 @@ use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
 use crate::error::ScanReadError;
+use crate::room::Room;
 
 /// Most files in an archive; containers hold some hundreds.
 const MOST_ENTRIES: usize = 10_000;
+/// How an entry of the directory begins.
+const ENTRY: &[u8] = b"PK\x01\x02";
 
 /// A ZIP file whose entries all lie inside it, and which unpacks to no more than it may.
 pub(crate) struct Archive<'b> {
     zip: ZipArchive<Cursor<&'b [u8]>>,
     #[allow(dead_code, reason = "X3P knows its paths")]
     paths: Vec<String>,
-    bound: u64,
-    /// What is left of the bound.
-    left: u64,
+    room: Room,
 }
 
 impl<'b> Archive<'b> {
     /// Looks at the directory of an archive; nothing is unpacked yet.
     pub(crate) fn open(bytes: &'b [u8], bound: u64) -> Result<Self, ScanReadError> {
-        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|error| failure("the archive", &error))?;
-        if zip.len() > MOST_ENTRIES {
+        // The library takes several hundred bytes for an entry of some fifty: entries are counted before.
+        if bytes.windows(ENTRY.len()).filter(|part| *part == ENTRY).count() > MOST_ENTRIES {
             let what = "the archive".to_owned();
             return Err(ScanReadError::ArchiveTooLarge { what, bound: MOST_ENTRIES as u64, unit: "files" });
         }
+        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|error| failure("the archive", &error))?;
         let paths: Result<Vec<_>, _> = zip.file_names().map(|path| path.map(String::from)).collect();
         let paths = paths.map_err(|error| failure("the archive", &error))?;
         if let Some(path) = paths.iter().find(|path| leads_outside(path)) {
             return Err(ScanReadError::PathOutside { path: path.clone() });
         }
-        Ok(Self { zip, paths, bound, left: bound })
+        Ok(Self { zip, paths, room: Room::new(bound) })
     }
 
     #[allow(dead_code, reason = "X3P knows its paths")]
@@ -42,16 +44,16 @@ impl<'b> Archive<'b> {
 
     /// Unpacks an entry. The sizes in the directory are not trusted: unpacking stops at the bound.
     pub(crate) fn read(&mut self, path: &str) -> Result<Vec<u8>, ScanReadError> {
-        let bound = self.left;
+        let bound = self.room.left();
         self.read_at_most(path, bound)
     }
 
     /// Unpacks an entry that may not be larger than the bound.
     pub(crate) fn read_at_most(&mut self, path: &str, bound: u64) -> Result<Vec<u8>, ScanReadError> {
         let what = format!("'{path}'");
-        let bound = bound.min(self.left);
-        let shown = if bound == self.left { self.bound } else { bound };
-        let too_large = |what| ScanReadError::ArchiveTooLarge { what, bound: shown, unit: "bytes" };
+        let bound = bound.min(self.room.left());
+        let shown = if bound == self.room.left() { self.room.bound() } else { bound };
+        let too_large = |what: String| ScanReadError::ArchiveTooLarge { what, bound: shown, unit: "bytes" };
         let entry = self.zip.by_name(path).map_err(|error| failure(&what, &error))?;
         if entry.size() > bound {
             return Err(too_large(what));
@@ -63,7 +65,7 @@ impl<'b> Archive<'b> {
         if length > bound {
             return Err(too_large(what));
         }
-        self.left -= length;
+        self.room.take(length, || what)?;
         Ok(bytes)
     }
 }

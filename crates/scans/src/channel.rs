@@ -1,12 +1,19 @@
 //! A channel of a file as its header describes it.
 
-use crate::error::ScanReadError;
+use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::measure::Measure;
 use crate::metadata::Probe;
 use crate::raster::{Decoded, Raster};
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
+
+/// Most channels of a file whose header may claim any number of them; instruments write some dozens.
+pub(crate) const MOST_CHANNELS: usize = 1024;
+/// Most bytes of what people wrote that are kept, of which every channel has a copy.
+pub(crate) const MOST_TEXT: usize = 1 << 14;
+/// Most bytes of a name or unit.
+const LONGEST_NAME: usize = 256;
 
 /// What a channel holds and where; its numbers are decoded when it is read.
 #[derive(Debug)]
@@ -106,8 +113,11 @@ impl<'b> Channel<'b> {
     ) -> Self {
         let units = if quantity == Quantity::Heights(None) { UnitsBy::Asker } else { UnitsBy::Format };
         Self {
-            name: name.filter(|name| !name.is_empty()),
-            quantity,
+            name: name.filter(|name| !name.is_empty()).map(|name| shortened(name, LONGEST_NAME)),
+            quantity: match quantity {
+                Quantity::Other(unit) => Quantity::Other(shortened(unit, LONGEST_NAME)),
+                length => length,
+            },
             lateral,
             samples,
             units,
@@ -174,6 +184,30 @@ impl Samples<'_> {
             Self::Unreadable(error) => Err(*error),
         }
     }
+}
+
+/// Refuses more channels than a file may have: their descriptions would take more memory than the file does.
+pub(crate) fn refuse_many(format: ScanFormat, channels: usize) -> Result<(), ScanReadError> {
+    if channels <= MOST_CHANNELS {
+        return Ok(());
+    }
+    Err(ScanReadError::BadField {
+        format,
+        place: Place::File,
+        field: "the number of channels".to_owned(),
+        value: format!("at least {channels}"),
+        bound: format!("at most {MOST_CHANNELS}"),
+        mend: "the file is damaged, or has to be exported in parts",
+    })
+}
+
+/// The beginning of a text that is longer than so many bytes, in memory of its own.
+pub(crate) fn shortened(text: String, most_bytes: usize) -> String {
+    if text.len() <= most_bytes {
+        return text;
+    }
+    let end = text.floor_char_boundary(most_bytes);
+    text[..end].to_owned()
 }
 
 /// Whether a name is that of heights, by the words that makers of instruments have for them.

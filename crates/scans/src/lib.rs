@@ -26,10 +26,13 @@ mod options;
 mod raster;
 mod read;
 mod readers;
+#[cfg_attr(not(feature = "archives"), allow(dead_code, reason = "fewer formats unpack less"))]
+mod room;
 mod scan_size;
 mod statistics;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]
+#[cfg_attr(not(feature = "archives"), allow(dead_code, reason = "fewer formats unpack less"))]
 mod archive;
 #[cfg(feature = "archives")]
 mod inflate;

@@ -47,13 +47,6 @@ impl ScanOptions {
         self.metadata.as_ref()?.size()
     }
 
-    #[cfg(any(
-        feature = "archives",
-        feature = "x3p",
-        feature = "container",
-        feature = "hdf5",
-        feature = "workbook"
-    ))]
     pub(crate) fn unpacked_bound(&self) -> u64 {
         self.max_unpacked_bytes.unwrap_or(Self::MAX_UNPACKED_BYTES)
     }

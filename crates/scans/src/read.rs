@@ -9,9 +9,9 @@ use crate::readers::{reader_of, unknown_format};
 
 /// Reads the scan in a file, or those in a container.
 ///
-/// The format is told by the content, of files packed with gzip or alone in a ZIP file by what is packed, see [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read,
-/// else the first of heights. `name` is the name of the file, for messages. Memory is bounded by a small multiple of the
-/// file, or of what it unpacks to.
+/// The format is told by the content, of files packed with gzip or alone in a ZIP file by what is packed, see
+/// [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read, else the first of heights. `name` is
+/// the name of the file, for messages. Memory is bounded by a small multiple of the file, or of what it unpacks to.
 ///
 /// ```
 /// use scans::{Scan, ScanOptions, read_scans};
@@ -40,8 +40,8 @@ pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec
 use crate::unpacked::unpacked;
 
 #[cfg(not(feature = "archives"))]
-fn unpacked<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<&'b [u8], ScanReadError> {
-    Ok(bytes)
+fn unpacked<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<std::borrow::Cow<'b, [u8]>, ScanReadError> {
+    Ok(bytes.into())
 }
 
 /// Visits every channel of a file, one after the other, so that only one of them is held in memory: of heights and, where

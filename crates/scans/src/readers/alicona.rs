@@ -15,6 +15,8 @@ use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Alicona;
 const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
+/// Files have some dozens.
+const MOST_TAGS: usize = 10_000;
 /// Rows are filled up to a multiple of so many bytes.
 const ROW_BYTES: usize = 8;
 /// How exactly the mark of points without a height is written.
@@ -60,7 +62,8 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 fn tags(cursor: &mut Cursor) -> Result<Vec<Tag>, ScanReadError> {
     let version = tag(cursor, Some("Version"))?;
     let count = tag(cursor, Some("TagCount"))?;
-    let number = count.value.parse().map_err(|_| bad(cursor, &count, "a whole number"))?;
+    let number = count.value.parse().ok().filter(|&number: &usize| number <= MOST_TAGS);
+    let number = number.ok_or_else(|| bad(cursor, &count, &format!("a whole number up to {MOST_TAGS}")))?;
     let mut tags = vec![version];
     for _ in 0..number {
         tags.push(tag(cursor, None)?);

@@ -16,6 +16,8 @@ use units::LengthUnit;
 const FORMAT: ScanFormat = ScanFormat::Bcr;
 /// Characters of a header that does not tell its length.
 const HEADER_CHARACTERS: usize = 2048;
+/// Characters of a header that are looked at; what pads a longer one holds no keys.
+const LONGEST_CHARACTERS: usize = 1 << 18;
 /// Characters among which the line stands that tells the format.
 const FIRST_CHARACTERS: usize = 64;
 const FORMAT_KEY: &str = "fileformat";
@@ -130,7 +132,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let encoding = encoding(bytes);
     let start = Header::of(bytes, encoding, HEADER_CHARACTERS);
     let characters = start.get("headersize").map_or(Ok(HEADER_CHARACTERS), |_| start.count("headersize"))?;
-    let header = Header::of(bytes, encoding, characters);
+    let header = Header::of(bytes, encoding, characters.min(LONGEST_CHARACTERS));
     let offset = characters.saturating_mul(encoding.character_bytes());
     let mut notes = Vec::new();
     let quantity = match (header.length_unit("zunit"), header.get("zunit")) {

@@ -1,6 +1,6 @@
 //! MicroProf of FRT, `.frt`: a list of numbered blocks, as Gwyddion's user guide and reader describe it. Lengths are in m.
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -80,6 +80,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         .filter(|text| !text.is_empty())
         .collect::<Vec<_>>()
         .join("\n");
+    let free_text = shortened(free_text, MOST_TEXT);
     let mut images = Vec::new();
     if let Some(data) = blocks.iter().find(|block| block.id == block::TOPOGRAPHY) {
         let mut grid = find(block::GRID, "the number of points")?;
@@ -139,6 +140,7 @@ fn list_images<'b>(list: &Block<'b>, images: &mut Vec<Image<'b>>) -> Result<(), 
         if !images.iter().any(|other| other.data == image.data && other.columns == image.columns) {
             images.push(image);
         }
+        refuse_many(FORMAT, images.len())?;
     }
     Ok(())
 }

@@ -2,7 +2,9 @@
 //!
 //! The layout is that which Gwyddion's importer, written by the maker, and SurfaceTopography's reader follow.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal};
+use crate::channel::{
+    Axis, Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_signal, shortened,
+};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
@@ -54,13 +56,15 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         _ => Lateral::Unknown,
     };
     let texts = [COMMENT, SAMPLE, CANTILEVER_COMMENT].into_iter().filter_map(|tag| first.text(tag));
-    let free_text: String = texts.filter(|text| !text.is_empty()).map(|text| text + "\n").collect();
+    let free_text = texts.filter(|text| !text.is_empty()).map(|text| text + "\n").collect();
+    let free_text = shortened(free_text, MOST_TEXT);
+    let mut left = bytes.len();
     let named = tiff.pages.iter().filter_map(|page| Some((page, name(page)?)));
     let channels = named.map(|(page, name)| Channel {
         probe: Some(Probe::Tip),
         fast_axis: Some(Axis::X),
         free_text: free_text.clone(),
-        ..channel(page, name, lateral.clone())
+        ..channel(page, name, lateral.clone(), &mut left)
     });
     Ok(channels.collect())
 }
@@ -72,7 +76,7 @@ fn name(page: &Page) -> Option<String> {
     Some(format!("{name} ({direction})"))
 }
 
-fn channel<'b>(page: &Page<'b>, name: String, lateral: Lateral) -> Channel<'b> {
+fn channel<'b>(page: &Page<'b>, name: String, lateral: Lateral, left: &mut usize) -> Channel<'b> {
     let slot = default_slot(page);
     let unit = slot.and_then(|slot| page.text(slot + SLOT_UNIT)).unwrap_or_default();
     let quantity = match LengthUnit::parse(&unit) {
@@ -81,7 +85,7 @@ fn channel<'b>(page: &Page<'b>, name: String, lateral: Lateral) -> Channel<'b> {
         None => Quantity::Other(unit),
     };
     let samples =
-        raster(page, slot).map_or_else(|error| Samples::Unreadable(Box::new(error)), Samples::Raster);
+        raster(page, slot, left).map_or_else(|error| Samples::Unreadable(Box::new(error)), Samples::Raster);
     Channel::new(Some(name), quantity, lateral, samples)
 }
 
@@ -94,7 +98,7 @@ fn default_slot(page: &Page) -> Option<u16> {
 }
 
 /// The numbers; the first line scanned is the lowest unless the grid is reflected.
-fn raster<'b>(page: &Page<'b>, slot: Option<u16>) -> Result<Raster<'b>, ScanReadError> {
+fn raster<'b>(page: &Page<'b>, slot: Option<u16>, left: &mut usize) -> Result<Raster<'b>, ScanReadError> {
     let slot = slot.ok_or_else(|| missing("slot for the values of the channel, tag 32897"))?;
     let scaling = page.text(slot + SLOT_SCALING).unwrap_or_default();
     if scaling != "LinearScaling" {
@@ -110,7 +114,7 @@ fn raster<'b>(page: &Page<'b>, slot: Option<u16>) -> Result<Raster<'b>, ScanRead
     let zero = page.number(slot + SLOT_OFFSET).filter(|zero| zero.is_finite()).unwrap_or(0.0);
     let is_reflected = page.number(IS_REFLECTED).is_some_and(|flag| flag != 0.0);
     let order = if is_reflected { Order::RowsFromTop } else { Order::RowsFromBottom };
-    Ok(Raster { order, scale, zero, ..page.raster()? })
+    Ok(Raster { order, scale, zero, ..page.raster(left)? })
 }
 
 fn missing(field: &str) -> ScanReadError {

@@ -49,7 +49,14 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
 #[cfg(feature = "archives")]
 fn packed<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let content = crate::archive::Archive::open(bytes, options.unpacked_bound())?.read("Vk4File")?;
-    Ok(images(&content)?.into_iter().map(Channel::into_owned).collect())
+    // Images that do not overlap take no more than what they were packed in.
+    let mut room = crate::room::Room::new(content.len() as u64);
+    let own = |channel: Channel| {
+        let size = if let Samples::Raster(raster) = &channel.samples { raster.bytes.len() as u64 } else { 0 };
+        room.take(size, || "images that overlap".to_owned())?;
+        Ok(channel.into_owned())
+    };
+    images(&content)?.into_iter().map(own).collect()
 }
 
 #[cfg(not(feature = "archives"))]

@@ -22,6 +22,8 @@ const PROFILES: [(&str, &str); 2] =
 const MAGIC: &[u8] = b"[p3dlin]";
 const POINTS: usize = 0x14;
 const TEXTS: usize = 0xc4;
+/// Files have some hundreds.
+const MOST_TEXTS: u32 = 100_000;
 /// The points stand so many bytes behind the beginning of the second of these marks.
 const MARKS: [&[u8]; 2] = [b"[sellsg]", b"[Trajec]"];
 const MARK_TO_POINTS: usize = 49;
@@ -63,7 +65,12 @@ impl Profile {
         }
         let points = cursor.at(POINTS).count("the number of points")?;
         let mut cursor = cursor.at(TEXTS);
+        let count_offset = cursor.offset();
         let count = cursor.u32("the number of texts")?;
+        if count > MOST_TEXTS {
+            let bound = format!("at most {MOST_TEXTS}");
+            return Err(cursor.bad(count_offset, "the number of texts", &count.to_string(), &bound));
+        }
         let mut texts = Vec::new();
         for _ in 0..count {
             let length = cursor.u32("the length of a text")? as usize;

@@ -3,7 +3,7 @@
 //!
 //! The layout is that which Gwyddion's importer follows, whose author wrote it for the maker.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal};
+use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal, refuse_many};
 use crate::cursor::latin1;
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -102,6 +102,7 @@ impl Header {
             }
             if key == "bufferLabel" {
                 header.channels.push(Vec::new());
+                refuse_many(FORMAT, header.channels.len())?;
             }
             header.channels.last_mut().unwrap_or(&mut header.scan).push((key, value));
         }

@@ -2,7 +2,9 @@
 //!
 //! The layout is that which Nanosurf's own reader, published under the MIT license, and Gwyddion's follow.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal};
+use crate::channel::{
+    Axis, Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_signal, refuse_many, shortened,
+};
 use crate::cursor::ByteOrder;
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -60,6 +62,7 @@ fn names(header: &Sections) -> Result<Vec<String>, ScanReadError> {
             places.push((group, channel, section.to_owned()));
         }
     }
+    refuse_many(FORMAT, places.len())?;
     places.sort();
     Ok(places.into_iter().map(|(_, _, section)| section).collect())
 }
@@ -180,5 +183,5 @@ fn free_text(header: &Sections) -> String {
         .map(|(key, value)| format!("{key}: {value}\n"))
         .collect();
     lines.sort();
-    lines.concat()
+    shortened(lines.concat(), MOST_TEXT)
 }

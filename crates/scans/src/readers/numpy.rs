@@ -2,16 +2,20 @@
 //!
 //! The first index of a map counts its rows, as in images. An array has neither unit nor size.
 
+#[cfg(feature = "archives")]
+use crate::channel::refuse_many;
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
-use crate::raster::{Decoded, NumberType, Order, Raster};
+use crate::raster::{NumberType, Order, Raster};
 use crate::readers::Reader;
 
 const FORMAT: ScanFormat = ScanFormat::Numpy;
 const MAGIC: &[u8] = b"\x93NUMPY";
+/// Headers of arrays of numbers take some hundred bytes.
+const LONGEST_HEADER: usize = 1 << 16;
 #[cfg(feature = "archives")]
 const SUFFIX: &str = ".npy";
 
@@ -49,6 +53,7 @@ fn arrays<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, S
     let mut archive = crate::archive::Archive::open(bytes, options.unpacked_bound())?;
     let paths: Vec<String> =
         archive.paths().filter(|path| path.ends_with(SUFFIX)).map(str::to_owned).collect();
+    refuse_many(FORMAT, paths.len())?;
     let mut channels = Vec::new();
     for path in paths {
         let name = path.strip_suffix(SUFFIX).unwrap_or(&path).to_owned();
@@ -76,19 +81,12 @@ fn arrays<'b>(_: &[u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadErr
 struct Array {
     shape: Vec<usize>,
     /// None of arrays of other things than real numbers.
-    numbers: Option<(Number, ByteOrder)>,
+    numbers: Option<(NumberType, ByteOrder)>,
     /// The type as written.
     described: String,
     is_fortran: bool,
     /// Where the numbers begin.
     data: usize,
-}
-
-#[derive(Clone, Copy)]
-enum Number {
-    Stored(NumberType),
-    /// A floating-point number of two bytes.
-    Half,
 }
 
 impl Array {
@@ -103,6 +101,10 @@ impl Array {
             _ => return Err(cursor.bad(MAGIC.len(), "the version", &version.to_string(), "1, 2 or 3")),
         };
         let at = cursor.offset();
+        if length > LONGEST_HEADER {
+            let bound = format!("at most {LONGEST_HEADER}");
+            return Err(cursor.bad(at, "the length of the header", &length.to_string(), &bound));
+        }
         let header = String::from_utf8_lossy(cursor.take(length, "the header")?).into_owned();
         let missing = |field: &str| ScanReadError::MissingField {
             format: FORMAT,
@@ -156,21 +158,9 @@ impl Array {
                 mend: "save one line or map of real numbers",
             })),
             Ok((number, byte_order)) => {
-                let stored = if let Number::Stored(number) = number { number } else { NumberType::U16 };
                 let order = if self.is_fortran { Order::ColumnsFromTop } else { Order::RowsFromTop };
-                let raster =
-                    Raster { byte_order, order, ..Raster::new(stored, columns, rows, data, self.data) };
-                match number {
-                    Number::Stored(_) => Samples::Raster(raster),
-                    Number::Half => match raster.decode(FORMAT) {
-                        Ok(bits) => {
-                            let value = |bits: f64| Some(half(bits as u16));
-                            let decoded = bits.values.into_iter().map(value).collect::<Decoded>();
-                            Samples::Decoded { columns, decoded }
-                        }
-                        Err(error) => Samples::Unreadable(Box::new(error)),
-                    },
-                }
+                let raster = Raster::new(number, columns, rows, data, self.data);
+                Samples::Raster(Raster { byte_order, order, ..raster })
             }
         };
         let mut channel = Channel::new(name, Quantity::Heights(None), Lateral::Unknown, samples);
@@ -184,7 +174,7 @@ impl Array {
 }
 
 /// The type of an array of real numbers, such as `<f8`.
-fn numbers(described: &str) -> Option<(Number, ByteOrder)> {
+fn numbers(described: &str) -> Option<(NumberType, ByteOrder)> {
     let order = if described.starts_with('>') { ByteOrder::Big } else { ByteOrder::Little };
     let number = match described.trim_start_matches(['<', '>', '|', '=']) {
         "i1" => NumberType::I8,
@@ -197,35 +187,8 @@ fn numbers(described: &str) -> Option<(Number, ByteOrder)> {
         "u8" => NumberType::U64,
         "f4" => NumberType::F32,
         "f8" => NumberType::F64,
-        "f2" => return Some((Number::Half, order)),
+        "f2" => NumberType::F16,
         _ => return None,
     };
-    Some((Number::Stored(number), order))
-}
-
-/// The number that sixteen bits of IEEE 754 stand for.
-fn half(bits: u16) -> f64 {
-    let fraction = f64::from(bits & 0x3ff) / 1024.0;
-    let size = match i32::from(bits >> 10 & 0x1f) {
-        0 => fraction * 2f64.powi(-14),
-        0x1f if fraction == 0.0 => f64::INFINITY,
-        0x1f => f64::NAN,
-        exponent => (1.0 + fraction) * 2f64.powi(exponent - 15),
-    };
-    if bits >> 15 == 1 { -size } else { size }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::half;
-
-    #[test]
-    fn halves_are_decoded() {
-        for (bits, value) in
-            [(0x3c00, 1.0), (0xc000, -2.0), (0x3555, 0.333_251_953_125), (0x0001, 5.960_464_477_539_063e-8)]
-        {
-            assert_eq!(half(bits), value);
-        }
-        assert!(half(0x7c00).is_infinite() && half(0x7e00).is_nan());
-    }
+    Some((number, order))
 }

@@ -13,6 +13,8 @@ use units::LengthUnit;
 const FORMAT: ScanFormat = ScanFormat::Sdf;
 const VERSIONS: [&[u8]; 4] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0", b"BCR-0.0"];
 const VERSION_BYTES: usize = 8;
+/// Lines of a header in text that are looked at; it has some dozen.
+const MOST_LINES: usize = 1000;
 /// What some exports put between the header and the data of files of version 1.0.
 const EXTRA_HEADER_BYTES: usize = 8;
 
@@ -85,7 +87,8 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     let (head, data) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
     let trailer = parts.next().unwrap_or_default().trim_end_matches(['*', '\r', '\n', ' ']);
     let mut fields = Fields::default();
-    for (index, line) in head.lines().enumerate().filter(|(_, line)| !line.starts_with(';')) {
+    for (index, line) in head.lines().enumerate().take(MOST_LINES).filter(|(_, line)| !line.starts_with(';'))
+    {
         if let Some((name, value)) = line.split_once('=') {
             fields.0.push((index + 1, name.trim(), value.trim()));
         }

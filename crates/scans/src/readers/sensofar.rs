@@ -18,7 +18,7 @@ const HEADER_BYTES: usize = 500;
 /// Points without a height hold this number.
 const GAP: f64 = 1_000_001.0;
 
-/// Most profiles of a measurement, each of which is a channel; instruments take some tens.
+/// Most profiles of a file, each of which is a channel; instruments take some tens.
 const MOST_PROFILES: usize = 10_000;
 
 const DAYS: [&[u8]; 7] = [b"Mon", b"Tue", b"Wed", b"Thu", b"Fri", b"Sat", b"Sun"];
@@ -67,7 +67,8 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         if layer > 0 && cursor.rest().is_empty() {
             break;
         }
-        channels.extend(layer_channels(&mut cursor, &header, layer)?);
+        let most = MOST_PROFILES.saturating_sub(channels.len());
+        channels.extend(layer_channels(&mut cursor, &header, layer, most)?);
     }
     Ok(channels)
 }
@@ -109,6 +110,7 @@ fn layer_channels<'b>(
     cursor: &mut Cursor<'b>,
     header: &Header,
     layer: usize,
+    most_profiles: usize,
 ) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let start = cursor.offset();
     let rows = cursor.count("the number of rows")?;
@@ -123,8 +125,8 @@ fn layer_channels<'b>(
     if rows == 1 || matches!(header.kind, Kind::Image | Kind::Topography) {
         return Ok(vec![channel(header, format!("layer{layer}"), raster)]);
     }
-    if rows > MOST_PROFILES {
-        let bound = format!("at most {MOST_PROFILES}");
+    if rows > most_profiles {
+        let bound = format!("at most {most_profiles}");
         return Err(cursor.bad(start, "the number of profiles", &rows.to_string(), &bound));
     }
     raster.check(FORMAT)?;

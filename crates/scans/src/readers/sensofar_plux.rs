@@ -5,7 +5,7 @@
 use roxmltree::{Document, Node, ParsingOptions};
 
 use crate::archive::{Archive, is_named_in, is_zip};
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
@@ -45,6 +45,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let free_text = free_text(root);
     let mut channels = Vec::new();
     for layer in root.children().filter(|node| node.tag_name().name().starts_with(LAYER)) {
+        refuse_many(FORMAT, channels.len() + 1)?;
         let samples = match raster(&mut archive, layer, size) {
             Ok(raster) => Samples::Raster(raster),
             Err(error) => Samples::Unreadable(Box::new(error)),
@@ -98,7 +99,7 @@ fn free_text(root: Node) -> String {
         let name = child_text(item, "NAME")?;
         TEXTS.contains(&name).then(|| child_text(item, "VALUE").map(str::to_owned))?
     };
-    items.filter_map(text).collect::<Vec<_>>().join("\n")
+    shortened(items.filter_map(text).collect::<Vec<_>>().join("\n"), MOST_TEXT)
 }
 
 fn count(parent: Node, name: &str) -> Result<usize, ScanReadError> {

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use crate::channel::MOST_TEXT;
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -11,6 +12,9 @@ use crate::raster::{NumberType, Raster};
 /// Files of instruments have some dozens of pages; a file with more is damaged.
 const MOST_PAGES: usize = 1024;
 const MOST_TAGS: usize = 1 << 16;
+
+/// Bytes of a table of strips, of which an image has no more than rows.
+const LARGEST_STRIP_TABLE: usize = 1 << 19;
 
 const WIDTH: u16 = 256;
 const LENGTH: u16 = 257;
@@ -181,8 +185,13 @@ impl<'b> Page<'b> {
     }
 
     /// The image of the page: one number a point, not packed.
-    pub(super) fn raster(&self) -> Result<Raster<'b>, ScanReadError> {
-        let first = |tag: u16| Ok::<_, ScanReadError>(self.require(tag)?.first().copied().unwrap_or(0));
+    ///
+    /// `left` counts the bytes down that may be copied of the file, at first its size.
+    pub(super) fn raster(&self, left: &mut usize) -> Result<Raster<'b>, ScanReadError> {
+        let first = |tag: u16| {
+            let found = self.tags.get(&tag).ok_or_else(|| self.missing(tag))?;
+            Ok::<_, ScanReadError>(self.numbers(found).next().map_or(0, |number| number as usize))
+        };
         let or =
             |tag: u16, default: usize| if self.tags.contains_key(&tag) { first(tag) } else { Ok(default) };
         if or(COMPRESSION, 1)? != 1 {
@@ -223,26 +232,45 @@ impl<'b> Page<'b> {
                 "at least one point",
             ));
         }
-        let (bytes, offset) = self.strips()?;
+        let (bytes, offset) = self.strips(left)?;
         let raster = Raster::new(number, columns, rows, bytes, offset);
         Ok(Raster { byte_order: self.file.order(), ..raster })
     }
 
-    /// The bytes of the image, which may stand in several strips, and where the first is.
-    fn strips(&self) -> Result<(Cow<'b, [u8]>, usize), ScanReadError> {
-        let (offsets, lengths) = (self.require(STRIP_OFFSETS)?, self.require(STRIP_BYTES)?);
-        let strip =
-            |(&offset, &length): (&usize, &usize)| self.file.at(offset).take(length, "a strip of the image");
-        let first = offsets.first().copied().unwrap_or(0);
-        if let ([_], [_]) = (&offsets[..], &lengths[..]) {
-            let bytes = offsets.iter().zip(&lengths).next().map(strip).transpose()?;
-            return Ok((Cow::Borrowed(bytes.unwrap_or_default()), first));
+    /// The bytes of the image, which may stand in several strips, and where the first is. Strips that do not follow each other
+    /// are copied, of all pages together no more than the file holds.
+    fn strips(&self, left: &mut usize) -> Result<(Cow<'b, [u8]>, usize), ScanReadError> {
+        let (offsets, lengths) = (self.strip_table(STRIP_OFFSETS)?, self.strip_table(STRIP_BYTES)?);
+        let strips = || offsets.iter().copied().zip(lengths.iter().copied());
+        let Some((first, _)) = strips().next() else { return Ok((Cow::Borrowed(&[]), 0)) };
+        let total = strips().fold(0usize, |total, (_, length)| total.saturating_add(length));
+        let mut end = first;
+        let follow_each_other = strips().all(|(offset, length)| {
+            let follows = offset == end;
+            end = offset.saturating_add(length);
+            follows
+        });
+        if follow_each_other {
+            return Ok((Cow::Borrowed(self.file.at(first).take(total, "the strips of the image")?), first));
         }
-        // Strips cannot hold more than the file does, whatever their table says.
-        let total = lengths.iter().fold(0usize, |total, length| total.saturating_add(*length));
-        self.file.at(0).take(total, "the strips of the image")?;
-        let strips: Result<Vec<&[u8]>, _> = offsets.iter().zip(&lengths).map(strip).collect();
-        Ok((Cow::Owned(strips?.concat()), first))
+        *left = left.checked_sub(total).ok_or_else(|| {
+            let bound = format!("{left}, what the strips of the pages before leave of the size of the file");
+            self.bad("the size of the strips", &total.to_string(), &bound)
+        })?;
+        let mut bytes = Vec::with_capacity(total);
+        for (offset, length) in strips() {
+            bytes.extend_from_slice(self.file.at(offset).take(length, "a strip of the image")?);
+        }
+        Ok((Cow::Owned(bytes), first))
+    }
+
+    fn strip_table(&self, tag: u16) -> Result<Vec<usize>, ScanReadError> {
+        let found = self.tags.get(&tag).ok_or_else(|| self.missing(tag))?;
+        if found.bytes.len() > LARGEST_STRIP_TABLE {
+            let bound = format!("at most {LARGEST_STRIP_TABLE}");
+            return Err(self.bad(&format!("the size of tag {tag}"), &found.bytes.len().to_string(), &bound));
+        }
+        self.require(tag)
     }
 }
 
@@ -259,7 +287,7 @@ fn bytes_of(kind: u16) -> Option<usize> {
 
 /// UTF-16 in the order of Intel up to the first zero, without blanks around it.
 pub(super) fn utf16(bytes: &[u8]) -> String {
-    let (pairs, _) = bytes.as_chunks::<2>();
+    let (pairs, _) = bytes.get(..MOST_TEXT).unwrap_or(bytes).as_chunks::<2>();
     let letters = pairs.iter().map(|pair| u16::from_le_bytes(*pair)).take_while(|&letter| letter != 0);
     let text: String =
         char::decode_utf16(letters).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();

@@ -8,7 +8,7 @@ use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
-use crate::raster::{Decoded, NumberType, Raster};
+use crate::raster::{NumberType, Order, Raster};
 use crate::readers::Reader;
 use crate::readers::sections::Sections;
 use crate::scan_size::ScanSize;
@@ -36,10 +36,10 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     };
     let columns = header.count(INFO, "Number of columns")?;
     let rows = header.count(INFO, "Number of rows")?;
-    let decoded = decoded(&header, bytes, columns, rows, amplitude.value)?;
+    let raster = raster(&header, bytes, columns, rows, amplitude.value)?;
     let mut notes = Vec::new();
     let lateral = size(&header, &mut notes)?.map_or(Lateral::Unknown, Lateral::Size);
-    let samples = Samples::Decoded { columns, decoded };
+    let samples = Samples::Raster(raster);
     Ok(vec![Channel {
         probe: Some(Probe::Tip),
         fast_axis: (rows > 1).then_some(Axis::X),
@@ -80,14 +80,14 @@ impl<'h> Amount<'h> {
     }
 }
 
-/// The values in the unit of the amplitude, from the top: images are stored from their last point to their first.
-fn decoded(
+/// The numbers, from the last point of the image to its first; their scale is in the unit of the amplitude.
+fn raster<'b>(
     header: &Sections,
-    bytes: &[u8],
+    bytes: &'b [u8],
     columns: usize,
     rows: usize,
     amplitude: f64,
-) -> Result<Decoded, ScanReadError> {
+) -> Result<Raster<'b>, ScanReadError> {
     const TYPE: &str = "Image Data Type";
     let number = match header.get(INFO, TYPE).unwrap_or("short") {
         "short" | "integer" => NumberType::I16,
@@ -97,18 +97,21 @@ fn decoded(
     };
     let rest = bytes.get(header.end..).unwrap_or_default();
     let line_end = if rest.starts_with(b"\r\n") { 2 } else { usize::from(rest.starts_with(b"\n")) };
-    let Decoded { values, gaps } =
-        Raster::within(number, columns, rows, bytes, header.end + line_end).decode(FORMAT)?;
+    let raster = Raster {
+        order: Order::RowsFromBottom,
+        is_mirrored: true,
+        ..Raster::within(number, columns, rows, bytes, header.end + line_end)
+    };
     // Counts spread over the amplitude; other numbers have its unit already.
     let scale = if number == NumberType::I16 {
+        let values = raster.decode(FORMAT)?.values;
         let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
         let range = values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - lowest;
         if range > 0.0 { amplitude / range } else { 0.0 }
     } else {
         1.0
     };
-    let points = values.iter().enumerate().rev();
-    Ok(points.map(|(index, value)| (!gaps.contains(index)).then_some(value * scale)).collect())
+    Ok(Raster { scale, ..raster })
 }
 
 /// Sizes along x and y; a scan of which only one is given is square.

@@ -4,7 +4,7 @@
 //! the readers of Gwyddion and SurfaceTopography take them. Arrays are stored column after column from the bottom, in
 //! wavelengths (over a factor where there is one).
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -20,6 +20,8 @@ const MAGIC: &[u8] = b"Directory\0";
 /// The directory begins after two bytes.
 const DIRECTORY: usize = 2;
 const ENTRY_BYTES: usize = 24;
+/// Files have some hundreds.
+const MOST_BLOCKS: usize = 10_000;
 
 /// Names of arrays with heights, and of those with intensities.
 const HEIGHTS: [&str; 5] = ["Raw", "RAW_DATA", "RAW DATA", "OPD", "SAMPLE_DATA"];
@@ -69,6 +71,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         } else {
             continue;
         };
+        refuse_many(FORMAT, channels.len() + 1)?;
         let samples = match scale.and_then(|scale| raster(block, scale)) {
             Ok(raster) => Samples::Raster(raster),
             Err(error) => Samples::Unreadable(Box::new(error)),
@@ -98,10 +101,10 @@ fn blocks(bytes: &[u8]) -> Result<Vec<Block<'_>>, ScanReadError> {
     let length_offset = DIRECTORY + 18;
     let entries = (directory.length / ENTRY_BYTES)
         .checked_sub(1)
-        .filter(|_| directory.length.is_multiple_of(ENTRY_BYTES));
+        .filter(|entries| directory.length.is_multiple_of(ENTRY_BYTES) && *entries <= MOST_BLOCKS);
     let entries = entries.ok_or_else(|| {
-        let (value, bound) = (directory.length.to_string(), "a multiple of 24, at least 24");
-        cursor.bad(length_offset, "the length of the directory", &value, bound)
+        let bound = format!("a multiple of {ENTRY_BYTES}, for at least 1 and at most {MOST_BLOCKS} blocks");
+        cursor.bad(length_offset, "the length of the directory", &directory.length.to_string(), &bound)
     })?;
     let mut blocks = Vec::new();
     let mut offset = DIRECTORY.saturating_add(directory.length);
@@ -136,7 +139,7 @@ fn free_text(blocks: &[Block]) -> String {
         let found = blocks.iter().find(|block| block.kind == TEXT && block.name == **name)?;
         Some(latin1(found.bytes)).filter(|text| !text.is_empty())
     };
-    TEXTS.iter().filter_map(text).collect::<Vec<_>>().join("\n")
+    shortened(TEXTS.iter().filter_map(text).collect::<Vec<_>>().join("\n"), MOST_TEXT)
 }
 
 /// The numbers of columns and rows and the bytes of a point, then the points.

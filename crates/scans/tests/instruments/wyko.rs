@@ -126,7 +126,7 @@ fn damage_is_told() {
     directory[20] += 1;
     assert_eq!(
         refusal(&directory),
-        "reading Wyko, byte 20: the length of the directory is 193, it must be a multiple of 24, at least 24; the file \
+        "reading Wyko, byte 20: the length of the directory is 193, it must be a multiple of 24, for at least 1 and at most 10000 blocks; the file \
          is damaged or of a variant that is not known: export it again"
     );
     let mut blocks = map();

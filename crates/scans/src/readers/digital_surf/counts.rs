@@ -4,8 +4,8 @@ use super::FORMAT;
 use super::header::{Header, Inversion};
 use crate::channel::Samples;
 use crate::error::ScanReadError;
-use crate::options::ScanOptions;
-use crate::raster::{Decoded, GapMark, NumberType, Order, Raster};
+use crate::raster::{GapMark, NumberType, Order, Raster};
+use crate::room::Room;
 
 /// Points without a height have this count less than the lowest.
 const GAP_BELOW_LOWEST: f64 = 2.0;
@@ -14,7 +14,7 @@ const GAP_BELOW_LOWEST: f64 = 2.0;
 pub(super) fn samples<'b>(
     header: &Header,
     bytes: &'b [u8],
-    options: &ScanOptions,
+    room: &mut Room,
 ) -> Result<(Samples<'b>, usize), ScanReadError> {
     let number = if header.bits == 16 { NumberType::I16 } else { NumberType::I32 };
     let sign = if header.inversion.turns_heights() { -1.0 } else { 1.0 };
@@ -28,6 +28,7 @@ pub(super) fn samples<'b>(
             Inversion::HeightsAndRows => Order::RowsFromBottom,
             _ => Order::RowsFromTop,
         },
+        is_mirrored: header.inversion == Inversion::HeightsAndColumns,
         scale: sign * header.scale,
         zero: sign * header.zero,
         gap,
@@ -35,7 +36,7 @@ pub(super) fn samples<'b>(
     };
     let (raster, end) = if header.is_packed {
         let end = header.data.saturating_add(header.packed_bytes);
-        match unpacked(header, &raster, bytes, options) {
+        match unpacked(header, &raster, bytes, room) {
             Ok(counts) => (Raster { bytes: counts.into(), ..raster }, end),
             Err(error) => return Ok((Samples::Unreadable(Box::new(error)), end)),
         }
@@ -43,9 +44,6 @@ pub(super) fn samples<'b>(
         let end = header.data.saturating_add(size(header, &raster).unwrap_or(usize::MAX));
         (raster, end)
     };
-    if header.inversion == Inversion::HeightsAndColumns {
-        return Ok((mirrored(&raster), end));
-    }
     Ok((Samples::Raster(raster), end))
 }
 
@@ -54,38 +52,19 @@ fn size(header: &Header, raster: &Raster) -> Option<usize> {
     header.columns.checked_mul(header.rows)?.checked_mul(raster.number.bytes())
 }
 
-/// Every row from its right end.
-fn mirrored<'b>(raster: &Raster) -> Samples<'b> {
-    match raster.decode(FORMAT) {
-        Err(error) => Samples::Unreadable(Box::new(error)),
-        Ok(Decoded { values, gaps }) => {
-            let columns = raster.columns;
-            let from = |index: usize| index - index % columns + (columns - 1 - index % columns);
-            let value =
-                |index: usize| values.get(from(index)).copied().filter(|_| !gaps.contains(from(index)));
-            Samples::Decoded { columns, decoded: (0..values.len()).map(value).collect() }
-        }
-    }
-}
-
 /// A table of streams, each with its length before and after packing, then the streams.
 #[cfg(feature = "archives")]
 fn unpacked(
     header: &Header,
     raster: &Raster,
     bytes: &[u8],
-    options: &ScanOptions,
+    room: &mut Room,
 ) -> Result<Vec<u8>, ScanReadError> {
     use crate::cursor::Cursor;
     use crate::inflate::{StreamPlace, inflated};
 
-    let bound = options.unpacked_bound();
-    let expected = size(header, raster).filter(|&size| size as u64 <= bound);
-    let expected = expected.ok_or_else(|| ScanReadError::ArchiveTooLarge {
-        what: format!("the {} x {} points", header.columns, header.rows),
-        bound,
-        unit: "bytes",
-    })?;
+    let expected = size(header, raster).unwrap_or(usize::MAX);
+    room.take(expected as u64, || format!("the {} x {} points", header.columns, header.rows))?;
     let mut cursor = Cursor::new(FORMAT, bytes, header.order).at(header.data);
     let streams = cursor.u32("the number of packed streams")?;
     let mut lengths = Vec::new();
@@ -108,7 +87,7 @@ fn unpacked(
 }
 
 #[cfg(not(feature = "archives"))]
-fn unpacked(header: &Header, _: &Raster, _: &[u8], _: &ScanOptions) -> Result<Vec<u8>, ScanReadError> {
+fn unpacked(header: &Header, _: &Raster, _: &[u8], _: &mut Room) -> Result<Vec<u8>, ScanReadError> {
     Err(ScanReadError::Unsupported {
         format: FORMAT,
         place: crate::error::Place::Byte(header.data as u64),

@@ -9,11 +9,12 @@ mod header;
 
 use header::Header;
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 use crate::readers::Reader;
+use crate::room::Room;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::DigitalSurf;
@@ -27,11 +28,13 @@ fn recognises(bytes: &[u8]) -> bool {
 /// A channel an object: the surfaces of a series, the layers of one measurement.
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let mut channels = Vec::new();
-    let (first, mut end) = object(bytes, 0, options)?;
+    let mut room = Room::new(options.unpacked_bound());
+    let (first, mut end) = object(bytes, 0, &mut room)?;
     let announced = first.objects;
     channels.push(first.channel);
     while bytes.get(end..).is_some_and(recognises) {
-        match object(bytes, end, options) {
+        refuse_many(FORMAT, channels.len() + 1)?;
+        match object(bytes, end, &mut room) {
             Ok((next, next_end)) => {
                 channels.push(next.channel);
                 end = next_end;
@@ -58,13 +61,9 @@ struct Object<'b> {
 }
 
 /// The object that begins at a byte of the file, and where the next one begins.
-fn object<'b>(
-    bytes: &'b [u8],
-    offset: usize,
-    options: &ScanOptions,
-) -> Result<(Object<'b>, usize), ScanReadError> {
+fn object<'b>(bytes: &'b [u8], offset: usize, room: &mut Room) -> Result<(Object<'b>, usize), ScanReadError> {
     let header = Header::read(bytes, offset)?;
-    let (samples, end) = counts::samples(&header, bytes, options)?;
+    let (samples, end) = counts::samples(&header, bytes, room)?;
     let mut notes = Vec::new();
     if header.inversion.turns_heights() {
         notes.push("the file marks its heights as inverted; they are turned back".to_owned());

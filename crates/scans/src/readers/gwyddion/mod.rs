@@ -8,7 +8,10 @@ mod object;
 
 use std::collections::BTreeMap;
 
-use crate::channel::{Channel, Lateral, Quantity, Samples, is_named_after_height, is_named_after_signal};
+use crate::channel::{
+    Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_height, is_named_after_signal,
+    refuse_many, shortened,
+};
 use crate::error::{Place, ScanReadError};
 use crate::options::ScanOptions;
 use crate::raster::GapMark;
@@ -45,6 +48,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     for component in Object::of_file(bytes)?.components() {
         let component = component?;
         let Some((number, key)) = numbered(component.name) else { continue };
+        refuse_many(FORMAT, entries.len())?;
         let entry = entries.entry(number).or_default();
         match (key, component.value) {
             (b"data", Value::Object(object)) => entry.data = Some(object),
@@ -150,5 +154,5 @@ fn free_text(meta: Object) -> String {
                 &format!("{}: {}\n", String::from_utf8_lossy(component.name), String::from_utf8_lossy(value));
         }
     }
-    text
+    shortened(text, MOST_TEXT)
 }

@@ -8,16 +8,19 @@ use crate::cursor::ByteOrder;
 use crate::error::{Place, ScanReadError};
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Raster};
+use crate::room::Room;
 
 /// Groups within groups, and datasets, of files that are made to be read; links may lead in circles.
 const DEEPEST: usize = 8;
 const MOST_DATASETS: usize = 1000;
+/// How many times its size the data of a file may unpack to: what deflate, the filter in use, attains at the most.
+const LARGEST_RATIO: u64 = 1032;
+/// What any file may unpack to.
+const SMALL: u64 = 1 << 20;
 
 pub(super) struct Content {
     pub(super) entries: Vec<Entry>,
-    bound: u64,
-    /// What is left of the bytes that may be unpacked.
-    left: u64,
+    room: Room,
 }
 
 pub(super) struct Entry {
@@ -28,13 +31,15 @@ pub(super) struct Entry {
 
 impl Content {
     pub(super) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Self, ScanReadError> {
-        let bound = options.unpacked_bound();
+        // Datasets that nobody wrote to have any size and no bytes.
+        let packed = LARGEST_RATIO.saturating_mul(bytes.len() as u64).max(SMALL);
+        let bound = options.unpacked_bound().min(packed);
         let most = usize::try_from(bound).unwrap_or(usize::MAX);
         let limits = OpenOptions::default().with_max_read_bytes(most).with_max_chunk_bytes(most);
         let file = Hdf5File::from_bytes_with_options(bytes, limits).map_err(failure)?;
         let mut entries = Vec::new();
         collect(&file.root_group().map_err(failure)?, "", 0, &mut entries)?;
-        Ok(Self { entries, bound, left: bound })
+        Ok(Self { entries, room: Room::new(bound) })
     }
 
     /// A dataset by its path.
@@ -55,11 +60,7 @@ impl Content {
             return Err(entry.bad("the type", &format!("{:?}", entry.dataset.dtype()), "a real number"));
         };
         let size = entry.dataset.raw_byte_len().map_err(failure)?;
-        if size as u64 > self.left {
-            let what = format!("'{}'", entry.path);
-            return Err(ScanReadError::ArchiveTooLarge { what, bound: self.bound, unit: "bytes" });
-        }
-        self.left -= size as u64;
+        self.room.take(size as u64, || format!("'{}'", entry.path))?;
         let bytes = entry.dataset.read_raw_bytes().map_err(failure)?;
         Ok(Raster { byte_order, ..Raster::new(number, columns, rows, bytes, 0) })
     }

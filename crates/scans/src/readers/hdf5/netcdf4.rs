@@ -7,7 +7,7 @@ use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::options::ScanOptions;
-use crate::raster::{Decoded, GapMark, Order, Raster};
+use crate::raster::{GapMark, Order, Raster};
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
@@ -54,21 +54,17 @@ pub(super) fn channels<'b>(
 
     let raster = turned(content.raster(heights)?, order);
     let columns = raster.columns;
-    let decoded = Raster { gap: GapMark::Equal(gap), scale, zero, ..raster }.decode(FORMAT)?;
-    let masked: Option<Vec<f64>> = mask
-        .map(|mask| content.raster(mask).and_then(|raster| Ok(turned(raster, order).decode(FORMAT)?.values)))
-        .transpose()?;
-    if let (Some(masked), Some(mask)) = (&masked, mask)
-        && masked.len() != decoded.values.len()
-    {
-        let bound = format!("{}, that of 'heights'", decoded.values.len());
-        return Err(content.entries[mask].bad("the number of points", &masked.len().to_string(), &bound));
+    let mut decoded = Raster { gap: GapMark::Equal(gap), scale, zero, ..raster }.decode(FORMAT)?;
+    decoded.values.iter_mut().for_each(|height| *height = height_to_m(*height));
+    if let Some(mask) = mask {
+        let masked = turned(content.raster(mask)?, order).decode(FORMAT)?.values;
+        if masked.len() != decoded.values.len() {
+            let bound = format!("{}, that of 'heights'", decoded.values.len());
+            return Err(content.entries[mask].bad("the number of points", &masked.len().to_string(), &bound));
+        }
+        let covered = masked.iter().enumerate().filter(|(_, mask)| **mask != 0.0);
+        covered.for_each(|(index, _)| decoded.set_gap(index));
     }
-    let is_masked = |index: usize| masked.as_ref().is_some_and(|masked| masked[index] != 0.0);
-    let height_m = |(index, &height): (usize, &f64)| {
-        (!decoded.gaps.contains(index) && !is_masked(index)).then(|| height_to_m(height))
-    };
-    let heights_m: Decoded = decoded.values.iter().enumerate().map(height_m).collect();
     let lateral = match (is_map, x_m, y_m, x) {
         (true, Some(x_m), Some(y_m), _) => Lateral::Size(ScanSize { x_m, y_m: Some(y_m) }),
         (false, Some(x_m), ..) if !is_uneven => Lateral::Size(ScanSize { x_m, y_m: None }),
@@ -78,7 +74,7 @@ pub(super) fn channels<'b>(
         _ => Lateral::Unknown,
     };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
-    let samples = Samples::Decoded { columns, decoded: heights_m };
+    let samples = Samples::Decoded { columns, decoded };
     let channel = Channel::new(Some("heights".to_owned()), quantity, lateral, samples);
     Ok(vec![Channel { units: UnitsBy::Reader, is_periodic: periodic, notes, ..channel }])
 }

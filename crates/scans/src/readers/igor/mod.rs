@@ -7,7 +7,8 @@ mod asylum;
 mod wave;
 
 use crate::channel::{
-    Axis, Channel, Lateral, Quantity, Samples, is_named_after_height, is_named_after_signal,
+    Axis, Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_height, is_named_after_signal,
+    shortened,
 };
 use crate::error::{Place, ScanReadError};
 use crate::metadata::Probe;
@@ -91,7 +92,10 @@ fn channel<'b>(
     Ok(Channel {
         probe: note.map(|_| Probe::Tip),
         fast_axis: note.filter(|note| note.has_fast_axis() && shape.rows.is_some()).map(|_| Axis::X),
-        free_text: note.map_or_else(|| wave.note.clone(), Note::free_text),
+        free_text: match note {
+            Some(note) => shortened(note.free_text(), MOST_TEXT),
+            None => wave.note[..wave.note.floor_char_boundary(MOST_TEXT)].to_owned(),
+        },
         ..channel
     })
 }

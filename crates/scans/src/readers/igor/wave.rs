@@ -1,6 +1,6 @@
 //! The headers of a binary wave: its grid, its units, where its numbers and texts stand.
 
-use crate::cursor::{ByteOrder, Cursor, latin1};
+use crate::cursor::{ByteOrder, Cursor, latin1, latin1_at_most};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::raster::{NumberType, Raster};
@@ -12,6 +12,8 @@ pub(super) const FORMAT: ScanFormat = ScanFormat::Igor;
 const DIMENSIONS: usize = 4;
 /// Length of the name of an element of a dimension, with the zero byte behind it.
 const LABEL_BYTES: usize = 32;
+/// Bytes of a note that are looked at; those of instruments take some ten kilobytes.
+const LONGEST_NOTE: usize = 1 << 20;
 /// Length of the header behind the one that tells the version.
 const OLD_WAVE_BYTES: usize = 110;
 const WAVE_BYTES: usize = 320;
@@ -112,7 +114,7 @@ impl Wave {
         }
         wave.data_offset = start + WAVE_BYTES;
         let mut cursor = cursor.at(start.saturating_add(wave_bytes).saturating_add(formula_bytes));
-        wave.note = cursor.text(note_bytes, "the note")?;
+        wave.note = latin1_at_most(cursor.take(note_bytes, "the note")?, LONGEST_NOTE);
         // Units of more than three letters stand behind the note.
         if value_unit_bytes > 0 {
             wave.value_unit = cursor.text(value_unit_bytes, "the unit of the values")?;
@@ -147,8 +149,9 @@ impl Wave {
         wave.steps[0] = cursor.f64("the step of the dimension")?;
         wave.data_offset = start + OLD_WAVE_BYTES;
         // The size of the wave counts the padding behind the numbers.
-        let mut cursor = cursor.at(start.saturating_add(wave_bytes));
-        wave.note = cursor.text(note_bytes.min(cursor.rest().len()), "the note")?;
+        let cursor = cursor.at(start.saturating_add(wave_bytes));
+        let note = cursor.rest();
+        wave.note = latin1_at_most(note.get(..note_bytes).unwrap_or(note), LONGEST_NOTE);
         Ok(wave)
     }
 

@@ -1,6 +1,7 @@
 //! Entries of the tree: a tag of two bytes, a length of eight, and data or further entries.
 
 use super::FORMAT;
+use crate::channel::MOST_TEXT;
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 
@@ -105,6 +106,7 @@ impl<'b> Entry<'b> {
     /// The text of an entry, where it is one.
     pub(super) fn text(&self) -> Option<String> {
         let (&TEXT, text) = self.cursor().rest().split_first()? else { return None };
+        let text = text.get(..MOST_TEXT).unwrap_or(text);
         let units: Vec<u16> = text.as_chunks().0.iter().copied().map(u16::from_le_bytes).collect();
         Some(String::from_utf16_lossy(&units).trim_end_matches('\0').trim().to_owned())
     }

@@ -11,12 +11,13 @@ use std::io::Read;
 
 use entry::Entry;
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 use crate::raster::{GapMark, NumberType, Raster};
 use crate::readers::Reader;
+use crate::room::Room;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::MountainsMap;
@@ -43,12 +44,14 @@ fn recognises(bytes: &[u8]) -> bool {
 /// A channel for every surface that was measured.
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let contents = contents(bytes)?;
+    let mut room = Room::new(options.unpacked_bound());
     let mut channels = Vec::new();
     // The first eight bytes tell the length of the rest.
     let document = Entry::root(&contents).after(8, "the document")?.required(&[1, 0x2bd, 2, 1])?;
     for object in document.listed()? {
         if class(&object)? == Some(SURFACE) {
-            channels.extend(surface(&object, options)?);
+            refuse_many(FORMAT, channels.len() + 1)?;
+            channels.extend(surface(&object, &mut room)?);
         }
     }
     if channels.is_empty() {
@@ -85,7 +88,7 @@ fn class(object: &Entry) -> Result<Option<u32>, ScanReadError> {
 }
 
 /// The surface in an object; none where it holds no measurement of heights over a grid.
-fn surface<'b>(object: &Entry, options: &ScanOptions) -> Result<Option<Channel<'b>>, ScanReadError> {
+fn surface<'b>(object: &Entry, room: &mut Room) -> Result<Option<Channel<'b>>, ScanReadError> {
     let body = object.required(&[2])?;
     let Some(data) = body.optional(&[1])? else { return Ok(None) };
     if class(&data)? != Some(SURFACE_DATA) {
@@ -100,7 +103,7 @@ fn surface<'b>(object: &Entry, options: &ScanOptions) -> Result<Option<Channel<'
     }
     let [x, y] = [Axis::lateral(&grid, 1)?, Axis::lateral(&grid, 2)?];
     let z = Scale::of(&measurement.required(&[2, 0xffff])?)?;
-    let samples = match raster(&heights, &grid, [x.points, y.points], options) {
+    let samples = match raster(&heights, &grid, [x.points, y.points], room) {
         Ok(raster) => Samples::Raster(Raster { scale: z.step, zero: z.origin, ..raster }),
         Err(error) => Samples::Unreadable(Box::new(error)),
     };
@@ -176,14 +179,14 @@ fn raster<'b>(
     heights: &Entry,
     grid: &Entry,
     [columns, rows]: [usize; 2],
-    options: &ScanOptions,
+    room: &mut Room,
 ) -> Result<Raster<'b>, ScanReadError> {
     let points = columns.saturating_mul(rows);
-    let counts = packed::array(&heights.required(&[2])?, points, &[4, 2], options)?;
+    let counts = packed::array(&heights.required(&[2])?, points, &[4, 2], room)?;
     let number = if counts.element_bytes == 4 { NumberType::I32 } else { NumberType::I16 };
     let mask = grid.optional(&[3])?;
     let gap = match mask {
-        Some(mask) if class(&mask)? == Some(MASK) => gaps(&mask, [columns, rows], options)?,
+        Some(mask) if class(&mask)? == Some(MASK) => gaps(&mask, [columns, rows], room)?,
         _ => GapMark::None,
     };
     Ok(Raster { gap, ..Raster::new(number, columns, rows, counts.bytes, heights.offset) })
@@ -192,11 +195,11 @@ fn raster<'b>(
 fn gaps<'b>(
     mask: &Entry,
     [columns, rows]: [usize; 2],
-    options: &ScanOptions,
+    room: &mut Room,
 ) -> Result<GapMark<'b>, ScanReadError> {
     let [width, height] = [columns.saturating_add(2), rows.saturating_add(2)];
     let points = width.saturating_mul(height);
-    let marks = packed::array(&mask.required(&[2, 5, 2])?, points, &[1], options)?;
+    let marks = packed::array(&mask.required(&[2, 5, 2])?, points, &[1], room)?;
     let inner = marks.bytes.chunks_exact(width).skip(1).take(rows);
     let marks = inner.flat_map(|row| row.iter().skip(1).take(columns));
     Ok(GapMark::Flagged(marks.map(|&mark| u8::from(mark != MEASURED)).collect()))

@@ -4,7 +4,7 @@ use super::FORMAT;
 use super::entry::Entry;
 use crate::error::ScanReadError;
 use crate::inflate::{StreamPlace, inflated};
-use crate::options::ScanOptions;
+use crate::room::Room;
 
 /// The bytes of an array.
 pub(super) struct Array {
@@ -25,7 +25,7 @@ pub(super) fn array(
     entry: &Entry,
     elements: usize,
     element_bytes: &[usize],
-    options: &ScanOptions,
+    room: &mut Room,
 ) -> Result<Array, ScanReadError> {
     let count = entry.required(&[1])?;
     let data = entry.required(&[2])?;
@@ -47,10 +47,7 @@ pub(super) fn array(
         let bound = format!("{elements} elements of {element_bytes:?} bytes");
         cursor.bad(data.offset, "the length of an array", &total.to_string(), &bound)
     })?;
-    let bound = options.unpacked_bound();
-    if total > bound {
-        return Err(ScanReadError::ArchiveTooLarge { what: "an array".to_owned(), bound, unit: "bytes" });
-    }
+    room.take(total, || "an array".to_owned())?;
     let mut blocks = Vec::new();
     while !cursor.rest().is_empty() {
         let offset = cursor.offset();

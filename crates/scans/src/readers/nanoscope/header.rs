@@ -1,5 +1,6 @@
 //! The text at the beginning of a Nanoscope file: sections of keys and values.
 
+use crate::cursor::latin1;
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 
@@ -165,9 +166,4 @@ impl Value {
             mend: "the header is damaged: export the file again",
         }
     }
-}
-
-/// Headers are in Latin-1, in which degrees and micrometres are written with one byte.
-fn latin1(bytes: &[u8]) -> String {
-    bytes.trim_ascii().iter().map(|&byte| char::from(byte)).collect()
 }

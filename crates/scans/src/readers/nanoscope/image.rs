@@ -1,7 +1,7 @@
 //! One image of a Nanoscope file: what it measures, its grid, its counts.
 
 use super::header::{Header, Section, Value};
-use crate::channel::is_named_after_height;
+use crate::channel::{MOST_TEXT, is_named_after_height, shortened};
 use crate::error::ScanReadError;
 use crate::raster::{NumberType, Order, Raster};
 use units::LengthUnit;
@@ -59,7 +59,8 @@ impl<'h> Image<'h> {
     pub(crate) fn note(&self) -> String {
         let of_file = ["Note", "Sample description"].map(|key| self.header.file_list(key));
         let values = of_file.into_iter().chain([self.section.get("Note")]).flatten();
-        values.filter(|value| !value.text.is_empty()).map(|value| format!("{}\n", value.text)).collect()
+        let lines = values.filter(|value| !value.text.is_empty()).map(|value| format!("{}\n", value.text));
+        shortened(lines.collect(), MOST_TEXT)
     }
 
     /// The unit of what is no length, as the sensitivity names it; that of the full scale where there is none.

@@ -3,7 +3,7 @@
 mod header;
 mod image;
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples};
+use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::{Place, ScanReadError};
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -25,6 +25,7 @@ fn recognises(bytes: &[u8]) -> bool {
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let header = Header::read(bytes)?;
     refuse_other_modes(&header)?;
+    refuse_many(FORMAT, header.images().count())?;
     Ok(header.images().map(|section| channel(&Image::of(&header, section), bytes)).collect())
 }
 

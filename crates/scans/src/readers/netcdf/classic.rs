@@ -12,6 +12,8 @@ use crate::error::ScanReadError;
 const DIMENSIONS: u32 = 10;
 const VARIABLES: u32 = 11;
 const ATTRIBUTES: u32 = 12;
+/// Most dimensions of a variable, as `netcdf.h` limits them.
+const MOST_AXES: usize = 1024;
 
 /// Bytes that hold variables, with what the header says about them.
 pub(crate) struct Classic<'b> {
@@ -193,7 +195,13 @@ fn variable<'b>(cursor: &mut Cursor<'b>, version: u8, known: usize) -> Result<Va
     let offset = cursor.offset();
     let name = cursor.name("a variable")?;
     let mut dimensions = Vec::new();
-    for _ in 0..cursor.count("the dimensions of a variable")? {
+    let count_offset = cursor.offset();
+    let count = cursor.count("the dimensions of a variable")?;
+    if count > MOST_AXES {
+        let field = format!("the number of dimensions of '{name}'");
+        return Err(bad(count_offset, &field, &count.to_string(), &format!("at most {MOST_AXES}")));
+    }
+    for _ in 0..count {
         let offset = cursor.offset();
         let index = cursor.count("a dimension of a variable")?;
         if index >= known {

@@ -8,6 +8,9 @@ use crate::format::ScanFormat;
 /// The format whose reader this is, for messages.
 pub(crate) const FORMAT: ScanFormat = ScanFormat::NetCdf;
 
+/// Longest list of dimensions, attributes or variables; `netcdf.h` sets the same limit for programs that are portable.
+const MOST_ENTRIES: usize = 8192;
+
 /// A position in a file. Counts are four bytes long, in CDF-5 eight.
 pub(crate) struct Cursor<'b> {
     bytes: &'b [u8],
@@ -71,9 +74,9 @@ impl<'b> Cursor<'b> {
                 &format!("{tag}, or 0 twice"),
             ));
         }
-        let most = (self.bytes.len() - self.at) / 4;
+        let most = MOST_ENTRIES.min((self.bytes.len() - self.at) / 4);
         if count > most {
-            let bound = format!("at most {most}, as many as the rest of the file can hold");
+            let bound = format!("at most {most}, as many as a list, and the rest of the file, can hold");
             return Err(bad(offset + 4, &format!("the number of {what}"), &count.to_string(), &bound));
         }
         Ok(count)

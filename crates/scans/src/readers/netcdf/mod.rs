@@ -16,6 +16,9 @@ use classic::{Classic, Variable};
 use cursor::FORMAT;
 use units::LengthUnit;
 
+/// What is said of an instrument takes some kilobytes.
+const LONGEST_JSON: usize = 1 << 20;
+
 /// What the dimensions of `heights` make of it.
 enum Layout {
     /// Row after row of so many columns.
@@ -58,7 +61,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
         Layout::Points | Layout::Line => (points, (0..points).map(height_m).collect()),
         Layout::Rows(columns) => (columns, (0..points).map(height_m).collect()),
         Layout::Columns(rows) => {
-            let rowwise = (0..rows).flat_map(|row| (row..points).step_by(rows));
+            let rowwise = (0..rows.min(points)).flat_map(|row| (row..points).step_by(rows));
             (points / rows, rowwise.map(height_m).collect())
         }
     };
@@ -182,5 +185,5 @@ fn is_periodic(file: &Classic) -> Option<bool> {
 
 /// What a global attribute holds as JSON of the instrument.
 fn instrument(file: &Classic) -> Option<serde_json::Value> {
-    serde_json::from_str(&file.attribute("json")?.text()?).ok()
+    serde_json::from_str(&file.attribute("json")?.text().filter(|text| text.len() <= LONGEST_JSON)?).ok()
 }

@@ -9,7 +9,9 @@ use std::collections::HashMap;
 
 use stream::{Tree, Value};
 
-use crate::channel::{Channel, Lateral, Quantity, Samples, is_named_after_height};
+use crate::channel::{
+    Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_height, refuse_many, shortened,
+};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -39,6 +41,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let tree = Tree::read(bytes)?;
     let primary = tree.text(PRIMARY_MAP).map(|name| format!("{MAPS}{name}"));
     let mut groups: Vec<&str> = tree.paths().filter_map(group).collect();
+    refuse_many(FORMAT, groups.len())?;
     // The map shown first is the first to be read.
     groups.sort_by_key(|&group| primary.as_deref() != Some(group));
     let kinds: Vec<String> = groups.iter().map(|group| kind(&tree, group)).collect();
@@ -182,5 +185,6 @@ fn tip_radius_m(tree: &Tree) -> Option<f64> {
 fn free_text(tree: &Tree) -> String {
     let is_written = |path: &str| path.rsplit('/').next().is_some_and(|last| TEXTS.contains(&last));
     let texts = tree.paths().filter(|path| is_written(path)).filter_map(|path| tree.text(path));
-    texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join("\n")
+    let texts = texts.filter(|text| !text.is_empty()).collect::<Vec<_>>();
+    shortened(texts.join("\n"), MOST_TEXT)
 }

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::FORMAT;
+use crate::channel::MOST_TEXT;
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::ScanReadError;
 
@@ -11,12 +12,13 @@ pub(super) const MAGIC: &[u8] = b"VCA DATA\x01\x00\x00\x55";
 
 /// Files nest their values four deep.
 const DEEPEST: usize = 32;
+/// Most values, and most bytes of their paths; files have some hundreds of some dozen letters.
+const MOST_VALUES: usize = 50_000;
+const LONGEST_PATH: usize = 512;
 
-/// Values by the paths of their names.
+/// Values by the paths of their names, each with its place in the order of the file.
 pub(super) struct Tree {
-    values: HashMap<String, Value>,
-    /// In the order of the file.
-    paths: Vec<String>,
+    values: HashMap<String, (usize, Value)>,
 }
 
 /// Content of a value, as far as it is of use; bytes are counted from the beginning of the file.
@@ -31,17 +33,21 @@ pub(super) enum Value {
 
 impl Tree {
     pub(super) fn read(bytes: &[u8]) -> Result<Self, ScanReadError> {
-        let mut tree = Self { values: HashMap::new(), paths: Vec::new() };
+        let mut tree = Self { values: HashMap::new() };
         tree.take_items(bytes, MAGIC.len(), "", 0)?;
         Ok(tree)
     }
 
     pub(super) fn get(&self, path: &str) -> Option<&Value> {
-        self.values.get(path)
+        self.values.get(path).map(|(_, value)| value)
     }
 
+    /// The paths in the order of the file.
     pub(super) fn paths(&self) -> impl Iterator<Item = &str> {
-        self.paths.iter().map(String::as_str)
+        let mut paths: Vec<_> =
+            self.values.iter().map(|(path, (place, _))| (*place, path.as_str())).collect();
+        paths.sort_unstable();
+        paths.into_iter().map(|(_, path)| path)
     }
 
     pub(super) fn text(&self, path: &str) -> Option<&str> {
@@ -80,11 +86,16 @@ impl Tree {
             return Err(cursor.bad(start, "the depth of nested values", &depth.to_string(), &bound));
         }
         while !cursor.rest().is_empty() {
+            let name_offset = cursor.offset();
             let name = name(&mut cursor)?;
             let offset = cursor.offset();
             let kind = cursor.u8("the type of a value")?;
             if kind == END {
                 break;
+            }
+            if parent.len() + name.len() >= LONGEST_PATH {
+                let bound = format!("below {LONGEST_PATH} with those of the values around it");
+                return Err(cursor.bad(name_offset, "the length of a name", &name.len().to_string(), &bound));
             }
             let path = format!("{parent}/{name}");
             if CONTAINERS.contains(&kind) {
@@ -94,6 +105,11 @@ impl Tree {
                 let within = bytes.get(..start.saturating_add(length)).unwrap_or(bytes);
                 self.take_items(within, start, &path, depth + 1)?;
             } else if let Some(value) = value(&mut cursor, kind, offset)? {
+                if self.values.len() >= MOST_VALUES {
+                    let bound = format!("at most {MOST_VALUES}");
+                    let found = format!("{MOST_VALUES} and more");
+                    return Err(cursor.bad(name_offset, "the number of values", &found, &bound));
+                }
                 self.put(path, value);
             }
         }
@@ -102,10 +118,8 @@ impl Tree {
 
     /// Adds a value; of several at one path the first counts.
     fn put(&mut self, path: String, value: Value) {
-        if !self.values.contains_key(&path) {
-            self.paths.push(path.clone());
-            self.values.insert(path, value);
-        }
+        let place = self.values.len();
+        self.values.entry(path).or_insert((place, value));
     }
 }
 
@@ -210,6 +224,8 @@ fn length(cursor: &mut Cursor) -> Result<usize, ScanReadError> {
     }
 }
 
+/// A text, or the beginning of one that is longer than any that people write.
 fn utf8(bytes: &[u8]) -> String {
+    let bytes = bytes.get(..MOST_TEXT).unwrap_or(bytes);
     String::from_utf8_lossy(bytes).into_owned()
 }

@@ -1,5 +1,8 @@
 //! Numbers at even distances in the bytes of a file, as nearly every instrument stores them.
 
+mod decode;
+mod half;
+
 use std::borrow::Cow;
 
 use crate::cursor::ByteOrder;
@@ -18,6 +21,8 @@ pub(crate) enum NumberType {
     U32,
     I64,
     U64,
+    /// Of two bytes.
+    F16,
     F32,
     F64,
 }
@@ -26,7 +31,7 @@ impl NumberType {
     pub(crate) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
+            Self::I16 | Self::U16 | Self::F16 => 2,
             Self::I32 | Self::U32 | Self::F32 => 4,
             Self::I64 | Self::U64 | Self::F64 => 8,
         }
@@ -69,6 +74,8 @@ pub(crate) struct Raster<'b> {
     pub(crate) number: NumberType,
     pub(crate) byte_order: ByteOrder,
     pub(crate) order: Order,
+    /// Whether each row is stored from its right end.
+    pub(crate) is_mirrored: bool,
     /// The bytes of the numbers, from the first one on; what follows the last is not looked at.
     pub(crate) bytes: Cow<'b, [u8]>,
     /// Where they begin in the file, for messages.
@@ -102,6 +109,17 @@ impl Decoded {
     }
 }
 
+#[cfg(feature = "hdf5")]
+impl Decoded {
+    /// Takes the value of a point away.
+    pub(crate) fn set_gap(&mut self, index: usize) {
+        if let Some(value) = self.values.get_mut(index) {
+            *value = 0.0;
+            self.gaps.insert(index);
+        }
+    }
+}
+
 impl FromIterator<Option<f64>> for Decoded {
     fn from_iter<I: IntoIterator<Item = Option<f64>>>(values: I) -> Self {
         let values = values.into_iter();
@@ -126,6 +144,7 @@ impl<'b> Raster<'b> {
             number,
             byte_order: ByteOrder::Little,
             order: Order::default(),
+            is_mirrored: false,
             bytes: bytes.into(),
             offset,
             stride: None,
@@ -155,6 +174,7 @@ impl<'b> Raster<'b> {
             number: self.number,
             byte_order: self.byte_order,
             order: self.order,
+            is_mirrored: self.is_mirrored,
             bytes: Cow::Owned(self.bytes.into_owned()),
             offset: self.offset,
             stride: self.stride,
@@ -205,149 +225,5 @@ impl<'b> Raster<'b> {
             Order::RowsFromTop | Order::RowsFromBottom => (self.rows, self.columns),
             Order::ColumnsFromTop | Order::ColumnsFromBottom => (self.columns, self.rows),
         }
-    }
-
-    /// The values.
-    ///
-    /// # Errors
-    /// [`ScanReadError::Truncated`] where the file ends too soon.
-    pub(crate) fn decode(&self, format: ScanFormat) -> Result<Decoded, ScanReadError> {
-        self.check(format)?;
-        macro_rules! decode {
-            ($type:ty) => {
-                match self.byte_order {
-                    ByteOrder::Little => self.decoded(|bytes| <$type>::from_le_bytes(bytes) as f64),
-                    ByteOrder::Big => self.decoded(|bytes| <$type>::from_be_bytes(bytes) as f64),
-                }
-            };
-        }
-        Ok(match self.number {
-            NumberType::I8 => decode!(i8),
-            NumberType::U8 => decode!(u8),
-            NumberType::I16 => decode!(i16),
-            NumberType::U16 => decode!(u16),
-            NumberType::I32 => decode!(i32),
-            NumberType::U32 => decode!(u32),
-            NumberType::I64 => decode!(i64),
-            NumberType::U64 => decode!(u64),
-            NumberType::F32 => decode!(f32),
-            NumberType::F64 => decode!(f64),
-        })
-    }
-
-    fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64 + Copy) -> Decoded {
-        let (_, run) = self.runs();
-        let stride = self.stride.unwrap_or(run * N).max(run * N);
-        let mut decoded =
-            Decoded { values: Vec::with_capacity(self.columns * self.rows), gaps: Gaps::default() };
-        for row in 0..self.rows {
-            let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
-            let stored = if is_from_top { row } else { self.rows - 1 - row };
-            match self.order {
-                Order::RowsFromTop | Order::RowsFromBottom => {
-                    let (numbers, _) = self.bytes[stored * stride..][..run * N].as_chunks();
-                    self.decode_row(
-                        numbers.iter().map(|bytes| number(*bytes)),
-                        stored * run,
-                        1,
-                        &mut decoded,
-                    );
-                }
-                Order::ColumnsFromTop | Order::ColumnsFromBottom => {
-                    let at = |column: usize| self.bytes[column * stride + stored * N..].first_chunk();
-                    let numbers =
-                        (0..self.columns).map(|column| at(column).map_or(f64::NAN, |bytes| number(*bytes)));
-                    self.decode_row(numbers, stored, run, &mut decoded);
-                }
-            }
-        }
-        decoded
-    }
-
-    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values come
-    /// first and gaps after them, so that rows without any, the rule, are decoded many points at a time.
-    fn decode_row(
-        &self,
-        numbers: impl Iterator<Item = f64> + Clone,
-        first: usize,
-        step: usize,
-        decoded: &mut Decoded,
-    ) {
-        let start = decoded.values.len();
-        let (scale, zero) = (self.scale, self.zero);
-        decoded.values.extend(numbers.clone().map(|number| number * scale + zero));
-        let mut mark = |is_gap: &dyn Fn(usize, f64) -> bool| {
-            for (at, number) in numbers.clone().enumerate() {
-                if is_gap(at, number) {
-                    decoded.gaps.insert(start + at);
-                    decoded.values[start + at] = 0.0;
-                }
-            }
-        };
-        match &self.gap {
-            GapMark::None => {}
-            GapMark::Equal(value) if numbers.clone().any(|number| number == *value) => {
-                mark(&|_, number| number == *value);
-            }
-            GapMark::AtLeast(least) if numbers.clone().any(|number| number >= *least) => {
-                mark(&|_, number| number >= *least);
-            }
-            GapMark::AtMost(most) if numbers.clone().any(|number| number <= *most) => {
-                mark(&|_, number| number <= *most);
-            }
-            GapMark::Equal(_) | GapMark::AtLeast(_) | GapMark::AtMost(_) => {}
-            GapMark::Flagged(flags) => mark(&|at, _| flags[first + at * step] != 0),
-        }
-        if !decoded.values[start..].iter().all(|value| value.is_finite()) {
-            for index in start..decoded.values.len() {
-                if !decoded.values[index].is_finite() {
-                    decoded.gaps.insert(index);
-                    decoded.values[index] = 0.0;
-                }
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const FORMAT: ScanFormat = ScanFormat::Nanoscope;
-
-    #[test]
-    fn numbers_are_decoded_in_every_order() {
-        let bytes: Vec<u8> = [1i16, 2, 3, 4, 5, -6].iter().flat_map(|value| value.to_be_bytes()).collect();
-        let raster = |order| Raster {
-            byte_order: ByteOrder::Big,
-            order,
-            scale: 2.0,
-            zero: 1.0,
-            gap: GapMark::Equal(4.0),
-            ..Raster::new(NumberType::I16, 3, 2, &bytes[..], 0)
-        };
-        let values = |order| raster(order).decode(FORMAT).unwrap().values;
-        assert_eq!(values(Order::RowsFromTop), [3.0, 5.0, 7.0, 0.0, 11.0, -11.0]);
-        assert_eq!(values(Order::RowsFromBottom), [0.0, 11.0, -11.0, 3.0, 5.0, 7.0]);
-        assert_eq!(values(Order::ColumnsFromTop), [3.0, 7.0, 11.0, 5.0, 0.0, -11.0]);
-        assert_eq!(values(Order::ColumnsFromBottom), [5.0, 0.0, -11.0, 3.0, 7.0, 11.0]);
-        let gaps = raster(Order::RowsFromBottom).decode(FORMAT).unwrap().gaps;
-        assert_eq!(gaps.indices().collect::<Vec<_>>(), [0]);
-    }
-
-    #[test]
-    fn flags_strides_and_missing_bytes_count() {
-        let raster = Raster {
-            stride: Some(3),
-            gap: GapMark::Flagged(Cow::Borrowed(&[0, 0, 1, 0])),
-            ..Raster::new(NumberType::U8, 2, 2, &[1u8, 2, 99, 3, 4][..], 0)
-        };
-        let decoded = raster.decode(FORMAT).unwrap();
-        assert_eq!((decoded.values, decoded.gaps.count()), (vec![1.0, 2.0, 0.0, 4.0], 1));
-        let short = Raster { rows: 3, ..raster.clone() };
-        assert!(short.decode(FORMAT).unwrap_err().to_string().contains("takes 8 bytes, but the file ends 5"));
-        assert!(Raster { rows: usize::MAX, ..raster }.decode(FORMAT).is_err());
-        let not_finite = Raster::new(NumberType::F32, 2, 1, f32::NAN.to_le_bytes().repeat(2), 0);
-        assert_eq!(not_finite.decode(FORMAT).unwrap().gaps.count(), 2);
     }
 }

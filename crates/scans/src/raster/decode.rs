@@ -1,0 +1,179 @@
+//! The values that stored numbers stand for.
+
+use super::half::half;
+use super::{Decoded, GapMark, NumberType, Order, Raster};
+use crate::cursor::ByteOrder;
+use crate::error::ScanReadError;
+use crate::format::ScanFormat;
+use crate::gaps::Gaps;
+
+impl Raster<'_> {
+    /// The values.
+    ///
+    /// # Errors
+    /// [`ScanReadError::Truncated`] where the file ends too soon.
+    pub(crate) fn decode(&self, format: ScanFormat) -> Result<Decoded, ScanReadError> {
+        self.check(format)?;
+        // Without columns there may be any number of rows, all of them void.
+        if self.columns == 0 || self.rows == 0 {
+            return Ok(Decoded::default());
+        }
+        macro_rules! decode {
+            ($type:ty) => {
+                match self.byte_order {
+                    ByteOrder::Little => self.decoded(|bytes| <$type>::from_le_bytes(bytes) as f64),
+                    ByteOrder::Big => self.decoded(|bytes| <$type>::from_be_bytes(bytes) as f64),
+                }
+            };
+        }
+        let decoded = match self.number {
+            NumberType::I8 => decode!(i8),
+            NumberType::U8 => decode!(u8),
+            NumberType::I16 => decode!(i16),
+            NumberType::U16 => decode!(u16),
+            NumberType::I32 => decode!(i32),
+            NumberType::U32 => decode!(u32),
+            NumberType::I64 => decode!(i64),
+            NumberType::U64 => decode!(u64),
+            NumberType::F16 => match self.byte_order {
+                ByteOrder::Little => self.decoded(|bytes| half(u16::from_le_bytes(bytes))),
+                ByteOrder::Big => self.decoded(|bytes| half(u16::from_be_bytes(bytes))),
+            },
+            NumberType::F32 => decode!(f32),
+            NumberType::F64 => decode!(f64),
+        };
+        Ok(if self.is_mirrored { mirrored(decoded, self.columns) } else { decoded })
+    }
+
+    fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64 + Copy) -> Decoded {
+        let (_, run) = self.runs();
+        let stride = self.stride.unwrap_or(run * N).max(run * N);
+        let mut decoded =
+            Decoded { values: Vec::with_capacity(self.columns * self.rows), gaps: Gaps::default() };
+        for row in 0..self.rows {
+            let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
+            let stored = if is_from_top { row } else { self.rows - 1 - row };
+            match self.order {
+                Order::RowsFromTop | Order::RowsFromBottom => {
+                    let (numbers, _) = self.bytes[stored * stride..][..run * N].as_chunks();
+                    self.decode_row(
+                        numbers.iter().map(|bytes| number(*bytes)),
+                        stored * run,
+                        1,
+                        &mut decoded,
+                    );
+                }
+                Order::ColumnsFromTop | Order::ColumnsFromBottom => {
+                    let at = |column: usize| self.bytes[column * stride + stored * N..].first_chunk();
+                    let numbers =
+                        (0..self.columns).map(|column| at(column).map_or(f64::NAN, |bytes| number(*bytes)));
+                    self.decode_row(numbers, stored, run, &mut decoded);
+                }
+            }
+        }
+        decoded
+    }
+
+    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values come
+    /// first and gaps after them, so that rows without any, the rule, are decoded many points at a time.
+    fn decode_row(
+        &self,
+        numbers: impl Iterator<Item = f64> + Clone,
+        first: usize,
+        step: usize,
+        decoded: &mut Decoded,
+    ) {
+        let start = decoded.values.len();
+        let (scale, zero) = (self.scale, self.zero);
+        decoded.values.extend(numbers.clone().map(|number| number * scale + zero));
+        let mut mark = |is_gap: &dyn Fn(usize, f64) -> bool| {
+            for (at, number) in numbers.clone().enumerate() {
+                if is_gap(at, number) {
+                    decoded.gaps.insert(start + at);
+                    decoded.values[start + at] = 0.0;
+                }
+            }
+        };
+        match &self.gap {
+            GapMark::None => {}
+            GapMark::Equal(value) if numbers.clone().any(|number| number == *value) => {
+                mark(&|_, number| number == *value);
+            }
+            GapMark::AtLeast(least) if numbers.clone().any(|number| number >= *least) => {
+                mark(&|_, number| number >= *least);
+            }
+            GapMark::AtMost(most) if numbers.clone().any(|number| number <= *most) => {
+                mark(&|_, number| number <= *most);
+            }
+            GapMark::Equal(_) | GapMark::AtLeast(_) | GapMark::AtMost(_) => {}
+            GapMark::Flagged(flags) => mark(&|at, _| flags[first + at * step] != 0),
+        }
+        if !decoded.values[start..].iter().all(|value| value.is_finite()) {
+            for index in start..decoded.values.len() {
+                if !decoded.values[index].is_finite() {
+                    decoded.gaps.insert(index);
+                    decoded.values[index] = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/// The same with every row from its other end.
+fn mirrored(decoded: Decoded, columns: usize) -> Decoded {
+    let Decoded { mut values, gaps } = decoded;
+    values.chunks_exact_mut(columns).for_each(<[f64]>::reverse);
+    let opposite = |index: usize| index - index % columns + (columns - 1 - index % columns);
+    Decoded { values, gaps: gaps.indices().map(opposite).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::borrow::Cow;
+
+    use super::*;
+
+    const FORMAT: ScanFormat = ScanFormat::Nanoscope;
+
+    #[test]
+    fn numbers_are_decoded_in_every_order() {
+        let bytes: Vec<u8> = [1i16, 2, 3, 4, 5, -6].iter().flat_map(|value| value.to_be_bytes()).collect();
+        let raster = |order| Raster {
+            byte_order: ByteOrder::Big,
+            order,
+            scale: 2.0,
+            zero: 1.0,
+            gap: GapMark::Equal(4.0),
+            ..Raster::new(NumberType::I16, 3, 2, &bytes[..], 0)
+        };
+        let values = |order| raster(order).decode(FORMAT).unwrap().values;
+        assert_eq!(values(Order::RowsFromTop), [3.0, 5.0, 7.0, 0.0, 11.0, -11.0]);
+        assert_eq!(values(Order::RowsFromBottom), [0.0, 11.0, -11.0, 3.0, 5.0, 7.0]);
+        assert_eq!(values(Order::ColumnsFromTop), [3.0, 7.0, 11.0, 5.0, 0.0, -11.0]);
+        assert_eq!(values(Order::ColumnsFromBottom), [5.0, 0.0, -11.0, 3.0, 7.0, 11.0]);
+        let gaps = raster(Order::RowsFromBottom).decode(FORMAT).unwrap().gaps;
+        assert_eq!(gaps.indices().collect::<Vec<_>>(), [0]);
+        let turned = Raster { is_mirrored: true, ..raster(Order::RowsFromTop) }.decode(FORMAT).unwrap();
+        assert_eq!(turned.values, [7.0, 5.0, 3.0, -11.0, 11.0, 0.0]);
+        assert_eq!(turned.gaps.indices().collect::<Vec<_>>(), [5]);
+    }
+
+    #[test]
+    fn flags_strides_and_missing_bytes_count() {
+        let raster = Raster {
+            stride: Some(3),
+            gap: GapMark::Flagged(Cow::Borrowed(&[0, 0, 1, 0])),
+            ..Raster::new(NumberType::U8, 2, 2, &[1u8, 2, 99, 3, 4][..], 0)
+        };
+        let decoded = raster.decode(FORMAT).unwrap();
+        assert_eq!((decoded.values, decoded.gaps.count()), (vec![1.0, 2.0, 0.0, 4.0], 1));
+        let short = Raster { rows: 3, ..raster.clone() };
+        assert!(short.decode(FORMAT).unwrap_err().to_string().contains("takes 8 bytes, but the file ends 5"));
+        assert!(Raster { rows: usize::MAX, ..raster.clone() }.decode(FORMAT).is_err());
+        let void =
+            Raster { columns: 0, rows: usize::MAX, stride: None, gap: GapMark::None, ..raster.clone() };
+        assert_eq!(void.decode(FORMAT).unwrap(), Decoded::default());
+        let not_finite = Raster::new(NumberType::F32, 2, 1, f32::NAN.to_le_bytes().repeat(2), 0);
+        assert_eq!(not_finite.decode(FORMAT).unwrap().gaps.count(), 2);
+    }
+}

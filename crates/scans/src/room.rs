@@ -1,0 +1,39 @@
+//! How much may still be unpacked of a file: its packed parts share one bound.
+
+use crate::error::ScanReadError;
+
+/// The bytes that may be unpacked of a file, and how many of them are left.
+pub(crate) struct Room {
+    bound: u64,
+    left: u64,
+}
+
+impl Room {
+    pub(crate) fn new(bound: u64) -> Self {
+        Self { bound, left: bound }
+    }
+
+    /// The bound for all parts together.
+    pub(crate) fn bound(&self) -> u64 {
+        self.bound
+    }
+
+    /// What is left of it.
+    pub(crate) fn left(&self) -> u64 {
+        self.left
+    }
+
+    /// Takes what a part needs, before it is unpacked.
+    ///
+    /// # Errors
+    /// [`ScanReadError::ArchiveTooLarge`] where less is left.
+    pub(crate) fn take(&mut self, bytes: u64, what: impl FnOnce() -> String) -> Result<(), ScanReadError> {
+        let left = self.left.checked_sub(bytes).ok_or_else(|| ScanReadError::ArchiveTooLarge {
+            what: what(),
+            bound: self.bound,
+            unit: "bytes",
+        })?;
+        self.left = left;
+        Ok(())
+    }
+}
