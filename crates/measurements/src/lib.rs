@@ -17,5 +17,6 @@ pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use files::{Files, NoFiles};
 pub use list::{ListError, requests_of_list};
+pub use load::holds_a_spectrum;
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};

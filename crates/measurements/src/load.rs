@@ -23,10 +23,26 @@ pub(crate) struct Loaded {
 pub(crate) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
     let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
     let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
-    if read_psd(&bytes[..], &ReadOptions::default()).is_ok() {
+    if holds_a_spectrum(&bytes, &ReadOptions::default()) {
         return Err(blame(ScanProblem::HoldsASpectrum));
     }
     load_heights(request, &bytes, files)
+}
+
+/// Whether a file can be read as a spectrum. Of a large text the first lines tell: spectra are short, and a map in text would be
+/// read whole for nothing.
+#[must_use]
+pub fn holds_a_spectrum(bytes: &[u8], options: &ReadOptions) -> bool {
+    const TELLING: usize = 1 << 20;
+    let is_archive = bytes.starts_with(b"PK");
+    let told_by = match bytes.get(..TELLING) {
+        Some(first) if !is_archive => {
+            let end = first.iter().rposition(|&byte| byte == b'\n');
+            &first[..end.map_or(first.len(), |end| end + 1)]
+        }
+        _ => bytes,
+    };
+    read_psd(told_by, options).is_ok()
 }
 
 /// Reads the scans in the bytes of a file that is known to hold heights.

@@ -8,7 +8,7 @@ use units::named;
 
 use crate::surface::{Surface, SurfaceError};
 use measurements::Files;
-use measurements::{MapOfFile, ScanProblem, ScanRequest, TopographyError};
+use measurements::{MapOfFile, ScanProblem, ScanRequest, TopographyError, holds_a_spectrum};
 
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +59,7 @@ impl Measured {
         let bytes =
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?;
         let files = &Held { name, bytes: &bytes, others: files };
-        let is_spectrum = || read_psd(&bytes[..], &options.spectrum).is_ok();
+        let is_spectrum = || holds_a_spectrum(&bytes, &options.spectrum);
         let kind = options.kind.unwrap_or_else(|| if is_spectrum() { Kind::Spectrum } else { Kind::Scan });
         if kind == Kind::Spectrum {
             return Surface::load(name, files, &options.spectrum)

@@ -35,7 +35,9 @@ fn fundamental_m3(scan: &Scan, detrend: Detrend) -> f64 {
 fn fundamental_of_rows(rows: &Rows, detrend: Detrend) -> f64 {
     let points = rows.points;
     let trend = rows.trend(detrend);
-    let wave = |of: fn(f64) -> f64| -> Vec<f64> { (0..points).map(|i| of(TAU * i as f64 / points as f64)).collect() };
+    let wave = |of: fn(f64) -> f64| -> Vec<f64> {
+        (0..points).map(|i| of(TAU * i as f64 / points as f64)).collect()
+    };
     let (cosine, sine) = (wave(f64::cos), wave(f64::sin));
     let (ones, mut rest_m) = (vec![1.0; points], vec![0.0; points]);
     let power_m2 = |(row, heights_m): (usize, &[f64])| {

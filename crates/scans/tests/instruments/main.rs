@@ -153,7 +153,9 @@ fn samples_are_kept_for_fuzzing() {
             ScanFormat::X3p => "archive".to_owned(),
             _ => format.to_string().to_lowercase().replace(' ', "-"),
         };
-        samples.iter().for_each(|sample| corpus::keep(&folder, &sample.name.replace(' ', "-"), &sample.bytes));
+        samples
+            .iter()
+            .for_each(|sample| corpus::keep(&folder, &sample.name.replace(' ', "-"), &sample.bytes));
     }
 }
 

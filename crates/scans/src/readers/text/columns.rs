@@ -156,7 +156,8 @@ impl Extent {
 fn lines(text: &str, separator: Separator, fields: usize) -> impl Iterator<Item = (usize, &str)> {
     // A line of numbers has them all, which was looked at: only one that begins with a separator may have too few.
     let is_whole = move |row: &str| {
-        let begins_with_number = row.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+        let begins_with_number =
+            row.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
         begins_with_number || separator.split(row).count() >= fields
     };
     whole_rows(text, separator).filter(move |(_, row)| is_whole(row))
