@@ -7,6 +7,7 @@ mod cursor;
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
+use crate::heights::transposed;
 use crate::metadata::{instrument_length_m, probe};
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
@@ -50,21 +51,23 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let mut notes = Vec::new();
     let units = units(&file, variable, options, &mut notes)?;
     let height_to_m = units.height_to_m(FORMAT)?;
-    let heights = file.values(variable)?;
-    let is_masked = mask(&file, variable)?;
+    let by_rows = |values: Vec<f64>| match layout {
+        Layout::Columns(rows) => transposed(&values, rows),
+        _ => values,
+    };
+    let heights = by_rows(file.values(variable)?);
+    let is_masked = mask(&file, variable)?.map(by_rows);
     let height_m = |index: usize| match &is_masked {
         Some(mask) if mask[index] != 0.0 => None,
         _ => Some(height_to_m(heights[index])),
     };
     let points = heights.len();
-    let (columns, decoded): (usize, Decoded) = match layout {
-        Layout::Points | Layout::Line => (points, (0..points).map(height_m).collect()),
-        Layout::Rows(columns) => (columns, (0..points).map(height_m).collect()),
-        Layout::Columns(rows) => {
-            let rowwise = (0..rows.min(points)).flat_map(|row| (row..points).step_by(rows));
-            (points / rows, rowwise.map(height_m).collect())
-        }
+    let columns = match layout {
+        Layout::Points | Layout::Line => points,
+        Layout::Rows(columns) => columns,
+        Layout::Columns(rows) => points / rows,
     };
+    let decoded: Decoded = (0..points).map(height_m).collect();
     let lateral = match layout {
         Layout::Points => positions(&file, &units)?,
         Layout::Line => size(&file, false, &units)?,
