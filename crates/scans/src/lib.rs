@@ -1,4 +1,5 @@
-//! Measured heights and the files that hold them: text, Nanoscope, NetCDF-3, X3P, containers of contact.engineering.
+//! Measured heights and the files that hold them: text, the formats of some thirty-five instruments and programs, containers of
+//! contact.engineering.
 //!
 //! The nouns:
 //! * [`Scan`]: heights along an evenly or unevenly spaced line, or of a map, in m;

@@ -69,8 +69,9 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     Ok(channels.collect())
 }
 
-/// What a channel is called, with the direction of the scan.
+/// What a channel is called, with the direction of the scan. The picture for the eye may have a name, but has no slots.
 fn name(page: &Page) -> Option<String> {
+    page.number(SLOTS)?;
     let name = page.text(CHANNEL_NAME).filter(|name| !name.is_empty()).or_else(|| page.text(CHANNEL))?;
     let direction = if page.number(IS_RETRACE).is_some_and(|flag| flag != 0.0) { "Retrace" } else { "Trace" };
     Some(format!("{name} ({direction})"))

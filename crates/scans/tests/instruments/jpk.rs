@@ -14,6 +14,7 @@ fn first(size_m: [f64; 2]) -> Vec<Tag> {
         Tag::text(0x8010, "tip radius 10 nm"),
         Tag::double(0x8042, size_m[0]),
         Tag::double(0x8043, size_m[1]),
+        Tag::text(0x8052, "height"),
     ]
 }
 

@@ -1,30 +1,15 @@
-//! One image of a Nanoscope file: what it measures, its grid, its counts.
+//! One image of a Nanoscope file: what it measures, and what its counts are worth.
 
+use super::grid::Grid;
 use super::header::{Header, Section, Value};
 use crate::channel::{MOST_TEXT, is_named_after_height, shortened};
 use crate::error::ScanReadError;
-use crate::raster::{NumberType, Order, Raster};
 use units::LengthUnit;
-
-/// From this version on counts take four bytes, whatever `Bytes/pixel` says; that still sets their scale.
-const FOUR_BYTE_VERSION: u32 = 0x0920_0000;
 
 /// An image section with the header it belongs to.
 pub(crate) struct Image<'h> {
     header: &'h Header<'h>,
     section: &'h Section<'h>,
-}
-
-/// Where the counts of an image stand and what they cover.
-pub(crate) struct Grid {
-    pub(crate) columns: usize,
-    rows: usize,
-    /// Along x and y, above 0.
-    pub(crate) size_m: [f64; 2],
-    offset: Value,
-    bytes_per_count: usize,
-    header_end: usize,
-    pub(crate) note: Option<String>,
 }
 
 impl<'h> Image<'h> {
@@ -116,82 +101,7 @@ impl<'h> Image<'h> {
     }
 
     pub(crate) fn grid(&self) -> Result<Grid, ScanReadError> {
-        let columns = self.section.require("Samps/line")?.count()?;
-        let rows = self.section.require("Number of lines")?.count()?;
-        let length = self.section.require("Data length")?;
-        let bytes = length.count()?;
-        let offset = self.section.require("Data offset")?;
-        let size_m = self.size_m()?;
-        let points = |columns: usize, rows: usize| columns.checked_mul(rows);
-        let takes = |columns, rows, each| points(columns, rows).and_then(|count| count.checked_mul(each));
-        let mut bytes_per_count = self.bytes_per_pixel()?;
-        if self.version() >= FOUR_BYTE_VERSION
-            && takes(columns, rows, 4).is_some_and(|needed| bytes >= needed)
-        {
-            bytes_per_count = 4;
-        }
-        let needed = takes(columns, rows, bytes_per_count);
-        let header_end = self.header.end;
-        let mut grid = Grid { columns, rows, size_m, offset, bytes_per_count, header_end, note: None };
-        if needed == Some(bytes) {
-            return Ok(grid);
-        }
-        // Some versions leave the resolution planned for the image in its section; that of the scan then fills the data.
-        let of_scan = |key| self.header.scan_list(key).and_then(|value| value.count().ok());
-        if let Some((scan_columns, scan_rows)) = of_scan("Samps/line").zip(of_scan("Lines"))
-            && takes(scan_columns, scan_rows, bytes_per_count) == Some(bytes)
-        {
-            grid.size_m[0] *= scan_columns as f64 / columns as f64;
-            grid.size_m[1] *= scan_rows as f64 / rows as f64;
-            (grid.columns, grid.rows) = (scan_columns, scan_rows);
-            grid.note = Some(format!(
-                "the image is said to have {columns} x {rows} points, but its data have the {scan_columns} x {scan_rows} \
-                 of the scan, which count"
-            ));
-            return Ok(grid);
-        }
-        match needed {
-            Some(needed) if needed < bytes => {
-                grid.note = Some(format!(
-                    "the data of the image take {needed} of the {bytes} bytes set aside for them"
-                ));
-                Ok(grid)
-            }
-            _ => Err(length.bad(&format!(
-                "at least the {} bytes of {columns} x {rows} points of {bytes_per_count} bytes",
-                needed.map_or("too many".to_owned(), |needed| needed.to_string())
-            ))),
-        }
-    }
-
-    fn version(&self) -> u32 {
-        let version = self.header.file_list("Version").map(|value| value.text).unwrap_or_default();
-        u32::from_str_radix(version.trim_start_matches("0x"), 16).unwrap_or(0)
-    }
-
-    /// `500 500 nm`, or `500 nm` for a square; newer versions give the slow axis apart, and rightly only there.
-    fn size_m(&self) -> Result<[f64; 2], ScanReadError> {
-        let value = self.section.require("Scan size")?;
-        let mut size_m = lengths(&value)?;
-        let of_scan = self.header.scan_list("Scan size").zip(self.header.scan_list("Slow axis size"));
-        if let Some((fast, slow)) = of_scan {
-            size_m = [lengths(&fast)?[0], lengths(&slow)?[0]];
-        }
-        Ok(size_m)
-    }
-}
-
-impl Grid {
-    /// Where the numbers stand; the image is stored from its bottom.
-    pub(crate) fn raster<'b>(&self, bytes: &'b [u8], scale: f64) -> Result<Raster<'b>, ScanReadError> {
-        let Self { columns, rows, bytes_per_count, header_end, .. } = *self;
-        let offset = self.offset.text.parse().ok().filter(|&offset: &usize| offset >= header_end);
-        let offset = offset.ok_or_else(|| {
-            self.offset.bad(&format!("a whole number from {header_end} on, where the header ends"))
-        })?;
-        let number = if bytes_per_count == 4 { NumberType::I32 } else { NumberType::I16 };
-        let raster = Raster::within(number, columns, rows, bytes, offset);
-        Ok(Raster { order: Order::RowsFromBottom, scale, ..raster })
+        Grid::of(self.header, self.section, self.bytes_per_pixel()?)
     }
 }
 
@@ -236,19 +146,4 @@ fn volt(unit: &str) -> Option<f64> {
         "µV" | "uV" | "~V" => 1e-6,
         _ => return None,
     })
-}
-
-/// One or two lengths with a unit; one stands for both.
-fn lengths(value: &Value) -> Result<[f64; 2], ScanReadError> {
-    let bad = || value.bad("one or two lengths above 0 with their unit, such as '500 500 nm'");
-    let mut words: Vec<&str> = value.text.split_whitespace().collect();
-    let unit = words.pop().and_then(LengthUnit::parse_instrument).ok_or_else(bad)?;
-    let sizes: Option<Vec<f64>> =
-        words.iter().map(|word| word.parse().ok().map(|size| unit.to_m(size))).collect();
-    match sizes.as_deref() {
-        Some(&[x] | &[x, _]) if !(x.is_finite() && x > 0.0) => Err(bad()),
-        Some(&[x]) => Ok([x, x]),
-        Some(&[x, y]) if y.is_finite() && y > 0.0 => Ok([x, y]),
-        _ => Err(bad()),
-    }
 }

@@ -1,5 +1,6 @@
 //! Files of Nanoscope and Dimension atomic force microscopes, with binary data, from version 4.3 on.
 
+mod grid;
 mod header;
 mod image;
 
@@ -49,7 +50,7 @@ fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {
     let (lateral, samples, notes) = match read() {
         Ok((grid, raster)) => {
             let size = ScanSize { x_m: grid.size_m[0], y_m: Some(grid.size_m[1]) };
-            (Lateral::Size(size), Samples::Raster(raster), grid.note.into_iter().collect())
+            (Lateral::Size(size), Samples::Raster(raster), grid.notes)
         }
         Err(error) => (Lateral::Unknown, Samples::Unreadable(Box::new(error)), Vec::new()),
     };
