@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use super::cursor::FORMAT;
 use super::cursor::{Cursor, bad};
-use crate::error::ScanReadError;
+use crate::error::{ScanReadError, quoted};
 
 const DIMENSIONS: u32 = 10;
 const VARIABLES: u32 = 11;
@@ -241,7 +241,7 @@ impl Attribute<'_> {
     }
 
     pub(crate) fn bad(&self, name: &str, bound: &str) -> ScanReadError {
-        let value = self.text().map(|text| format!("'{}'", text.chars().take(60).collect::<String>()));
+        let value = self.text().map(|text| quoted(&text));
         let value = value.or_else(|| self.number().map(|number| number.to_string())).unwrap_or_default();
         bad(self.offset, &format!("attribute '{name}'"), &value, bound)
     }
