@@ -2,6 +2,7 @@
 
 mod header;
 mod image;
+mod scaled;
 
 use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::{Place, ScanReadError};

@@ -3,6 +3,7 @@
 
 mod classic;
 mod cursor;
+mod kind;
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;

@@ -3,6 +3,8 @@
 mod columns;
 mod grid;
 mod header;
+mod keys;
+mod precision;
 mod profile;
 mod style;
 
