@@ -4,6 +4,7 @@ mod columns;
 mod grid;
 mod header;
 mod keys;
+mod lengths;
 mod precision;
 mod profile;
 mod style;
