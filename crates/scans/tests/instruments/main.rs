@@ -5,6 +5,7 @@
 
 mod alicona;
 mod bcr;
+mod bounds;
 mod bytes;
 mod digital_surf;
 mod frt;
