@@ -175,6 +175,24 @@ impl<'b> Channel<'b> {
     }
 }
 
+impl<'b> From<Result<Raster<'b>, ScanReadError>> for Samples<'b> {
+    fn from(raster: Result<Raster<'b>, ScanReadError>) -> Self {
+        raster.map_or_else(|error| Self::Unreadable(Box::new(error)), Self::Raster)
+    }
+}
+
+impl Quantity {
+    /// What numbers of a unit are, as the file writes it and as a length, where it is one: heights unless their name is that of
+    /// another signal.
+    pub(crate) fn named(name: &str, unit: &str, length: Option<LengthUnit>) -> Self {
+        match length {
+            Some(length) if is_named_after_signal(name) => Self::OtherLength(length),
+            Some(length) => Self::Heights(Some(length)),
+            None => Self::Other(unit.to_owned()),
+        }
+    }
+}
+
 impl Samples<'_> {
     /// Number of points along x, and the values.
     pub(crate) fn decode(self, format: ScanFormat) -> Result<(usize, Decoded), ScanReadError> {

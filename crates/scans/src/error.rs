@@ -301,6 +301,12 @@ pub enum ScanReadError {
     Scan(#[from] ScanError),
 }
 
+/// The beginning of a text of the file in quotes, as messages show it.
+pub(crate) fn quoted(text: &str) -> String {
+    const MOST: usize = 60;
+    format!("'{}'", text.chars().take(MOST).collect::<String>())
+}
+
 impl ScanReadError {
     /// What the caller can do about it with an option, where that is all there is to it.
     #[must_use]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::readers::reader_of;
+use crate::readers::{READERS, reader_of};
 
 /// A format that scans are read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,6 +88,14 @@ impl ScanFormat {
             return Some(Self::Container);
         }
         reader_of(bytes).map(|reader| reader.format).filter(|format| *format != Self::Text)
+    }
+
+    /// Every format but text that a file, as it is, could be of by its content. More than one is the mark of a file that was
+    /// made to deceive, or of readers that tell their files too loosely.
+    #[must_use]
+    pub fn candidates(bytes: &[u8]) -> Vec<Self> {
+        let claimed = READERS.iter().filter(|reader| (reader.recognises)(bytes));
+        claimed.map(|reader| reader.format).filter(|format| *format != Self::Text).collect()
     }
 }
 

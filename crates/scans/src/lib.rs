@@ -23,6 +23,7 @@ mod heights;
 mod measure;
 mod measured;
 mod metadata;
+mod numbers;
 mod options;
 mod raster;
 mod read;

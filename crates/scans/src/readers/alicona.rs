@@ -8,6 +8,7 @@ use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{GapMark, NumberType, Raster};
 use crate::readers::Reader;
@@ -100,7 +101,7 @@ fn gap<'b>(tags: &Tags) -> Result<GapMark<'b>, ScanReadError> {
 fn lateral(tags: &Tags) -> Result<Lateral, ScanReadError> {
     let spacing_m = |key| {
         let number = tags.number(key)?;
-        Ok::<_, ScanReadError>(number.filter(|spacing_m| spacing_m.is_finite() && *spacing_m > 0.0))
+        Ok::<_, ScanReadError>(number.and_then(numbers::positive))
     };
     Ok(match (spacing_m("PixelSizeXMeter")?, spacing_m("PixelSizeYMeter")?) {
         (Some(x_m), Some(y_m)) => Lateral::Spacing { x_m, y_m: Some(y_m) },
@@ -126,8 +127,7 @@ impl Tags<'_> {
             field: format!("tag '{key}'"),
             mend: "export the file again with its depth image",
         })?;
-        let count = tag.value.parse().ok().filter(|&count: &usize| count > 0);
-        count.ok_or_else(|| bad(&self.cursor, tag, "a whole number above 0"))
+        numbers::count(&tag.value).ok_or_else(|| bad(&self.cursor, tag, "a whole number above 0"))
     }
 }
 

@@ -5,8 +5,9 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::ByteOrder;
-use crate::error::{Place, ScanReadError};
+use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{GapMark, NumberType, Raster};
 use crate::readers::Reader;
@@ -95,7 +96,7 @@ impl Header {
     }
 
     fn number(&self, key: &str) -> Option<f64> {
-        self.get(key)?.parse().ok().filter(|number: &f64| number.is_finite())
+        numbers::finite(self.get(key)?)
     }
 
     fn count(&self, key: &str) -> Result<usize, ScanReadError> {
@@ -105,11 +106,7 @@ impl Header {
             field: format!("'{key}' in the header"),
             mend: "export the file again",
         })?;
-        value
-            .parse()
-            .ok()
-            .filter(|&count: &usize| count > 0)
-            .ok_or_else(|| bad(key, value, "a whole number above 0"))
+        numbers::count(value).ok_or_else(|| bad(key, value, "a whole number above 0"))
     }
 
     fn length_unit(&self, key: &str) -> Option<LengthUnit> {
@@ -122,7 +119,7 @@ fn bad(key: &str, value: &str, bound: &str) -> ScanReadError {
         format: FORMAT,
         place: Place::File,
         field: format!("'{key}' in the header"),
-        value: format!("'{}'", value.chars().take(60).collect::<String>()),
+        value: quoted(value),
         bound: bound.to_owned(),
         mend: "export the file again",
     }
@@ -178,10 +175,8 @@ fn raster<'b>(
 
 /// The lengths of rows and columns, as many spacings as they have points.
 fn lateral(header: &Header, rows: usize) -> Lateral {
-    let length_m = |length: &str, unit: &str| {
-        let length_m = header.length_unit(unit)?.to_m(header.number(length)?);
-        (length_m.is_finite() && length_m > 0.0).then_some(length_m)
-    };
+    let length_m =
+        |length: &str, unit: &str| numbers::positive(header.length_unit(unit)?.to_m(header.number(length)?));
     match (length_m("xlength", "xunit"), length_m("ylength", "yunit")) {
         (Some(x_m), _) if rows == 1 => Lateral::Size(ScanSize { x_m, y_m: None }),
         (Some(x_m), Some(y_m)) => Lateral::Size(ScanSize { x_m, y_m: Some(y_m) }),

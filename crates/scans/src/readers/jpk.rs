@@ -2,9 +2,7 @@
 //!
 //! The layout is that which Gwyddion's importer, written by the maker, and SurfaceTopography's reader follow.
 
-use crate::channel::{
-    Axis, Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_signal, shortened,
-};
+use crate::channel::{Axis, Channel, Lateral, MOST_TEXT, Quantity, shortened};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
@@ -80,13 +78,8 @@ fn name(page: &Page) -> Option<String> {
 fn channel<'b>(page: &Page<'b>, name: String, lateral: Lateral, left: &mut usize) -> Channel<'b> {
     let slot = default_slot(page);
     let unit = slot.and_then(|slot| page.text(slot + SLOT_UNIT)).unwrap_or_default();
-    let quantity = match LengthUnit::parse(&unit) {
-        Some(unit) if is_named_after_signal(&name) => Quantity::OtherLength(unit),
-        Some(unit) => Quantity::Heights(Some(unit)),
-        None => Quantity::Other(unit),
-    };
-    let samples =
-        raster(page, slot, left).map_or_else(|error| Samples::Unreadable(Box::new(error)), Samples::Raster);
+    let quantity = Quantity::named(&name, &unit, LengthUnit::parse(&unit));
+    let samples = raster(page, slot, left).into();
     Channel::new(Some(name), quantity, lateral, samples)
 }
 

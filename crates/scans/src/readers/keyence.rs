@@ -90,10 +90,7 @@ fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         if at == 0 {
             continue;
         }
-        let samples = match raster(start.at(at), if is_height { unit_m } else { 1.0 }) {
-            Ok(raster) => Samples::Raster(raster),
-            Err(error) => Samples::Unreadable(Box::new(error)),
-        };
+        let samples = raster(start.at(at), if is_height { unit_m } else { 1.0 }).into();
         let quantity = match is_height {
             true => Quantity::Heights(Some(LengthUnit::METRE)),
             false => Quantity::Other(String::new()),

@@ -10,6 +10,7 @@ use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{Decoded, NumberType, Raster};
 use crate::readers::Reader;
@@ -103,7 +104,7 @@ impl Profile {
         Ok(Self {
             positions_m: positions.values.into_iter().map(in_m).collect(),
             heights_m,
-            tip_radius_m: radius_m.filter(|radius_m| radius_m.is_finite() && *radius_m > 0.0),
+            tip_radius_m: radius_m.and_then(numbers::positive),
             comment: get("Comment").unwrap_or_default(),
         })
     }
@@ -136,7 +137,7 @@ impl Profile {
 fn spacing_m(positions_m: &[f64]) -> Option<f64> {
     let length_m = positions_m.last()? - positions_m.first()?;
     let rounding_m = EVEN * length_m / positions_m.len() as f64;
-    even_spacing(positions_m, rounding_m).filter(|spacing_m| spacing_m.is_finite() && *spacing_m > 0.0)
+    even_spacing(positions_m, rounding_m).and_then(numbers::positive)
 }
 
 /// The points follow two marks, which stand at distances that differ between versions.

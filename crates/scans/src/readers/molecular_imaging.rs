@@ -3,11 +3,12 @@
 //!
 //! The layout is that which Gwyddion's importer follows, whose author wrote it for the maker.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal, refuse_many};
+use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError};
+use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{Decoded, NumberType, Order, Raster};
 use crate::readers::Reader;
@@ -130,15 +131,13 @@ fn require<'e>(entries: &'e Entries, key: &str) -> Result<&'e str, ScanReadError
 
 fn count(entries: &Entries, key: &str) -> Result<usize, ScanReadError> {
     let text = require(entries, key)?;
-    let count = text.parse().ok().filter(|&count: &usize| count > 0);
-    count.ok_or_else(|| bad(key, text, "a whole number above 0"))
+    numbers::count(text).ok_or_else(|| bad(key, text, "a whole number above 0"))
 }
 
 /// What the largest number of a channel stands for, in its unit.
 fn range(entries: &Entries) -> Result<f64, ScanReadError> {
     let text = require(entries, "bufferRange")?;
-    let range = text.parse().ok().filter(|range: &f64| range.is_finite());
-    range.ok_or_else(|| bad("bufferRange", text, "a number"))
+    numbers::finite(text).ok_or_else(|| bad("bufferRange", text, "a number"))
 }
 
 fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
@@ -146,7 +145,7 @@ fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
         format: FORMAT,
         place: Place::File,
         field: format!("'{field}'"),
-        value: format!("'{}'", value.chars().take(60).collect::<String>()),
+        value: quoted(value),
         bound: bound.to_owned(),
         mend: "the header is damaged: export the file again",
     }
@@ -181,19 +180,12 @@ fn channel<'b>(
 ) -> Channel<'b> {
     let text = |key: &str| get(entries, key).unwrap_or_default();
     let label = text("bufferLabel");
-    let quantity = match LengthUnit::parse(text("bufferUnit")) {
-        Some(unit) if is_named_after_signal(label) => Quantity::OtherLength(unit),
-        Some(unit) => Quantity::Heights(Some(unit)),
-        None => Quantity::Other(text("bufferUnit").to_owned()),
-    };
+    let quantity = Quantity::named(label, text("bufferUnit"), LengthUnit::parse(text("bufferUnit")));
     let name = match text("trace") {
         "" => label.to_owned(),
         trace => format!("{label} ({trace})"),
     };
-    let length_m = |key: &str| {
-        let length_m: f64 = get(scan, key)?.parse().ok()?;
-        (length_m.is_finite() && length_m > 0.0).then_some(length_m)
-    };
+    let length_m = |key: &str| numbers::positive(get(scan, key)?.parse().ok()?);
     let lateral = match (length_m("xLength"), length_m("yLength").filter(|_| rows > 1)) {
         (Some(x_m), y_m) if rows == 1 || y_m.is_some() => Lateral::Size(ScanSize { x_m, y_m }),
         _ => Lateral::Unknown,

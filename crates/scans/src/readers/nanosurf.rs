@@ -9,6 +9,7 @@ use crate::cursor::ByteOrder;
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Order, Raster};
 use crate::readers::Reader;
@@ -150,7 +151,7 @@ fn channel<'b>(
         None => Quantity::Other(text("Dim2Unit").to_owned()),
     };
     let rows = raster.as_ref().map_or(0, |raster| raster.rows);
-    let samples = raster.map_or_else(|error| Samples::Unreadable(Box::new(error)), Samples::Raster);
+    let samples = Samples::from(raster);
     let lateral = size(header, section, rows).map_or(Lateral::Unknown, Lateral::Size);
     Channel {
         probe: Some(Probe::Tip),
@@ -164,8 +165,7 @@ fn channel<'b>(
 fn size(header: &Sections, section: &str, rows: usize) -> Option<ScanSize> {
     let along = |axis: usize| {
         let unit = LengthUnit::parse(header.get(section, &format!("Dim{axis}Unit"))?)?;
-        let length_m = unit.to_m(header.number(section, &format!("Dim{axis}Range")).ok()?.abs());
-        (length_m.is_finite() && length_m > 0.0).then_some(length_m)
+        numbers::positive(unit.to_m(header.number(section, &format!("Dim{axis}Range")).ok()?.abs()))
     };
     let x_m = along(0)?;
     let y_m = along(1).filter(|_| rows > 1);

@@ -3,11 +3,12 @@
 //! The layout is that which Gwyddion's importer and SurfaceTopography's reader follow. Frames of curves, texts and of the newer
 //! kind that describes its own dimensions are passed over.
 
-use crate::channel::{Channel, Lateral, Quantity, Samples, is_named_after_signal};
+use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Order, Raster};
 use crate::readers::Reader;
@@ -98,8 +99,7 @@ impl Scale {
 
     /// The distance of neighbours, whose sign tells only the direction of the scan.
     fn spacing_m(&self) -> Option<f64> {
-        let spacing_m = length_unit(self.unit)?.to_m(self.step.abs());
-        (spacing_m.is_finite() && spacing_m > 0.0).then_some(spacing_m)
+        numbers::positive(length_unit(self.unit)?.to_m(self.step.abs()))
     }
 }
 
@@ -134,11 +134,7 @@ fn scanned<'b>(
         ..Raster::within(NumberType::I16, columns, rows, own, mode.offset())
     };
     let name = SIGNALS.get(signal).map_or_else(|| format!("signal {signal}"), |name| (*name).to_owned());
-    let quantity = match length_unit(z.unit) {
-        Some(unit) if is_named_after_signal(&name) => Quantity::OtherLength(unit),
-        Some(unit) => Quantity::Heights(Some(unit)),
-        None => Quantity::Other(other_unit(z.unit).to_owned()),
-    };
+    let quantity = Quantity::named(&name, other_unit(z.unit), length_unit(z.unit));
     let lateral = match (x.spacing_m(), y.spacing_m()) {
         (Some(x_m), Some(y_m)) => Lateral::Spacing { x_m, y_m: Some(y_m) },
         _ => Lateral::Unknown,

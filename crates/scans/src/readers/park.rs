@@ -2,7 +2,7 @@
 //!
 //! The layout of the header is that which Gwyddion's importer and SurfaceTopography's reader follow.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal};
+use crate::channel::{Axis, Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -53,11 +53,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         zero: header.gain * header.zero,
         ..Raster::new(header.number, header.columns, header.rows, data, data_offset)
     };
-    let quantity = match LengthUnit::parse(&header.unit) {
-        Some(unit) if is_named_after_signal(&header.name) => Quantity::OtherLength(unit),
-        Some(unit) => Quantity::Heights(Some(unit)),
-        None => Quantity::Other(header.unit),
-    };
+    let quantity = Quantity::named(&header.name, &header.unit, LengthUnit::parse(&header.unit));
     let [x_m, y_m] = header.size_um.map(|length| LengthUnit::MICROMETRE.to_m(length.abs()));
     let is_sized = [x_m, y_m].iter().all(|length| length.is_finite() && *length > 0.0);
     let lateral = if is_sized { Lateral::Size(ScanSize { x_m, y_m: Some(y_m) }) } else { Lateral::Unknown };

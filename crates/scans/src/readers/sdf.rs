@@ -5,6 +5,7 @@ use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{Decoded, GapMark, NumberType, Raster};
 use crate::readers::Reader;
@@ -148,14 +149,14 @@ impl Fields<'_> {
 
     fn number(&self, name: &str) -> Result<f64, ScanReadError> {
         let (line, value) = self.get(name)?;
-        let number = value.parse().ok().filter(|number: &f64| number.is_finite());
-        number.ok_or_else(|| bad(Place::Line(line), name, value, "a finite number".to_owned()))
+        numbers::finite(value)
+            .ok_or_else(|| bad(Place::Line(line), name, value, "a finite number".to_owned()))
     }
 
     fn count(&self, name: &str) -> Result<usize, ScanReadError> {
         let (line, value) = self.get(name)?;
-        let count = value.parse().ok().filter(|&count: &usize| count > 0);
-        count.ok_or_else(|| bad(Place::Line(line), name, value, "a whole number above 0".to_owned()))
+        numbers::count(value)
+            .ok_or_else(|| bad(Place::Line(line), name, value, "a whole number above 0".to_owned()))
     }
 }
 

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError};
+use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
+use crate::numbers;
 
 /// Headers take some ten kilobytes; a file that goes on with lines beyond this is none.
 const LONGEST: usize = 1 << 20;
@@ -73,15 +74,13 @@ impl Sections {
     /// A whole number above 0.
     pub(super) fn count(&self, section: &str, key: &str) -> Result<usize, ScanReadError> {
         let text = self.require(section, key)?;
-        let count = text.parse().ok().filter(|&count: &usize| count > 0);
-        count.ok_or_else(|| self.bad(section, key, text, "a whole number above 0"))
+        numbers::count(text).ok_or_else(|| self.bad(section, key, text, "a whole number above 0"))
     }
 
     /// A finite number.
     pub(super) fn number(&self, section: &str, key: &str) -> Result<f64, ScanReadError> {
         let text = self.require(section, key)?;
-        let number = text.parse().ok().filter(|number: &f64| number.is_finite());
-        number.ok_or_else(|| self.bad(section, key, text, "a number"))
+        numbers::finite(text).ok_or_else(|| self.bad(section, key, text, "a number"))
     }
 
     pub(super) fn bad(&self, section: &str, key: &str, value: &str, bound: &str) -> ScanReadError {
@@ -89,7 +88,7 @@ impl Sections {
             format: self.format,
             place: Place::Element(format!("[{section}]")),
             field: format!("'{key}'"),
-            value: format!("'{}'", value.chars().take(60).collect::<String>()),
+            value: quoted(value),
             bound: bound.to_owned(),
             mend: "the header is damaged: export the file again",
         }

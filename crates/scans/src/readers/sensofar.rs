@@ -8,6 +8,7 @@ use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{GapMark, NumberType, Raster};
 use crate::readers::Reader;
@@ -154,10 +155,7 @@ fn channel<'b>(header: &Header, name: String, raster: Raster<'b>) -> Channel<'b>
 }
 
 fn lateral(header: &Header, rows: usize) -> Lateral {
-    let in_m = |spacing: f32| {
-        let spacing_m = LengthUnit::MICROMETRE.to_m(f64::from(spacing.abs()));
-        (spacing_m.is_finite() && spacing_m > 0.0).then_some(spacing_m)
-    };
+    let in_m = |spacing: f32| numbers::positive(LengthUnit::MICROMETRE.to_m(f64::from(spacing.abs())));
     match header.spacings.map(in_m) {
         [Some(x_m), _] if rows == 1 => Lateral::Spacing { x_m, y_m: None },
         [Some(x_m), Some(y_m)] => Lateral::Spacing { x_m, y_m: Some(y_m) },

@@ -5,10 +5,11 @@
 use roxmltree::{Document, Node, ParsingOptions};
 
 use crate::archive::{Archive, is_named_in, is_zip};
-use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
-use crate::error::{Place, ScanReadError};
+use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, refuse_many, shortened};
+use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Raster};
 use crate::readers::Reader;
@@ -46,10 +47,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let mut channels = Vec::new();
     for layer in root.children().filter(|node| node.tag_name().name().starts_with(LAYER)) {
         refuse_many(FORMAT, channels.len() + 1)?;
-        let samples = match raster(&mut archive, layer, size) {
-            Ok(raster) => Samples::Raster(raster),
-            Err(error) => Samples::Unreadable(Box::new(error)),
-        };
+        let samples = raster(&mut archive, layer, size).into();
         let name = layer.tag_name().name().replace(LAYER, "Layer ");
         let quantity = Quantity::Heights(Some(LengthUnit::MICROMETRE));
         channels.push(Channel {
@@ -83,8 +81,7 @@ fn path_of(archive: &Archive, path: &str) -> String {
 fn lateral(general: Node, rows: usize) -> Lateral {
     let spacing_m = |name: &str| {
         let spacing: f64 = child_text(general, name)?.parse().ok()?;
-        let spacing_m = LengthUnit::MICROMETRE.to_m(spacing);
-        (spacing_m.is_finite() && spacing_m > 0.0).then_some(spacing_m)
+        numbers::positive(LengthUnit::MICROMETRE.to_m(spacing))
     };
     match (spacing_m("FOV_X"), spacing_m("FOV_Y")) {
         (Some(x_m), _) if rows == 1 => Lateral::Spacing { x_m, y_m: None },
@@ -104,11 +101,11 @@ fn free_text(root: Node) -> String {
 
 fn count(parent: Node, name: &str) -> Result<usize, ScanReadError> {
     let text = child_text(parent, name).ok_or_else(|| missing(parent.tag_name().name(), name))?;
-    text.parse().ok().filter(|&count: &usize| count > 0).ok_or_else(|| ScanReadError::BadField {
+    numbers::count(text).ok_or_else(|| ScanReadError::BadField {
         format: FORMAT,
         place: Place::Element(format!("{}/{name}", parent.tag_name().name())),
         field: "the text".to_owned(),
-        value: format!("'{}'", text.chars().take(60).collect::<String>()),
+        value: quoted(text),
         bound: "a whole number above 0".to_owned(),
         mend: "export the file again",
     })

@@ -2,9 +2,9 @@
 //!
 //! The layout is that which Gwyddion's importer and SurfaceTopography's reader follow.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, is_named_after_signal};
+use crate::channel::{Axis, Channel, Lateral, Quantity, Samples};
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError};
+use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -29,11 +29,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let header = Sections::read(FORMAT, bytes, ':', b"[Header end]")?;
     let name = header.get(INFO, "Acquisition channel").unwrap_or_default();
     let amplitude = Amount::of(&header, INFO, "Z Amplitude")?;
-    let quantity = match LengthUnit::parse(amplitude.unit) {
-        Some(unit) if is_named_after_signal(name) => Quantity::OtherLength(unit),
-        Some(unit) => Quantity::Heights(Some(unit)),
-        None => Quantity::Other(amplitude.unit.to_owned()),
-    };
+    let quantity = Quantity::named(name, amplitude.unit, LengthUnit::parse(amplitude.unit));
     let columns = header.count(INFO, "Number of columns")?;
     let rows = header.count(INFO, "Number of rows")?;
     let raster = raster(&header, bytes, columns, rows, amplitude.value)?;
@@ -58,7 +54,7 @@ fn refuse_other_kinds(bytes: &[u8]) -> Result<(), ScanReadError> {
     Err(ScanReadError::Unsupported {
         format: FORMAT,
         place: Place::Line(2),
-        found: format!("a file of kind '{}'", line.chars().take(60).collect::<String>()),
+        found: format!("a file of kind {}", quoted(&line)),
         mend: "export an image of heights",
     })
 }

@@ -4,11 +4,12 @@
 //! the readers of Gwyddion and SurfaceTopography take them. Arrays are stored column after column from the bottom, in
 //! wavelengths (over a factor where there is one).
 
-use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
+use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{GapMark, NumberType, Order, Raster};
 use crate::readers::Reader;
@@ -72,10 +73,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
             continue;
         };
         refuse_many(FORMAT, channels.len() + 1)?;
-        let samples = match scale.and_then(|scale| raster(block, scale)) {
-            Ok(raster) => Samples::Raster(raster),
-            Err(error) => Samples::Unreadable(Box::new(error)),
-        };
+        let samples = scale.and_then(|scale| raster(block, scale)).into();
         channels.push(Channel {
             probe: Some(Probe::Microscope),
             free_text: free_text.clone(),
@@ -172,7 +170,7 @@ fn raster<'b>(block: &Block<'b>, scale: f64) -> Result<Raster<'b>, ScanReadError
 
 /// The distance of columns in mm, and how much larger that of rows is.
 fn lateral(blocks: &[Block]) -> Lateral {
-    let positive = |name: &str| number(blocks, name).filter(|value| value.is_finite() && *value > 0.0);
+    let positive = |name: &str| number(blocks, name).and_then(numbers::positive);
     match positive("Pixel_size") {
         None => Lateral::Unknown,
         Some(spacing) => {

@@ -5,6 +5,7 @@
 
 mod alicona;
 mod bcr;
+mod bounds;
 mod bytes;
 #[path = "../support/corpus.rs"]
 mod corpus;
@@ -41,6 +42,8 @@ mod x3p;
 mod zeta;
 #[path = "../support/zip_file.rs"]
 pub mod zip_file;
+
+use std::io::{Cursor, Read};
 
 use scans::{
     Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
@@ -160,22 +163,74 @@ fn samples_are_kept_for_fuzzing() {
 }
 
 #[test]
+fn no_sample_is_claimed_by_two_readers() {
+    for (format, samples) in samples() {
+        for Sample { name, bytes } in samples {
+            let expected = if format == ScanFormat::Text { vec![] } else { vec![format] };
+            assert_eq!(ScanFormat::candidates(&bytes), expected, "{format} {name}");
+        }
+    }
+}
+
+#[test]
 fn what_is_cut_or_damaged_is_read_or_refused_and_never_worse() {
     for (_, samples) in samples() {
         for Sample { bytes, .. } in samples {
-            let step = (bytes.len() / 500).max(1);
-            for end in (0..bytes.len()).step_by(step) {
-                let _ = heights_if_told(&bytes[..end]);
-            }
-            for at in (0..bytes.len()).step_by(step) {
-                for flip in [0x01, 0x80, 0xff] {
-                    let mut damaged = bytes.clone();
-                    damaged[at] ^= flip;
-                    let _ = heights_if_told(&damaged);
-                }
+            damage(&bytes, <[u8]>::to_vec);
+        }
+    }
+}
+
+/// Check sums keep damage to an archive from what is packed in it.
+#[test]
+fn what_is_damaged_before_it_is_packed_is_no_worse() {
+    for (_, samples) in samples() {
+        for Sample { bytes, .. } in samples {
+            let files = unzipped(&bytes);
+            for (path, content) in &files {
+                let with = |damaged: &[u8]| {
+                    let file = |(other, whole): &(String, Vec<u8>)| {
+                        (other.clone(), if other == path { damaged.to_vec() } else { whole.clone() })
+                    };
+                    let files: Vec<(String, Vec<u8>)> = files.iter().map(file).collect();
+                    let files = files.iter().map(|(path, content)| (path.as_str(), content.as_slice()));
+                    zip_file::stored(&files.collect::<Vec<_>>())
+                };
+                damage(content, with);
             }
         }
     }
+}
+
+/// Reads a file cut off at many places, and with bits flipped and numbers made large at many.
+fn damage(bytes: &[u8], packed: impl Fn(&[u8]) -> Vec<u8>) {
+    let step = (bytes.len() / 500).max(1);
+    for at in (0..bytes.len()).step_by(step) {
+        let _ = heights_if_told(&packed(&bytes[..at]));
+        for flip in [0x01, 0x80, 0xff] {
+            let mut damaged = bytes.to_vec();
+            damaged[at] ^= flip;
+            let _ = heights_if_told(&packed(&damaged));
+        }
+        for large in [0x7fff_ffffu32.to_le_bytes(), 0x7fff_ffffu32.to_be_bytes(), [0xff; 4]] {
+            let mut damaged = bytes.to_vec();
+            damaged[at..].iter_mut().zip(large).for_each(|(byte, large)| *byte = large);
+            let _ = heights_if_told(&packed(&damaged));
+        }
+    }
+}
+
+/// The files in a ZIP file; none of any other.
+fn unzipped(bytes: &[u8]) -> Vec<(String, Vec<u8>)> {
+    let Ok(mut archive) = zip::ZipArchive::new(Cursor::new(bytes)) else { return Vec::new() };
+    let count = archive.len();
+    let file = |index: usize| {
+        let mut file = archive.by_index(index).unwrap();
+        let mut content = Vec::new();
+        file.read_to_end(&mut content).unwrap();
+        (file.name().unwrap().into_owned(), content)
+    };
+    (0..count).map(file).collect()
 }
 
 /// With unit and size to fall back on, for formats that have none.

@@ -12,6 +12,7 @@ use header::Header;
 use crate::channel::{Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::readers::Reader;
 use crate::room::Room;
@@ -94,7 +95,7 @@ fn lateral(header: &Header, notes: &mut Vec<String>) -> Lateral {
     let mut spacing_m = |axis: usize| {
         let (spacing, unit) = (f64::from(header.spacings[axis]), &header.units[axis]);
         let found = LengthUnit::parse_instrument(unit).map(|unit| unit.to_m(spacing.abs()));
-        let found = found.filter(|spacing_m| spacing_m.is_finite() && *spacing_m > 0.0);
+        let found = found.and_then(numbers::positive);
         if found.is_none() {
             notes.push(format!("the spacing {spacing} '{unit}' of points in the file is no length above 0"));
         }

@@ -7,6 +7,7 @@ use super::content::{Content, Entry};
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::error::ScanReadError;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::raster::{GapMark, Raster};
 use units::LengthUnit;
 
@@ -57,7 +58,7 @@ fn pixel_m(entry: &Entry, name: &str) -> Result<f64, ScanReadError> {
     }
     let last = fields.len().saturating_sub(1);
     let parameters = raw(last).and_then(|(kind, raw)| numbers(entry, kind, raw)).unwrap_or_default();
-    let length_m = parameters.get(1).copied().filter(|length_m| length_m.is_finite() && *length_m > 0.0);
+    let length_m = parameters.get(1).copied().and_then(numbers::positive);
     length_m.ok_or_else(|| bad(&format!("{parameters:?}")))
 }
 

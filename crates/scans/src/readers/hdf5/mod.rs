@@ -7,7 +7,7 @@ mod content;
 mod datx;
 mod netcdf4;
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, Quantity};
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
@@ -46,10 +46,7 @@ fn plain<'b>(content: &mut Content) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let mut channels = Vec::new();
     for at in wanted {
         let name = content.entries[at].path.clone();
-        let samples = match content.raster(at) {
-            Ok(raster) => Samples::Raster(raster),
-            Err(error) => Samples::Unreadable(Box::new(error)),
-        };
+        let samples = content.raster(at).into();
         let mut channel = Channel::new(Some(name), Quantity::Heights(None), Lateral::Unknown, samples);
         if axes == 2 {
             channel

@@ -12,6 +12,7 @@ use crate::channel::{
 };
 use crate::error::{Place, ScanReadError};
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::readers::Reader;
 use asylum::Note;
@@ -117,10 +118,7 @@ fn quantity(unit: &str, name: &str, is_scan: bool, step_unit: &str) -> Quantity 
 /// A step is the distance of neighbours, whose sign tells only where the scan began.
 fn lateral(wave: &Wave, shape: &Shape) -> Lateral {
     let [x, y, ..] = &wave.step_units;
-    let along = |unit: &str, step: f64| {
-        let step_m = LengthUnit::parse(unit)?.to_m(step.abs());
-        (step_m.is_finite() && step_m > 0.0).then_some(step_m)
-    };
+    let along = |unit: &str, step: f64| numbers::positive(LengthUnit::parse(unit)?.to_m(step.abs()));
     let x_m = along(x, wave.steps[0]);
     let y_m = along(if y.is_empty() { x } else { y }, wave.steps[1]);
     match (x_m, y_m, shape.rows) {

@@ -1,9 +1,9 @@
 //! The grid of an image of a Nanoscope file: how many points, how far apart, and where their counts stand.
 
 use super::header::{Header, Section, Value};
+use super::scaled::lengths;
 use crate::error::ScanReadError;
 use crate::raster::{NumberType, Order, Raster};
-use units::LengthUnit;
 
 /// From this version on counts take four bytes, whatever `Bytes/pixel` says; that still sets their scale.
 const FOUR_BYTE_VERSION: u32 = 0x0920_0000;
@@ -151,19 +151,4 @@ fn ratio_of_sides(aspect: &Value) -> Option<f64> {
     let side = |text: &str| text.trim().parse::<f64>().ok();
     let ratio = side(along)? / side(across)?;
     (ratio.is_finite() && ratio > 0.0 && ratio != 1.0).then_some(ratio)
-}
-
-/// One or two lengths with a unit; one stands for both.
-fn lengths(value: &Value) -> Result<[f64; 2], ScanReadError> {
-    let bad = || value.bad("one or two lengths above 0 with their unit, such as '500 500 nm'");
-    let mut words: Vec<&str> = value.text.split_whitespace().collect();
-    let unit = words.pop().and_then(LengthUnit::parse_instrument).ok_or_else(bad)?;
-    let sizes: Option<Vec<f64>> =
-        words.iter().map(|word| word.parse().ok().map(|size| unit.to_m(size))).collect();
-    match sizes.as_deref() {
-        Some(&[x] | &[x, _]) if !(x.is_finite() && x > 0.0) => Err(bad()),
-        Some(&[x]) => Ok([x, x]),
-        Some(&[x, y]) if y.is_finite() && y > 0.0 => Ok([x, y]),
-        _ => Err(bad()),
-    }
 }

@@ -1,8 +1,9 @@
 //! The text at the beginning of a Nanoscope file: sections of keys and values.
 
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError};
+use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
+use crate::numbers;
 
 /// The format whose reader this is, for messages.
 pub(crate) const FORMAT: ScanFormat = ScanFormat::Nanoscope;
@@ -152,8 +153,7 @@ impl Section<'_> {
 impl Value {
     /// The value as a whole number of at least 1.
     pub(crate) fn count(&self) -> Result<usize, ScanReadError> {
-        let count = self.text.parse().ok().filter(|&count: &usize| count > 0);
-        count.ok_or_else(|| self.bad("a whole number above 0"))
+        numbers::count(&self.text).ok_or_else(|| self.bad("a whole number above 0"))
     }
 
     pub(crate) fn bad(&self, bound: &str) -> ScanReadError {
@@ -161,7 +161,7 @@ impl Value {
             format: FORMAT,
             place: Place::Byte(self.offset),
             field: format!("'{}'", self.key),
-            value: format!("'{}'", self.text.chars().take(60).collect::<String>()),
+            value: quoted(&self.text),
             bound: bound.to_owned(),
             mend: "the header is damaged: export the file again",
         }

@@ -2,6 +2,7 @@
 
 use super::grid::Grid;
 use super::header::{Header, Section, Value};
+use super::scaled::{Scaled, volt};
 use crate::channel::{MOST_TEXT, is_named_after_height, shortened};
 use crate::error::ScanReadError;
 use units::LengthUnit;
@@ -103,47 +104,4 @@ impl<'h> Image<'h> {
     pub(crate) fn grid(&self) -> Result<Grid, ScanReadError> {
         Grid::of(self.header, self.section, self.bytes_per_pixel()?)
     }
-}
-
-/// A value such as `V [Sens. Zsens] (0.0067 V/LSB) 2.125 V`.
-struct Scaled {
-    soft_scale: Option<String>,
-    rest: String,
-}
-
-impl Scaled {
-    fn parse(text: &str) -> Option<Self> {
-        let mut rest = text.strip_prefix(['V', 'C', 'S'])?.trim_start();
-        let mut soft_scale = None;
-        if let Some(inner) = rest.strip_prefix('[') {
-            let (name, after) = inner.split_once(']')?;
-            (soft_scale, rest) =
-                (Some(name.trim().to_owned()).filter(|name| !name.is_empty()), after.trim_start());
-        }
-        if rest.starts_with('(') {
-            // Units hold brackets of their own: log(Arb).
-            let mut depth = 0;
-            let end = rest.find(|character| {
-                depth += i32::from(character == '(') - i32::from(character == ')');
-                depth == 0
-            })?;
-            rest = rest[end + 1..].trim_start();
-        }
-        Some(Self { soft_scale, rest: rest.to_owned() })
-    }
-
-    /// The number and its unit.
-    fn number(&self) -> Option<(f64, String)> {
-        let (number, unit) = self.rest.split_once(char::is_whitespace).unwrap_or((&self.rest, ""));
-        Some((number.parse().ok().filter(|value: &f64| value.is_finite())?, unit.trim().to_owned()))
-    }
-}
-
-fn volt(unit: &str) -> Option<f64> {
-    Some(match unit.trim() {
-        "V" => 1.0,
-        "mV" => 1e-3,
-        "µV" | "uV" | "~V" => 1e-6,
-        _ => return None,
-    })
 }

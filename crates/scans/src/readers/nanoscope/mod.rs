@@ -3,6 +3,7 @@
 mod grid;
 mod header;
 mod image;
+mod scaled;
 
 use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::{Place, ScanReadError};

@@ -1,7 +1,8 @@
-//! Reading of big-endian fields, with their place for messages.
+//! Counts, lists and names as the header of a NetCDF file writes them, big-endian.
 
 use std::borrow::Cow;
 
+use crate::cursor::{ByteOrder, Cursor as Fields};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 
@@ -13,43 +14,25 @@ const MOST_ENTRIES: usize = 8192;
 
 /// A position in a file. Counts are four bytes long, in CDF-5 eight.
 pub(crate) struct Cursor<'b> {
-    bytes: &'b [u8],
-    at: usize,
+    fields: Fields<'b>,
     is_cdf5: bool,
 }
 
 impl<'b> Cursor<'b> {
     pub(crate) fn new(bytes: &'b [u8], at: usize, is_cdf5: bool) -> Self {
-        Self { bytes, at, is_cdf5 }
+        Self { fields: Fields::new(FORMAT, bytes, ByteOrder::Big).at(at), is_cdf5 }
     }
 
     pub(crate) fn offset(&self) -> u64 {
-        self.at as u64
-    }
-
-    pub(crate) fn take(&mut self, count: usize, what: &str) -> Result<&'b [u8], ScanReadError> {
-        let rest = &self.bytes[self.at..];
-        let Some(taken) = rest.get(..count) else {
-            return Err(ScanReadError::Truncated {
-                format: FORMAT,
-                offset: self.offset(),
-                what: what.to_owned(),
-                needed: count as u64,
-                available: rest.len() as u64,
-            });
-        };
-        self.at += count;
-        Ok(taken)
+        self.fields.offset() as u64
     }
 
     pub(crate) fn u32(&mut self, what: &str) -> Result<u32, ScanReadError> {
-        let bytes = self.take(4, what)?;
-        Ok(bytes.iter().fold(0, |value, &byte| value << 8 | u32::from(byte)))
+        self.fields.u32(what)
     }
 
     pub(crate) fn u64(&mut self, what: &str) -> Result<u64, ScanReadError> {
-        let bytes = self.take(8, what)?;
-        Ok(bytes.iter().fold(0, |value, &byte| value << 8 | u64::from(byte)))
+        self.fields.u64(what)
     }
 
     /// A count, which cannot exceed the size of memory.
@@ -74,7 +57,7 @@ impl<'b> Cursor<'b> {
                 &format!("{tag}, or 0 twice"),
             ));
         }
-        let most = MOST_ENTRIES.min((self.bytes.len() - self.at) / 4);
+        let most = MOST_ENTRIES.min(self.fields.rest().len() / 4);
         if count > most {
             let bound = format!("at most {most}, as many as a list, and the rest of the file, can hold");
             return Err(bad(offset + 4, &format!("the number of {what}"), &count.to_string(), &bound));
@@ -90,8 +73,8 @@ impl<'b> Cursor<'b> {
 
     /// Bytes with the padding after them taken off.
     pub(crate) fn padded(&mut self, count: usize, what: &str) -> Result<&'b [u8], ScanReadError> {
-        let taken = self.take(count, what)?;
-        self.take(count.wrapping_neg() % 4, what)?;
+        let taken = self.fields.take(count, what)?;
+        self.fields.skip(count.wrapping_neg() % 4, what)?;
         Ok(taken)
     }
 }

@@ -3,12 +3,14 @@
 
 mod classic;
 mod cursor;
+mod kind;
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
 use crate::heights::transposed;
 use crate::metadata::{instrument_length_m, probe};
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
@@ -143,7 +145,7 @@ fn size(file: &Classic, is_map: bool, units: &Units) -> Result<Lateral, ScanRead
         let Some(attribute) = file.variable(name).and_then(|variable| variable.attribute("length")) else {
             return Ok(None);
         };
-        let length = attribute.number().filter(|length| length.is_finite() && *length > 0.0);
+        let length = attribute.number().and_then(numbers::positive);
         let length = length.ok_or_else(|| attribute.bad("length", "a finite number above 0"))?;
         Ok(Some(units.length_to_m(FORMAT)?(length)))
     };

@@ -2,8 +2,8 @@
 
 use super::columns::Columns;
 use super::keys::{Key, key_and_value};
-use super::style::FORMAT;
-use super::style::{is_comment, shortened};
+use super::lengths::{Length, bad_field, length, stylus_radius_m, trailing_unit, unit};
+use super::style::{FORMAT, is_comment};
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
 use crate::scan_size::ScanSize;
@@ -31,13 +31,6 @@ pub(crate) struct Header {
     stylus_radius_m: Option<f64>,
     /// The lines that hold no field known here.
     free_text: String,
-}
-
-/// A length as written; without a unit it is in that of the lateral positions.
-#[derive(Clone, Copy)]
-struct Length {
-    value: f64,
-    unit: Option<LengthUnit>,
 }
 
 /// What a column is called that counts the points.
@@ -243,44 +236,6 @@ impl Header {
     }
 }
 
-/// The radius in a line on the stylus, as Dektak exports write it: `Stylus,Radius: 2.5 µm`.
-fn stylus_radius_m(line: &str) -> Option<f64> {
-    let line = line.to_lowercase();
-    let (_, radius) = line.strip_prefix("stylus")?.split_once("radius")?;
-    let radius = radius.trim_start_matches([':', '=', ' ']).trim_end_matches([',', ';', ' ']);
-    let length = length(radius, 0).ok()??;
-    Some(length.unit?.to_m(length.value))
-}
-
-/// A number with or without a unit; none for what is no number, the key of something else.
-fn length(text: &str, line: usize) -> Result<Option<Length>, ScanReadError> {
-    let unit_at = text.find(|c: char| !c.is_ascii_digit() && !"+-.,eE".contains(c)).unwrap_or(text.len());
-    let (number, name) = text.split_at(unit_at);
-    let Ok(value) = number.replace(',', ".").parse::<f64>() else { return Ok(None) };
-    if !(value.is_finite() && value > 0.0) {
-        return Err(bad_field(line, "the length", text, "finite and above 0".to_owned()));
-    }
-    let name = name.trim();
-    Ok(Some(Length { value, unit: if name.is_empty() { None } else { Some(unit(name, line)?) } }))
-}
-
-fn unit(text: &str, line: usize) -> Result<LengthUnit, ScanReadError> {
-    let text = text.trim_matches(|c: char| c.is_whitespace() || "()[]".contains(c));
-    LengthUnit::parse_instrument(text)
-        .ok_or_else(|| bad_field(line, "the unit", text, format!("one of {}", LengthUnit::accepted())))
-}
-
-fn bad_field(line: usize, field: &str, value: &str, bound: String) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: Place::Line(line),
-        field: field.to_owned(),
-        value: format!("'{}'", shortened(value)),
-        bound,
-        mend: "export a channel of heights, or correct the header",
-    }
-}
-
 fn second_channel(line: usize) -> ScanReadError {
     ScanReadError::Unsupported {
         format: FORMAT,
@@ -288,17 +243,6 @@ fn second_channel(line: usize) -> ScanReadError {
         found: "a second channel in one file".to_owned(),
         mend: "export each channel to a file of its own",
     }
-}
-
-/// The unit at the end of a column's name: `X_(microns)`, `Lateral um`, `h/nm`, `x_mm`. A bare A is a name more often than
-/// a unit.
-fn trailing_unit(name: &str) -> Option<LengthUnit> {
-    let name = name.trim();
-    if let Some((_, unit)) = name.strip_suffix([')', ']']).and_then(|name| name.rsplit_once(['(', '['])) {
-        return LengthUnit::parse_instrument(unit);
-    }
-    let (_, word) = name.rsplit_once([' ', '/', '_'])?;
-    LengthUnit::parse_instrument(word).filter(|_| word != "A")
 }
 
 #[cfg(test)]
@@ -340,27 +284,6 @@ mod tests {
         }
         let phase = header("# Kituo: Awamu\n# Upana: 5 µm\n# Urefu: 5 µm\n# Vipimo: deg\n1 2 3 4\n1 2 3 4");
         assert!(phase.err().unwrap().to_string().starts_with("reading text, line 4: the unit is 'deg'"));
-    }
-
-    #[test]
-    fn every_translation_of_gwyddion_is_known() {
-        for (language, keys) in [
-            ("cs", ["Kanál:", "Šířka:", "Výška:", "Jednotky hodnot:"]),
-            ("de", ["Kanal:", "Breite:", "Höhe:", "Einheiten:"]),
-            ("en", ["Channel:", "Width:", "Height:", "Value units:"]),
-            ("es", ["Canal:", "Anchura:", "Altura:", "Value units:"]),
-            ("fr", ["Canal :", "Largeur :", "Hauteur :", "Unités :"]),
-            ("it", ["Canale:", "Larghezza:", "Altezza:", "unità valore:"]),
-            ("ja", ["チャネル：", "幅:", "高さ：", "値の単位:"]),
-            ("ko", ["채널:", "폭:", "높이:", "값 단위:"]),
-            ("pt", ["Canal:", "Largura:", "Altura:", "Unidades de valor:"]),
-            ("ru", ["Канал:", "Ширина:", "Высота:", "Единицы измерения:"]),
-        ] {
-            let expected = [Key::Channel, Key::Size(0), Key::Size(1), Key::ValueUnit];
-            for (key, expected) in keys.into_iter().zip(expected) {
-                assert!(key_and_value(key).is_some_and(|(found, _)| found == expected), "{language} {key}");
-            }
-        }
     }
 
     #[test]

@@ -96,3 +96,29 @@ pub(super) fn key_and_value(line: &str) -> Option<(Key, &str)> {
     let (key, _) = KEYS.iter().find(|(_, names)| names.contains(&name.as_str()))?;
     Some((*key, value.trim()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_translation_of_gwyddion_is_known() {
+        for (language, keys) in [
+            ("cs", ["Kanál:", "Šířka:", "Výška:", "Jednotky hodnot:"]),
+            ("de", ["Kanal:", "Breite:", "Höhe:", "Einheiten:"]),
+            ("en", ["Channel:", "Width:", "Height:", "Value units:"]),
+            ("es", ["Canal:", "Anchura:", "Altura:", "Value units:"]),
+            ("fr", ["Canal :", "Largeur :", "Hauteur :", "Unités :"]),
+            ("it", ["Canale:", "Larghezza:", "Altezza:", "unità valore:"]),
+            ("ja", ["チャネル：", "幅:", "高さ：", "値の単位:"]),
+            ("ko", ["채널:", "폭:", "높이:", "값 단위:"]),
+            ("pt", ["Canal:", "Largura:", "Altura:", "Unidades de valor:"]),
+            ("ru", ["Канал:", "Ширина:", "Высота:", "Единицы измерения:"]),
+        ] {
+            let expected = [Key::Channel, Key::Size(0), Key::Size(1), Key::ValueUnit];
+            for (key, expected) in keys.into_iter().zip(expected) {
+                assert!(key_and_value(key).is_some_and(|(found, _)| found == expected), "{language} {key}");
+            }
+        }
+    }
+}

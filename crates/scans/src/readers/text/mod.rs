@@ -4,6 +4,8 @@ mod columns;
 mod grid;
 mod header;
 mod keys;
+mod lengths;
+mod precision;
 mod profile;
 mod style;
 

@@ -16,6 +16,7 @@ use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Raster};
 use crate::readers::Reader;
@@ -154,8 +155,7 @@ fn missing(field: String) -> ScanReadError {
 /// The extent is the distance of the first from the last point.
 fn spacing_m(tree: &Tree, path: &str, points: usize) -> Option<f64> {
     let (extent, unit) = tree.quantity(path)?;
-    let spacing_m = length_unit(unit)?.to_m(extent) / points.checked_sub(1)? as f64;
-    (spacing_m.is_finite() && spacing_m > 0.0).then_some(spacing_m)
+    numbers::positive(length_unit(unit)?.to_m(extent) / points.checked_sub(1)? as f64)
 }
 
 /// Inches are written with a full stop.
@@ -178,8 +178,7 @@ fn tip_radius_m(tree: &Tree) -> Option<f64> {
     let (_, radius) = tree.text(&format!("{SETTINGS}StylusType"))?.split_once("Radius:")?;
     let mut words = radius.split_whitespace();
     let radius: f64 = words.next()?.parse().ok()?;
-    let radius_m = length_unit(words.next()?)?.to_m(radius);
-    (radius_m.is_finite() && radius_m > 0.0).then_some(radius_m)
+    numbers::positive(length_unit(words.next()?)?.to_m(radius))
 }
 
 fn free_text(tree: &Tree) -> String {

@@ -6,7 +6,8 @@ use super::data::{Coordinate, Kind};
 use super::description::Axis;
 use super::{FORMAT, INDEX};
 use crate::archive::leads_outside;
-use crate::error::{Place, ScanReadError};
+use crate::error::{Place, ScanReadError, quoted};
+use crate::numbers;
 
 /// An element with its path, for messages.
 pub(super) struct Element<'a, 'd> {
@@ -42,13 +43,11 @@ impl<'a, 'd> Element<'a, 'd> {
     }
 
     pub(super) fn count(&self) -> Result<usize, ScanReadError> {
-        let count = self.text().parse().ok().filter(|&count: &usize| count > 0);
-        count.ok_or_else(|| self.bad("a whole number above 0", "export the file again"))
+        numbers::count(self.text()).ok_or_else(|| self.bad("a whole number above 0", "export the file again"))
     }
 
     pub(super) fn number(&self) -> Result<f64, ScanReadError> {
-        let number = self.text().parse().ok().filter(|number: &f64| number.is_finite());
-        number.ok_or_else(|| self.bad("a finite number", "export the file again"))
+        numbers::finite(self.text()).ok_or_else(|| self.bad("a finite number", "export the file again"))
     }
 
     pub(super) fn positive(&self) -> Result<f64, ScanReadError> {
@@ -91,7 +90,7 @@ impl<'a, 'd> Element<'a, 'd> {
             format: FORMAT,
             place: Place::Element(self.path.clone()),
             field: "the text".to_owned(),
-            value: format!("'{}'", self.text().chars().take(60).collect::<String>()),
+            value: quoted(self.text()),
             bound: bound.to_owned(),
             mend,
         }
