@@ -29,12 +29,12 @@ pub struct ScanOptions {
     /// What a container says about the scan; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies
     /// beside a file.
     pub metadata: Option<MeasurementMetadata>,
-    /// Most bytes that a ZIP or gzip file may unpack to; 1 GiB if none is given.
+    /// Most bytes that a file may unpack to, be it packed as a whole or in parts; 1 GiB if none is given.
     pub max_unpacked_bytes: Option<u64>,
 }
 
 impl ScanOptions {
-    /// Most bytes that a ZIP or gzip file may unpack to by default.
+    /// Most bytes that a file may unpack to by default.
     pub const MAX_UNPACKED_BYTES: u64 = 1 << 30;
 
     /// The unit of heights asked for.

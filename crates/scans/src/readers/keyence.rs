@@ -1,7 +1,7 @@
 //! Keyence laser scanning microscopes, `.vk4` and its predecessor `.vk3`, and `.vk6` and `.vk7`, which pack a `.vk4`; as
 //! a report of Sandia National Laboratories on the format describes it. Little-endian, lengths in pm.
 
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, Quantity};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -52,7 +52,11 @@ fn packed<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, S
     // Images that do not overlap take no more than what they were packed in.
     let mut room = crate::room::Room::new(content.len() as u64);
     let own = |channel: Channel| {
-        let size = if let Samples::Raster(raster) = &channel.samples { raster.bytes.len() as u64 } else { 0 };
+        let size = if let crate::channel::Samples::Raster(raster) = &channel.samples {
+            raster.bytes.len() as u64
+        } else {
+            0
+        };
         room.take(size, || "images that overlap".to_owned())?;
         Ok(channel.into_owned())
     };

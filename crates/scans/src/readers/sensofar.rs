@@ -156,9 +156,6 @@ fn channel<'b>(header: &Header, name: String, raster: Raster<'b>) -> Channel<'b>
 
 fn lateral(header: &Header, rows: usize) -> Lateral {
     let in_m = |spacing: f32| numbers::positive(LengthUnit::MICROMETRE.to_m(f64::from(spacing.abs())));
-    match header.spacings.map(in_m) {
-        [Some(x_m), _] if rows == 1 => Lateral::Spacing { x_m, y_m: None },
-        [Some(x_m), Some(y_m)] => Lateral::Spacing { x_m, y_m: Some(y_m) },
-        _ => Lateral::Unknown,
-    }
+    let [x_m, y_m] = header.spacings.map(in_m);
+    Lateral::spacings(x_m, y_m, rows)
 }

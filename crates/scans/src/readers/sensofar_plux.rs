@@ -83,11 +83,7 @@ fn lateral(general: Node, rows: usize) -> Lateral {
         let spacing: f64 = child_text(general, name)?.parse().ok()?;
         numbers::positive(LengthUnit::MICROMETRE.to_m(spacing))
     };
-    match (spacing_m("FOV_X"), spacing_m("FOV_Y")) {
-        (Some(x_m), _) if rows == 1 => Lateral::Spacing { x_m, y_m: None },
-        (Some(x_m), Some(y_m)) => Lateral::Spacing { x_m, y_m: Some(y_m) },
-        _ => Lateral::Unknown,
-    }
+    Lateral::spacings(spacing_m("FOV_X"), spacing_m("FOV_Y"), rows)
 }
 
 fn free_text(root: Node) -> String {

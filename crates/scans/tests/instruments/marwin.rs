@@ -1,13 +1,9 @@
 //! MarWin: traced profiles in a ZIP file, evenly spaced or not.
 
-use std::io::{Cursor, Write};
-
 use scans::{Measured, Probe, Scan, ScanOptions, read_scans};
-use zip::ZipWriter;
-use zip::write::SimpleFileOptions;
 
 use crate::bytes::Bytes;
-use crate::{Sample, assert_holds, heights};
+use crate::{Sample, assert_holds, heights, zip_file};
 
 const EVEN_MM: [f64; 4] = [1.0, 1.5, 2.0, 2.5];
 const UNEVEN_MM: [f64; 4] = [1.0, 1.5, 2.5, 2.75];
@@ -34,12 +30,8 @@ fn profile(positions_mm: [f64; 4]) -> Vec<u8> {
 }
 
 fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for (path, bytes) in files {
-        zip.start_file(*path, SimpleFileOptions::default()).unwrap();
-        zip.write_all(bytes).unwrap();
-    }
-    zip.finish().unwrap().into_inner()
+    let files = files.iter().map(|(path, bytes)| (*path, bytes.as_slice()));
+    zip_file::zipped(&files.collect::<Vec<_>>())
 }
 
 fn even() -> Vec<u8> {

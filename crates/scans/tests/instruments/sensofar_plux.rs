@@ -1,20 +1,12 @@
 //! Sensofar PLUX: an index in XML and layers in a ZIP file.
 
-use std::io::{Cursor, Write};
-
 use scans::{Probe, ScanOptions, read_scans};
-use zip::ZipWriter;
-use zip::write::SimpleFileOptions;
 
-use crate::{Sample, assert_holds, heights};
+use crate::{Sample, assert_holds, heights, zip_file};
 
 fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    for (path, bytes) in files {
-        zip.start_file(*path, SimpleFileOptions::default()).unwrap();
-        zip.write_all(bytes).unwrap();
-    }
-    zip.finish().unwrap().into_inner()
+    let files = files.iter().map(|(path, bytes)| (*path, bytes.as_slice()));
+    zip_file::zipped(&files.collect::<Vec<_>>())
 }
 
 fn index(rows: &str) -> Vec<u8> {

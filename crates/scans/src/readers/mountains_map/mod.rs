@@ -111,11 +111,7 @@ fn surface<'b>(object: &Entry, room: &mut Room) -> Result<Option<Channel<'b>>, S
         true => Quantity::Heights(Some(LengthUnit::METRE)),
         false => Quantity::Other(z.unit),
     };
-    let lateral = match (x.spacing_m(), y.spacing_m()) {
-        (Some(x_m), _) if y.points == 1 => Lateral::Spacing { x_m, y_m: None },
-        (Some(x_m), Some(y_m)) => Lateral::Spacing { x_m, y_m: Some(y_m) },
-        _ => Lateral::Unknown,
-    };
+    let lateral = Lateral::spacings(x.spacing_m(), y.spacing_m(), y.points);
     let name = grid.optional(&[0xffff, 0xffff, 1])?.and_then(|name| name.text());
     let title = body.optional(&[0xffff, 4])?.and_then(|title| title.text());
     let name = name.filter(|name| !name.is_empty()).or_else(|| title.clone());

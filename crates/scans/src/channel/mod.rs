@@ -1,5 +1,9 @@
 //! A channel of a file as its header describes it.
 
+mod names;
+
+pub(crate) use names::{is_named_after_height, is_named_after_signal};
+
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::measure::Measure;
@@ -175,21 +179,20 @@ impl<'b> Channel<'b> {
     }
 }
 
-impl<'b> From<Result<Raster<'b>, ScanReadError>> for Samples<'b> {
-    fn from(raster: Result<Raster<'b>, ScanReadError>) -> Self {
-        raster.map_or_else(|error| Self::Unreadable(Box::new(error)), Self::Raster)
+impl Lateral {
+    /// The spacings of a line or of a map of so many rows, where all that it needs are known.
+    pub(crate) fn spacings(x_m: Option<f64>, y_m: Option<f64>, rows: usize) -> Self {
+        match (x_m, y_m) {
+            (Some(x_m), _) if rows == 1 => Self::Spacing { x_m, y_m: None },
+            (Some(x_m), Some(y_m)) => Self::Spacing { x_m, y_m: Some(y_m) },
+            _ => Self::Unknown,
+        }
     }
 }
 
-impl Quantity {
-    /// What numbers of a unit are, as the file writes it and as a length, where it is one: heights unless their name is that of
-    /// another signal.
-    pub(crate) fn named(name: &str, unit: &str, length: Option<LengthUnit>) -> Self {
-        match length {
-            Some(length) if is_named_after_signal(name) => Self::OtherLength(length),
-            Some(length) => Self::Heights(Some(length)),
-            None => Self::Other(unit.to_owned()),
-        }
+impl<'b> From<Result<Raster<'b>, ScanReadError>> for Samples<'b> {
+    fn from(raster: Result<Raster<'b>, ScanReadError>) -> Self {
+        raster.map_or_else(|error| Self::Unreadable(Box::new(error)), Self::Raster)
     }
 }
 
@@ -226,21 +229,4 @@ pub(crate) fn shortened(text: String, most_bytes: usize) -> String {
     }
     let end = text.floor_char_boundary(most_bytes);
     text[..end].to_owned()
-}
-
-/// Whether a name is that of heights, by the words that makers of instruments have for them.
-pub(crate) fn is_named_after_height(name: &str) -> bool {
-    let name = name.to_lowercase().replace([' ', '_', '-'], "");
-    const WORDS: [&str; 8] =
-        ["height", "topograph", "zsens", "zaxis", "ztrace", "zretrace", "elevation", "relief"];
-    WORDS.iter().any(|word| name.contains(word)) || name == "z"
-}
-
-/// Whether a name is that of a signal that may be given as a length but is no height of the surface.
-pub(crate) fn is_named_after_signal(name: &str) -> bool {
-    let is_height = is_named_after_height(name);
-    let name = name.to_lowercase().replace([' ', '_', '-'], "");
-    const WORDS: [&str; 8] =
-        ["amplitude", "deflection", "error", "vibration", "xaxis", "xsens", "yaxis", "ysens"];
-    !is_height && WORDS.iter().any(|word| name.contains(word))
 }
