@@ -16,7 +16,6 @@ pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{Deformation, GrowthArg, PerssonArgs};
 pub(crate) use scans::{ScanArgs, ScansArgs};
 
-use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, Parser, Subcommand};
@@ -24,8 +23,7 @@ use clap_complete::Shell;
 use stat_contact::InterferenceLaw;
 
 use crate::output::Place;
-use crate::picture::Picture;
-use parsers::{model_of, one_of, parse_count, parse_labelled_pressure, parse_place, parse_tolerance};
+use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_tolerance};
 use rows::GivenColumn;
 use study::models::{Framework, ModelEntry};
 use study::plan::Tolerance;
