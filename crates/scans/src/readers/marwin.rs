@@ -3,9 +3,9 @@
 //! A ZIP file with profiles: a header, a table of texts `>key=value`, then the positions and heights of all points in mm,
 //! little-endian, as the reader of SurfaceTopography takes them.
 
-use super::even_axis::even_spacing;
+use super::measured_line::MeasuredLine;
 use crate::archive::{Archive, is_named_in, is_zip};
-use crate::channel::{Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Quantity};
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -28,8 +28,6 @@ const MOST_TEXTS: u32 = 100_000;
 /// The points stand so many bytes behind the beginning of the second of these marks.
 const MARKS: [&[u8]; 2] = [b"[sellsg]", b"[Trajec]"];
 const MARK_TO_POINTS: usize = 49;
-/// Positions this share of a spacing off are even.
-const EVEN: f64 = 1e-3;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
@@ -109,35 +107,17 @@ impl Profile {
         })
     }
 
-    fn channel<'b>(mut self, name: &str) -> Channel<'b> {
-        let mut notes = Vec::new();
-        if self.positions_m.len() > 1 && self.positions_m.is_sorted_by(|a, b| a > b) {
-            notes.push("positions fall from point to point: the profile is read from its end".to_owned());
-            self.positions_m.reverse();
-            self.heights_m.reverse();
-        }
-        let columns = self.heights_m.len();
-        let decoded: Decoded = self.heights_m.into_iter().collect();
-        let lateral = match spacing_m(&self.positions_m) {
-            Some(x_m) => Lateral::Spacing { x_m, y_m: None },
-            None => Lateral::Positions(self.positions_m),
-        };
+    fn channel<'b>(self, name: &str) -> Channel<'b> {
+        let MeasuredLine { lateral, samples, notes } = MeasuredLine::of(self.positions_m, self.heights_m);
         let quantity = Quantity::Heights(Some(LengthUnit::METRE));
         Channel {
             probe: Some(Probe::Tip),
             tip_radius_m: self.tip_radius_m,
             free_text: self.comment,
             notes,
-            ..Channel::new(Some(name.to_owned()), quantity, lateral, Samples::Decoded { columns, decoded })
+            ..Channel::new(Some(name.to_owned()), quantity, lateral, samples)
         }
     }
-}
-
-/// The spacing of positions that rise evenly.
-fn spacing_m(positions_m: &[f64]) -> Option<f64> {
-    let length_m = positions_m.last()? - positions_m.first()?;
-    let rounding_m = EVEN * length_m / positions_m.len() as f64;
-    even_spacing(positions_m, rounding_m).and_then(numbers::positive)
 }
 
 /// The points follow two marks, which stand at distances that differ between versions.

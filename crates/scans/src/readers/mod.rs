@@ -15,6 +15,7 @@ mod jpk;
 mod keyence;
 #[cfg(feature = "archives")]
 mod marwin;
+mod measured_line;
 mod metropro;
 mod molecular_imaging;
 #[cfg(feature = "mountains")]

@@ -82,7 +82,7 @@ fn whole() -> Vec<u8> {
         component("/0/integers", b'I', [1, 0, 0, 0, 1, 2, 3, 4]),
         component("/0/longs", b'Q', [0; 4]),
     ];
-    [b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()
+    file(&parts)
 }
 
 /// The container of version 1, whose types come first and are numbers.
@@ -100,7 +100,54 @@ fn masked(values: &[f64], mask: &[f64]) -> Vec<u8> {
         component("/0/data", b'o', field("m", "m", values)),
         component("/0/mask", b'o', field("m", "", mask)),
     ];
-    [b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()
+    file(&parts)
+}
+
+/// A curve of a graph; components without values are left out, as Gwyddion does.
+fn curve(description: &str, x: &[f64], y: &[f64]) -> Vec<u8> {
+    let arrays = [("xdata", x), ("ydata", y)].into_iter().filter(|(_, values)| !values.is_empty());
+    let mut parts: Vec<_> = arrays.map(|(name, values)| reals(name, values)).collect();
+    parts.extend([text("description", description), integer("type", 2)]);
+    object("GwyGraphCurveModel", &parts)
+}
+
+/// A graph under its key.
+fn graph(number: u32, units: [&str; 2], title: &str, curves: &[Vec<u8>]) -> Vec<u8> {
+    let count = (curves.len() as u32).to_le_bytes();
+    let parts = [
+        component("x_is_logarithmic", b'b', [0]),
+        unit("x_unit", units[0]),
+        unit("y_unit", units[1]),
+        text("title", title),
+        text("bottom_label", "x"),
+        component("curves", b'O', [&count[..], &curves.concat()].concat()),
+    ];
+    component(&format!("/0/graph/graph/{number}"), b'o', object("GwyGraphModel", &parts))
+}
+
+/// The graph of a file that comes first stands behind that of a lower number, and both behind the image.
+fn graphs() -> Vec<u8> {
+    let parts = [
+        graph(
+            12,
+            ["um", "nm"],
+            "Stylus",
+            &[
+                curve("", &[0.0, 1.0, 4.0], &[1.0, 2.0, 3.0]),
+                curve("Falling", &[0.9, 0.6, 0.3, 0.0], &[1.0, f64::NAN, 3.0, 4.0]),
+                curve("Deflection", &[0.0, 1.0, 2.0], &[1.0, 2.0, 3.0]),
+            ],
+        ),
+        graph(3, ["m", "m"], "Profiles", &[curve("Profile µ", &[1.0, 1.5, 2.0, 2.5], &[4.0, 3.0, 2.0, 1.0])]),
+        graph(4, ["m", "m^-1"], "Height distribution", &[curve("", &[0.0, 1.0], &[1.0, 2.0])]),
+        graph(5, ["s", "m"], "Drift", &[curve("", &[0.0, 1.0], &[1.0, 2.0])]),
+        component("/0/data", b'o', field("m", "m", &VALUES)),
+    ];
+    file(&parts)
+}
+
+fn file(parts: &[Vec<u8>]) -> Vec<u8> {
+    [b"GWYP".to_vec(), object("GwyContainer", parts)].concat()
 }
 
 pub fn samples() -> Vec<Sample> {
@@ -108,6 +155,7 @@ pub fn samples() -> Vec<Sample> {
         Sample { name: "four images", bytes: whole() },
         Sample { name: "version 1", bytes: old() },
         Sample { name: "masked", bytes: masked(&VALUES, &[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]) },
+        Sample { name: "graphs", bytes: graphs() },
     ]
 }
 
@@ -134,7 +182,7 @@ fn images_are_read_with_their_units_titles_and_comments() {
 #[test]
 fn an_image_without_units_takes_those_that_are_given() {
     let parts = [component("/0/data", b'o', field("", "", &VALUES))];
-    let found = &heights_if_told(&[b"GWYP".to_vec(), object("GwyContainer", &parts)].concat()).unwrap()[0];
+    let found = &heights_if_told(&file(&parts)).unwrap()[0];
     let expected = VALUES.map(|value| Some(value * 1e-9));
     assert_holds(&found.scan, (1e-6, Some(2.0 / 3.0 * 1e-6)), &expected, 1e-24);
 }
@@ -176,7 +224,7 @@ fn a_mask_over_interpolated_points_makes_gaps() {
     let gaps = |values: &[f64]| {
         let image = component("/0/data", b'o', field_of([7, 7], "m", "m", values));
         let mask = component("/0/mask", b'o', field_of([7, 7], "m", "", &mask));
-        heights(&[b"GWYP".to_vec(), object("GwyContainer", &[image, mask])].concat())[0].scan.gaps().count()
+        heights(&file(&[image, mask]))[0].scan.gaps().count()
     };
     assert_eq!((gaps(&values), gaps(&measured)), (9, 0));
 }
@@ -203,11 +251,78 @@ fn values_that_are_not_finite_are_gaps() {
 }
 
 #[test]
+fn curves_over_a_length_are_lines_behind_the_images() {
+    let all: Vec<_> = channels(&graphs(), true).into_iter().map(Result::unwrap).collect();
+    let names: Vec<_> = all.iter().map(|channel| channel.channel.as_deref()).collect();
+    assert_eq!(names, [None, Some("Profile µ"), Some("Stylus"), Some("Falling"), Some("Deflection")]);
+    assert_holds(&all[1].scan, (2.0, None), &[Some(4.0), Some(3.0), Some(2.0), Some(1.0)], 0.0);
+    assert_holds(&all[2].scan, (4e-6, None), &[Some(1e-9), Some(2e-9), Some(3e-9)], 1e-24);
+    let found: Vec<_> = all[2].scan.positions_m().unwrap().to_vec();
+    assert!(found.iter().zip([0.0, 1e-6, 4e-6]).all(|(found, expected)| (found - expected).abs() < 1e-20));
+    assert_holds(&all[3].scan, (1.2e-6, None), &[Some(4e-9), Some(3e-9), None, Some(1e-9)], 1e-24);
+    assert_eq!(all[3].notes, ["positions fall from point to point: the profile is read from its end"]);
+    assert_eq!(all[4].measure, Measure::Length);
+}
+
+#[test]
+fn a_damaged_curve_stands_in_the_way_of_no_other() {
+    let line = |description, x: &[f64], y: &[f64]| curve(description, x, y);
+    let curves = [
+        line("short", &[0.0, 1.0], &[1.0]),
+        line("empty", &[], &[]),
+        line("no place", &[0.0, f64::NAN], &[1.0, 2.0]),
+        line("to and fro", &[0.0, 2.0, 1.0], &[1.0, 2.0, 3.0]),
+        object("GwyGraphCurveModel", &[component("name", b'?', [])]),
+        line("whole", &[0.0, 1.0], &[1.0, 2.0]),
+    ];
+    let broken = object("GwyGraphModel", &[component("name", b'?', [])]);
+    let found = channels(
+        &file(&[graph(1, ["m", "m"], "", &curves), component("/0/graph/graph/2", b'o', broken)]),
+        false,
+    );
+    let messages: Vec<_> = found
+        .iter()
+        .map(|found| found.as_ref().map_or_else(ToString::to_string, |_| String::new()))
+        .collect();
+    let expected = [
+        "/0/graph/graph/1, curve 1: 'ydata' is an array of 1 values, it must be an array of 2 values, as 'xdata' is; the \
+         file is damaged: save it again from Gwyddion",
+        "/0/graph/graph/1, curve 2: there is no component 'xdata'",
+        "/0/graph/graph/1, curve 3: 'xdata' is no number at point 2, it must be an array of finite numbers",
+        "position",
+        "the type of a component is '?'",
+        "",
+        "the type of a component is '?'",
+    ];
+    assert_eq!(messages.len(), expected.len());
+    for (message, expected) in messages.iter().zip(expected) {
+        assert!(message.contains(expected) && message.is_empty() == expected.is_empty(), "{message}");
+    }
+    assert_eq!(
+        heights(&file(&[graph(1, ["m", "m"], "Title", &curves[5..])]))[0].channel.as_deref(),
+        Some("whole")
+    );
+}
+
+#[test]
+fn more_curves_than_any_file_has_are_refused() {
+    let curves = vec![curve("", &[0.0], &[0.0]); 1025];
+    let found = scans::read_scans(
+        &file(&[graph(1, ["m", "m"], "", &curves)]),
+        "scan",
+        &scans::ScanOptions::default(),
+    );
+    assert!(found.unwrap_err().to_string().contains("the number of channels is at least 1025"));
+    // Curves of no heights are none of them.
+    let parts = [graph(1, ["m", "N"], "", &curves), component("/0/data", b'o', field("m", "m", &VALUES))];
+    assert_eq!(heights(&file(&parts)).len(), 1);
+}
+
+#[test]
 fn what_is_damaged_is_refused_with_its_place() {
     let message = |bytes: &[u8]| {
         scans::read_scans(bytes, "scan", &scans::ScanOptions::default()).unwrap_err().to_string()
     };
-    let file = |parts: &[Vec<u8>]| [b"GWYP".to_vec(), object("GwyContainer", parts)].concat();
     let short = component("/0/data", b'o', field("m", "m", &VALUES[1..]));
     assert_eq!(
         message(&file(&[short])),

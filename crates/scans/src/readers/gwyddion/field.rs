@@ -1,9 +1,10 @@
 //! An image of Gwyddion, `GwyDataField`: a grid, its size, the units, the values.
 
-use super::object::{FORMAT, Object, Value};
+use super::damage::{bad, missing};
+use super::object::{Object, Value};
 use crate::channel::Lateral;
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError};
+use crate::error::ScanReadError;
 use crate::raster::{NumberType, Raster};
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
@@ -35,8 +36,8 @@ impl<'b> Field<'b> {
                 (b"yres", Value::Integer(count)) => rows = Some(count),
                 (b"xreal", Value::Real(length)) => size[0] = length,
                 (b"yreal", Value::Real(length)) => size[1] = length,
-                (b"si_unit_xy", Value::Object(unit)) => lateral_unit = unit_of(unit)?,
-                (b"si_unit_z", Value::Object(unit)) => value_unit = unit_of(unit)?,
+                (b"si_unit_xy", Value::Object(unit)) => lateral_unit = unit.unit_text()?,
+                (b"si_unit_z", Value::Object(unit)) => value_unit = unit.unit_text()?,
                 (b"data", Value::Reals { offset, count }) => values = Some((offset, count)),
                 _ => {}
             }
@@ -69,39 +70,10 @@ impl<'b> Field<'b> {
     }
 }
 
-/// The text of a `GwySIUnit`; Gwyddion writes units without prefixes, other programs also with.
-fn unit_of(unit: Object) -> Result<String, ScanReadError> {
-    let mut text = String::new();
-    for component in unit.components() {
-        if let (b"unitstr", Value::Text(found)) = component.map(|found| (found.name, found.value))? {
-            text = String::from_utf8_lossy(found).trim().to_owned();
-        }
-    }
-    Ok(text)
-}
-
 fn points(key: &str, name: &str, found: Option<i64>) -> Result<usize, ScanReadError> {
     let found = found.ok_or_else(|| missing(key, name))?;
     let count = usize::try_from(found).ok().filter(|&count| count > 0);
     count.ok_or_else(|| {
         bad(key, &format!("'{name}'"), &found.to_string(), "a whole number above 0".to_owned())
     })
-}
-
-const MEND: &str = "the file is damaged: save it again from Gwyddion";
-
-fn missing(key: &str, name: &str) -> ScanReadError {
-    let place = Place::Element(key.to_owned());
-    ScanReadError::MissingField { format: FORMAT, place, field: format!("component '{name}'"), mend: MEND }
-}
-
-fn bad(key: &str, field: &str, value: &str, bound: String) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: Place::Element(key.to_owned()),
-        field: field.to_owned(),
-        value: value.to_owned(),
-        bound,
-        mend: MEND,
-    }
 }

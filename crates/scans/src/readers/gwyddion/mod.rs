@@ -1,8 +1,11 @@
 //! Files of Gwyddion, as its user guide describes them: a container of objects under keys such as `/0/data`.
 //!
-//! Images are read, with their titles and masks; graphs, volume data, spectra and clouds of points are not.
+//! Images are read, with their titles and masks, and the curves of graphs whose axes are both lengths: into these
+//! Gwyddion puts the profiles of other formats. Volume data, spectra and clouds of points are not.
 
+mod damage;
 mod field;
+mod graph;
 mod mask;
 mod object;
 
@@ -18,7 +21,7 @@ use crate::raster::GapMark;
 use crate::readers::Reader;
 use field::Field;
 use mask::Mask;
-use object::{FORMAT, Object, Value};
+use object::{FORMAT, Object, Value, utf8};
 use units::LengthUnit;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
@@ -33,6 +36,9 @@ fn recognises(bytes: &[u8]) -> bool {
         .any(|mark| bytes.strip_prefix(*mark).is_some_and(|rest| rest.starts_with(b"GwyContainer\0")))
 }
 
+/// Where graphs stand, whatever they were made from.
+const GRAPHS: &str = "/0/graph/graph/";
+
 /// What a file holds under one number.
 #[derive(Default)]
 struct Entry<'b> {
@@ -42,11 +48,16 @@ struct Entry<'b> {
     meta: Option<Object<'b>>,
 }
 
-/// The images in the order of their numbers.
+/// The images in the order of their numbers, then the lines.
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let mut entries: BTreeMap<u32, Entry> = BTreeMap::new();
+    let mut graphs: BTreeMap<u32, Object> = BTreeMap::new();
     for component in Object::of_file(bytes)?.components() {
         let component = component?;
+        if let (Some(number), Value::Object(object)) = (number_of_graph(component.name), &component.value) {
+            graphs.insert(number, *object);
+            continue;
+        }
         let Some((number, key)) = numbered(component.name) else { continue };
         refuse_many(FORMAT, entries.len())?;
         let entry = entries.entry(number).or_default();
@@ -54,22 +65,25 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
             (b"data", Value::Object(object)) => entry.data = Some(object),
             (b"mask", Value::Object(object)) => entry.mask = Some(object),
             (b"data/title", Value::Text(text)) => {
-                entry.title = Some(String::from_utf8_lossy(text).trim().to_owned())
+                entry.title = Some(utf8(text));
             }
             (b"meta", Value::Object(object)) => entry.meta = Some(object),
             _ => {}
         }
     }
-    let channels: Vec<_> = entries
+    let mut channels: Vec<_> = entries
         .into_iter()
         .filter_map(|(number, entry)| entry.data.map(|data| channel(number, data, &entry, bytes)))
         .collect();
+    for (number, graph) in graphs {
+        graph::add_lines(&mut channels, graph, &format!("{GRAPHS}{number}"), bytes)?;
+    }
     if channels.is_empty() {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
             place: Place::File,
-            found: "a file without any image, such as one of graphs or volume data".to_owned(),
-            mend: "save an image of heights",
+            found: "a file without any image or profile, such as one of volume data".to_owned(),
+            mend: "save an image of heights, or a graph of heights over a length",
         });
     }
     Ok(channels)
@@ -79,10 +93,18 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 fn numbered(key: &[u8]) -> Option<(u32, &[u8])> {
     let key = key.strip_prefix(b"/")?;
     let slash = key.iter().position(|&byte| byte == b'/')?;
-    let number = key.get(..slash)?;
-    let number =
-        if number.iter().all(u8::is_ascii_digit) { std::str::from_utf8(number).ok()? } else { return None };
-    Some((number.parse().ok()?, key.get(slash + 1..)?))
+    Some((number(key.get(..slash)?)?, key.get(slash + 1..)?))
+}
+
+/// The number of the graph under a key: `/0/graph/graph/1`.
+fn number_of_graph(key: &[u8]) -> Option<u32> {
+    number(key.strip_prefix(GRAPHS.as_bytes())?)
+}
+
+fn number(digits: &[u8]) -> Option<u32> {
+    let digits =
+        std::str::from_utf8(digits).ok().filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
+    digits?.parse().ok()
 }
 
 fn channel<'b>(number: u32, data: Object<'b>, entry: &Entry<'b>, bytes: &'b [u8]) -> Channel<'b> {

@@ -1,5 +1,6 @@
 //! Objects as Gwyddion writes them: a name, a size in bytes, and components of a name, a type and a value.
 
+use super::damage::MEND;
 use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -30,6 +31,7 @@ pub(super) enum Value<'b> {
     Real(f64),
     Text(&'b [u8]),
     Object(Object<'b>),
+    Objects(Objects<'b>),
     /// So many numbers of eight bytes from this byte of the file on.
     Reals {
         offset: usize,
@@ -37,6 +39,22 @@ pub(super) enum Value<'b> {
     },
     /// What no reader of heights asks for; it is passed over.
     Other,
+}
+
+/// The objects of an array, one by one.
+pub(super) struct Objects<'b> {
+    owner: Object<'b>,
+    cursor: Cursor<'b>,
+    left: u32,
+}
+
+impl<'b> Iterator for Objects<'b> {
+    type Item = Result<Object<'b>, ScanReadError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.left = self.left.checked_sub(1)?;
+        Some(self.owner.inner(&mut self.cursor))
+    }
 }
 
 /// A component.
@@ -76,6 +94,17 @@ impl<'b> Object<'b> {
             is_whole = component.is_ok();
             Some(component)
         })
+    }
+
+    /// The text of a `GwySIUnit`; Gwyddion writes units without prefixes, other programs also with.
+    pub(super) fn unit_text(self) -> Result<String, ScanReadError> {
+        let mut text = String::new();
+        for component in self.components() {
+            if let (b"unitstr", Value::Text(found)) = component.map(|found| (found.name, found.value))? {
+                text = utf8(found);
+            }
+        }
+        Ok(text)
     }
 
     fn component(&self, cursor: &mut Cursor<'b>) -> Result<Component<'b>, ScanReadError> {
@@ -118,10 +147,12 @@ impl<'b> Object<'b> {
                 Value::Other
             }
             b'O' => {
-                for _ in 0..cursor.u32(what)? {
+                let left = cursor.u32(what)?;
+                let objects = Objects { owner: *self, cursor: *cursor, left };
+                for _ in 0..left {
                     self.inner(cursor)?;
                 }
-                Value::Other
+                Value::Objects(objects)
             }
             _ => return Err(unknown_type(cursor.offset() - 1, &format!("'{}'", kind.escape_ascii()))),
         })
@@ -132,6 +163,11 @@ impl<'b> Object<'b> {
         let start = self.components.at(0);
         Self::read(cursor, start.rest())
     }
+}
+
+/// A text without blanks around it; bytes that are no UTF-8 are replaced.
+pub(super) fn utf8(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).trim().to_owned()
 }
 
 /// Where the elements of an array are, and how many; all of them are there.
@@ -167,6 +203,6 @@ fn unknown_type(offset: usize, found: &str) -> ScanReadError {
         field: "the type of a component".to_owned(),
         value: found.to_owned(),
         bound: "one of the letters b, c, i, q, d, s, o, C, I, Q, D, S, O".to_owned(),
-        mend: "the file is damaged: save it again from Gwyddion",
+        mend: MEND,
     }
 }
