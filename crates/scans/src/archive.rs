@@ -2,6 +2,7 @@
 
 use std::io::{Cursor, Read};
 
+use memchr::memmem;
 use zip::ZipArchive;
 
 use crate::error::ScanReadError;
@@ -24,7 +25,7 @@ impl<'b> Archive<'b> {
     /// Looks at the directory of an archive; nothing is unpacked yet.
     pub(crate) fn open(bytes: &'b [u8], bound: u64) -> Result<Self, ScanReadError> {
         // The library takes several hundred bytes for an entry of some fifty: entries are counted before.
-        if bytes.windows(ENTRY.len()).filter(|part| *part == ENTRY).count() > MOST_ENTRIES {
+        if memmem::find_iter(bytes, ENTRY).count() > MOST_ENTRIES {
             let what = "the archive".to_owned();
             return Err(ScanReadError::ArchiveTooLarge { what, bound: MOST_ENTRIES as u64, unit: "files" });
         }
@@ -77,7 +78,7 @@ pub(crate) fn is_zip(bytes: &[u8]) -> bool {
 
 /// Whether a name stands anywhere in a file; in a ZIP file names stand as they are.
 pub(crate) fn is_named_in(bytes: &[u8], name: &str) -> bool {
-    bytes.windows(name.len()).any(|part| part == name.as_bytes())
+    memmem::find(bytes, name.as_bytes()).is_some()
 }
 
 fn failure(what: &str, error: &zip::result::ZipError) -> ScanReadError {

@@ -94,21 +94,24 @@ impl Raster<'_> {
                 }
             }
         };
+        // Without an early end these are many points at a time as well.
         match &self.gap {
             GapMark::None => {}
-            GapMark::Equal(value) if numbers.clone().any(|number| number == *value) => {
+            GapMark::Equal(value) if numbers.clone().fold(false, |any, number| any | (number == *value)) => {
                 mark(&|_, number| number == *value);
             }
-            GapMark::AtLeast(least) if numbers.clone().any(|number| number >= *least) => {
+            GapMark::AtLeast(least)
+                if numbers.clone().fold(false, |any, number| any | (number >= *least)) =>
+            {
                 mark(&|_, number| number >= *least);
             }
-            GapMark::AtMost(most) if numbers.clone().any(|number| number <= *most) => {
+            GapMark::AtMost(most) if numbers.clone().fold(false, |any, number| any | (number <= *most)) => {
                 mark(&|_, number| number <= *most);
             }
             GapMark::Equal(_) | GapMark::AtLeast(_) | GapMark::AtMost(_) => {}
             GapMark::Flagged(flags) => mark(&|at, _| flags[first + at * step] != 0),
         }
-        if !decoded.values[start..].iter().all(|value| value.is_finite()) {
+        if !decoded.values[start..].iter().fold(true, |all, value| all & value.is_finite()) {
             for index in start..decoded.values.len() {
                 if !decoded.values[index].is_finite() {
                     decoded.gaps.insert(index);

@@ -1,6 +1,8 @@
 //! Keyence laser scanning microscopes, `.vk4` and its predecessor `.vk3`, and `.vk6` and `.vk7`, which pack a `.vk4`; as
 //! a report of Sandia National Laboratories on the format describes it. Little-endian, lengths in pm.
 
+use memchr::memmem;
+
 use crate::channel::{Channel, Lateral, Quantity};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::{Place, ScanReadError};
@@ -39,7 +41,7 @@ fn recognises(bytes: &[u8]) -> bool {
 /// Three letters may begin a text: what is packed has a name.
 fn is_packed(bytes: &[u8]) -> bool {
     const NAME: &[u8] = b"Vk4File";
-    PACKED.iter().any(|magic| bytes.starts_with(magic)) && bytes.windows(NAME.len()).any(|part| part == NAME)
+    PACKED.iter().any(|magic| bytes.starts_with(magic)) && memmem::find(bytes, NAME).is_some()
 }
 
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {

@@ -11,6 +11,8 @@ use std::io::Read;
 
 use entry::Entry;
 
+use memchr::memmem;
+
 use crate::channel::{Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
@@ -38,7 +40,7 @@ pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels 
 /// Names of streams are stored in UTF-16.
 fn recognises(bytes: &[u8]) -> bool {
     let name: Vec<u8> = STREAM.encode_utf16().flat_map(u16::to_le_bytes).collect();
-    bytes.starts_with(COMPOUND_FILE) && bytes.windows(name.len()).any(|part| part == name)
+    bytes.starts_with(COMPOUND_FILE) && memmem::find(bytes, &name).is_some()
 }
 
 /// A channel for every surface that was measured.

@@ -124,9 +124,7 @@ impl<'b> Classic<'b> {
         };
         for record in 0..records {
             let block = block(record).ok_or_else(|| self.truncated(variable, records))?;
-            values.extend(
-                block.chunks_exact(variable.kind.size()).map(|raw| scaled(variable.kind.number(raw))),
-            );
+            variable.kind.read_into(block, &mut values, scaled);
         }
         Ok(values)
     }
@@ -222,7 +220,7 @@ impl Attribute<'_> {
     /// The first number.
     pub(crate) fn number(&self) -> Option<f64> {
         let raw = self.raw.get(..self.kind.size()).filter(|_| self.kind != Kind::Char)?;
-        Some(self.kind.number(raw))
+        self.kind.number(raw)
     }
 
     pub(crate) fn bad(&self, name: &str, bound: &str) -> ScanReadError {

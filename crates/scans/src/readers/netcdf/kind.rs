@@ -61,17 +61,31 @@ impl Kind {
         }
     }
 
-    /// The number in as many bytes as the type takes.
-    pub(super) fn number(self, raw: &[u8]) -> f64 {
-        let bits = raw.iter().fold(0u64, |bits, &byte| bits << 8 | u64::from(byte));
-        match self {
-            Self::I8 => f64::from(bits as i8),
-            Self::I16 => f64::from(bits as i16),
-            Self::I32 => f64::from(bits as i32),
-            Self::I64 => bits as i64 as f64,
-            Self::F32 => f64::from(f32::from_bits(bits as u32)),
-            Self::F64 => f64::from_bits(bits),
-            Self::Char | Self::U8 | Self::U16 | Self::U32 | Self::U64 => bits as f64,
+    /// Adds the numbers in these bytes, each as `of` has it.
+    pub(super) fn read_into(self, bytes: &[u8], values: &mut Vec<f64>, of: impl Fn(f64) -> f64) {
+        macro_rules! read {
+            ($type:ty) => {
+                values.extend(bytes.as_chunks().0.iter().map(|raw| of(<$type>::from_be_bytes(*raw) as f64)))
+            };
         }
+        match self {
+            Self::I8 => read!(i8),
+            Self::I16 => read!(i16),
+            Self::I32 => read!(i32),
+            Self::I64 => read!(i64),
+            Self::F32 => read!(f32),
+            Self::F64 => read!(f64),
+            Self::Char | Self::U8 => read!(u8),
+            Self::U16 => read!(u16),
+            Self::U32 => read!(u32),
+            Self::U64 => read!(u64),
+        }
+    }
+
+    /// The number in as many bytes as the type takes; nothing in fewer.
+    pub(super) fn number(self, raw: &[u8]) -> Option<f64> {
+        let mut values = Vec::with_capacity(1);
+        self.read_into(raw, &mut values, |value| value);
+        values.first().copied()
     }
 }

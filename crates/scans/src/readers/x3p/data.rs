@@ -4,7 +4,7 @@ use super::FORMAT;
 use super::description::{Description, Points};
 use crate::archive::Archive;
 use crate::error::{Place, ScanReadError};
-use crate::raster::Decoded;
+use crate::raster::{Decoded, NumberType, Raster};
 
 /// The type of a number, little-endian.
 #[derive(Clone, Copy)]
@@ -63,6 +63,11 @@ impl Description {
         }
         let is_valid =
             |index: usize| bits.as_ref().is_none_or(|bits| bits[index / 8] >> (index % 8) & 1 == 1);
+        if let ([None, None, Some(z)], None) = (fields, &bits) {
+            let raster = Raster::new(z.kind.number_type(), self.columns, self.rows, bytes, 0);
+            let raster = Raster { scale: z.increment, zero: z.offset, ..raster };
+            return Ok(Data { z_m: raster.decode(FORMAT)?, ..Data::default() });
+        }
         let mut data = Data::default();
         for (index, point) in bytes.chunks_exact(size).enumerate() {
             let mut rest = point;
@@ -131,6 +136,15 @@ impl Coordinate {
 }
 
 impl Kind {
+    fn number_type(self) -> NumberType {
+        match self {
+            Self::I16 => NumberType::I16,
+            Self::I32 => NumberType::I32,
+            Self::F32 => NumberType::F32,
+            Self::F64 => NumberType::F64,
+        }
+    }
+
     fn number(self, raw: &[u8]) -> f64 {
         match (self, raw) {
             (Self::I16, &[a, b]) => f64::from(i16::from_le_bytes([a, b])),
