@@ -28,9 +28,11 @@ mod options;
 mod raster;
 mod read;
 mod readers;
+mod recognition;
 #[cfg_attr(not(feature = "archives"), allow(dead_code, reason = "fewer formats unpack less"))]
 mod room;
 mod scan_size;
+mod single;
 mod statistics;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]

@@ -6,6 +6,7 @@ use crate::file::ScanFile;
 use crate::measure::Measure;
 use crate::options::ScanOptions;
 use crate::readers::{reader_of, unknown_format};
+use crate::single::{read_unpacked, unpacked};
 
 /// Reads the scan in a file, or those in a container.
 ///
@@ -34,14 +35,6 @@ pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec
         return scans;
     }
     Ok(vec![read_unpacked(bytes, name, options)?])
-}
-
-#[cfg(feature = "archives")]
-use crate::unpacked::unpacked;
-
-#[cfg(not(feature = "archives"))]
-fn unpacked<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<std::borrow::Cow<'b, [u8]>, ScanReadError> {
-    Ok(bytes.into())
 }
 
 /// Visits every channel of a file, one after the other, so that only one of them is held in memory: of heights and, where
@@ -76,19 +69,4 @@ pub fn visit_channels(
         visit(assembled(reader.format, channel, &labels, name, options));
     }
     Ok(())
-}
-
-/// Reads a file with one scan, packed or not: anything but a container.
-#[cfg(feature = "container")]
-pub(crate) fn read_one(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
-    read_unpacked(&unpacked(bytes, options)?, name, options)
-}
-
-fn read_unpacked(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
-    let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
-    let channels = (reader.channels)(bytes, options)?;
-    let heights = channels.iter().filter(|channel| channel.is_heights());
-    let labels: Vec<String> = heights.filter_map(|channel| channel.name.clone()).collect();
-    let channel = chosen(reader.format, channels, options)?;
-    assembled(reader.format, channel, &labels, name, options)
 }

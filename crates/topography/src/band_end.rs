@@ -1,9 +1,10 @@
 //! What ends the band of a scan at its short end.
 
-use scans::{Probe, Scan, ScanFile};
+use scans::{Scan, ScanFile};
 
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark};
+use crate::tip::may_have_a_tip;
 use crate::tip_indication::TipIndication;
 use crate::tip_words::proposed_tip;
 use crate::{BandLimits, ReliableBand, TransformError};
@@ -53,10 +54,4 @@ fn of_tip(
     }
     remarks.extend(words.map(|words| ScanRemark::TipWords { words, is_used: recipe.tip_radius_auto }));
     remarks
-}
-
-/// Whether a tip may have touched the surface: not that of a microscope, nor heights that repeat themselves, which were
-/// computed.
-pub(crate) fn may_have_a_tip<S>(file: &ScanFile<S>) -> bool {
-    file.probe != Some(Probe::Microscope) && !file.is_periodic
 }

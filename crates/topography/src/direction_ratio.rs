@@ -6,8 +6,10 @@ use serde::Serialize;
 
 use crate::bins::{BinMean, log_bins};
 use crate::overlap::{SharedBin, mean_ratio, shared_bins};
-use crate::remark::DIRECTIONS_DIFFER;
 use spectrum::ProfilePsd;
+
+/// From this ratio on, the spectra along x and y are not those of an isotropic surface.
+pub const DIRECTIONS_DIFFER: f64 = 1.5;
 
 /// In fewer shared bins the scatter of the few waves of a map may look like a direction of the surface.
 const TELLING_BINS: usize = 3;

@@ -58,7 +58,7 @@ pub use composite_spectrum::{CompositeSpectrum, InstrumentsDisagree};
 pub use derivatives::{Boundary, real_space_derivatives, real_space_derivatives_across};
 pub use detrend::{Detrend, detrended_m};
 pub use direction::Direction;
-pub use direction_ratio::DirectionRatio;
+pub use direction_ratio::{DIRECTIONS_DIFFER, DirectionRatio};
 pub use error::TransformError;
 pub use fundamental::fundamental_kept;
 pub use gap_treatment::{GapTreatment, MOST_FILLED, without_gaps};
@@ -73,8 +73,7 @@ pub use preparation::Preparation;
 pub use radial::{ArealSpectrum, RadialBin};
 pub use recipe::{Average, DEFAULT_BINS_PER_DECADE, Recipe};
 pub use remark::{
-    BandEnd, DIRECTIONS_DIFFER, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER,
-    ScanRemark, Severity,
+    BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
 };
 pub use rms::RmsDerivatives;
 pub use scan_spectrum::ScanSpectrum;

@@ -5,7 +5,7 @@ use std::num::NonZeroU32;
 use scans::ScanFile;
 use serde::{Deserialize, Serialize};
 
-use crate::band_end::may_have_a_tip;
+use crate::tip::may_have_a_tip;
 use crate::tip_words::proposed_tip;
 use crate::{BandLimits, BinMean, Detrend, Direction, GapTreatment, Preparation, Window};
 

@@ -28,8 +28,6 @@ const LARGE_DERIVATIVE_UNEVEN: f64 = 0.5;
 /// Share of the variance, and gap over the median distance, beyond which a trace of uneven points is doubtful.
 const LEAST_SHARE: f64 = 0.9;
 const LARGE_GAP: f64 = 10.0;
-/// From this ratio on, the spectra along x and y are not those of an isotropic surface.
-pub const DIRECTIONS_DIFFER: f64 = 1.5;
 /// From this ratio on, the slopes along and across the lines of a map are not those of an isotropic surface.
 pub const SLOPES_DIFFER: f64 = 1.5;
 /// Instruments that differ by more than this factor where they overlap hardly show the same surface in the same units.

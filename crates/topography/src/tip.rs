@@ -1,7 +1,7 @@
 //! The wavelength below which the finite radius of a tip shows in a scan.
 
 use crate::rows::Lines;
-use scans::{NonuniformLineScan, Scan};
+use scans::{NonuniformLineScan, Probe, Scan, ScanFile};
 
 /// The sharpest peak a tip of radius R can trace has the curvature 1/R; artefacts set in at this fraction of it, found on
 /// simulated scans by Sanner et al. (2022).
@@ -163,4 +163,10 @@ fn sharpest_uneven_m(line: &NonuniformLineScan, step_m: f64) -> f64 {
         Some((right_m - height_m) + (left_m - height_m))
     };
     positions_m.iter().zip(heights_m).filter_map(second_difference_m).fold(f64::INFINITY, f64::min)
+}
+
+/// Whether a tip may have touched the surface: not that of a microscope, nor heights that repeat themselves, which were
+/// computed.
+pub(crate) fn may_have_a_tip<S>(file: &ScanFile<S>) -> bool {
+    file.probe != Some(Probe::Microscope) && !file.is_periodic
 }

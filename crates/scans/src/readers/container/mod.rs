@@ -10,7 +10,7 @@ use crate::file::ScanFile;
 use crate::format::ScanFormat;
 use crate::metadata::{MeasurementMetadata, file_name};
 use crate::options::ScanOptions;
-use crate::read::read_one;
+use crate::single::read_one;
 
 const INDEXES: [&str; 2] = ["index.json", "meta.yml"];
 /// A measurement takes some kilobytes.

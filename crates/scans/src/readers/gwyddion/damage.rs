@@ -1,20 +1,25 @@
 //! What is said of objects that are damaged.
 
-use super::object::FORMAT;
 use crate::error::{Place, ScanReadError};
+use crate::format::ScanFormat;
 
 pub(super) const MEND: &str = "the file is damaged: save it again from Gwyddion";
 
 /// An object under a key of the file lacks a component.
 pub(super) fn missing(key: &str, name: &str) -> ScanReadError {
     let place = Place::Element(key.to_owned());
-    ScanReadError::MissingField { format: FORMAT, place, field: format!("component '{name}'"), mend: MEND }
+    ScanReadError::MissingField {
+        format: ScanFormat::Gwyddion,
+        place,
+        field: format!("component '{name}'"),
+        mend: MEND,
+    }
 }
 
 /// Something under a key of the file is not what it must be.
 pub(super) fn bad(key: &str, field: &str, value: &str, bound: String) -> ScanReadError {
     ScanReadError::BadField {
-        format: FORMAT,
+        format: ScanFormat::Gwyddion,
         place: Place::Element(key.to_owned()),
         field: field.to_owned(),
         value: value.to_owned(),

@@ -1,27 +1,11 @@
 //! The data of points, in a file of the archive or listed in the XML.
 
 use super::FORMAT;
+use super::axis::Coordinate;
 use super::description::{Description, Points};
 use crate::archive::Archive;
 use crate::error::{Place, ScanReadError};
-use crate::raster::{Decoded, NumberType, Raster};
-
-/// The type of a number, little-endian.
-#[derive(Clone, Copy)]
-pub(super) enum Kind {
-    I16,
-    I32,
-    F32,
-    F64,
-}
-
-/// How raw numbers become lengths in m.
-#[derive(Clone, Copy)]
-pub(super) struct Coordinate {
-    pub(super) kind: Kind,
-    pub(super) increment: f64,
-    pub(super) offset: f64,
-}
+use crate::raster::{Decoded, Raster};
 
 /// The data in m, those of an even axis left out.
 #[derive(Default)]
@@ -127,39 +111,4 @@ impl Description {
 fn truncated(what: String, needed: Option<usize>, available: usize) -> ScanReadError {
     let needed = needed.map_or(u64::MAX, |needed| needed as u64);
     ScanReadError::Truncated { format: FORMAT, offset: 0, what, needed, available: available as u64 }
-}
-
-impl Coordinate {
-    fn length_m(self, raw: f64) -> f64 {
-        raw * self.increment + self.offset
-    }
-}
-
-impl Kind {
-    fn number_type(self) -> NumberType {
-        match self {
-            Self::I16 => NumberType::I16,
-            Self::I32 => NumberType::I32,
-            Self::F32 => NumberType::F32,
-            Self::F64 => NumberType::F64,
-        }
-    }
-
-    fn number(self, raw: &[u8]) -> f64 {
-        match (self, raw) {
-            (Self::I16, &[a, b]) => f64::from(i16::from_le_bytes([a, b])),
-            (Self::I32, &[a, b, c, d]) => f64::from(i32::from_le_bytes([a, b, c, d])),
-            (Self::F32, &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
-            (Self::F64, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
-            _ => f64::NAN,
-        }
-    }
-
-    fn size(self) -> usize {
-        match self {
-            Self::I16 => 2,
-            Self::I32 | Self::F32 => 4,
-            Self::F64 => 8,
-        }
-    }
 }

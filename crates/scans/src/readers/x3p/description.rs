@@ -2,7 +2,7 @@
 
 use roxmltree::{Document, ParsingOptions};
 
-use super::data::Coordinate;
+use super::axis::{Axis, Coordinate};
 use super::element::Element;
 use super::{FORMAT, INDEX};
 use crate::error::{Place, ScanReadError};
@@ -30,15 +30,6 @@ pub(super) enum Layout {
     Surface,
     /// Points in any order.
     Cloud,
-}
-
-/// Where the points lie along an axis.
-#[derive(Clone, Copy)]
-pub(super) enum Axis {
-    /// So far from each other, in m.
-    Even(f64),
-    /// Where their data say.
-    Given(Coordinate),
 }
 
 /// Where the data stand.
@@ -161,14 +152,5 @@ fn probe(root: &Element) -> Option<Probe> {
         "Contacting" => Some(Probe::Tip),
         "NonContacting" => Some(Probe::Microscope),
         _ => None,
-    }
-}
-
-impl Axis {
-    pub(super) fn given(self) -> Option<Coordinate> {
-        match self {
-            Self::Even(_) => None,
-            Self::Given(coordinate) => Some(coordinate),
-        }
     }
 }

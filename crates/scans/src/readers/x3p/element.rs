@@ -2,8 +2,7 @@
 
 use roxmltree::Node;
 
-use super::data::{Coordinate, Kind};
-use super::description::Axis;
+use super::axis::{Axis, Coordinate, Kind};
 use super::{FORMAT, INDEX};
 use crate::archive::leads_outside;
 use crate::error::{Place, ScanReadError, quoted};

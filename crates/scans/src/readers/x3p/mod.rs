@@ -1,6 +1,7 @@
 //! X3P, the XML and binary data in a ZIP file of ISO 25178-72 (earlier ISO 5436-2): profiles, surfaces, and points as far as
 //! they lie on a grid, with their data in a file or in the XML itself. Lengths are in m.
 
+mod axis;
 mod data;
 mod description;
 mod element;
@@ -13,8 +14,9 @@ use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
 use crate::readers::even_axis::{Axis as EvenAxis, points_of_grid};
+use axis::Axis;
 use data::Data;
-use description::{Axis, Description, Layout};
+use description::{Description, Layout};
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::X3p;

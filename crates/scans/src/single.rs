@@ -1,0 +1,38 @@
+//! Files with one scan, packed or not.
+
+#[cfg(not(feature = "archives"))]
+use std::borrow::Cow;
+
+use crate::assemble::{assembled, chosen};
+use crate::error::ScanReadError;
+use crate::file::ScanFile;
+use crate::options::ScanOptions;
+use crate::readers::{reader_of, unknown_format};
+#[cfg(feature = "archives")]
+pub(crate) use crate::unpacked::unpacked;
+
+/// The bytes themselves: this build unpacks nothing.
+#[cfg(not(feature = "archives"))]
+pub(crate) fn unpacked<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Cow<'b, [u8]>, ScanReadError> {
+    Ok(bytes.into())
+}
+
+/// Reads a file with one scan, packed or not: anything but a container.
+#[cfg(feature = "container")]
+pub(crate) fn read_one(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<ScanFile, ScanReadError> {
+    read_unpacked(&unpacked(bytes, options)?, name, options)
+}
+
+/// Reads a file with one scan that is not packed as a whole, by the channel that is asked for.
+pub(crate) fn read_unpacked(
+    bytes: &[u8],
+    name: &str,
+    options: &ScanOptions,
+) -> Result<ScanFile, ScanReadError> {
+    let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
+    let channels = (reader.channels)(bytes, options)?;
+    let heights = channels.iter().filter(|channel| channel.is_heights());
+    let labels: Vec<String> = heights.filter_map(|channel| channel.name.clone()).collect();
+    let channel = chosen(reader.format, channels, options)?;
+    assembled(reader.format, channel, &labels, name, options)
+}
