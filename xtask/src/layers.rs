@@ -121,9 +121,24 @@ const LAYERS: &[Layer] = &[
         ],
     ),
     (
+        "truearea-uncertainty",
+        &[
+            "truearea-units",
+            "truearea-numerics",
+            "truearea-parallel",
+            "truearea-tables",
+            "truearea-spectrum",
+            "truearea-topography",
+            "truearea-measurements",
+            "truearea-asperity",
+            "truearea-study",
+        ],
+    ),
+    (
         "truearea-report",
         &[
             "truearea-judge",
+            "truearea-uncertainty",
             "truearea-persson",
             "truearea-elements",
             "truearea-gaussian-surfaces",
