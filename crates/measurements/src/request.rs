@@ -24,6 +24,12 @@ pub struct ScanRequest {
     pub gaps: Option<GapTreatment>,
     /// Along which axis of a map its spectrum is taken; as for all scans, where absent.
     pub direction: Option<Direction>,
+    /// The instrument that made it; guessed from the file where absent.
+    pub instrument: Option<String>,
+    /// One standard uncertainty of the instrument's height scale, as a share above 0 and up to 1.
+    pub z_calibration: Option<f64>,
+    /// One standard uncertainty of the exponent of the instrument's spectrum, at least 0.
+    pub slope_uncertainty: Option<f64>,
 }
 
 /// What is told of the radius of a tip.

@@ -129,5 +129,6 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         gaps: raw.gaps,
         direction: raw.direction,
         shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
+        ..ScanRequest::default()
     })
 }
