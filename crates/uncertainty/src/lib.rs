@@ -2,7 +2,9 @@
 
 mod found;
 mod group;
+pub mod quantiles;
 mod settings;
+pub mod sobol;
 
 pub use found::{
     Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
