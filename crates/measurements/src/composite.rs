@@ -5,6 +5,7 @@ use scans::{HeightMap, Scan, ScanFile};
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
+use crate::agreement;
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::instrument::Instrument;
@@ -86,6 +87,7 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
+        agreement::check(requests)?;
         let of_files = parallel::map(requests, |request| of_file(request, files, recipe, progress));
         let (mut scans, mut sources, mut maps) = (Vec::new(), Vec::new(), Vec::new());
         for (at, of_file) in of_files.into_iter().enumerate() {

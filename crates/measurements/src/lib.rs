@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
+mod agreement;
 mod areal;
+mod calibration;
 mod channels;
 mod composite;
 mod error;
@@ -13,6 +15,7 @@ mod request;
 mod tables;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
+pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
 pub use channels::{Channels, read_channels};
 pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
 pub use error::{ScanProblem, TopographyError};
