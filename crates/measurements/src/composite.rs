@@ -8,7 +8,7 @@ use units::number;
 use crate::agreement;
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
-use crate::instrument::Instrument;
+use crate::instrument::InstrumentOfScan;
 use crate::load::{Loaded, load};
 use crate::request::ScanRequest;
 use topography::Recipe;
@@ -61,7 +61,7 @@ pub struct Source {
     /// Its SHA-256, in hexadecimal digits.
     pub sha256: String,
     /// The instrument that made it.
-    pub instrument: Instrument,
+    pub instrument: InstrumentOfScan,
 }
 
 impl CompositeOfFiles {
@@ -147,7 +147,7 @@ fn of_file(
             TopographyError::of_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
-        let instrument = Instrument::of(request, &scan);
+        let instrument = InstrumentOfScan::of(request, &scan);
         found.maps.extend(MapPatch::of(&scan));
         let spectra = ScanSpectrum::of_directions(scan, request.limits(), &recipe).map_err(blame)?;
         let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };

@@ -6,7 +6,7 @@ use crate::request::ScanRequest;
 
 /// The instrument of a scan, and what is known of its calibration.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Instrument {
+pub struct InstrumentOfScan {
     /// Its name; scans of one name are of one instrument.
     pub name: String,
     /// Whether the name was guessed from the file.
@@ -17,9 +17,9 @@ pub struct Instrument {
     pub slope_uncertainty: Option<f64>,
 }
 
-impl Instrument {
+impl InstrumentOfScan {
     pub(crate) fn of<S>(request: &ScanRequest, file: &ScanFile<S>) -> Self {
-        Instrument {
+        InstrumentOfScan {
             name: request.instrument.clone().unwrap_or_else(|| guessed_name(file)),
             is_guessed: request.instrument.is_none(),
             z_calibration: request.z_calibration,

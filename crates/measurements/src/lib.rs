@@ -20,7 +20,7 @@ pub use channels::{Channels, read_channels};
 pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use files::{Files, NoFiles};
-pub use instrument::Instrument;
+pub use instrument::InstrumentOfScan;
 pub use list::{ListError, requests_of_list};
 pub use load::holds_a_spectrum;
 pub use map::MapOfFile;
