@@ -2,6 +2,7 @@
 
 mod found;
 mod group;
+mod material_draws;
 mod settings;
 
 pub use found::{
@@ -9,4 +10,5 @@ pub use found::{
     OverlapMisfit, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
 };
 pub use group::{Group, Index, Indices};
+pub use material_draws::{DrawnMaterial, MaterialDraws};
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
