@@ -32,5 +32,6 @@ pub use found::{
 };
 pub use group::{Group, Index, Indices};
 pub use instruments::ASSUMED_Z_CALIBRATION;
+pub use material_draws::{DrawnMaterial, MaterialDraws};
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
 pub use spectrum_errors::CORRELATION_DECADES;

@@ -9,6 +9,7 @@ mod figures;
 pub mod file_names;
 mod from_toml;
 mod judge;
+mod known;
 mod loads;
 mod notes;
 mod raw;
@@ -29,6 +30,7 @@ pub use uncertainty::UncertaintyChoices;
 use crate::choices_in_words;
 use crate::figure::Figure;
 use crate::material::Material;
+use crate::material_spreads::MaterialSpreads;
 use crate::plan::{CurveModel, Needs, Plan, Sampling};
 use crate::surface::Surface;
 use measurements::{Files, NoFiles};
@@ -45,6 +47,8 @@ pub struct Scene {
     pub surface: Surface,
     /// The material; absent where no curve needs one.
     pub material: Option<Material>,
+    /// How well the material is known.
+    pub spreads: MaterialSpreads,
     /// Which scales take part.
     pub sampling: Sampling,
     /// What has to be computed for its curves and figures.
@@ -127,7 +131,7 @@ impl Scene {
     pub fn scatters(&self) -> bool {
         let has_several_scans =
             self.surface.made_from.as_ref().is_some_and(|composite| composite.spectrum.scans.len() > 1);
-        has_several_scans || self.surface.psd.standard_errors_m3().is_some()
+        has_several_scans || !self.spreads.is_empty() || self.surface.psd.standard_errors_m3().is_some()
     }
 
     /// What carries the scene out.
