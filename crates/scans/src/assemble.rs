@@ -44,16 +44,22 @@ pub(crate) fn chosen<'b>(
     found.ok_or(ScanReadError::NoChannel { format, wanted, channels: all })
 }
 
+/// The names of the channels with heights, of those that have one.
+pub(crate) fn names_of_heights(channels: &[Channel<'_>]) -> Vec<String> {
+    let heights = channels.iter().filter(|channel| channel.is_heights());
+    heights.filter_map(|channel| channel.name.clone()).collect()
+}
+
 /// A name without the direction of the scan behind it.
 fn without_bracket(name: &str) -> &str {
     name.strip_suffix(')').and_then(|name| name.rsplit_once(" (")).map_or(name, |(name, _)| name)
 }
 
-/// Decodes a channel, completed by what the caller and the metadata say.
+/// Decodes a channel, completed by what the caller and the metadata say; beside it stand the channels with heights.
 pub(crate) fn assembled(
     format: ScanFormat,
     channel: Channel<'_>,
-    labels: &[String],
+    with_heights: &[String],
     name: &str,
     options: &ScanOptions,
 ) -> Result<ScanFile, ScanReadError> {
@@ -89,7 +95,7 @@ pub(crate) fn assembled(
         scan,
         measure,
         channel: channel.name,
-        channels: labels.to_vec(),
+        channels: with_heights.to_vec(),
         fast_axis: channel.fast_axis,
         is_periodic: channel.is_periodic.or(periodic).unwrap_or(false),
         probe: channel.probe.or(metadata.and_then(|metadata| metadata.probe)),

@@ -3,7 +3,7 @@
 #[cfg(not(feature = "archives"))]
 use std::borrow::Cow;
 
-use crate::assemble::{assembled, chosen};
+use crate::assemble::{assembled, chosen, names_of_heights};
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
 use crate::options::ScanOptions;
@@ -31,8 +31,7 @@ pub(crate) fn read_unpacked(
 ) -> Result<ScanFile, ScanReadError> {
     let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
     let channels = (reader.channels)(bytes, options)?;
-    let heights = channels.iter().filter(|channel| channel.is_heights());
-    let labels: Vec<String> = heights.filter_map(|channel| channel.name.clone()).collect();
+    let with_heights = names_of_heights(&channels);
     let channel = chosen(reader.format, channels, options)?;
-    assembled(reader.format, channel, &labels, name, options)
+    assembled(reader.format, channel, &with_heights, name, options)
 }
