@@ -18,13 +18,16 @@ use units::LengthUnit;
 /// How far the size in the metadata may lie from that of the file before a note says so.
 const SIZE_AGREEMENT: f64 = 1e-4;
 
+/// What a channel without a name is called where one is asked for.
+pub(crate) const UNNAMED: &str = "unnamed";
+
 /// The channel asked for, else the one that the metadata chose, else the first of heights.
 pub(crate) fn chosen<'b>(
     format: ScanFormat,
     channels: Vec<Channel<'b>>,
     options: &ScanOptions,
 ) -> Result<Channel<'b>, ScanReadError> {
-    let label = |channel: &Channel| channel.name.clone().unwrap_or_else(|| "unnamed".to_owned());
+    let label = |channel: &Channel| channel.name.clone().unwrap_or_else(|| UNNAMED.to_owned());
     let all: Vec<String> = channels.iter().map(label).collect();
     let (found, wanted) = if let Some(wanted) = &options.channel {
         let exactly = all.iter().position(|name| name == wanted);

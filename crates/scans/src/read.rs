@@ -11,8 +11,8 @@ use crate::single::{read_unpacked, unpacked};
 /// Reads the scan in a file, or those in a container.
 ///
 /// The format is told by the content, of files packed with gzip or alone in a ZIP file by what is packed, see
-/// [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read, else the first of heights. `name` is
-/// the name of the file, for messages. Memory is bounded by a small multiple of the file, or of what it unpacks to.
+/// [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read, else the first of heights; one
+/// that holds no lengths is refused. `name` is the name of the file, for messages. Memory is bounded by a small multiple of the file, or of what it unpacks to.
 ///
 /// ```
 /// use scans::{Scan, ScanOptions, read_scans};

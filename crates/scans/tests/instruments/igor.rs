@@ -174,6 +174,15 @@ fn channels_of_a_scan_have_their_names_and_units() {
 }
 
 #[test]
+fn lengths_that_are_no_heights_are_read_with_a_note_where_they_are_asked_for() {
+    let options = ScanOptions { channel: Some("AmplitudeTrace".to_owned()), ..ScanOptions::default() };
+    let [amplitude] = read_scans(&Wave::scan().bytes(), "scan", &options).unwrap().try_into().unwrap();
+    assert_eq!(amplitude.measure, Measure::Length);
+    let note = "channel 'AmplitudeTrace' holds lengths that are no heights of the surface: they are read as asked for";
+    assert!(amplitude.notes.iter().any(|told| told == note), "{:?}", amplitude.notes);
+}
+
+#[test]
 fn images_in_the_other_order_of_bytes_are_read() {
     let found = &heights(&image().bytes())[0];
     let expected = [3e-10, 60000e-10, 1e-10, 2e-10].map(Some);
