@@ -70,6 +70,19 @@ fn a_file_that_leaves_its_unit_open_names_the_option_that_tells_it() {
 }
 
 #[test]
+fn a_spectrum_is_told_from_heights() {
+    let bench = Bench::new();
+    let spectrum = "wavelength_m,C1D_m3\n1e-6,1e-24\n5e-7,2e-25\n2e-7,3e-26\n1e-7,1e-27\n";
+    bench.write("psd.csv", spectrum);
+    for command in ["scan", "psd"] {
+        let run = bench.run(&[command, "psd.csv"]);
+        assert_eq!(run.status, 2, "{}", run.stdout);
+        let told = "error: psd.csv: this file holds a power spectrum, not heights; give it as a PSD\n";
+        assert_eq!(run.stderr, told);
+    }
+}
+
+#[test]
 fn heights_are_drawn_a_picture_for_each_channel() {
     let bench = Bench::new();
     bench.write("map.txt", map(3)).write("line.txt", "# x (um) h (nm)\n0 1\n0.5 3\n1 2\n1.5 2\n");

@@ -6,7 +6,7 @@ use units::display::length;
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::{Files, file_name};
-use crate::load::options;
+use crate::load::{bytes_of_scans, options};
 use crate::request::ScanRequest;
 
 /// The channels of some files.
@@ -98,7 +98,7 @@ fn channels_of(
     see: &mut dyn FnMut(&ScanFile),
 ) -> Result<Vec<Row>, TopographyError> {
     let blame = |problem| TopographyError::of_file(&request.path, problem);
-    let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
+    let bytes = bytes_of_scans(request, files)?;
     let options = options(request, files)?;
     let mut rows = Vec::new();
     let mut failed = None;
