@@ -8,6 +8,7 @@ mod files;
 mod list;
 mod load;
 mod map;
+mod only_map;
 mod request;
 mod tables;
 
