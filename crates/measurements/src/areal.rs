@@ -1,6 +1,6 @@
 //! The two-dimensional spectrum of a map.
 
-use topography::{MapSpectrum, Recipe, Remark};
+use topography::{Direction, MapSpectrum, Recipe, Remark};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
@@ -22,14 +22,18 @@ pub struct AreaSpectrum {
 /// The spectrum of the one map in a file.
 ///
 /// # Errors
-/// [`TopographyError`] where the file holds no map, or several.
+/// [`TopographyError`] where the file holds no map, or several, where gaps left lines alone, or a direction is asked for.
 pub fn areal_spectrum(
     request: &ScanRequest,
     files: &dyn Files,
     recipe: &Recipe,
 ) -> Result<AreaSpectrum, TopographyError> {
-    let Loaded { scans, sha256 } = load(request, files)?;
     let recipe = &request.recipe(recipe);
+    if recipe.direction != Direction::X {
+        let problem = ScanProblem::AreaHasNoDirection(recipe.direction);
+        return Err(TopographyError::of_file(&request.path, problem));
+    }
+    let Loaded { scans, sha256 } = load(request, files)?;
     let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneMap)?;
     let map = map_in(request, &file, ScanProblem::LineHasNoArea)?;
     let found = MapSpectrum::of(map, &file, request.limits(), recipe)

@@ -19,7 +19,7 @@ pub struct MapOfFile {
     pub is_periodic: bool,
     /// Where it comes from: the file with its SHA-256, and what was subtracted.
     pub provenance: String,
-    /// What reading took for granted.
+    /// What was taken for granted.
     pub remarks: Vec<Remark>,
 }
 
@@ -53,11 +53,11 @@ impl MapOfFile {
             file.format,
             if turned.is_some() { ", turned" } else { "" }
         );
-        let of_map = |note: &String| Remark::Scan {
-            name: file.name.clone(),
-            remark: ScanRemark::Reading(note.clone()),
-        };
-        let remarks = file.notes.iter().map(of_map).collect();
+        let pressed_once = (recipe.direction == Direction::Both).then(|| {
+            "direction both makes two spectra of a map, but no other surface: it is pressed as it was scanned".to_owned()
+        });
+        let of_map = |note| Remark::Scan { name: file.name.clone(), remark: ScanRemark::Reading(note) };
+        let remarks = file.notes.iter().cloned().chain(pressed_once).map(of_map).collect();
         Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
     }
 }

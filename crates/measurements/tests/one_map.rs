@@ -46,3 +46,27 @@ fn lines_that_gaps_left_are_told_from_lines_that_were_scanned() {
     assert!(matches!(areal(line, "").unwrap_err().problem, ScanProblem::LineHasNoArea));
     assert!(matches!(pressed(line, "").unwrap_err().problem, ScanProblem::LineIsNoSurface));
 }
+
+#[test]
+fn a_direction_is_refused_of_an_areal_spectrum_and_told_of_a_map_that_is_pressed() {
+    let map = map_with_gaps();
+    for direction in ["y", "both"] {
+        let refused = areal(&map, &format!(":direction={direction}")).unwrap_err();
+        let told = format!(
+            "scan.txt: an areal spectrum is averaged over all directions of a map, and direction = \"{direction}\""
+        );
+        assert!(refused.to_string().starts_with(&told), "{refused}");
+        let of_all = Recipe { direction: direction.parse().unwrap(), ..Recipe::default() };
+        let request = ScanRequest { path: "scan.txt".to_owned(), ..ScanRequest::default() };
+        assert!(areal_spectrum(&request, &files(&map), &of_all).is_err());
+    }
+    assert!(areal(&map, ":direction=x").is_ok());
+
+    let told_of = |options: &str| {
+        let found = pressed(&map, options).unwrap();
+        (found.map.columns(), format!("{:?}", found.remarks).contains("direction both"))
+    };
+    assert_eq!(told_of(":direction=both"), (64, true));
+    assert_eq!(told_of(":direction=y"), (48, false));
+    assert_eq!(told_of(""), (64, false));
+}
