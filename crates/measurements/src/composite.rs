@@ -1,7 +1,7 @@
 //! The scans in some files become one spectrum, which remembers its files.
 
 use parallel::{Progress, Unobserved};
-use scans::{HeightMap, Scan, ScanFile};
+use scans::{Axis, HeightMap, Scan, ScanFile};
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
@@ -109,8 +109,13 @@ impl CompositeOfFiles {
         for (scan, source) in scans.iter().zip(&self.sources) {
             let channel =
                 scan.channel.as_ref().map_or(String::new(), |channel| format!(", channel {channel}"));
+            let along = match scan.axis {
+                Some(Axis::X) => ", along x",
+                Some(Axis::Y) => ", along y",
+                None => "",
+            };
             lines.push(format!(
-                "scan: {} ({}{channel}), SHA-256 {}, detrend {}, window {}, used down to {} m",
+                "scan: {} ({}{channel}{along}), SHA-256 {}, detrend {}, window {}, used down to {} m",
                 source.file,
                 scan.format,
                 source.sha256,
