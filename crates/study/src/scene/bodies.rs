@@ -3,10 +3,9 @@
 use asperity::ElasticBody;
 use serde_spanned::Spanned;
 
-use super::error::SceneError;
+use super::error::{SceneError, SceneProblem};
 use super::known::{Known, optional_property, poisson_ratio, property};
 use super::raw::{RawCounterface, RawMaterial, RawProperty};
-use super::values::value_error;
 use crate::hardness_and_strength::HardnessAndStrength;
 use crate::material::{GivenMaterial, Material, MaterialError};
 use crate::material_spreads::MaterialSpreads;
@@ -44,7 +43,8 @@ pub(super) fn resolve_material(
     if of_hardness.is_some() && of_strength.is_some() {
         let message = "yield_strength says how well it is known as well, and the hardness is three times it; keep one of \
                        the two uncertainties";
-        return Err(value_error(HARDNESS_KEY, "", hardness_span().unwrap_or_default(), message));
+        let problem = SceneProblem::from(format!("key {HARDNESS_KEY}: {message}"));
+        return Err(SceneError { problem, span: hardness_span() });
     }
     let hardness_and_strength = HardnessAndStrength::new(hardness, strength)
         .map_err(|error| SceneError { problem: MaterialError::from(error).into(), span: hardness_span() })?;

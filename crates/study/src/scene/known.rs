@@ -233,8 +233,9 @@ fn of_table<T>(
         Distribution::Uniform => ("uniform", &["from", "to"]),
         Distribution::Values => ("values", &["values"]),
     };
-    if takes.len() == 2 && takes[0] == "median" && *distribution != reading.about_the_median {
-        let right = if reading.about_the_median == Distribution::Beta { "beta" } else { "log-normal" };
+    let has_median = matches!(distribution, Distribution::LogNormal | Distribution::Beta);
+    if has_median && *distribution != reading.about_the_median {
+        let right = if *distribution == Distribution::Beta { "log-normal" } else { "beta" };
         let message = format!("it cannot be {name}; it may be {right}, uniform or values");
         return Err(value_error(&format!("{key}.distribution"), name, span.clone(), message));
     }
