@@ -7,7 +7,7 @@ use topography::{Recipe, TransformError};
 
 /// A map of 64 x 48 points, 1 nm apart; one point of every other row has no height.
 fn map_with_gaps() -> String {
-    let height = |x: usize, y: usize| match y % 2 == 0 && x == (y * 37) % 64 {
+    let height = |x: usize, y: usize| match y.is_multiple_of(2) && x == (y * 37) % 64 {
         true => "nan".to_owned(),
         false => format!("{:.6}", ((x * 7919 + y * 104_729) % 1009) as f64 / 1009.0),
     };
