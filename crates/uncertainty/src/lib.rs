@@ -3,6 +3,7 @@
 mod found;
 mod group;
 mod settings;
+mod tables;
 
 pub use found::{
     Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
@@ -10,3 +11,4 @@ pub use found::{
 };
 pub use group::{Group, Index, Indices};
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
+pub use tables::LARGEST_ERROR_OF_A_SHARE;
