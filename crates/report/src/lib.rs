@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod answer_words;
+mod coverage;
 pub mod curve_names;
 mod cut_counts;
 mod decade;
@@ -13,6 +14,7 @@ pub mod heights_picture;
 mod judged;
 mod listing;
 pub mod occasion;
+mod opening;
 pub mod page;
 pub mod persson_words;
 pub mod plot;
@@ -25,5 +27,7 @@ pub mod scans_table;
 pub mod scene_note_words;
 pub mod spectrum_words;
 pub mod summary;
+pub mod trust;
+mod uncertainty_words;
 mod verdict_words;
 mod yardstick_words;

@@ -19,10 +19,11 @@ use answer::Answer;
 use judge::{JudgeError, JudgePlan, Judgement, Settings};
 use report::explain::explain;
 use report::occasion::Occasion;
-use report::products::{self, Findings};
+use report::products::{self, Findings, Parts};
 use report::reasons::reasons;
 use report::scene_note_words;
 use report::summary::summary;
+use report::trust::Trust;
 use study::models::{Choice, CurveModel};
 use study::plan::{PlanError, Results};
 use study::scene::{Overrides, Scene};
@@ -57,15 +58,10 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("comparing");
     let judgement = judgement(args, &scene, &results)?;
     timings.lap("judging");
+    let trust = Trust { judgement: judgement.as_ref(), uncertainty: None };
     make_folder("--out", &folder)?;
-    let written = output::write_products(
-        &scene,
-        &results,
-        findings.as_ref(),
-        judgement.as_ref(),
-        context.shared.format,
-        &folder,
-    )?;
+    let written =
+        output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;
     timings.lap("writing");
     let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
     let others = output::other_files(&folder, &written)?;
@@ -73,7 +69,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         files += &format!("not of this run, and left there: {}\n", others.join(", "));
     }
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
-    print(&format!("{}{files}", summary(&scene, &results, &answer, judgement.as_ref())), context)?;
+    print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
     timings.report(context.shared.timings);
     Ok(())
 }
@@ -119,9 +115,8 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in
-            products::file_names(&scene, !args.no_report, is_judged(args, &scene), context.shared.format)
-        {
+        let parts = Parts { report: !args.no_report, judgement: is_judged(args, &scene), uncertainty: false };
+        for name in products::file_names(&scene, parts, context.shared.format) {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;

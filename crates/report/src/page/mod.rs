@@ -21,8 +21,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::in_full;
 use crate::occasion::Occasion;
+use crate::trust::Trust;
 use ::answer::{Answer, LoadAnswer};
-use judge::Judgement;
 use sensitivity::Sensitivity;
 use study::figure::FigureData;
 use study::plan::Results;
@@ -39,8 +39,8 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
-    /// What boundary elements say of its curves, where they were asked.
-    pub judgement: Option<&'a Judgement>,
+    /// How far its results can be trusted, where that was asked.
+    pub trust: Trust<'a>,
     /// How much each choice of modelling moves its areas.
     pub sensitivities: &'a [Sensitivity],
     /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.

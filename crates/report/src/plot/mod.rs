@@ -66,7 +66,8 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let points = || {
         let lines =
             beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
-        lines.chain(beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends))
+        let marks = beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends);
+        lines.chain(marks).chain(beside.iter().flat_map(|figure| &figure.bands).flat_map(bands::ends))
     };
     let x = Decades::around(points().map(|(x, _)| x));
     let y = Decades::around(points().map(|(_, y)| y));
@@ -243,7 +244,7 @@ pub(crate) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use study::figure::Shows;
+    use study::figure::{Band, BandKind, Shows};
 
     fn figure(name: &str) -> FigureData {
         let series = Series {
@@ -303,9 +304,11 @@ mod tests {
     fn a_band_is_drawn_inside_the_frame_and_named_once() {
         let mut figure = figure("a");
         let whole = svg(&figure, "", &[]);
-        let band = |colour, share: f64| study::figure::Band {
-            label: "linear laws",
+        let band = |colour, share: f64| Band {
+            label: "linear laws".to_owned(),
+            kind: BandKind::Yardstick,
             colour,
+            dash: 0,
             points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
         };
         // The last lies beside the decades that are drawn.
@@ -315,6 +318,22 @@ mod tests {
         // Two bands, and the sample of the legend.
         assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 3, "{banded}");
         assert_eq!(count(&banded, ">linear laws</text>"), 1);
+    }
+
+    #[test]
+    fn an_interval_has_edges_in_the_dash_pattern_of_its_line_and_belongs_on_the_axes() {
+        let mut figure = figure("a");
+        figure.bands = vec![Band {
+            label: "95 % coverage interval".to_owned(),
+            kind: BandKind::Interval,
+            colour: 0,
+            dash: 1,
+            points: vec![(1.0, [1e-33, 1e-29]), (10.0, [1e-21, 1e-19])],
+        }];
+        let banded = svg(&figure, "", &[]);
+        assert_eq!(banded.matches("stroke-width=\"0.7\" stroke-dasharray=\"4 3\"").count(), 2, "{banded}");
+        assert_eq!(banded.matches(">95 % coverage interval</text>").count(), 1);
+        assert!(banded.contains(">10⁻³⁴</text>"), "{banded}");
     }
 
     #[test]
