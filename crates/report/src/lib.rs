@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod advice_words;
 mod answer_words;
 mod coverage;
 pub mod curve_names;
@@ -13,6 +14,7 @@ pub mod field_picture;
 pub mod heights_picture;
 mod judged;
 mod listing;
+mod number_words;
 pub mod occasion;
 mod opening;
 pub mod page;

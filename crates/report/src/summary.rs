@@ -10,7 +10,9 @@ use crate::curve_names::in_full;
 use crate::cut_counts::CutCounts;
 use crate::trust::Trust;
 use crate::yardstick_words::yardsticks;
-use crate::{answer_words, coverage, doubt_words, opening, scan_words, uncertainty_words, verdict_words};
+use crate::{
+    advice_words, answer_words, coverage, doubt_words, opening, scan_words, uncertainty_words, verdict_words,
+};
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
 use rows::{NarrowSpectra, StateCounts};
@@ -44,7 +46,9 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
     }
     if let Some(uncertainty) = trust.uncertainty {
-        for line in uncertainty_words::sentences(uncertainty) {
+        let advice = trust.foremost_advice().into_iter();
+        let advice = advice.flat_map(|advice| advice_words::in_short(uncertainty, advice, scene));
+        for line in uncertainty_words::sentences(uncertainty).into_iter().chain(advice) {
             let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
         }
         text.push('\n');

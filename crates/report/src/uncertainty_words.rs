@@ -10,6 +10,7 @@ use units::display::{counted, length, three_digits};
 use crate::coverage::level;
 use crate::curve_names::in_full;
 use crate::listing::listed;
+use crate::number_words::number_word;
 
 /// A share above which the input carries most of the interval.
 const MOST: f64 = 0.5;
@@ -255,12 +256,4 @@ fn scatter_of(instrument: &InstrumentInput) -> String {
         Resampled::BlocksOfLines(_) => format!("the scatter along the one {name} map"),
         Resampled::SingleLine => format!("the scatter of the one {name} line"),
     }
-}
-
-/// Small numbers as they are written out.
-fn number_word(number: usize) -> String {
-    const WORDS: [&str; 11] =
-        ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
-    let word = number.checked_sub(2).and_then(|at| WORDS.get(at));
-    word.map_or_else(|| number.to_string(), |word| (*word).to_owned())
 }

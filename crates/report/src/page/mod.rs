@@ -8,10 +8,13 @@ mod choices;
 mod decades;
 mod disagreements;
 mod figures;
+mod how_sure;
 mod key_numbers;
 mod ledger;
+mod measure_next;
 mod provenance;
 mod sensitivities;
+mod share_cell;
 mod validity;
 mod verdict;
 
@@ -75,6 +78,8 @@ impl Report<'_> {
         let ledger = self.ledger.map(ledger::section);
         let sections: Vec<Section> = [
             verdict::section(scenes),
+            how_sure::section(scenes),
+            measure_next::section(scenes),
             key_numbers::section(scenes),
             decades::section(scenes),
             disagreements::section(scenes),

@@ -6,6 +6,7 @@ mod heights;
 mod labels;
 mod legend;
 mod marks;
+mod shares;
 mod style;
 mod thinned;
 
@@ -17,6 +18,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 pub use heights::line_of_heights;
+pub(crate) use shares::shares_of_decades;
 
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
@@ -55,8 +57,12 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
 pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
     let width_px = if beside.len() > 1 { WIDTH_PX } else { WIDE_PX };
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX).with_width(width_px);
-    let scene = drawn(figure, layout, beside);
-    let (opening, inside) = split(&scene, id);
+    page_element(&drawn(figure, layout, beside), id, words)
+}
+
+/// A picture as an element of a page.
+fn page_element(scene: &Scene, id: &str, words: &str) -> String {
+    let (opening, inside) = split(scene, id);
     let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     format!("{opening} role=\"img\" aria-label=\"{}\">{inside}", escaped(words))
 }
@@ -101,7 +107,8 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let computed = ComputedLayout::from_layout(&layout);
     let mut scene = render_multiple(lines, layout);
     let frame = frame(&computed);
-    add_minor_ticks(&mut scene, &computed, frame, x, y);
+    ticks_below(&mut scene, &computed, frame, x);
+    ticks_left(&mut scene, &computed, frame, y);
     for (from, to) in &figure.gaps {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
     }
@@ -169,19 +176,24 @@ fn frame(computed: &ComputedLayout) -> Box {
 }
 
 /// The library's minor ticks are evenly spaced; those of a logarithmic axis are not.
-fn add_minor_ticks(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades, y: Decades) {
-    let mut tick = |x1: f64, y1: f64, x2: f64, y2: f64| {
-        let stroke = Color::from("black");
-        scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: 0.7, stroke_dasharray: None });
-    };
+fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades) {
     for power in x.minor_ticks() {
         let at = computed.map_x(power);
-        tick(at, frame.bottom, at, frame.bottom + MINOR_TICK_PX);
+        tick(scene, [at, frame.bottom], [at, frame.bottom + MINOR_TICK_PX]);
     }
+}
+
+/// The same of the ordinate.
+fn ticks_left(scene: &mut Scene, computed: &ComputedLayout, frame: Box, y: Decades) {
     for power in y.minor_ticks() {
         let at = computed.map_y(power);
-        tick(frame.left - MINOR_TICK_PX, at, frame.left, at);
+        tick(scene, [frame.left - MINOR_TICK_PX, at], [frame.left, at]);
     }
+}
+
+fn tick(scene: &mut Scene, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) {
+    let stroke = Color::from("black");
+    scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: 0.7, stroke_dasharray: None });
 }
 
 fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
