@@ -461,6 +461,9 @@ pub(crate) struct RunArgs {
     /// Judge no model by boundary elements, whatever the scene says of it
     #[arg(long)]
     pub no_judge: bool,
+    /// Draw nothing to tell how sure the areas are, whatever the scene says of it
+    #[arg(long)]
+    pub no_uncertainty: bool,
     /// Print what the scene needs and what is skipped, and stop there, with nothing computed
     #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
     pub dry_run: bool,

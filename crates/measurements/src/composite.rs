@@ -5,8 +5,10 @@ use scans::{HeightMap, Scan, ScanFile};
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
+use crate::agreement;
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
+use crate::instrument::InstrumentOfScan;
 use crate::load::{Loaded, load};
 use crate::request::ScanRequest;
 use topography::Recipe;
@@ -52,12 +54,14 @@ impl MapPatch {
 }
 
 /// The file of a scan.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Source {
     /// Its name, as typed.
     pub file: String,
     /// Its SHA-256, in hexadecimal digits.
     pub sha256: String,
+    /// The instrument that made it.
+    pub instrument: InstrumentOfScan,
 }
 
 impl CompositeOfFiles {
@@ -83,14 +87,14 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
+        agreement::check(requests)?;
         let of_files = parallel::map(requests, |request| of_file(request, files, recipe, progress));
         let (mut scans, mut sources, mut maps) = (Vec::new(), Vec::new(), Vec::new());
         for (at, of_file) in of_files.into_iter().enumerate() {
-            let (source, of_file, maps_of_file) =
-                of_file.map_err(|error| TopographyError { request: Some(at), ..error })?;
-            sources.extend(of_file.iter().map(|_| source.clone()));
-            scans.extend(of_file);
-            maps.extend(maps_of_file);
+            let of_file = of_file.map_err(|error| TopographyError { request: Some(at), ..error })?;
+            scans.extend(of_file.scans);
+            sources.extend(of_file.sources);
+            maps.extend(of_file.maps);
         }
         let spectrum = CompositeSpectrum::of(scans, recipe)
             .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
@@ -119,26 +123,37 @@ impl CompositeOfFiles {
     }
 }
 
+/// What a file brings, a source for each spectrum.
+struct OfFile {
+    scans: Vec<ScanSpectrum>,
+    sources: Vec<Source>,
+    maps: Vec<MapPatch>,
+}
+
 /// Reads a file, and transforms every scan in it.
 fn of_file(
     request: &ScanRequest,
     files: &dyn Files,
     recipe: &Recipe,
     progress: &dyn Progress,
-) -> Result<(Source, Vec<ScanSpectrum>, Vec<MapPatch>), TopographyError> {
+) -> Result<OfFile, TopographyError> {
     let Loaded { scans, sha256 } = load(request, files)?;
     progress.advance(1);
     let recipe = request.recipe(recipe);
-    let (mut spectra, mut maps) = (Vec::new(), Vec::new());
+    let mut found = OfFile { scans: Vec::new(), sources: Vec::new(), maps: Vec::new() };
     for scan in scans {
         let name = (scan.name != request.path).then(|| scan.name.clone());
         let blame = |error: TransformError| {
             TopographyError::of_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
-        maps.extend(MapPatch::of(&scan));
-        spectra.extend(ScanSpectrum::of_directions(scan, request.limits(), &recipe).map_err(blame)?);
+        let instrument = InstrumentOfScan::of(request, &scan);
+        found.maps.extend(MapPatch::of(&scan));
+        let spectra = ScanSpectrum::of_directions(scan, request.limits(), &recipe).map_err(blame)?;
+        let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };
+        found.sources.extend(spectra.iter().map(|_| source.clone()));
+        found.scans.extend(spectra);
     }
     progress.advance(1);
-    Ok((Source { file: request.path.clone(), sha256 }, spectra, maps))
+    Ok(found)
 }

@@ -4,6 +4,7 @@ use std::{fmt, io};
 
 use scans::{Mend, ScanReadError};
 use topography::TransformError;
+use units::number;
 
 /// Why the scans of a file, or all of them together, yield no spectrum.
 #[derive(Debug)]
@@ -50,6 +51,24 @@ pub enum ScanProblem {
         as_scan: Box<ScanReadError>,
         /// Why it is no spectrum.
         as_spectrum: Option<String>,
+    },
+    /// Scans of one instrument say different things of it.
+    #[error(
+        "the {what} of {instrument} is {} here and {} with {other}; scans of one instrument share one",
+        number(*here),
+        number(*there)
+    )]
+    InstrumentDisagrees {
+        /// The name of the instrument.
+        instrument: String,
+        /// What is said of it.
+        what: &'static str,
+        /// What this scan says.
+        here: f64,
+        /// What one before it says.
+        there: f64,
+        /// The file of that one.
+        other: String,
     },
     /// A surface of none or several scans.
     #[error("{0} scans; boundary elements press one map, which a channel may choose")]

@@ -1,10 +1,13 @@
 #![doc = include_str!("../README.md")]
 
+mod agreement;
 mod areal;
+mod calibration;
 mod channels;
 mod composite;
 mod error;
 mod files;
+mod instrument;
 mod list;
 mod load;
 mod map;
@@ -12,10 +15,12 @@ mod request;
 mod tables;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
+pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
 pub use channels::{Channels, read_channels};
 pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use files::{Files, NoFiles};
+pub use instrument::InstrumentOfScan;
 pub use list::{ListError, requests_of_list};
 pub use load::holds_a_spectrum;
 pub use map::MapOfFile;

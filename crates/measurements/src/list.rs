@@ -5,7 +5,7 @@ use tables::{InputTable, Refusal, Row};
 use crate::request::{RequestError, ScanRequest};
 
 /// The columns of a list and the options of a scan that they hold; the file stands in `file`.
-const COLUMNS: [(&str, &str); 7] = [
+const COLUMNS: [(&str, &str); 10] = [
     ("unit", "unit"),
     ("channel", "channel"),
     ("size", "size"),
@@ -13,6 +13,9 @@ const COLUMNS: [(&str, &str); 7] = [
     ("shortest", "shortest"),
     ("gaps", "gaps"),
     ("direction", "direction"),
+    ("instrument", "instrument"),
+    ("z_calibration", "z-calibration"),
+    ("slope_uncertainty", "slope-uncertainty"),
 ];
 
 /// Why a table is no list of scans.
@@ -21,7 +24,7 @@ const COLUMNS: [(&str, &str); 7] = [
 pub enum ListError {
     /// A column that says nothing about scans.
     #[error(
-        "{list}: column {column} says nothing about a scan; the columns are file, unit, channel, size, tip_radius, shortest, gaps and direction"
+        "{list}: column {column} says nothing about a scan; the columns are file, unit, channel, size, tip_radius, shortest, gaps, direction, instrument, z_calibration and slope_uncertainty"
     )]
     UnknownColumn {
         /// The list.
@@ -41,7 +44,7 @@ pub enum ListError {
 }
 
 /// The scans of a list, which `name` stands for in messages: columns `file, unit, channel, size, tip_radius, shortest,
-/// gaps, direction`, all but the first one optional; an empty cell says nothing.
+/// gaps, direction, instrument, z_calibration, slope_uncertainty`, all but the first one optional; an empty cell says nothing.
 ///
 /// # Errors
 /// [`ListError`] with line, column and value where they are to blame.

@@ -5,6 +5,8 @@ use std::str::FromStr;
 use topography::{BandLimits, Direction, GapTreatment, Recipe};
 use units::{Length, LengthUnit};
 
+use crate::calibration::{Instrument, SlopeUncertainty, ZCalibration};
+
 /// A file of scans, and what is known of them besides.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScanRequest {
@@ -24,6 +26,12 @@ pub struct ScanRequest {
     pub gaps: Option<GapTreatment>,
     /// Along which axis of a map its spectrum is taken; as for all scans, where absent.
     pub direction: Option<Direction>,
+    /// The instrument that it was made with, which scans of one share the errors of.
+    pub instrument: Option<String>,
+    /// One standard uncertainty of the height scale of that instrument, as a share above 0 and at most 1.
+    pub z_calibration: Option<f64>,
+    /// One standard uncertainty of the exponent of its spectrum, at least 0.
+    pub slope_uncertainty: Option<f64>,
 }
 
 /// What is told of the radius of a tip.
@@ -81,7 +89,7 @@ impl ScanRequest {
 pub enum RequestError {
     /// No such option.
     #[error(
-        "{file}: there is no option '{key}' of a scan; there are unit, channel, size, tip-radius, shortest, gaps and direction"
+        "{file}: there is no option '{key}' of a scan; there are unit, channel, size, tip-radius, shortest, gaps, direction, instrument, z-calibration and slope-uncertainty"
     )]
     UnknownKey {
         /// The file.
@@ -144,6 +152,18 @@ impl ScanRequest {
             }
             "direction" => {
                 self.direction = Some(value.parse::<Direction>().map_err(|error| bad(error.to_string()))?);
+            }
+            "instrument" => {
+                let Instrument(name) = value.parse().map_err(bad)?;
+                self.instrument = Some(name);
+            }
+            "z-calibration" => {
+                let ZCalibration { share } = value.parse().map_err(bad)?;
+                self.z_calibration = Some(share);
+            }
+            "slope-uncertainty" => {
+                let SlopeUncertainty { of_exponent } = value.parse().map_err(bad)?;
+                self.slope_uncertainty = Some(of_exponent);
             }
             _ => {
                 return Err(RequestError::UnknownKey { file: self.path.clone(), key: key.to_owned() });

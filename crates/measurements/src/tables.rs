@@ -5,8 +5,8 @@ use tables::Table;
 use crate::composite::CompositeOfFiles;
 
 impl CompositeOfFiles {
-    /// The composite: `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3, measurements`, a row per bin from long to short
-    /// wavelengths.
+    /// The composite: `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3, measurements, degrees_of_freedom`, a row per bin
+    /// from long to short wavelengths.
     #[must_use]
     pub fn table(&self) -> Table {
         let bins = self.spectrum.composite.bins();
@@ -16,6 +16,7 @@ impl CompositeOfFiles {
             .with_numbers("C1D_m3", bins.iter().map(|bin| bin.c1d_m3))
             .with_numbers("C1D_se_m3", bins.iter().map(|bin| bin.standard_error_m3))
             .with_numbers("measurements", bins.iter().map(|bin| bin.measurements as f64))
+            .with_numbers("degrees_of_freedom", bins.iter().map(|bin| bin.degrees_of_freedom))
     }
 
     /// Every spectrum in blocks: `series, wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3`. Each scan stands where it is

@@ -19,11 +19,21 @@ fn a_row_says_what_options_after_a_file_say() {
 }
 
 #[test]
+fn a_row_says_what_is_known_of_an_instrument() {
+    let requests =
+        read("file,instrument,z_calibration,slope_uncertainty\na.txt,AFM,3 %,0.05\nb.txt,AFM,,\n").unwrap();
+    let typed = ["a.txt:instrument=AFM,z-calibration=3%,slope-uncertainty=0.05", "b.txt:instrument=AFM"];
+    assert_eq!(requests, typed.map(|text| text.parse::<ScanRequest>().unwrap()));
+    let bad = read("file,z_calibration\na.txt,3\n").unwrap_err();
+    assert!(bad.starts_with("scans.csv, line 2, column z_calibration: the standard uncertainty"), "{bad}");
+}
+
+#[test]
 fn bad_lists_are_refused_with_their_place() {
     assert_eq!(
         read("file,width\na.txt,3nm\n").unwrap_err(),
         "scans.csv: column width says nothing about a scan; the columns are file, unit, channel, size, tip_radius, \
-         shortest, gaps and direction"
+         shortest, gaps, direction, instrument, z_calibration and slope_uncertainty"
     );
     let bad = read("file,size\na.txt,3\n").unwrap_err();
     assert!(bad.starts_with("scans.csv, line 2, column size: '3' has no unit"), "{bad}");

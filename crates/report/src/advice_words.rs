@@ -97,5 +97,8 @@ pub(crate) fn settling(advice: &Advice) -> String {
             "No longer spectrum would settle the area: {}, too flat for a limit; the area is that of its cutoff.",
             falls(slope, standard_error)
         ),
+        Settling::Unknown => {
+            "Whether a longer spectrum would settle the area is not known: its short end has too few samples.".to_owned()
+        }
     }
 }

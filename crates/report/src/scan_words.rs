@@ -77,6 +77,12 @@ pub fn remark(told: &Remark) -> String {
         Remark::Directions { names: [along_x, along_y], ratios, fast } => {
             directions([along_x, along_y], ratios, *fast, told.severity() == Severity::Warning)
         }
+        Remark::BiasRemoved { factor, wavelength_m } => format!(
+            "the mean of the scans' logarithms, each raised by what the logarithm of few lines and Fourier bins is too low \
+             by: up to {} at {}; average \"log\" leaves it out",
+            three_digits(*factor),
+            length(*wavelength_m)
+        ),
         Remark::Holes(found) => holes(found),
     }
 }

@@ -18,6 +18,10 @@ pub fn line(note: &SceneNote) -> String {
             format!("has no effect: the spectrum ends above it, at {}", length(shortest_m))
         }
         Idle::JudgeIsOff => "has no effect: the judge is off".to_owned(),
+        Idle::UncertaintyIsOff => "has no effect: nothing is drawn".to_owned(),
+        Idle::NothingScatters => {
+            "has no effect: there are no several scans, no standard errors and no +- in this scene".to_owned()
+        }
         Idle::ToleranceHeld { used } => {
             format!("is finer than double precision reaches: {} is used", number(used))
         }

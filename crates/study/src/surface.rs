@@ -96,6 +96,8 @@ pub struct Surface {
     pub made_from: Option<CompositeOfFiles>,
     /// The files that it was read from; those of scans are told in the remarks.
     pub sources: Vec<SourceFile>,
+    /// The two surfaces that it is the sum of, where it is one.
+    pub parts: Option<Box<[Surface; 2]>>,
     /// See [`Surface::holes`].
     holes: Vec<Hole>,
 }
@@ -137,6 +139,7 @@ impl Surface {
             notes,
             made_from: None,
             sources: vec![source],
+            parts: None,
             holes,
         })
     }
@@ -150,9 +153,15 @@ impl Surface {
         files: &dyn Files,
         recipe: &Recipe,
     ) -> Result<Self, SurfaceError> {
-        let scans = CompositeOfFiles::read(requests, files, recipe)?;
         let names: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();
-        let name = names.join(" + ");
+        Self::of_composite(CompositeOfFiles::read(requests, files, recipe)?, names.join(" + "))
+    }
+
+    /// A composite spectrum under a name.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] where its values are none that a spectrum may have.
+    pub fn of_composite(scans: CompositeOfFiles, name: String) -> Result<Self, SurfaceError> {
         let psd = scans
             .spectrum
             .psd()
@@ -168,6 +177,7 @@ impl Surface {
             notes,
             made_from: Some(scans),
             sources: Vec::new(),
+            parts: None,
             holes,
         })
     }
@@ -193,8 +203,9 @@ impl Surface {
         notes.push(Note::Superposition { shared_m: sum.shared_m });
         let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
         let name = format!("{} against {}", self.name, other.name);
-        let sources = [self.sources, other.sources].concat();
-        Surface { name, psd: sum.psd, of_area: None, remarks, notes, made_from: None, sources, holes }
+        let sources = [&self.sources[..], &other.sources[..]].concat();
+        let parts = Some(Box::new([self, other]));
+        Surface { name, psd: sum.psd, of_area: None, remarks, notes, made_from: None, sources, parts, holes }
     }
 
     fn has(&self, hole: &Hole) -> bool {

@@ -6,7 +6,10 @@ use std::num::NonZeroU32;
 use serde::Serialize;
 
 use crate::bins::{BinMean, centre_m, log_bins, profile};
+use crate::degrees_of_freedom::bias_of_logarithm;
 use crate::error::TransformError;
+use crate::recipe::Average;
+use crate::scan_bins::ScanBin;
 use spectrum::ProfilePsd;
 
 /// How measurements are averaged.
@@ -52,6 +55,9 @@ pub struct CompositeBin {
     /// Standard error of the mean in m^3 from the scatter of the measurements; `None` for a single one. The same data given
     /// twice scatter like one measurement.
     pub standard_error_m3: Option<f64>,
+    /// How many independent squares of Gaussian numbers the measurements of the bin stand for together, the same data given
+    /// twice counted once; `None` where nothing is known of their lines.
+    pub degrees_of_freedom: Option<f64>,
 }
 
 /// The composite of measurements, each limited to its reliable band beforehand ([`LineSpectrum::profile`]).
@@ -66,25 +72,64 @@ pub fn composite(
     measurements: &[ProfilePsd],
     options: &CompositeOptions,
 ) -> Result<Composite, TransformError> {
+    let binned = |measurement: &ProfilePsd| {
+        let bins = log_bins(measurement, options.bins_per_decade, options.inside);
+        bins.into_iter().map(ScanBin::from).collect()
+    };
+    let binned: Vec<Vec<ScanBin>> = measurements.iter().map(binned).collect();
+    of_bins(&binned, options.bins_per_decade, options.across)
+}
+
+/// The composite of scans in bins.
+///
+/// # Errors
+/// Those of [`composite`].
+pub(crate) fn of_scan_bins(
+    scans: &[Vec<ScanBin>],
+    bins_per_decade: NonZeroU32,
+    average: Average,
+) -> Result<Composite, TransformError> {
+    let counted = |bins: &Vec<ScanBin>| -> Vec<ScanBin> {
+        bins.iter().map(|bin| ScanBin { c1d_m3: average.counted_m3(bin), ..bin.clone() }).collect()
+    };
+    let counted: Vec<Vec<ScanBin>> = scans.iter().map(counted).collect();
+    of_bins(&counted, bins_per_decade, average.across())
+}
+
+impl Average {
+    /// What a scan counts as in a bin, in m^3: for the mean of logarithms without bias, without that of its own logarithm.
+    #[must_use]
+    pub fn counted_m3(self, bin: &ScanBin) -> f64 {
+        match (self, bin.degrees_of_freedom) {
+            (Average::LogUnbiased, Some(freedom)) => bin.c1d_m3 * (-bias_of_logarithm(freedom)).exp(),
+            _ => bin.c1d_m3,
+        }
+    }
+}
+
+/// The mean of measurements in bins, each with the same weight.
+fn of_bins(
+    measurements: &[Vec<ScanBin>],
+    bins_per_decade: NonZeroU32,
+    across: BinMean,
+) -> Result<Composite, TransformError> {
     if measurements.is_empty() {
         return Err(TransformError::NoMeasurements);
     }
     let mut gathered: BTreeMap<i64, Gathered> = BTreeMap::new();
     for (at, measurement) in measurements.iter().enumerate() {
         let is_repeated = measurements[..at].contains(measurement);
-        for bin in log_bins(measurement, options.bins_per_decade, options.inside) {
-            let gathered = gathered.entry(bin.index).or_default();
-            gathered.wavelengths_m.push(bin.wavelength_m);
-            gathered.values_m3.push(bin.c1d_m3);
-            gathered.distinct_m3.extend((!is_repeated).then_some(bin.c1d_m3));
+        for bin in measurement {
+            gathered.entry(bin.index).or_default().add(bin, is_repeated);
         }
     }
     let bin = |(index, gathered): (i64, Gathered)| CompositeBin {
-        centre_m: centre_m(index, options.bins_per_decade),
+        centre_m: centre_m(index, bins_per_decade),
         wavelength_m: BinMean::Geometric.of(&gathered.wavelengths_m),
-        c1d_m3: options.across.of(&gathered.values_m3),
+        c1d_m3: across.of(&gathered.values_m3),
         measurements: gathered.values_m3.len(),
-        standard_error_m3: options.across.standard_error(&gathered.distinct_m3),
+        standard_error_m3: across.standard_error(&gathered.distinct_m3),
+        degrees_of_freedom: gathered.freedoms.iter().copied().sum(),
     };
     let bins: Vec<CompositeBin> = gathered.into_iter().map(bin).collect();
     match bins[..] {
@@ -100,6 +145,19 @@ struct Gathered {
     values_m3: Vec<f64>,
     /// The values without those of measurements that repeat an earlier one.
     distinct_m3: Vec<f64>,
+    /// The degrees of freedom of those.
+    freedoms: Vec<Option<f64>>,
+}
+
+impl Gathered {
+    fn add(&mut self, bin: &ScanBin, is_repeated: bool) {
+        self.wavelengths_m.push(bin.wavelength_m);
+        self.values_m3.push(bin.c1d_m3);
+        if !is_repeated {
+            self.distinct_m3.push(bin.c1d_m3);
+            self.freedoms.push(bin.degrees_of_freedom);
+        }
+    }
 }
 
 impl Composite {

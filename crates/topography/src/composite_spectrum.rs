@@ -3,12 +3,12 @@
 use scans::Axis;
 use spectrum::{Convention, Hole, Psd};
 
-use crate::recipe::Recipe;
+use crate::composite::of_scan_bins;
+use crate::recipe::{Average, Recipe};
 use crate::remark::{Remark, differ};
+use crate::scan_bins::ScanBin;
 use crate::scan_spectrum::ScanSpectrum;
-use crate::{
-    Composite, CompositeOptions, Direction, DirectionRatio, Overlap, TransformError, composite, overlaps,
-};
+use crate::{Composite, Direction, DirectionRatio, Overlap, TransformError, overlaps};
 
 /// In fewer shared bins the scatter of single lines may look as if instruments disagreed.
 const TELLING_BINS: usize = 3;
@@ -34,6 +34,8 @@ pub struct CompositeSpectrum {
     pub recipe: Recipe,
     /// Each scan.
     pub scans: Vec<ScanSpectrum>,
+    /// Their spectra in the bins of the composite.
+    pub in_bins: Vec<Vec<ScanBin>>,
     /// Scans that are the data of an earlier one, which they repeat: both by index.
     pub repeated: Vec<(usize, usize)>,
     /// What neighbouring instruments say of the wavelengths that they share.
@@ -49,15 +51,12 @@ impl CompositeSpectrum {
     /// [`TransformError`] where there are none, or their bins are too few to be a spectrum.
     pub fn of(scans: Vec<ScanSpectrum>, recipe: &Recipe) -> Result<Self, TransformError> {
         let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
-        let options = CompositeOptions {
-            bins_per_decade: recipe.bins_per_decade,
-            across: recipe.average.across(),
-            ..CompositeOptions::default()
-        };
-        let composite = composite(&reliable, &options)?;
+        let in_bins: Vec<Vec<ScanBin>> =
+            scans.iter().map(|scan| scan.in_bins(recipe.bins_per_decade)).collect();
+        let composite = of_scan_bins(&in_bins, recipe.bins_per_decade, recipe.average)?;
         let repeated = repeated(&scans);
         let overlaps = overlaps(&reliable, recipe.bins_per_decade);
-        Ok(CompositeSpectrum { recipe: *recipe, scans, repeated, overlaps, composite })
+        Ok(CompositeSpectrum { recipe: *recipe, scans, in_bins, repeated, overlaps, composite })
     }
 
     /// The composite as a spectrum with standard errors.
@@ -149,7 +148,16 @@ impl CompositeSpectrum {
             shortest_m: overlap.shortest_m,
         });
         let holes = Some(self.holes()).filter(|holes| !holes.is_empty()).map(Remark::Holes);
-        of_scans.chain(same).chain(directions).chain(overlaps).chain(holes).collect()
+        of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
+    }
+
+    /// The bias that the mean of logarithms was freed from, where it was.
+    fn bias(&self) -> Option<Remark> {
+        let average = self.recipe.average;
+        let bins = self.in_bins.iter().flatten().filter(|_| average == Average::LogUnbiased);
+        let factors = bins.map(|bin| (average.counted_m3(bin) / bin.c1d_m3, bin.wavelength_m));
+        let (factor, wavelength_m) = factors.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Remark::BiasRemoved { factor, wavelength_m })
     }
 }
 

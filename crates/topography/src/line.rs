@@ -24,6 +24,12 @@ pub struct LineSpectrum {
     pub(crate) variance_m2: f64,
     pub(crate) lines: usize,
     pub(crate) flagged_bins: usize,
+    /// The values in m^3 of parts of the map.
+    #[serde(skip)]
+    pub(crate) of_parts: Vec<Vec<f64>>,
+    /// Of the first bins, see [`LineSpectrum::independent_lines`]; empty where lines are few or one.
+    #[serde(skip)]
+    pub(crate) independent: Vec<f64>,
 }
 
 /// Which derivative the spectrum stands for.
@@ -64,6 +70,24 @@ impl LineSpectrum {
     /// How many lines were averaged: one, or the rows of the map.
     pub fn lines(&self) -> usize {
         self.lines
+    }
+
+    /// How many independent lines the mean over the lines of a map stands for in the bin n >= 1: neighbouring lines are alike
+    /// at long wavelengths. 1 to [`lines`](Self::lines); measured in the first bins, and in proportion to n beyond.
+    pub fn independent_lines(&self, n: usize) -> f64 {
+        let all = self.lines as f64;
+        let measured = match (self.independent.get(n.saturating_sub(1)), self.independent.last()) {
+            (Some(measured), _) => *measured,
+            (None, Some(last)) => last * n as f64 / self.independent.len() as f64,
+            (None, None) => 1.0,
+        };
+        measured.clamp(1.0, all.max(1.0))
+    }
+
+    /// The spectra in m^3 of parts of a map, each some of its lines side by side, at the same wavevectors; none of a line, or
+    /// of few.
+    pub fn of_parts_m3(&self) -> &[Vec<f64>] {
+        &self.of_parts
     }
 
     /// How many of the first bins do not show the spectrum of the surface, see
@@ -159,6 +183,8 @@ impl LineSpectrum {
             variance_m2: variances_m2 / lines as f64,
             lines,
             flagged_bins,
+            of_parts: Vec::new(),
+            independent: Vec::new(),
         }
     }
 }

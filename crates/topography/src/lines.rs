@@ -6,6 +6,7 @@ use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
 use crate::detrend::Trend;
+use crate::independent_lines::{FIRST_BINS, independent_lines};
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
 use crate::rows::{BLOCK_ROWS, Rows};
@@ -38,11 +39,18 @@ pub struct MapLines<'a> {
     transform: RowTransform,
 }
 
+/// Parts that a map is divided into across its lines, so that they can be told from each other.
+const PARTS: usize = 8;
+
 /// What a block of rows adds to the spectrum of a map.
 #[derive(Clone, Debug)]
 pub struct LineSums {
     power_m2: Vec<f64>,
     variances_m2: f64,
+    /// The same power for every part of the map that the block has rows of, with the part's number.
+    power_of_parts_m2: Vec<(usize, Vec<f64>)>,
+    /// The first bins of each row, row after row.
+    first_bins_m: Vec<Complex<f64>>,
 }
 
 impl<'a> MapLines<'a> {
@@ -65,14 +73,29 @@ impl<'a> MapLines<'a> {
     /// The sums of a block, counted from 0; nothing for blocks beyond the last.
     pub fn block(&self, block: usize) -> LineSums {
         let mut transform = self.transform.clone();
-        let mut sums = LineSums { power_m2: vec![0.0; self.rows.points / 2], variances_m2: 0.0 };
+        let bins = self.rows.points / 2;
+        let mut sums = LineSums {
+            power_m2: vec![0.0; bins],
+            variances_m2: 0.0,
+            power_of_parts_m2: Vec::new(),
+            first_bins_m: Vec::new(),
+        };
         for (row, heights_m) in self.rows.block(block) {
             sums.variances_m2 += transform.run(&self.trend, row, heights_m).variance();
-            for (power_m2, value) in sums.power_m2.iter_mut().zip(&transform.output[1..]) {
-                *power_m2 += value.norm_sqr();
+            let values = &transform.output[1..];
+            add_power(&mut sums.power_m2, values);
+            if let Some(part) = self.part_of(row) {
+                add_power(sums.part(part, bins), values);
+                sums.first_bins_m.extend(&values[..bins.min(FIRST_BINS)]);
             }
         }
         sums
+    }
+
+    /// The part of the map that a row belongs to; none where each part would be less than two rows.
+    fn part_of(&self, row: usize) -> Option<usize> {
+        let rows = self.rows.count();
+        (rows >= 2 * PARTS).then(|| row * PARTS / rows)
     }
 
     /// The spectrum from the sums of all blocks, in their order.
@@ -84,15 +107,42 @@ impl<'a> MapLines<'a> {
         let variances_m2 = sums.iter().map(|sums| sums.variances_m2).sum();
         let Rows { spacing_m, points, .. } = self.rows;
         let flagged_bins = self.preparation.flagged_bins();
-        LineSpectrum::of_even_spacing(
-            spacing_m,
-            points,
-            self.rows.count(),
-            power_m2,
-            variances_m2,
-            flagged_bins,
-        )
+        let lines = self.rows.count();
+        let spectrum = |lines, power_m2| {
+            LineSpectrum::of_even_spacing(spacing_m, points, lines, power_m2, variances_m2, flagged_bins)
+        };
+        let rows_of_part = |part| (0..lines).filter(|&row| self.part_of(row) == Some(part)).count();
+        let parts = power_of_parts_m2(sums, points / 2).into_iter().enumerate();
+        let of_parts = parts.map(|(part, power_m2)| spectrum(rows_of_part(part), power_m2).c1d_m3).collect();
+        let first_bins_m: Vec<&[Complex<f64>]> = sums.iter().map(|sums| &sums.first_bins_m[..]).collect();
+        let independent = independent_lines(&first_bins_m.concat(), FIRST_BINS.min(points / 2));
+        LineSpectrum { of_parts, independent, ..spectrum(lines, power_m2) }
     }
+}
+
+fn add_power(power_m2: &mut [f64], values: &[Complex<f64>]) {
+    power_m2.iter_mut().zip(values).for_each(|(power_m2, value)| *power_m2 += value.norm_sqr());
+}
+
+impl LineSums {
+    /// The power of a part, of which rows come one after the other.
+    fn part(&mut self, part: usize, bins: usize) -> &mut [f64] {
+        if self.power_of_parts_m2.last().is_none_or(|(last, _)| *last != part) {
+            self.power_of_parts_m2.push((part, vec![0.0; bins]));
+        }
+        let last = self.power_of_parts_m2.len() - 1;
+        &mut self.power_of_parts_m2[last].1
+    }
+}
+
+/// The power of every part of a map; none where it has no parts.
+fn power_of_parts_m2(sums: &[LineSums], bins: usize) -> Vec<Vec<f64>> {
+    let mut parts: Vec<Vec<f64>> = Vec::new();
+    for (part, power_m2) in sums.iter().flat_map(|sums| &sums.power_of_parts_m2) {
+        parts.resize_with(parts.len().max(part + 1), || vec![0.0; bins]);
+        parts[*part].iter_mut().zip(power_m2).for_each(|(total, of_block)| *total += of_block);
+    }
+    parts
 }
 
 /// Detrends, windows and transforms one row after the other.

@@ -38,7 +38,7 @@ impl Default for Recipe {
         Recipe {
             detrend: None,
             window: None,
-            average: Average::Log,
+            average: Average::default(),
             bins_per_decade: DEFAULT_BINS_PER_DECADE,
             tip_radius_m: None,
             tip_radius_auto: false,
@@ -99,22 +99,29 @@ impl Recipe {
 
 /// How the spectra of several measurements are averaged in a bin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "kebab-case")]
 pub enum Average {
-    /// The mean of their logarithms, which Jackson & Jacobs call the log-space average.
+    /// The mean of their logarithms, each without the bias that the logarithm of a spectrum of few lines and Fourier bins has:
+    /// psi(n/2) - ln(n/2) for n degrees of freedom.
     #[default]
+    LogUnbiased,
+    /// The mean of their logarithms, which Jackson & Jacobs call the log-space average.
     Log,
     /// Their mean, as contact.engineering takes it.
     Arithmetic,
 }
 
-units::named!(Average, "average across scans", { Log => "log", Arithmetic => "arithmetic" });
+units::named!(Average, "average across scans", {
+    LogUnbiased => "log-unbiased",
+    Log => "log",
+    Arithmetic => "arithmetic",
+});
 
 impl Average {
     /// The mean over the measurements that reach a bin.
     pub(crate) const fn across(self) -> BinMean {
         match self {
-            Average::Log => BinMean::Geometric,
+            Average::LogUnbiased | Average::Log => BinMean::Geometric,
             Average::Arithmetic => BinMean::Arithmetic,
         }
     }

@@ -177,6 +177,13 @@ pub enum Remark {
         /// Along which the instrument scanned, where the file says so.
         fast: Option<Direction>,
     },
+    /// The mean of logarithms was freed from the bias that the logarithms of few lines and Fourier bins have.
+    BiasRemoved {
+        /// The largest factor that a scan was raised by in a bin.
+        factor: f64,
+        /// The wavelength \[m\] of that bin.
+        wavelength_m: f64,
+    },
     /// Wavelengths that no scan shows, from long to short, at least one.
     Holes(Vec<Hole>),
 }
@@ -218,7 +225,7 @@ impl Remark {
             Remark::Directions { ratios, .. } if ratios.iter().any(DirectionRatio::is_anisotropic) => {
                 Severity::Warning
             }
-            Remark::Overlap { .. } | Remark::Directions { .. } => Severity::Note,
+            Remark::Overlap { .. } | Remark::Directions { .. } | Remark::BiasRemoved { .. } => Severity::Note,
         }
     }
 }

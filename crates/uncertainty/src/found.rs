@@ -332,4 +332,6 @@ pub enum Settling {
         /// Its standard error.
         standard_error: f64,
     },
+    /// The spectrum has too few samples to tell.
+    Unknown,
 }

@@ -33,11 +33,11 @@ pub struct Index {
     pub standard_error: f64,
 }
 
-/// The indices of one group for one output (Saltelli et al. 2010, Comput. Phys. Commun. 181:259).
+/// The indices of one group for one output, as [`crate::sobol::indices`] estimates them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Indices {
     /// Of the group alone.
     pub first_order: Index,
-    /// Of the group and all in which it takes part (Jansen 1999, Comput. Phys. Commun. 117:35).
+    /// Of the group and all in which it takes part.
     pub total: Index,
 }

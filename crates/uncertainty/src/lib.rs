@@ -1,14 +1,38 @@
 #![doc = include_str!("../README.md")]
 
+mod advice;
+mod areas;
+mod bands;
+mod carry_out;
+mod draws;
 mod found;
+mod gains;
 mod group;
+mod influence;
+mod inputs;
+mod instrument_bins;
+mod instruments;
+mod material_draws;
+mod overlap;
+pub mod quantiles;
+mod random;
+mod scan_scatter;
 mod settings;
+mod shares;
+mod short_end;
+pub mod sobol;
+mod spectrum_errors;
+mod student;
+mod surface_scatter;
 mod tables;
 
+pub use carry_out::UncertaintyPlan;
 pub use found::{
     Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
     OverlapMisfit, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
 };
 pub use group::{Group, Index, Indices};
+pub use instruments::ASSUMED_Z_CALIBRATION;
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
+pub use spectrum_errors::CORRELATION_DECADES;
 pub use tables::LARGEST_ERROR_OF_A_SHARE;

@@ -1,5 +1,7 @@
 //! What may be chosen of the draws, and what holds where nothing is.
 
+use study::scene::UncertaintyChoices;
+
 /// The probability that an interval covers, where none is set.
 pub const DEFAULT_LEVEL: f64 = 0.95;
 
@@ -26,5 +28,19 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Settings { level: DEFAULT_LEVEL, draws: DEFAULT_DRAWS, seed: DEFAULT_SEED, shares_draws: None }
+    }
+}
+
+impl Settings {
+    /// Those of a scene's section `[uncertainty]`, where it has one.
+    #[must_use]
+    pub fn of(choices: Option<&UncertaintyChoices>) -> Self {
+        let Some(choices) = choices else { return Settings::default() };
+        Settings {
+            level: choices.level.unwrap_or(DEFAULT_LEVEL),
+            draws: choices.draws.unwrap_or(DEFAULT_DRAWS),
+            seed: choices.seed.unwrap_or(DEFAULT_SEED),
+            shares_draws: choices.shares_draws,
+        }
     }
 }

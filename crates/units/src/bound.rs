@@ -13,6 +13,13 @@ pub enum Bound {
         /// The included upper end.
         at_most: f64,
     },
+    /// Greater than one value and less than another, neither included.
+    Between {
+        /// The excluded lower end.
+        above: f64,
+        /// The excluded upper end.
+        below: f64,
+    },
     /// Finite.
     Finite,
     /// Finite and at least this value.
@@ -44,6 +51,7 @@ impl Bound {
                 Bound::Positive => value > 0.0,
                 Bound::Finite => true,
                 Bound::LeftOpen { above, at_most } => above < value && value <= at_most,
+                Bound::Between { above, below } => above < value && value < below,
                 Bound::AtLeast(least) => value >= least,
                 Bound::Within { at_least, at_most } => (at_least..=at_most).contains(&value),
                 Bound::Magnitude => (SMALLEST..=LARGEST).contains(&value),
@@ -76,6 +84,9 @@ impl std::fmt::Display for Bound {
             Bound::Finite => write!(f, "finite"),
             Bound::LeftOpen { above, at_most } => {
                 write!(f, "greater than {above} and at most {}", short(*at_most))
+            }
+            Bound::Between { above, below } => {
+                write!(f, "greater than {} and less than {}", short(*above), short(*below))
             }
             Bound::AtLeast(least) => write!(f, "finite and at least {}", short(*least)),
             Bound::Within { at_least, at_most } => {
@@ -123,6 +134,10 @@ mod tests {
         assert_eq!((told(within, 1.0), told(within, 1e4)), (Ok(1.0), Ok(1e4)));
         assert_eq!(told(within, 0.0).unwrap_err(), "it is 0; it must be from 1 to 10000");
         assert!(told(within, f64::NAN).is_err());
+        let between = Bound::Between { above: 0.0, below: 1.0 };
+        assert_eq!(told(between, 0.95), Ok(0.95));
+        assert_eq!(told(between, 1.0).unwrap_err(), "it is 1; it must be greater than 0 and less than 1");
+        assert!(told(between, 0.0).is_err() && told(between, f64::NAN).is_err());
         assert_eq!(told(Bound::Signed, -1e31).unwrap_err(), "it is -1e31; it must be from -1e30 to 1e30");
         assert_eq!(told(Bound::Signed, f64::NAN).unwrap_err(), "it is NaN; it must be finite");
     }

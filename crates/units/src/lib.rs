@@ -10,6 +10,9 @@ mod quantity;
 mod quantity_error;
 mod quantity_kind;
 mod roughness;
+mod share;
+mod standard_uncertainty;
+mod typed_spread;
 mod unit_scale;
 
 pub use bound::{Bound, OutOfBounds};
@@ -20,4 +23,7 @@ pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{Area, Force, IndentationHardness, Length, Modulus, Pressure, SignedLength};
 pub use quantity_error::QuantityError;
 pub use roughness::Scale;
+pub use share::{Share, ShareError};
+pub use standard_uncertainty::standard_uncertainty;
+pub use typed_spread::TypedSpread;
 pub use unit_scale::UnitScale;

@@ -52,4 +52,21 @@ pub enum QuantityError {
         /// What was typed.
         text: String,
     },
+    /// A standard uncertainty below 0 or beyond the largest double.
+    #[error("'{text}' is out of range; a standard uncertainty must be at least 0 and finite")]
+    Uncertainty {
+        /// What was typed.
+        text: String,
+    },
+    /// A spread where one value is wanted.
+    #[error(
+        "'{text}' says how well a {what} is known, and one value is wanted here; a scene takes it for its material, as \
+         [material] youngs_modulus = \"210 GPa +- 5 GPa\""
+    )]
+    OneValueWanted {
+        /// What was typed.
+        text: String,
+        /// The kind of quantity.
+        what: &'static str,
+    },
 }

@@ -6,6 +6,7 @@
 
 use crate::length_unit::LengthUnit;
 use crate::quantity_error::QuantityError;
+use crate::typed_spread::TypedSpread;
 use crate::unit_scale::UnitScale;
 
 /// A kind of quantity: its name, its units, the one that only this kind has beside them, and an example.
@@ -146,6 +147,9 @@ impl Kind {
     }
 
     fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
+        if TypedSpread::of(text).is_some() {
+            return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
+        }
         QuantityError::WrongUnit {
             text: text.to_owned(),
             unit: unit.to_owned(),
@@ -163,6 +167,11 @@ fn split_number(text: &str) -> Option<(&str, &str)> {
         .rev()
         .find(|&end| text[..end].parse::<f64>().is_ok())
         .map(|end| (&text[..end], text[end..].trim_start()))
+}
+
+/// Whether the number at the start of a text is 0.
+pub(crate) fn is_zero(text: &str) -> bool {
+    split_number(text.trim()).is_some_and(|(number, _)| number.parse() == Ok(0.0))
 }
 
 /// The value in SI units of what [`split_number`] found.

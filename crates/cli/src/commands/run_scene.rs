@@ -136,6 +136,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         cutoff: args.sampling.cutoff,
         counterface: counterface(&args.counterface)?,
         no_judge: args.no_judge,
+        no_uncertainty: args.no_uncertainty,
     })
 }
 

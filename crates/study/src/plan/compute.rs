@@ -1,10 +1,12 @@
 //! Carrying a plan out.
 
+use std::num::NonZeroU32;
+
 use parallel::{Progress, Unobserved};
 
 use super::asked::Asked;
 use super::condition::Condition;
-use super::ground::Ground;
+use super::ground::{Cutoff, Ground};
 use super::run::Run;
 use super::states::Statistical;
 use super::work::counted;
@@ -76,6 +78,10 @@ impl Plan<'_> {
             CurveModel::Statistical { pair, law } => {
                 let conditions: &[Condition] = &asked.conditions.items;
                 let cutoffs = ground.cutoffs(cutoffs, 0..ground.cutoff_count(cutoffs));
+                let cutoffs = match self.needs.states_per_decade {
+                    Some(per_decade) => thinned(cutoffs, per_decade),
+                    None => cutoffs,
+                };
                 let (blocks, work) = Statistical { pair, law, run }.over_cutoffs(&cutoffs, conditions)?;
                 Ok((CurveResult::Statistical(blocks), work))
             }
@@ -88,6 +94,13 @@ impl Plan<'_> {
             }
         }
     }
+}
+
+/// Of neighbouring cutoffs, from long to short, at most so many per decade, the last of each part of a decade: the shortest is
+/// always there.
+fn thinned(cutoffs: Vec<Cutoff>, per_decade: NonZeroU32) -> Vec<Cutoff> {
+    let part = |cutoff: &Cutoff| (cutoff.wavelength_m.log10() * f64::from(per_decade.get())).ceil();
+    cutoffs.chunk_by(|a, b| part(a) == part(b)).filter_map(|part| part.last().copied()).collect()
 }
 
 /// How many levels of stacks and how many statistical states there are.

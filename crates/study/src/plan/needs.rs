@@ -73,6 +73,8 @@ pub struct Needs {
     pub sweeps: Vec<LoadSweep>,
     /// Relative tolerance of statistical states.
     pub tolerance: Tolerance,
+    /// Of the cutoffs at which a statistical curve is wanted, at most so many per decade; all where absent.
+    pub states_per_decade: Option<NonZeroU32>,
 }
 
 impl Needs {

@@ -6,7 +6,7 @@ use super::error::{SceneError, SceneProblem};
 use super::spelling::meant;
 
 /// The names of types as the reader has them, and what a person would write there.
-const WANTED: [(&str, &str); 15] = [
+const WANTED: [(&str, &str); 16] = [
     ("f64", "a number"),
     ("i64", "a whole number"),
     ("u32", "a whole number from 0 on"),
@@ -22,6 +22,7 @@ const WANTED: [(&str, &str); 15] = [
     ("struct RawLoadRange", "{ from = \"1e-6 H\", to = \"1 H\", points = 41 }"),
     ("struct RawCutoffs", "a section [cutoffs]"),
     ("struct RawJudge", "a section [judge]"),
+    ("struct RawUncertainty", "a section [uncertainty]"),
 ];
 
 /// The error with its place. The reader tells what it expected in words alone, in which names stand between backticks.

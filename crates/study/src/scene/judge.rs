@@ -5,7 +5,7 @@ use units::Bound;
 
 use super::error::SceneError;
 use super::raw::RawJudge;
-use super::values::value_error;
+use super::values::{value_error, whole_number};
 
 /// Points per side of a judge's surface: below, no scale has room beside another; above, one does not fit in memory with its
 /// transforms.
@@ -56,17 +56,4 @@ pub(super) fn resolve_judge(raw: &RawJudge) -> Result<JudgeChoices, SceneError> 
         budget: budget.transpose()?,
         off: raw.off,
     })
-}
-
-/// A whole number within a bound that admits none below 0.
-fn whole_number(
-    key: &str,
-    quantity: &'static str,
-    raw: &Spanned<i64>,
-    bound: Bound,
-) -> Result<u64, SceneError> {
-    let value = *raw.get_ref();
-    let checked = bound.check(quantity, value as f64);
-    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))?;
-    Ok(value.unsigned_abs())
 }

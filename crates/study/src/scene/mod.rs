@@ -16,6 +16,7 @@ mod resolve;
 mod spelling;
 mod surfaces;
 mod template;
+mod uncertainty;
 mod values;
 
 pub use error::{SceneError, SceneProblem};
@@ -23,6 +24,7 @@ pub use judge::JudgeChoices;
 pub use notes::{Idle, SceneNote};
 pub use resolve::Overrides;
 pub use template::Template;
+pub use uncertainty::UncertaintyChoices;
 
 use crate::choices_in_words;
 use crate::figure::Figure;
@@ -51,6 +53,8 @@ pub struct Scene {
     pub figures: Vec<Figure>,
     /// How its models are to be judged; absent where the scene has no section on it.
     pub judge: Option<JudgeChoices>,
+    /// How sure its areas are to be told; absent where the scene has no section on it.
+    pub uncertainty: Option<UncertaintyChoices>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
 }
@@ -117,6 +121,13 @@ impl Scene {
     /// The hardness H = 3 S0 \[Pa\] of its material, where there is a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
         self.material?.hardness_pa()
+    }
+
+    /// Whether anything in it is known to scatter: scans between places, a spectrum by its standard errors, the material.
+    pub fn scatters(&self) -> bool {
+        let has_several_scans =
+            self.surface.made_from.as_ref().is_some_and(|composite| composite.spectrum.scans.len() > 1);
+        has_several_scans || self.surface.psd.standard_errors_m3().is_some()
     }
 
     /// What carries the scene out.

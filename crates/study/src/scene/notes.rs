@@ -46,6 +46,10 @@ pub enum Idle {
     },
     /// The judge is off.
     JudgeIsOff,
+    /// Nothing is drawn.
+    UncertaintyIsOff,
+    /// Nothing in the scene scatters.
+    NothingScatters,
     /// The tolerance is finer than double precision reaches.
     ToleranceHeld {
         /// What is used instead.
@@ -64,6 +68,7 @@ pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<Sce
     cutoffs(&mut keys, scene, overrides);
     options(&mut keys, scene, overrides);
     judge(&mut keys, scene, overrides);
+    uncertainty(&mut keys, scene, overrides);
     keys.notes
 }
 
@@ -145,6 +150,20 @@ fn judge(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
         for key in ["grid", "realisations", "seed", "budget"] {
             keys.note("judge", table, key, reason);
         }
+    }
+}
+
+fn uncertainty(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let Some(table) = keys.section("uncertainty").filter(|_| !overrides.no_uncertainty) else { return };
+    let off = scene.uncertainty.is_some_and(|uncertainty| uncertainty.off);
+    let idle = [
+        (off, Idle::UncertaintyIsOff),
+        (scene.needs.curves.is_empty(), Idle::NoCurveUsesIt),
+        (!scene.scatters(), Idle::NothingScatters),
+    ];
+    let Some((_, reason)) = idle.into_iter().find(|(holds, _)| *holds) else { return };
+    for key in ["level", "draws", "seed", "shares_draws"] {
+        keys.note("uncertainty", table, key, reason);
     }
 }
 

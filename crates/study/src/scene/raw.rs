@@ -36,6 +36,7 @@ pub(super) struct RawScene {
     #[serde(default)]
     pub options: RawOptions,
     pub judge: Option<RawJudge>,
+    pub uncertainty: Option<RawUncertainty>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -72,6 +73,9 @@ pub(super) struct RawScanKeys {
     pub shortest_wavelength: Option<RawQuantity>,
     pub gaps: Option<GapTreatment>,
     pub direction: Option<Direction>,
+    pub instrument: Option<Spanned<String>>,
+    pub z_calibration: Option<RawQuantity>,
+    pub slope_uncertainty: Option<RawQuantity>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -155,6 +159,17 @@ pub(super) struct RawJudge {
     pub realisations: Option<Spanned<i64>>,
     pub seed: Option<Spanned<i64>>,
     pub budget: Option<Spanned<f64>>,
+    #[serde(default)]
+    pub off: bool,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawUncertainty {
+    pub level: Option<Spanned<f64>>,
+    pub draws: Option<Spanned<i64>>,
+    pub seed: Option<Spanned<i64>>,
+    pub shares_draws: Option<Spanned<i64>>,
     #[serde(default)]
     pub off: bool,
 }

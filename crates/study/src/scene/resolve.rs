@@ -15,6 +15,7 @@ use super::judge::{JudgeChoices, resolve_judge};
 use super::loads::resolve_loads;
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
+use super::uncertainty::{UncertaintyChoices, resolve_uncertainty};
 use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
 use crate::models::ModelOptions;
@@ -41,6 +42,8 @@ pub struct Overrides {
     pub counterface: Option<ElasticBody>,
     /// Whether nothing is to be judged.
     pub no_judge: bool,
+    /// Whether nothing is to be drawn to tell how sure areas are.
+    pub no_uncertainty: bool,
 }
 
 pub(super) fn resolve(
@@ -92,6 +95,7 @@ pub(super) fn resolve(
     let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
     let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
+    let uncertainty = raw.uncertainty.as_ref().map(resolve_uncertainty).transpose()?;
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
@@ -120,6 +124,10 @@ pub(super) fn resolve(
         judge: match overrides.no_judge {
             true => Some(JudgeChoices::OFF),
             false => judge,
+        },
+        uncertainty: match overrides.no_uncertainty {
+            true => Some(UncertaintyChoices::OFF),
+            false => uncertainty,
         },
         notes: Vec::new(),
     })

@@ -7,8 +7,7 @@ use super::error::SceneError;
 use super::raw::{RawScan, RawSurface};
 use super::values::{count, optional, parsed};
 use crate::surface::{Surface, SurfaceError};
-use measurements::Files;
-use measurements::ScanRequest;
+use measurements::{Files, Instrument, ScanRequest, SlopeUncertainty, ZCalibration};
 use topography::{DEFAULT_BINS_PER_DECADE, Recipe};
 use units::Length;
 
@@ -120,6 +119,12 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
         Ok(length.map(|length| length.m))
     };
+    let z_calibration: Option<ZCalibration> =
+        optional(&format!("{key}.scans.z_calibration"), raw.z_calibration.as_ref())?;
+    let slope_uncertainty: Option<SlopeUncertainty> =
+        optional(&format!("{key}.scans.slope_uncertainty"), raw.slope_uncertainty.as_ref())?;
+    let instrument: Option<Instrument> =
+        raw.instrument.as_ref().map(|text| parsed(&format!("{key}.scans.instrument"), text)).transpose()?;
     Ok(ScanRequest {
         path: raw.file.clone(),
         unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
@@ -128,6 +133,9 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         tip_radius: optional(&format!("{key}.scans.tip_radius"), raw.tip_radius.as_ref())?,
         gaps: raw.gaps,
         direction: raw.direction,
+        instrument: instrument.map(|Instrument(name)| name),
+        z_calibration: z_calibration.map(|calibration| calibration.share),
+        slope_uncertainty: slope_uncertainty.map(|slope| slope.of_exponent),
         shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
     })
 }

@@ -8,6 +8,7 @@ use serde_spanned::Spanned;
 use super::error::{SceneError, SceneProblem};
 use super::raw::RawQuantity;
 use crate::plan::Tolerance;
+use units::Bound;
 
 pub(super) fn optional<T: FromStr<Err: std::fmt::Display>>(
     key: &str,
@@ -52,6 +53,19 @@ pub(super) fn count(key: &str, raw: &Spanned<i64>) -> Result<NonZeroU32, SceneEr
         let message = format!("key {key}: {} must be a whole number from 1 on", raw.get_ref());
         SceneError::at(raw.span(), message)
     })
+}
+
+/// A whole number within a bound that admits none below 0.
+pub(super) fn whole_number(
+    key: &str,
+    quantity: &'static str,
+    raw: &Spanned<i64>,
+    bound: Bound,
+) -> Result<u64, SceneError> {
+    let value = *raw.get_ref();
+    let checked = bound.check(quantity, value as f64);
+    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))?;
+    Ok(value.unsigned_abs())
 }
 
 /// A quantity as typed.

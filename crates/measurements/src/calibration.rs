@@ -1,0 +1,58 @@
+//! How well the heights of an instrument are known, as people type it.
+
+use std::str::FromStr;
+
+use units::{Bound, Share};
+
+/// One standard uncertainty of a height scale, as a share of it: above 0 and at most 1, typed as `3 %` or `0.03`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ZCalibration {
+    /// The share.
+    pub share: f64,
+}
+
+impl FromStr for ZCalibration {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let share: Share = text.parse().map_err(|error: units::ShareError| error.to_string())?;
+        let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
+        let checked = bound.check("the standard uncertainty of the height scale, as a share", share.of_one);
+        checked.map(|share| ZCalibration { share }).map_err(|error| error.to_string())
+    }
+}
+
+/// One standard uncertainty of the exponent of a spectrum, d ln C/d ln q: from 0 to 10, beyond which no exponent is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlopeUncertainty {
+    /// Of the exponent, which has no unit.
+    pub of_exponent: f64,
+}
+
+impl FromStr for SlopeUncertainty {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let value: f64 = text.trim().parse().map_err(|_| format!("'{text}' is no number, such as 0.05"))?;
+        let bound = Bound::Within { at_least: 0.0, at_most: 10.0 };
+        let checked = bound.check("the standard uncertainty of the spectrum's exponent", value);
+        checked.map(|of_exponent| SlopeUncertainty { of_exponent }).map_err(|error| error.to_string())
+    }
+}
+
+/// The name of an instrument, which is not empty.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Instrument(pub String);
+
+impl FromStr for Instrument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim() {
+            "" => {
+                Err("the name of an instrument is empty; give one, such as AFM, or leave it out".to_owned())
+            }
+            name => Ok(Instrument(name.to_owned())),
+        }
+    }
+}

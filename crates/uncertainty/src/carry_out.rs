@@ -1,0 +1,191 @@
+//! The draws of a scene, from its inputs to what is told.
+
+use study::Progress;
+use study::plan::{Cutoffs, PlanError, Results, Work};
+use study::scene::Scene;
+
+use crate::advice::{Adviser, TELLING_SCANS};
+use crate::areas::{Areas, Points};
+use crate::bands::{self, band};
+use crate::draws::{self, Along, Drawn};
+use crate::found::{AreaBand, AreaInterval, Guess, Resampled, Uncertainty};
+use crate::group::Indices;
+use crate::inputs::Inputs;
+use crate::quantiles::interval;
+use crate::settings::Settings;
+use crate::shares::Design;
+use crate::surface_scatter::{DrawOf, SurfaceScatter};
+
+/// What has to be done to tell how sure the areas of a scene are.
+#[derive(Debug)]
+pub struct UncertaintyPlan<'p> {
+    results: &'p Results,
+    settings: Settings,
+    inputs: Inputs,
+    areas: Areas,
+    area_fractions: Vec<Option<f64>>,
+}
+
+/// With fewer draws than this nothing is told.
+const FEWEST_DRAWS: usize = 20;
+
+/// The level of the narrower interval, that of one standard uncertainty of a normal distribution.
+const ONE_STANDARD_UNCERTAINTY: f64 = 0.68;
+
+impl<'p> UncertaintyPlan<'p> {
+    /// That of a scene and its results; none where nothing of the scene scatters, or it has no areas.
+    #[must_use]
+    pub fn of(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
+        let inputs = Inputs::of(scene, settings.seed)?;
+        let areas = Areas::of(scene, results);
+        let last =
+            |curve: usize, load| results.curves[curve].area_fractions(load).last().map(|point| point.1);
+        let area_fractions: Vec<Option<f64>> = (0..areas.curves().len())
+            .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
+            .collect();
+        let has_areas = area_fractions.iter().any(Option::is_some);
+        has_areas.then_some(UncertaintyPlan { results, settings: *settings, inputs, areas, area_fractions })
+    }
+
+    /// How many steps of progress it takes, at most; most of them are draws.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        let draws = self.settings.draws;
+        let further = self.design().further_draws(draws, self.inputs.groups.len());
+        draws + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
+    }
+
+    /// Carries it out. Whoever watches may end the draws: what was drawn by then is told, without shares and advice.
+    ///
+    /// # Errors
+    /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
+    pub fn carry_out(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
+        let all = |draw| DrawOf::all(draw);
+        let drawn = draws::all(&self.inputs, &self.areas, self.settings.draws, all, progress);
+        let draws = drawn.ln_areas.len();
+        if draws < FEWEST_DRAWS.min(self.settings.draws) {
+            return Err(PlanError::Cancelled);
+        }
+        let mut work = drawn.work;
+        let mut plans = draws;
+        let (along, of_bands) = self.along(progress);
+        work += of_bands;
+        plans += along.len();
+        let shares = self.design().carry_out(&self.inputs, &self.areas, &drawn, progress);
+        let ended_early = draws < self.settings.draws || shares.is_none() || progress.is_cancelled();
+        let (indices, of_shares, plans_of_shares) = shares.unwrap_or_default();
+        work += of_shares;
+        plans += plans_of_shares;
+        let (advice, of_advice, plans_of_advice) = match ended_early {
+            true => (Vec::new(), Work::default(), 0),
+            false => self.adviser(&drawn, &indices).advice(progress),
+        };
+        work += of_advice;
+        plans += plans_of_advice;
+        let areas =
+            (0..self.areas.count()).filter_map(|area| self.interval(area, &drawn, &indices)).collect();
+        let mut found = Uncertainty {
+            settings: self.settings,
+            draws,
+            ended_early,
+            groups: self.inputs.groups.clone(),
+            instruments: Vec::new(),
+            overlaps: Vec::new(),
+            spectrum_errors: Vec::new(),
+            guesses: Vec::new(),
+            areas,
+            bands: self.bands(&along),
+            advice,
+            work,
+            plans,
+        };
+        self.tell_inputs(&mut found);
+        if ended_early && draws < self.settings.draws {
+            found.guesses.push(Guess::FewDraws { draws });
+        }
+        Ok(found)
+    }
+
+    fn design(&self) -> Design {
+        Design::of(self.settings.draws, self.settings.shares_draws)
+    }
+
+    fn adviser<'a>(&'a self, drawn: &'a Drawn, indices: &'a [Vec<Indices>]) -> Adviser<'a> {
+        let (inputs, areas, results) = (&self.inputs, &self.areas, self.results);
+        Adviser { inputs, areas, results, settings: self.settings, drawn, indices }
+    }
+
+    fn follows_any(&self) -> bool {
+        self.areas.curves().iter().any(|curve| curve.cutoffs == Cutoffs::Every)
+    }
+
+    fn draws_of_bands(&self) -> usize {
+        if self.follows_any() { self.settings.draws.min(bands::MOST_DRAWS) } else { 0 }
+    }
+
+    fn along(&self, progress: &dyn Progress) -> (Vec<Along>, Work) {
+        draws::along(&self.inputs, &self.areas, self.draws_of_bands(), progress)
+    }
+
+    fn bands(&self, along: &[Along]) -> Vec<AreaBand> {
+        let followed =
+            (0..self.areas.curves().len()).filter(|&at| self.areas.curves()[at].cutoffs == Cutoffs::Every);
+        let of_load = |curve: usize, load: usize| {
+            let draws: Vec<&Points> = along.iter().map(|draw| &draw[curve][load]).collect();
+            band(curve, load, &draws, self.settings.level)
+        };
+        followed
+            .flat_map(|curve| (0..self.areas.loads()).filter_map(move |load| of_load(curve, load)))
+            .collect()
+    }
+
+    fn interval(&self, area: usize, drawn: &Drawn, indices: &[Vec<Indices>]) -> Option<AreaInterval> {
+        let ln_areas = drawn.of(area);
+        let found = interval(&ln_areas, self.settings.level)?;
+        let within = interval(&ln_areas, ONE_STANDARD_UNCERTAINTY)?;
+        let count = ln_areas.len() as f64;
+        let mean = ln_areas.iter().sum::<f64>() / count;
+        let variance = ln_areas.iter().map(|ln_area| (ln_area - mean).powi(2)).sum::<f64>() / count;
+        Some(AreaInterval {
+            curve: area / self.areas.loads(),
+            load: area % self.areas.loads(),
+            area_fraction: self.area_fractions[area]?,
+            median: found.median.value.exp(),
+            low: found.low.value.exp(),
+            high: found.high.value.exp(),
+            within_68: [within.low.value.exp(), within.high.value.exp()],
+            monte_carlo_error: found.relative_error(),
+            ln_area_sd: variance.sqrt(),
+            indices: indices.get(area).cloned().unwrap_or_default(),
+        })
+    }
+
+    fn tell_inputs(&self, found: &mut Uncertainty) {
+        for part in self.inputs.surface.parts() {
+            match part {
+                SurfaceScatter::Scans(scans) => {
+                    let first = found.instruments.len();
+                    let few = scans.told.iter().enumerate().filter_map(|(at, told)| {
+                        let scans = match told.resampled {
+                            Resampled::Scans(places) => places,
+                            Resampled::BlocksOfLines(_) | Resampled::SingleLine => 1,
+                        };
+                        let guess = Guess::FewScans { instrument: first + at, scans };
+                        (scans < TELLING_SCANS).then_some(guess)
+                    });
+                    found.guesses.extend(few);
+                    found.instruments.extend(scans.told.iter().cloned());
+                    found.overlaps.extend(scans.overlaps.iter().cloned().map(|mut overlap| {
+                        overlap.instruments = overlap.instruments.map(|instrument| first + instrument);
+                        overlap
+                    }));
+                }
+                SurfaceScatter::Errors(errors) => found.spectrum_errors.push(errors.told.clone()),
+                SurfaceScatter::Certain(_, name) => {
+                    found.guesses.push(Guess::SpectrumWithoutErrors { name: name.clone() });
+                }
+                SurfaceScatter::Sum(_) => {}
+            }
+        }
+    }
+}

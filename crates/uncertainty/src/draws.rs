@@ -1,0 +1,101 @@
+//! Draws carried out, block by block.
+
+use study::Progress;
+use study::plan::Work;
+
+use crate::areas::{Areas, Found, Points};
+use crate::inputs::Inputs;
+use crate::surface_scatter::DrawOf;
+
+/// Draws that are carried out together, on as many threads as there are; between blocks the draws can be ended.
+const BLOCK: usize = 64;
+
+/// ln A of every curve and load in every draw, and what it took.
+#[derive(Debug, Default)]
+pub(crate) struct Drawn {
+    /// Draw by draw.
+    pub ln_areas: Vec<Vec<Option<f64>>>,
+    /// How much was computed.
+    pub work: Work,
+}
+
+impl Drawn {
+    /// ln A of one curve and load, of the draws that have it.
+    pub fn of(&self, area: usize) -> Vec<f64> {
+        self.ln_areas.iter().filter_map(|draw| draw[area]).collect()
+    }
+
+    fn add(&mut self, found: Found) {
+        self.ln_areas.push(found.ln_areas);
+        self.work += found.work;
+    }
+}
+
+impl FromIterator<Found> for Drawn {
+    fn from_iter<I: IntoIterator<Item = Found>>(draws: I) -> Self {
+        let mut all = Drawn::default();
+        draws.into_iter().for_each(|draw| all.add(draw));
+        all
+    }
+}
+
+/// Final areas of a draw.
+pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> Found {
+    let curves = inputs.curves(areas.curves(), draw);
+    match inputs.psd(draw) {
+        Some(psd) => areas.at_the_end(psd.as_ref(), curves),
+        None => areas.nothing(),
+    }
+}
+
+/// Those of so many draws, `which` telling what each is a draw of; fewer where whoever watches has ended them. A step of
+/// `progress` is a draw.
+pub(crate) fn all(
+    inputs: &Inputs,
+    areas: &Areas,
+    count: usize,
+    which: impl Fn(u64) -> DrawOf + Sync,
+    progress: &dyn Progress,
+) -> Drawn {
+    let mut found = Drawn::default();
+    for from in (0..count).step_by(BLOCK) {
+        if progress.is_cancelled() {
+            break;
+        }
+        let numbers: Vec<u64> = (from..count.min(from + BLOCK)).map(|draw| draw as u64).collect();
+        let block = parallel::map(&numbers, |&draw| drawn(inputs, areas, which(draw)));
+        progress.advance(block.len());
+        block.into_iter().for_each(|draw| found.add(draw));
+    }
+    found
+}
+
+/// The areas of a draw along the cutoff: for every curve and load.
+pub(crate) type Along = Vec<Vec<Points>>;
+
+/// Those of the first draws; draws that have left the range of the models are left out.
+pub(crate) fn along(
+    inputs: &Inputs,
+    areas: &Areas,
+    count: usize,
+    progress: &dyn Progress,
+) -> (Vec<Along>, Work) {
+    let numbers: Vec<u64> = (0..count as u64).collect();
+    let found = parallel::map(&numbers, |&draw| {
+        if progress.is_cancelled() {
+            return None;
+        }
+        let draw = DrawOf::all(draw);
+        let psd = inputs.psd(draw)?;
+        let found = areas.along(psd.as_ref(), inputs.curves(areas.curves(), draw));
+        progress.advance(1);
+        found
+    });
+    let mut work = Work::default();
+    let mut draws = Vec::new();
+    for (along, of_draw) in found.into_iter().flatten() {
+        work += of_draw;
+        draws.push(along);
+    }
+    (draws, work)
+}

@@ -1,0 +1,63 @@
+//! What of a scene is drawn: its surface and its bodies.
+
+use spectrum::ProfilePsd;
+use study::plan::Curve;
+use study::scene::Scene;
+
+use crate::group::Group;
+use crate::material_draws::MaterialDraws;
+use crate::random::Streams;
+use crate::surface_scatter::{DrawOf, SurfaceScatter};
+
+/// Surface and bodies, to be drawn.
+#[derive(Debug)]
+pub(crate) struct Inputs {
+    pub surface: SurfaceScatter,
+    material: Option<MaterialDraws>,
+    streams: Streams,
+    /// The groups that scatter.
+    pub groups: Vec<Group>,
+}
+
+impl Inputs {
+    /// Those of a scene; none where nothing of it scatters.
+    pub fn of(scene: &Scene, seed: u64) -> Option<Self> {
+        let surface = SurfaceScatter::of(&scene.surface);
+        let material = MaterialDraws::of(scene);
+        let scatters =
+            |group: &Group| surface.has(*group) || material.as_ref().is_some_and(|draws| draws.has(*group));
+        let groups: Vec<Group> = Group::ALL.iter().copied().filter(scatters).collect();
+        let is_wanted = scene.uncertainty.is_some() || surface.tells_scatter() || material.is_some();
+        let inputs = Inputs { surface, material, streams: Streams::new(seed), groups };
+        (is_wanted && !inputs.groups.is_empty()).then_some(inputs)
+    }
+
+    /// The random numbers.
+    pub fn streams(&self) -> Streams {
+        self.streams
+    }
+
+    /// Whether the surface takes part in draws.
+    pub fn surface_scatters(&self) -> bool {
+        self.groups.iter().any(|group| matches!(group, Group::Scans | Group::Instruments))
+    }
+
+    /// The spectrum of a draw; the first is none where the surface does not scatter, and the whole where the draw has left the
+    /// range of spectra.
+    pub fn psd(&self, draw: DrawOf) -> Option<Option<ProfilePsd>> {
+        if !self.surface_scatters() {
+            return Some(None);
+        }
+        self.surface.psd(self.streams, draw).map(Some)
+    }
+
+    /// The curves of the bodies of a draw.
+    pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
+        let Some(material) = &self.material else { return curves.to_vec() };
+        let mut elastic = self.streams.of(Group::Material, draw.material);
+        let mut strength = self.streams.of(Group::Strength, draw.strength);
+        let drawn = material.draw(&mut elastic, &mut strength);
+        let moved = |curve: &Curve| Curve { model: drawn.of(&curve.model), ..curve.clone() };
+        curves.iter().map(moved).collect()
+    }
+}

@@ -1,0 +1,212 @@
+//! The instruments of a composite: which scans are whose, what each shows of every bin, and what is told of them.
+
+use std::collections::BTreeSet;
+
+use measurements::CompositeOfFiles;
+use scans::Axis;
+use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
+
+use crate::found::{InstrumentInput, InstrumentName, Resampled};
+use crate::instrument_bins::{Beside, InstrumentBin, InstrumentBins};
+
+/// One standard uncertainty of the height scale of an instrument of which nothing is told.
+pub const ASSUMED_Z_CALIBRATION: f64 = 0.03;
+
+/// The instruments of a composite in the order of their first scans, and what is told of them.
+pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec<InstrumentInput>) {
+    let names: Vec<&str> = scans.sources.iter().map(|source| source.instrument.name.as_str()).collect();
+    let mut distinct: Vec<&str> = Vec::new();
+    for name in &names {
+        if !distinct.contains(name) {
+            distinct.push(name);
+        }
+    }
+    let places = places(scans);
+    let own = |name: &str| (0..names.len()).filter(|&scan| names[scan] == name).collect::<Vec<_>>();
+    let of_instruments: Vec<OwnScans<'_>> =
+        distinct.iter().map(|name| OwnScans::of(scans, &own(name), &places)).collect();
+    let mut bins: Vec<InstrumentBins> = of_instruments.iter().map(OwnScans::in_bins).collect();
+    lend_place_scatter(&mut bins, &of_instruments);
+    let told = of_instruments.iter().zip(&bins).map(|(own, bins)| own.told(bins)).collect();
+    (bins, told)
+}
+
+/// The place of every scan by number: the two spectra of one map are of one place, and so is the same data given twice.
+fn places(scans: &CompositeOfFiles) -> Vec<usize> {
+    let found = &scans.spectrum;
+    let mut places: Vec<usize> = Vec::new();
+    for at in 0..found.scans.len() {
+        let axis = |scan: usize| found.scans[scan].axis;
+        let repeats = found.repeated.iter().find(|(_, second)| *second == at).map(|(first, _)| *first);
+        let is_second_axis = at > 0 && axis(at - 1) == Some(Axis::X) && axis(at) == Some(Axis::Y);
+        let same_as = repeats.or(is_second_axis.then(|| at - 1));
+        places.push(same_as.map_or(at, |other| places[other]));
+    }
+    places
+}
+
+/// The scatter between places is known of instruments with several; the others are taken to have as much.
+fn lend_place_scatter(instruments: &mut [InstrumentBins], own: &[OwnScans<'_>]) {
+    let known: Vec<f64> =
+        own.iter().filter(|own| own.places.len() > 1).map(OwnScans::place_variance).collect();
+    let mean = if known.is_empty() { 0.0 } else { known.iter().sum::<f64>() / known.len() as f64 };
+    for (instrument, own) in instruments.iter_mut().zip(own) {
+        let variance = if own.places.len() > 1 { own.place_variance() } else { mean };
+        instrument.place_sd = variance.sqrt();
+    }
+}
+
+/// The scans of one instrument.
+struct OwnScans<'s> {
+    scans: &'s CompositeOfFiles,
+    /// Its scans, by index.
+    own: Vec<usize>,
+    /// Their places, each once.
+    places: Vec<usize>,
+    /// Which of these each of its scans is of.
+    place_of: Vec<usize>,
+    /// What it shows of each bin of the composite, by scan.
+    in_bins: Vec<Vec<(usize, &'s ScanBin)>>,
+}
+
+impl<'s> OwnScans<'s> {
+    fn of(scans: &'s CompositeOfFiles, own: &[usize], places: &[usize]) -> Self {
+        let found = &scans.spectrum;
+        let distinct: Vec<usize> =
+            own.iter().map(|&scan| places[scan]).collect::<BTreeSet<_>>().into_iter().collect();
+        let place_of =
+            own.iter().map(|&scan| distinct.partition_point(|&place| place < places[scan])).collect();
+        let indices: BTreeSet<i64> = found.in_bins.iter().flatten().map(|bin| bin.index).collect();
+        let of_bin = |index: &i64| {
+            let of_scan = |(at, &scan): (usize, &usize)| {
+                let bins = &found.in_bins[scan];
+                let bin = bins.binary_search_by_key(index, |bin| bin.index).ok()?;
+                Some((at, &bins[bin]))
+            };
+            own.iter().enumerate().filter_map(of_scan).collect()
+        };
+        let in_bins = indices.iter().map(of_bin).collect();
+        OwnScans { scans, own: own.to_vec(), places: distinct, place_of, in_bins }
+    }
+
+    fn average(&self) -> Average {
+        self.scans.spectrum.recipe.average
+    }
+
+    fn bins(&self) -> &'s [CompositeBin] {
+        self.scans.spectrum.composite.bins()
+    }
+
+    /// The one map that stands for the instrument, where its parts can stand for places.
+    fn only_map(&self) -> Option<&'s ScanSpectrum> {
+        let only = &self.scans.spectrum.scans[self.own[0]];
+        (self.places.len() == 1 && !only.spectrum.of_parts_m3().is_empty()).then_some(only)
+    }
+
+    fn in_bins(&self) -> InstrumentBins {
+        let reached: Vec<f64> = self.reached().map(|bin| -bin.wavelength_m.ln()).collect();
+        let middle = 0.5 * (reached[0] + reached[reached.len() - 1]);
+        let bins = self.in_bins.iter().zip(self.bins());
+        let bins = bins.map(|(scans, bin)| self.bin(scans, bin, middle)).collect();
+        let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.of_parts_m3().len());
+        InstrumentBins { units, place_sd: 0.0, is_one_place: self.places.len() == 1, bins }
+    }
+
+    /// The bins that the instrument reaches, from long to short wavelengths; there is one at least.
+    fn reached(&self) -> impl Iterator<Item = &'s CompositeBin> {
+        self.in_bins.iter().zip(self.bins()).filter(|(scans, _)| !scans.is_empty()).map(|(_, bin)| bin)
+    }
+
+    fn bin(&self, scans: &[(usize, &ScanBin)], bin: &CompositeBin, middle: f64) -> Option<InstrumentBin> {
+        let (_, first) = scans.first()?;
+        let average = self.average();
+        let weight = match average {
+            Average::Arithmetic => {
+                let own: f64 = scans.iter().map(|(_, scan)| scan.c1d_m3).sum();
+                own / (bin.c1d_m3 * bin.measurements as f64)
+            }
+            _ => scans.len() as f64 / bin.measurements as f64,
+        };
+        let ln_of_places = self.ln_of_places(scans);
+        let ln_mean = ln_of_places.iter().map(|(_, ln)| ln).sum::<f64>() / ln_of_places.len() as f64;
+        let (deviations, beside) = match (self.only_map(), ln_of_places.len()) {
+            (Some(_), _) => parts(first),
+            (None, 1) => (Vec::new(), own_bins(first)),
+            (None, _) => {
+                (ln_of_places.iter().map(|(place, ln)| (*place, ln - ln_mean)).collect(), Beside::Nothing)
+            }
+        };
+        Some(InstrumentBin { weight, ln_q: -bin.wavelength_m.ln() - middle, ln_mean, deviations, beside })
+    }
+
+    /// ln C at each place, of several scans there their mean.
+    fn ln_of_places(&self, scans: &[(usize, &ScanBin)]) -> Vec<(usize, f64)> {
+        let at_place = |place: usize| {
+            let ln: Vec<f64> = scans
+                .iter()
+                .filter(|(at, _)| self.place_of[*at] == place)
+                .map(|(_, bin)| self.average().counted_m3(bin).ln())
+                .collect();
+            (!ln.is_empty()).then(|| (place, ln.iter().sum::<f64>() / ln.len() as f64))
+        };
+        (0..self.places.len()).filter_map(at_place).collect()
+    }
+
+    /// The variance of ln C between places beyond what the Fourier bins of each scan make, over the bins that several reach.
+    fn place_variance(&self) -> f64 {
+        let of_bin = |scans: &Vec<(usize, &ScanBin)>| {
+            let places = self.ln_of_places(scans);
+            let count = places.len() as f64;
+            let mean = places.iter().map(|(_, ln)| ln).sum::<f64>() / count;
+            let squares: f64 = places.iter().map(|(_, ln)| (ln - mean).powi(2)).sum();
+            let own: f64 =
+                scans.iter().map(|(_, bin)| own_bins(bin).variance()).sum::<f64>() / scans.len() as f64;
+            (places.len() > 1).then(|| squares / (count - 1.0) - own)
+        };
+        let of_bins: Vec<f64> = self.in_bins.iter().filter_map(of_bin).collect();
+        if of_bins.is_empty() { 0.0 } else { (of_bins.iter().sum::<f64>() / of_bins.len() as f64).max(0.0) }
+    }
+
+    fn told(&self, bins: &InstrumentBins) -> InstrumentInput {
+        let instruments = || self.own.iter().map(|&scan| &self.scans.sources[scan].instrument);
+        let name = self.scans.sources[self.own[0]].instrument.name.clone();
+        let z_calibration = instruments().find_map(|instrument| instrument.z_calibration);
+        let mut reached = self.reached().map(|bin| bin.wavelength_m);
+        let longest_m = reached.next().unwrap_or_default();
+        InstrumentInput {
+            name: match instruments().all(|instrument| instrument.is_guessed) {
+                true => InstrumentName::Guessed(name),
+                false => InstrumentName::Given(name),
+            },
+            scans: self.own.len(),
+            resampled: match (self.places.len(), self.only_map()) {
+                (1, Some(_)) => Resampled::BlocksOfLines(bins.units),
+                (1, None) => Resampled::SingleLine,
+                (places, _) => Resampled::Scans(places),
+            },
+            z_calibration: z_calibration.unwrap_or(ASSUMED_Z_CALIBRATION),
+            z_calibration_is_assumed: z_calibration.is_none(),
+            slope_uncertainty: instruments().find_map(|found| found.slope_uncertainty).unwrap_or(0.0),
+            gain: [0.0; 2],
+            band_m: [longest_m, reached.last().unwrap_or(longest_m)],
+        }
+    }
+}
+
+/// The parts of a map as places, and the variance that they lack: side by side they are alike at long wavelengths.
+fn parts(bin: &ScanBin) -> (Vec<(usize, f64)>, Beside) {
+    let deviations: Vec<(usize, f64)> =
+        bin.of_parts_m3.iter().map(|part_m3| part_m3 / bin.c1d_m3 - 1.0).enumerate().collect();
+    let count = deviations.len() as f64;
+    let shown = deviations.iter().map(|(_, off)| off * off).sum::<f64>() / (count * (count - 1.0));
+    let missing = own_bins(bin).variance() - shown;
+    (deviations, if missing > 0.0 { Beside::Variance(missing) } else { Beside::Nothing })
+}
+
+/// The scatter of a single scan by its own Fourier bins.
+fn own_bins(bin: &ScanBin) -> Beside {
+    // Fewer than the two of one Fourier bin of one line there are none.
+    let degrees_of_freedom = bin.degrees_of_freedom.unwrap_or(2.0);
+    let bias = -(Average::LogUnbiased.counted_m3(bin) / bin.c1d_m3).ln();
+    Beside::OwnBins { degrees_of_freedom, bias }
+}

@@ -1,0 +1,178 @@
+//! The ends of an interval from draws, and how well the draws know them.
+
+/// A quantile of draws.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantile {
+    /// The quantile.
+    pub value: f64,
+    /// One standard error of it, which more draws would shrink.
+    pub standard_error: f64,
+}
+
+/// An interval with as many draws below it as above, and their median.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// The lower end.
+    pub low: Quantile,
+    /// The median.
+    pub median: Quantile,
+    /// The upper end.
+    pub high: Quantile,
+    /// One standard error of the length high - low.
+    pub length_standard_error: f64,
+}
+
+impl Interval {
+    /// One standard error of the length as a share of it; 0 where the draws do not differ. Of draws of ln A this is
+    /// the error of ln(high/low) as a share of it, and no end is known less well.
+    pub fn relative_error(&self) -> f64 {
+        let length = self.high.value - self.low.value;
+        if length > 0.0 { self.length_standard_error / length } else { 0.0 }
+    }
+}
+
+/// The equal-tailed interval that holds a share `level` of the draws (above 0, below 1); none where there is no draw.
+///
+/// Quantiles are the eighth of Hyndman & Fan 1996 (Am. Stat. 50:361), whose median is the true quantile whatever the
+/// distribution is; beyond the first and the last draw there is nothing to tell, so that an end stays there. The number of
+/// draws below a true quantile is binomial: a standard error is half the distance between the draws that lie one standard
+/// deviation of that number to either side. With two or three draws beyond an end (95 % of 100) it is rather too large.
+///
+/// JCGM 101:2008 (7.2) suggests 10^4/(1 - level) draws, 200,000 for 95 %, where a result is wanted to one or two digits of
+/// its standard uncertainty without looking; its adaptive procedure (7.9) stops where twice the standard error is below what
+/// is wanted. Here the number of draws is given and the error said.
+pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
+    let mut sorted = draws.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    if sorted.is_empty() {
+        return None;
+    }
+    let below = (1.0 - level) / 2.0;
+    let low = quantile(&sorted, below);
+    let high = quantile(&sorted, 1.0 - below);
+    // Both ends rest on the same draws: the numbers below them are correlated by below/(1 - below).
+    let together = 2.0 * below / (1.0 - below) * low.standard_error * high.standard_error;
+    let variance = low.standard_error.powi(2) + high.standard_error.powi(2) - together;
+    Some(Interval {
+        low,
+        median: quantile(&sorted, 0.5),
+        high,
+        length_standard_error: variance.max(0.0).sqrt(),
+    })
+}
+
+fn quantile(sorted: &[f64], probability: f64) -> Quantile {
+    let n = sorted.len() as f64;
+    let rank = ((n + 1.0 / 3.0) * probability + 1.0 / 3.0).clamp(1.0, n);
+    let scatter = (n * probability * (1.0 - probability)).sqrt();
+    let (before, after) = ((rank - scatter).max(1.0), (rank + scatter).min(n));
+    let standard_error = if after > before {
+        (at_rank(sorted, after) - at_rank(sorted, before)) * scatter / (after - before)
+    } else {
+        0.0
+    };
+    Quantile { value: at_rank(sorted, rank), standard_error }
+}
+
+/// Between the draws whose ranks, from 1 on, are on either side.
+fn at_rank(sorted: &[f64], rank: f64) -> f64 {
+    let below = rank.floor();
+    let share = rank - below;
+    let first = sorted[below as usize - 1];
+    if share > 0.0 { first + share * (sorted[below as usize] - first) } else { first }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    use super::interval;
+
+    /// Of the normal distribution at 97.5 %.
+    const HIGH: f64 = 1.959_963_984_540_054;
+
+    fn normal(draws: usize, seed: u64) -> Vec<f64> {
+        let random = ChaCha8Rng::seed_from_u64(seed);
+        StandardNormal.sample_iter(random).take(draws).collect()
+    }
+
+    #[test]
+    fn the_ends_are_those_of_the_normal_distribution() {
+        let found = interval(&normal(100_000, 1), 0.95).unwrap();
+        for (quantile, expected) in [(found.low, -HIGH), (found.median, 0.0), (found.high, HIGH)] {
+            assert!((quantile.value - expected).abs() < 3.0 * quantile.standard_error, "{found:?}");
+            assert!(quantile.standard_error < 0.012, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn ranks_are_those_of_the_eighth_definition() {
+        // Of 1 to 20 the value is the rank: (20 + 1/3) p + 1/3.
+        let found = interval(&(1..=20).map(f64::from).rev().collect::<Vec<_>>(), 0.8).unwrap();
+        for (quantile, probability) in [(found.low, 0.1), (found.median, 0.5), (found.high, 0.9)] {
+            let expected = (20.0 + 1.0 / 3.0) * probability + 1.0 / 3.0;
+            assert!((quantile.value - expected).abs() < 1e-12, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn stated_errors_are_the_scatter_of_repeats() {
+        const REPEATS: usize = 400;
+        // Four standard errors of a share of 400 are 0.09; of 100 draws two or three lie beyond an end.
+        for (draws, at_most) in [(100, 0.85), (1000, 0.77)] {
+            let repeats: Vec<_> =
+                (0..REPEATS).map(|seed| interval(&normal(draws, seed as u64), 0.95).unwrap()).collect();
+            let covered = |held: &dyn Fn(&super::Interval) -> bool| {
+                repeats.iter().filter(|found| held(found)).count() as f64 / REPEATS as f64
+            };
+            let within = |quantile: super::Quantile, truth: f64| {
+                (quantile.value - truth).abs() < quantile.standard_error
+            };
+            for covered in [
+                covered(&|found| within(found.low, -HIGH)),
+                covered(&|found| within(found.median, 0.0)),
+                covered(&|found| within(found.high, HIGH)),
+                covered(&|found| {
+                    (found.high.value - found.low.value - 2.0 * HIGH).abs() < found.length_standard_error
+                }),
+            ] {
+                assert!((0.59..at_most).contains(&covered), "{draws}: {covered}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_interval_holds_the_next_draw_as_often_as_it_says() {
+        const REPEATS: u64 = 2000;
+        let held = |seed: &u64| {
+            let mut draws = normal(201, *seed);
+            let next = draws.pop().unwrap();
+            let found = interval(&draws, 0.9).unwrap();
+            found.low.value < next && next < found.high.value
+        };
+        let held = (0..REPEATS).filter(held).count() as f64 / REPEATS as f64;
+        assert!((held - 0.9).abs() < 0.02, "{held}");
+    }
+
+    #[test]
+    fn draws_that_do_not_differ_have_no_error() {
+        for draws in [1, 2, 1000] {
+            let found = interval(&vec![0.25; draws], 0.95).unwrap();
+            assert_eq!([found.low.value, found.median.value, found.high.value], [0.25; 3]);
+            assert_eq!(
+                [found.low.standard_error, found.length_standard_error, found.relative_error()],
+                [0.0; 3]
+            );
+        }
+        assert_eq!(interval(&[], 0.95), None);
+    }
+
+    #[test]
+    fn few_draws_end_at_the_outermost() {
+        let found = interval(&[3.0, 1.0, 2.0], 0.95).unwrap();
+        assert_eq!([found.low.value, found.median.value, found.high.value], [1.0, 2.0, 3.0]);
+        assert!(found.relative_error() > 0.0);
+    }
+}

@@ -1,0 +1,59 @@
+//! Random numbers of a draw: a stream of its own for every group and draw, so that draws come out the same in any order and
+//! on any number of threads, and one group can be drawn anew while the others stay.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+use crate::group::Group;
+
+/// Draws that the numbers of one group may have.
+const MOST_DRAWS: u64 = 1 << 48;
+
+/// More than there are.
+const GROUPS: u64 = 16;
+
+/// The random numbers of a scene.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Streams {
+    seed: u64,
+}
+
+impl Streams {
+    pub fn new(seed: u64) -> Self {
+        Streams { seed }
+    }
+
+    /// Those of a group in a draw.
+    pub fn of(self, group: Group, draw: u64) -> ChaCha8Rng {
+        self.of_surface(group, draw, 0)
+    }
+
+    /// A standard normal number of a draw that belongs to no group.
+    pub fn deviate_beside(self, draw: u64) -> f64 {
+        let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
+        numbers.set_stream((GROUPS - 1) * MOST_DRAWS + draw);
+        StandardNormal.sample(&mut numbers)
+    }
+
+    /// The same for one of two surfaces.
+    pub fn of_surface(self, group: Group, draw: u64, surface: u64) -> ChaCha8Rng {
+        let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
+        numbers.set_stream((group as u64 + GROUPS * surface) * MOST_DRAWS + draw);
+        numbers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_group_and_draw_has_numbers_of_its_own() {
+        let first =
+            |group, draw| -> f64 { rand_distr::StandardNormal.sample(&mut Streams::new(1).of(group, draw)) };
+        assert_eq!(first(Group::Scans, 3), first(Group::Scans, 3));
+        assert_ne!(first(Group::Scans, 3), first(Group::Scans, 4));
+        assert_ne!(first(Group::Scans, 3), first(Group::Material, 3));
+    }
+}

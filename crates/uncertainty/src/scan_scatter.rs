@@ -1,0 +1,128 @@
+//! The composite of scans drawn anew: scans at other places, and instruments with other height scales.
+//!
+//! A scan j of an instrument i at the bin k is taken to be ln C_ijk = mu_k + a_i + b_i ln(q_k/q_i) + s_ijk + e_ijk: gain and slope
+//! of the instrument, the place, and the scatter of its own Fourier bins (physics2.md, D1).
+
+use measurements::CompositeOfFiles;
+use rand_chacha::rand_core::Rng;
+use spectrum::ProfilePsd;
+use topography::Average;
+
+use crate::found::{InstrumentInput, OverlapMisfit};
+use crate::gains::{Gains, Prior};
+use crate::instrument_bins::{InstrumentBin, InstrumentBins};
+use crate::instruments::instruments;
+use crate::overlap::overlaps;
+
+/// The largest deviation of ln C that a draw may have. Student's t of two scans has no variance; what lies beyond a factor of
+/// e^20 is beyond the ends of every interval that is told, and must not leave the range of doubles.
+const MOST: f64 = 20.0;
+
+/// What there is to draw a composite of scans from.
+#[derive(Debug)]
+pub(crate) struct ScanScatter {
+    wavelengths_m: Vec<f64>,
+    ln_c1d: Vec<f64>,
+    average: Average,
+    instruments: Vec<InstrumentBins>,
+    gains: Gains,
+    /// What is told of the instruments.
+    pub told: Vec<InstrumentInput>,
+    /// What is told of their overlaps.
+    pub overlaps: Vec<OverlapMisfit>,
+}
+
+impl ScanScatter {
+    pub fn of(scans: &CompositeOfFiles) -> Self {
+        let (instruments, mut told) = instruments(scans);
+        let bins = scans.spectrum.composite.bins();
+        let priors: Vec<Prior> = told.iter().map(Prior::of).collect();
+        let found = overlaps(&instruments, &priors, bins);
+        let gains = Gains::of(&priors, &found.observations);
+        for (at, told) in told.iter_mut().enumerate() {
+            told.gain = gains.gain_of(at);
+        }
+        ScanScatter {
+            wavelengths_m: bins.iter().map(|bin| bin.wavelength_m).collect(),
+            ln_c1d: bins.iter().map(|bin| bin.c1d_m3.ln()).collect(),
+            average: scans.spectrum.recipe.average,
+            instruments,
+            gains,
+            told,
+            overlaps: found.misfits,
+        }
+    }
+
+    /// ln C of the composite as it is.
+    pub fn centre(&self) -> &[f64] {
+        &self.ln_c1d
+    }
+
+    /// Whether any of its scans scatter.
+    pub fn scatters(&self) -> bool {
+        self.instruments.iter().any(InstrumentBins::scatters)
+    }
+
+    /// Whether any height scale is uncertain.
+    pub fn has_gains(&self) -> bool {
+        self.gains.scatter()
+    }
+
+    /// The deviations of ln C of every instrument in a draw of its scans, in every bin.
+    pub fn places(&self, numbers: &mut impl Rng) -> Vec<Vec<f64>> {
+        self.instruments.iter().map(|instrument| instrument.draw(numbers)).collect()
+    }
+
+    /// The deviations of ln C that the gains of instruments make in a draw, in every bin.
+    pub fn gains(&self, numbers: &mut impl Rng) -> Vec<Vec<f64>> {
+        self.of_gains(&self.gains.draw(numbers))
+    }
+
+    /// For every instrument, all gains if its own were known exactly.
+    pub fn gains_without_each(&self) -> Vec<Gains> {
+        (0..self.instruments.len()).map(|instrument| self.gains.without(instrument)).collect()
+    }
+
+    /// The deviations of ln C that gains and slopes make, for every instrument in every bin.
+    pub fn of_gains(&self, gains: &[[f64; 2]]) -> Vec<Vec<f64>> {
+        let of_instrument = |(instrument, [gain, slope]): (&InstrumentBins, &[f64; 2])| {
+            let of_bin =
+                |bin: &Option<InstrumentBin>| bin.as_ref().map_or(0.0, |bin| -(gain + slope * bin.ln_q));
+            instrument.bins.iter().map(of_bin).collect()
+        };
+        self.instruments.iter().zip(gains).map(of_instrument).collect()
+    }
+
+    /// ln C of the composite of instruments that deviate like this, in every bin.
+    pub fn composed(&self, places: &[Vec<f64>], gains: &[Vec<f64>]) -> Vec<f64> {
+        let of_bin = |(at, centre): (usize, &f64)| {
+            let of_instruments = self.instruments.iter().enumerate().filter_map(|(i, instrument)| {
+                let bin = instrument.bins[at].as_ref()?;
+                Some((bin.weight, (places[i][at] + gains[i][at]).clamp(-MOST, MOST)))
+            });
+            let moved: f64 = match self.average {
+                Average::Arithmetic => {
+                    of_instruments.map(|(weight, deviation)| weight * deviation.exp()).sum::<f64>().ln()
+                }
+                _ => of_instruments.map(|(weight, deviation)| weight * deviation).sum(),
+            };
+            centre + moved
+        };
+        self.ln_c1d.iter().enumerate().map(of_bin).collect()
+    }
+
+    /// The composite of a draw as a spectrum.
+    pub fn psd(&self, ln_c1d: &[f64]) -> Option<ProfilePsd> {
+        let values = ln_c1d.iter().map(|ln| ln.exp()).collect();
+        ProfilePsd::new(self.wavelengths_m.clone(), values).ok()
+    }
+
+    /// The part of an instrument in the composite, in every bin.
+    pub fn weights(&self, instrument: usize) -> Vec<f64> {
+        self.instruments[instrument]
+            .bins
+            .iter()
+            .map(|bin| bin.as_ref().map_or(0.0, |bin| bin.weight))
+            .collect()
+    }
+}

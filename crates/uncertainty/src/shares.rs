@@ -1,0 +1,93 @@
+//! Which group of inputs the variance of ln A comes from.
+
+use study::Progress;
+use study::plan::Work;
+
+use crate::areas::Areas;
+use crate::draws::{self, Drawn};
+use crate::group::{Group, Index, Indices};
+use crate::inputs::Inputs;
+use crate::sobol::indices;
+use crate::surface_scatter::DrawOf;
+
+/// Draws of the small design: with them a share has a standard error of 0.06 at most.
+pub(crate) const SMALL_DESIGN: usize = 128;
+
+/// The only group has all of it.
+const ALL: Indices = Indices {
+    first_order: Index { value: 1.0, standard_error: 0.0 },
+    total: Index { value: 1.0, standard_error: 0.0 },
+};
+
+/// Saltelli's design over the groups that scatter: A and B are draws that were made already, as far as they go.
+pub(crate) struct Design {
+    /// Draws of A, and as many of B.
+    pub size: usize,
+}
+
+impl Design {
+    /// That for so many draws; the full one where its size is asked for.
+    pub fn of(draws: usize, asked: Option<usize>) -> Self {
+        Design { size: asked.unwrap_or(SMALL_DESIGN.min(draws / 2)) }
+    }
+
+    /// How many draws it takes beyond those that were made.
+    pub fn further_draws(&self, made: usize, groups: usize) -> usize {
+        if groups < 2 { 0 } else { (2 * self.size).saturating_sub(made) + groups * self.size }
+    }
+
+    /// The indices of every group for every area; none where the design was ended before it was whole.
+    pub fn carry_out(
+        &self,
+        inputs: &Inputs,
+        areas: &Areas,
+        made: &Drawn,
+        progress: &dyn Progress,
+    ) -> Option<(Vec<Vec<Indices>>, Work, usize)> {
+        let groups = &inputs.groups;
+        if groups.len() < 2 {
+            return Some((vec![vec![ALL; groups.len()]; areas.count()], Work::default(), 0));
+        }
+        let (size, known) = (self.size, made.ln_areas.len());
+        let missing = (2 * size).saturating_sub(known);
+        let mut work = Work::default();
+        let further = draws::all(inputs, areas, missing, |draw| DrawOf::all(known as u64 + draw), progress);
+        work += further.work;
+        let base: Vec<&Vec<Option<f64>>> = made.ln_areas.iter().chain(&further.ln_areas).collect();
+        let mut plans = further.ln_areas.len();
+        let mut of_groups = Vec::new();
+        for &group in groups {
+            let mixed = |draw: u64| DrawOf::all(draw).with(group, draw + size as u64);
+            let found = draws::all(inputs, areas, size, mixed, progress);
+            work += found.work;
+            plans += found.ln_areas.len();
+            of_groups.push(found);
+        }
+        if base.len() < 2 * size || of_groups.iter().any(|found| found.ln_areas.len() < size) {
+            return None;
+        }
+        let of_area =
+            |area: usize| of_groups.iter().map(|mixed| of_group(&base, mixed, size, area)).collect();
+        Some(((0..areas.count()).map(of_area).collect(), work, plans))
+    }
+}
+
+/// The indices of a group for an area, of the draws of the design that have one.
+fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize) -> Indices {
+    let (mut a, mut b, mut ab) = (Vec::new(), Vec::new(), Vec::new());
+    for draw in 0..size {
+        let found = (base[draw][area], base[draw + size][area], mixed.ln_areas[draw][area]);
+        if let (Some(of_a), Some(of_b), Some(of_mixed)) = found {
+            a.push(of_a);
+            b.push(of_b);
+            ab.push(of_mixed);
+        }
+    }
+    indices(&a, &b, &ab)
+}
+
+/// The indices of a group among those that scatter.
+pub(crate) fn first_order(groups: &[Group], indices: &[Indices], group: Group) -> Option<f64> {
+    let at = groups.iter().position(|other| *other == group)?;
+    Some(indices.get(at)?.first_order.value)
+}

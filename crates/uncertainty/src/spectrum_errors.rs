@@ -1,0 +1,99 @@
+//! A spectrum from a file with standard errors, drawn anew.
+
+use rand_chacha::rand_core::Rng;
+use rand_distr::{Distribution, StandardNormal};
+use spectrum::ProfilePsd;
+
+use crate::found::SpectrumErrors;
+
+/// Decades of wavelength over which errors go together, in the manner of exp(-distance/length): files do not tell it, and errors
+/// drawn bin by bin would make moments look far more certain than they are (physics2.md, D1 and D2).
+pub const CORRELATION_DECADES: f64 = 0.5;
+
+/// What there is to draw it from.
+#[derive(Debug)]
+pub(crate) struct ErrorsOfSpectrum {
+    psd: ProfilePsd,
+    /// Standard deviation of ln C at each wavelength; 0 where the file has no error.
+    sd: Vec<f64>,
+    /// The correlation with the wavelength before.
+    with_last: Vec<f64>,
+    /// What is told of it.
+    pub told: SpectrumErrors,
+}
+
+impl ErrorsOfSpectrum {
+    /// Those of a spectrum under a name; none where it has no standard errors.
+    pub fn of(psd: &ProfilePsd, name: &str) -> Option<Self> {
+        let errors_m3 = psd.standard_errors_m3()?;
+        // A log-normal value of the median C and the standard deviation u has the variance ln((1 + sqrt(1 + 4 (u/C)^2))/2) of
+        // its logarithm.
+        let sd = |(value_m3, error_m3): (&f64, &Option<f64>)| {
+            let relative = error_m3.unwrap_or(0.0) / value_m3;
+            (0.5 * (1.0 + (1.0 + 4.0 * relative * relative).sqrt())).ln().sqrt()
+        };
+        let sd: Vec<f64> = psd.c1d_m3().iter().zip(errors_m3).map(sd).collect();
+        let decades = |pair: &[f64]| (pair[0] / pair[1]).log10();
+        let steps = psd.wavelengths_m().windows(2).map(|pair| (-decades(pair) / CORRELATION_DECADES).exp());
+        let told = SpectrumErrors {
+            name: name.to_owned(),
+            samples: sd.iter().filter(|sd| **sd > 0.0).count(),
+            of: sd.len(),
+            correlation_decades: CORRELATION_DECADES,
+        };
+        let with_last = std::iter::once(0.0).chain(steps).collect();
+        (told.samples > 0).then(|| ErrorsOfSpectrum { psd: psd.clone(), sd, with_last, told })
+    }
+
+    /// The deviations of ln C in a draw: a normal process along ln q, each step correlated with the last.
+    pub fn deviations(&self, numbers: &mut impl Rng) -> Vec<f64> {
+        let mut last = 0.0;
+        let mut next = |(sd, correlation): (&f64, &f64)| {
+            let fresh: f64 = StandardNormal.sample(numbers);
+            last = correlation * last + (1.0 - correlation * correlation).sqrt() * fresh;
+            sd * last
+        };
+        self.sd.iter().zip(&self.with_last).map(&mut next).collect()
+    }
+
+    /// The spectrum that deviates like this.
+    pub fn psd(&self, deviations: &[f64]) -> Option<ProfilePsd> {
+        let moved = self.psd.c1d_m3().iter().zip(deviations).map(|(c1d_m3, off)| c1d_m3 * off.exp());
+        ProfilePsd::new(self.psd.wavelengths_m().to_vec(), moved.collect()).ok()
+    }
+
+    /// The spectrum as it is.
+    pub fn centre(&self) -> &ProfilePsd {
+        &self.psd
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::group::Group;
+    use crate::random::Streams;
+    use spectrum::{Convention, Psd};
+
+    #[test]
+    fn deviations_have_the_sd_and_the_correlation_that_are_told() {
+        let wavelengths_m: Vec<f64> = (0..6).map(|at| 10f64.powf(-5.0 - 0.1 * f64::from(at))).collect();
+        let psd = Psd::new(wavelengths_m, vec![2.0; 6], Convention::C1D).unwrap();
+        let errors = vec![Some(0.2), Some(0.2), None, Some(0.2), Some(0.2), Some(0.2)];
+        let psd = psd.with_standard_errors(errors).unwrap().profile().unwrap();
+        let found = ErrorsOfSpectrum::of(&psd, "x").unwrap();
+        assert_eq!((found.told.samples, found.told.of), (5, 6));
+        let draws: Vec<Vec<f64>> =
+            (0..20_000).map(|draw| found.deviations(&mut Streams::new(3).of(Group::Scans, draw))).collect();
+        let mean = |of: &dyn Fn(&Vec<f64>) -> f64| draws.iter().map(of).sum::<f64>() / draws.len() as f64;
+        // (u/C)^2 = 0.01 makes a variance of the logarithm of 0.00985.
+        let variance = mean(&|draw| draw[0] * draw[0]);
+        assert!((variance / 0.009_852 - 1.0).abs() < 0.03, "{variance}");
+        assert!((mean(&|draw| draw[5] * draw[5]) / 0.009_852 - 1.0).abs() < 0.03);
+        // Half a decade apart: e^-1.
+        assert!((mean(&|draw| draw[0] * draw[5]) / variance - (-1f64).exp()).abs() < 0.03);
+        assert!(draws.iter().all(|draw| draw[2] == 0.0));
+        let sd_of_values = mean(&|draw| (2.0 * draw[0].exp() - 2.0).powi(2)).sqrt();
+        assert!((sd_of_values / 0.2 - 1.0).abs() < 0.03);
+    }
+}

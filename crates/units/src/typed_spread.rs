@@ -1,0 +1,69 @@
+//! How well a quantity is known, as people type it: `210 GPa +- 5 GPa`, `0.8 GPa to 1.2 GPa`.
+
+/// The two texts that a spread is typed as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TypedSpread<'t> {
+    /// A value and its standard uncertainty, with `+-`, `+/-` or `±` between them.
+    PlusMinus {
+        /// The value.
+        value: &'t str,
+        /// Its standard uncertainty, in its unit or as a share of it.
+        uncertainty: &'t str,
+    },
+    /// The ends of an interval, with `to` between them.
+    Interval {
+        /// The lower end.
+        from: &'t str,
+        /// The upper end.
+        to: &'t str,
+    },
+}
+
+impl<'t> TypedSpread<'t> {
+    /// The spread that a text is; `None` where it is a single quantity, good or bad.
+    #[must_use]
+    pub fn of(text: &'t str) -> Option<Self> {
+        let parts = |sign: &str| text.split_once(sign).map(|(first, last)| (first.trim(), last.trim()));
+        if let Some((value, uncertainty)) = ["+-", "+/-", "±"].into_iter().find_map(parts) {
+            return Some(TypedSpread::PlusMinus { value, uncertainty });
+        }
+        let (from, to) = parts(" to ")?;
+        Some(TypedSpread::Interval { from, to })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{IndentationHardness, Length, Modulus, Pressure, QuantityError};
+
+    #[test]
+    fn a_spread_is_told_from_a_single_quantity() {
+        let plus_minus = Some(TypedSpread::PlusMinus { value: "210 GPa", uncertainty: "5 GPa" });
+        for text in ["210 GPa +- 5 GPa", "210 GPa ± 5 GPa", "210 GPa+/-5 GPa", " 210 GPa  +-5 GPa "] {
+            assert_eq!(TypedSpread::of(text), plus_minus, "{text}");
+        }
+        let interval = Some(TypedSpread::Interval { from: "0.8GPa", to: "1.2 GPa" });
+        assert_eq!(TypedSpread::of("0.8GPa to 1.2 GPa"), interval);
+        for text in ["210 GPa", "-5 GPa", "1e+9 Pa", "1e-9 m", "towards", "", "5 to", "1 ton"] {
+            assert_eq!(TypedSpread::of(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn where_one_value_is_wanted_a_spread_is_told_where_it_belongs() {
+        for text in ["210 GPa +- 5 GPa", "210 +- 5 GPa", "210 GPa ± 2 %", "0.8 GPa to 1.2 GPa", "1 to 2 GPa"]
+        {
+            let expected = format!(
+                "'{text}' says how well a modulus is known, and one value is wanted here; a scene takes it for its \
+                 material, as [material] youngs_modulus = \"210 GPa +- 5 GPa\""
+            );
+            assert_eq!(text.parse::<Modulus>().unwrap_err().to_string(), expected);
+        }
+        let spread = |error: QuantityError| matches!(error, QuantityError::OneValueWanted { .. });
+        assert!(spread("300 HV +- 10 HV".parse::<IndentationHardness>().unwrap_err()));
+        assert!(spread("1e-3 H +- 1e-4 H".parse::<Pressure>().unwrap_err()));
+        assert!(spread("5 um to 6 um".parse::<Length>().unwrap_err()));
+        assert!(!spread("5 to".parse::<Length>().unwrap_err()));
+    }
+}
