@@ -98,7 +98,8 @@ pub(crate) fn settling(advice: &Advice) -> String {
             falls(slope, standard_error)
         ),
         Settling::Unknown => {
-            "Whether a longer spectrum would settle the area is not known: its short end has too few samples.".to_owned()
+            "Whether a longer spectrum would settle the area is not known: its short end has too few samples."
+                .to_owned()
         }
     }
 }

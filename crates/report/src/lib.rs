@@ -30,6 +30,6 @@ pub mod scene_note_words;
 pub mod spectrum_words;
 pub mod summary;
 pub mod trust;
-mod uncertainty_words;
+pub mod uncertainty_words;
 mod verdict_words;
 mod yardstick_words;

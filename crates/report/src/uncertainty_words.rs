@@ -9,7 +9,7 @@ use units::display::{counted, length, three_digits};
 
 use crate::coverage::level;
 use crate::curve_names::in_full;
-use crate::listing::listed;
+use crate::listing::{capital, listed};
 use crate::number_words::number_word;
 
 /// A share above which the input carries most of the interval.
@@ -65,7 +65,9 @@ pub(crate) fn of_curves(uncertainty: &Uncertainty, scene: &Scene) -> Vec<String>
 /// What the intervals rest on: where they are guesses, what instruments say of each other, what was assumed.
 pub(crate) fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
     let mut sentences = vec![what_was_drawn(uncertainty)];
-    sentences.extend(ended_early(uncertainty));
+    if uncertainty.ended_early {
+        sentences.push(format!("{}.", capital(&ended_early(uncertainty))));
+    }
     sentences.extend(guesses(uncertainty));
     sentences.extend(uncertainty.overlaps.iter().filter_map(|overlap| misfit(uncertainty, overlap)));
     sentences.extend(uncertainty.spectrum_errors.iter().map(errors_of_spectrum));
@@ -102,24 +104,36 @@ fn what_was_drawn(uncertainty: &Uncertainty) -> String {
 }
 
 /// A group of inputs, by what it holds.
-fn input(uncertainty: &Uncertainty, group: Group) -> String {
+pub(crate) fn group_in_words(group: Group) -> &'static str {
     match group {
-        Group::Scans if uncertainty.instruments.is_empty() => "the standard errors of the spectrum",
         Group::Scans => "the scatter of scans between places",
         Group::Instruments => "the height scales of instruments",
         Group::Material => "the elastic constants",
         Group::Strength => "the strength",
     }
-    .to_owned()
 }
 
-fn ended_early(uncertainty: &Uncertainty) -> Option<String> {
-    uncertainty.ended_early.then(|| {
+/// The same of a scene whose instruments are known.
+fn input(uncertainty: &Uncertainty, group: Group) -> String {
+    match group {
+        Group::Scans if uncertainty.instruments.is_empty() => {
+            "the standard errors of the spectrum".to_owned()
+        }
+        other => group_in_words(other).to_owned(),
+    }
+}
+
+/// What there is where somebody ended the draws.
+#[must_use]
+pub fn ended_early(uncertainty: &Uncertainty) -> String {
+    let (made, wanted) = (uncertainty.draws, uncertainty.settings.draws);
+    if made < wanted {
         format!(
-            "The draws were ended after {} of {}: intervals rest on these.",
-            uncertainty.draws, uncertainty.settings.draws
+            "the draws were ended after {made} of {wanted}: intervals rest on these, and there is no advice"
         )
-    })
+    } else {
+        "the draws for shares and advice were ended early: intervals rest on all draws".to_owned()
+    }
 }
 
 /// Why intervals are guesses, a line for each reason.

@@ -8,7 +8,7 @@ use units::display::{counted, length, pressure, three_digits};
 
 use crate::coverage::level;
 use crate::curve_names::in_full;
-use crate::listing::{at_loads, listed, range};
+use crate::listing::{at_loads, capital, listed, range};
 use crate::trust::Trust;
 use crate::uncertainty_words::interval;
 
@@ -295,9 +295,4 @@ fn pressed(extent: &Extent) -> String {
         three_digits(extent.spent),
         three_digits(extent.budget)
     )
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
 }

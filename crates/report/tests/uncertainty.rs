@@ -228,7 +228,7 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
         vec![SpectrumErrors { name: "t.csv".to_owned(), samples: 90, of: 94, correlation_decades: 0.5 }];
     let words = study.words(&drawn);
     for said in [
-        "The draws were ended after 312 of 1000: intervals rest on these.",
+        "The draws were ended after 312 of 1000: intervals rest on these, and there is no advice.",
         "The interval is a guess: it rests on 312 draws.",
         "nothing is known of the scatter of s.csv",
         "t.csv: 90 of 94 samples have a standard error; errors are taken to go together over 0.5 decades of wavelength.",

@@ -32,6 +32,7 @@ pub use found::{
     OverlapMisfit, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
 };
 pub use group::{Group, Index, Indices};
+pub use inputs::scattering_groups;
 pub use instruments::ASSUMED_Z_CALIBRATION;
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
 pub use spectrum_errors::CORRELATION_DECADES;

@@ -10,11 +10,12 @@ use super::{Context, compute, refuse_idle_cutoff, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
+use crate::interruption::{self, EarlyEnd};
 use crate::output::{Place, make_folder, utf8};
-use crate::progress::Progress;
+use crate::progress::{Progress, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
-use crate::{interruption, output, scene_errors};
+use crate::{output, scene_errors};
 use answer::Answer;
 use judge::{JudgeError, JudgePlan, Judgement, Settings};
 use report::explain::explain;
@@ -24,9 +25,11 @@ use report::reasons::reasons;
 use report::scene_note_words;
 use report::summary::summary;
 use report::trust::Trust;
+use report::uncertainty_words;
 use study::models::{Choice, CurveModel};
 use study::plan::{PlanError, Results};
 use study::scene::{Overrides, Scene};
+use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
@@ -38,10 +41,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     if args.dry_run {
         return print(&explain(&scene), context);
     }
-    let blame = |error: PlanError| match error {
-        PlanError::Cancelled => Failure::Interrupted,
-        error => Failure::Input(format!("{}: {error}", args.scene)),
-    };
+    let blame = |error| failed(args, error);
     let results = compute(&scene.plan()).map_err(blame)?;
     timings.lap("computing");
     if args.explain {
@@ -58,7 +58,11 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("comparing");
     let judgement = judgement(args, &scene, &results)?;
     timings.lap("judging");
-    let trust = Trust { judgement: judgement.as_ref(), uncertainty: None };
+    let uncertainty = uncertainty(args, &scene, &results)?;
+    if uncertainty.is_some() {
+        timings.lap("drawing");
+    }
+    let trust = Trust { judgement: judgement.as_ref(), uncertainty: uncertainty.as_ref() };
     make_folder("--out", &folder)?;
     let written =
         output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;
@@ -71,7 +75,18 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
     print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
     timings.report(context.shared.timings);
-    Ok(())
+    match uncertainty.filter(|found| found.ended_early) {
+        None => Ok(()),
+        Some(found) => Err(Failure::EndedEarly(uncertainty_words::ended_early(&found))),
+    }
+}
+
+/// A plan that was not carried out is the scene's fault, or nobody's.
+fn failed(args: &RunArgs, error: PlanError) -> Failure {
+    match error {
+        PlanError::Cancelled => Failure::Interrupted,
+        error => Failure::Input(format!("{}: {error}", args.scene)),
+    }
 }
 
 /// Whether boundary elements are asked: a report has their verdict, and so has a scene that has a section for it.
@@ -94,6 +109,25 @@ fn judgement(args: &RunArgs, scene: &Scene, results: &Results) -> Result<Option<
         return Err(Failure::Interrupted);
     }
     Ok(Some(judgement))
+}
+
+/// Whether draws are made: a report has intervals where something of the scene scatters, and so has a scene that has a section
+/// for them.
+fn is_drawn(args: &RunArgs, scene: &Scene) -> bool {
+    let off = scene.uncertainty.as_ref().is_some_and(|choices| choices.off);
+    !off && (!args.no_report || scene.uncertainty.is_some()) && !scattering_groups(scene).is_empty()
+}
+
+/// What draws say of the areas, where some are made. From here on the first Ctrl-C ends no more than them.
+fn uncertainty(args: &RunArgs, scene: &Scene, results: &Results) -> Result<Option<Uncertainty>, Failure> {
+    if !is_drawn(args, scene) {
+        return Ok(None);
+    }
+    let settings = uncertainty::Settings::of(scene.uncertainty.as_ref());
+    let Some(plan) = UncertaintyPlan::of(scene, results, &settings) else { return Ok(None) };
+    let early_end = EarlyEnd::allow();
+    let progress = UntilEnded { progress: Progress::towards(plan.steps(), "draws"), early_end: &early_end };
+    plan.carry_out(&progress).map(Some).map_err(|error| failed(args, error))
 }
 
 /// Reads the scene and its files, and refuses what is wrong with the call: results that would replace one of them, and
