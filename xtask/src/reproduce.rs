@@ -10,6 +10,7 @@ use paper::{Evidence, Verdict};
 use report::occasion::Occasion;
 use report::page::{self, Report};
 use report::products::{self, Findings};
+use report::trust::Trust;
 use staging::{StagedFiles, write_file};
 use study::Unobserved;
 use study::scene::Template;
@@ -46,7 +47,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
             scene,
             results,
             Some(findings),
-            Some(judgement),
+            Trust { judgement: Some(judgement), uncertainty: None },
             Format::Csv,
             |name, content| files.stage(&folder.join(name), |out| content(out)),
         )?;
@@ -60,7 +61,8 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
         scenes: scenes
             .map(|((evidence, findings), judgement)| {
                 let label = label(evidence.template.name());
-                findings.report(label, &evidence.scene, &evidence.results, Some(judgement))
+                let trust = Trust { judgement: Some(judgement), uncertainty: None };
+                findings.report(label, &evidence.scene, &evidence.results, trust)
             })
             .collect(),
         ledger: Some(&checked),

@@ -22,6 +22,8 @@ pub enum Failure {
     ClosedPipe,
     /// Somebody asked the program to end before its result was there. Exit status 130, as shells have it.
     Interrupted,
+    /// Somebody ended the work early; its result is there, and the message says what it rests on. Exit status 130.
+    EndedEarly(String),
 }
 
 impl From<TableError> for Failure {
@@ -76,6 +78,7 @@ impl Failure {
     /// Says it on stderr and turns it into the exit status.
     pub fn report(self) -> ExitCode {
         let (message, status) = match self {
+            Failure::EndedEarly(message) => (message, INTERRUPTED),
             Failure::Input(message) => (message, 2),
             Failure::System(message) => (message, 1),
             Failure::Interrupted => ("ended before the result was there".to_owned(), INTERRUPTED),

@@ -11,17 +11,29 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// A signal reaches no value of the program, hence a static.
 static ASKED_FOR: AtomicBool = AtomicBool::new(false);
 
+/// Whether work is done that can be ended early with a result.
+static CAN_END_EARLY: AtomicBool = AtomicBool::new(false);
+
+/// Whether it has been asked to.
+static END_EARLY: AtomicBool = AtomicBool::new(false);
+
 /// Whether the program has been asked to end.
 pub fn is_asked_for() -> bool {
     ASKED_FOR.load(Ordering::Relaxed)
 }
 
-/// Has the first signal ask the work to end, and the second one end it at once.
+/// Has the first signal ask the work to end, and the second one end it at once. While there is an [`EarlyEnd`], the first one
+/// ends no more than what it was made for.
 pub fn listen() {
     // Where a signal is handled otherwise, as hang-ups are under nohup, it stays so: the program ends or goes on as it would
     // without this.
     let _ = ctrlc::try_set_handler(|| {
-        if ASKED_FOR.swap(true, Ordering::Relaxed) {
+        let is_second = END_EARLY.load(Ordering::Relaxed);
+        if CAN_END_EARLY.load(Ordering::Relaxed) && !is_second {
+            END_EARLY.store(true, Ordering::Relaxed);
+            return;
+        }
+        if is_second || ASKED_FOR.swap(true, Ordering::Relaxed) {
             end();
         }
         std::thread::spawn(|| {
@@ -29,6 +41,30 @@ pub fn listen() {
             end();
         });
     });
+}
+
+/// For as long as it lives, the first signal ends the work at hand early, and what comes after it is done; the second one ends
+/// the program, then or later, with no result.
+#[derive(Debug)]
+pub struct EarlyEnd(());
+
+impl EarlyEnd {
+    /// From here on.
+    pub fn allow() -> Self {
+        CAN_END_EARLY.store(true, Ordering::Relaxed);
+        EarlyEnd(())
+    }
+
+    /// Whether the work at hand has been asked to end early.
+    pub fn is_asked_for(&self) -> bool {
+        END_EARLY.load(Ordering::Relaxed)
+    }
+}
+
+impl Drop for EarlyEnd {
+    fn drop(&mut self) {
+        CAN_END_EARLY.store(false, Ordering::Relaxed);
+    }
 }
 
 fn end() -> ! {

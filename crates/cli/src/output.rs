@@ -7,8 +7,8 @@ use staging::StagedFiles;
 
 use crate::failure::Failure;
 use crate::interruption;
-use judge::Judgement;
 use report::products::{self, Findings};
+use report::trust::Trust;
 use study::plan::{PlanError, Results};
 use study::scene::Scene;
 use tables::{Format, TableError};
@@ -196,12 +196,12 @@ pub fn write_products(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
-    judgement: Option<&Judgement>,
+    trust: Trust<'_>,
     format: Format,
     folder: &Path,
 ) -> Result<Vec<String>, Failure> {
     let mut files = StagedFiles::default();
-    let names = products::each_file(scene, results, findings, judgement, format, |name, content| {
+    let names = products::each_file(scene, results, findings, trust, format, |name, content| {
         stage(&mut files, &folder.join(name), |out| content(out))
     })?;
     publish(files)?;

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::interruption;
+use crate::interruption::{self, EarlyEnd};
 
 const PATIENCE: Duration = Duration::from_secs(1);
 
@@ -55,5 +55,23 @@ impl study::Progress for Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// The same of work that may be ended early.
+pub struct UntilEnded<'a> {
+    /// What is shown.
+    pub progress: Progress,
+    /// What may end it.
+    pub early_end: &'a EarlyEnd,
+}
+
+impl study::Progress for UntilEnded<'_> {
+    fn advance(&self, steps: usize) {
+        self.progress.advance(steps);
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.early_end.is_asked_for() || self.progress.is_cancelled()
     }
 }

@@ -1,11 +1,14 @@
 //! What a scene needs, what of it is the same, and what is skipped, told before anything is computed.
 
+use crate::listing::listed;
 use crate::summary::aligned;
+use crate::uncertainty_words::group_in_words;
 use sensitivity::wanted_areas;
 use study::choices_in_words;
 use study::figure::Shows;
 use study::plan::{Curve, CurveModel, Cutoffs, Needs, scales_per_decade};
 use study::scene::Scene;
+use uncertainty::{Settings, scattering_groups};
 use units::display::{length, three_digits};
 
 type IsFramework = fn(&CurveModel) -> bool;
@@ -109,11 +112,33 @@ pub fn explain(scene: &Scene) -> String {
             format!("{areas} final areas for the report, choices made another way (not with --no-report)"),
         );
     }
+    if let Some((state, what)) = draws(scene) {
+        row(state, what);
+    }
     row("skipped", "self-affine fit: only `truearea fit` computes it".to_owned());
     for figure in &scene.figures {
         row("needed", format!("figure {}", figure.name));
     }
     format!("{}\n{}", scene.title, aligned(&rows))
+}
+
+/// The draws that tell how sure the areas are, where something of the scene scatters.
+fn draws(scene: &Scene) -> Option<(&'static str, String)> {
+    let groups = scattering_groups(scene);
+    let of: Vec<&str> = groups.iter().map(|group| group_in_words(*group)).collect();
+    let of = listed(&of);
+    let choices = scene.uncertainty.as_ref();
+    if choices.is_some_and(|choices| choices.off) {
+        return (!groups.is_empty()).then(|| ("skipped", format!("draws of {of}: uncertainty is off")));
+    }
+    let Settings { draws, level, .. } = Settings::of(choices);
+    let without = if choices.is_some() { "" } else { " (not with --no-report)" };
+    (!groups.is_empty()).then(|| {
+        (
+            "needed",
+            format!("{draws} draws of {of}, for intervals of {} %{without}", three_digits(100.0 * level)),
+        )
+    })
 }
 
 fn spectrum(scene: &Scene) -> String {

@@ -22,7 +22,7 @@ pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scen
             _ => (ELASTIC, false),
         };
         let mark = Mark {
-            label,
+            label: label.to_owned(),
             is_ring,
             colour: on.load,
             x: on.shortest_m,

@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
+mod advice_words;
 mod answer_words;
+mod coverage;
 pub mod curve_names;
 mod cut_counts;
 mod decade;
@@ -12,7 +14,9 @@ pub mod field_picture;
 pub mod heights_picture;
 mod judged;
 mod listing;
+mod number_words;
 pub mod occasion;
+mod opening;
 pub mod page;
 pub mod persson_words;
 pub mod plot;
@@ -25,5 +29,7 @@ pub mod scans_table;
 pub mod scene_note_words;
 pub mod spectrum_words;
 pub mod summary;
+pub mod trust;
+pub mod uncertainty_words;
 mod verdict_words;
 mod yardstick_words;

@@ -30,6 +30,12 @@ pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> 
     if least == most { least } else { format!("{least} to {most}") }
 }
 
+/// The same text with a capital at its beginning.
+pub(crate) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
+}
+
 #[cfg(test)]
 mod tests {
     use units::display::three_digits;

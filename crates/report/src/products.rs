@@ -2,12 +2,14 @@
 
 use std::io::{self, Write};
 
+use crate::coverage::with_intervals;
 use crate::curve_names::with_full_names;
 use crate::judged;
 use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
+use crate::trust::Trust;
 use answer::Answer;
 use judge::Judgement;
 use sensitivity::{Sensitivity, counted_sensitivities};
@@ -16,25 +18,31 @@ use study::figure::{Figure, FigureData, Shows, over_scans};
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
-use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES};
+use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use tables::{Format, Table};
+use uncertainty::Uncertainty;
 
 /// The page on everything that a scene found.
 const REPORT: &str = "report.html";
 
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
-    scene.figures.iter().map(|figure| data(scene, results, figure)).collect()
+    scene.figures.iter().map(|figure| data(scene, results, figure, None)).collect()
 }
 
 /// One figure of a scene as an SVG document; `None` where it has no figure of that name.
 pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name)?;
-    Some(drawn(scene, &data(scene, results, figure)))
+    Some(drawn(scene, &data(scene, results, figure, None)))
 }
 
-fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
+/// The data of a figure, with the intervals of its areas where there are some.
+fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&Uncertainty>) -> FigureData {
     let data = figure.data(results, &scene.needs, scene.hardness_pa());
+    let data = match uncertainty {
+        Some(uncertainty) => with_intervals(data, figure, scene, uncertainty),
+        None => data,
+    };
     if figure.shows != Shows::Psd {
         return data;
     }
@@ -47,7 +55,7 @@ fn data(scene: &Scene, results: &Results, figure: &Figure) -> FigureData {
 
 /// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
-fn reported_figures(scene: &Scene, results: &Results, judgement: Option<&Judgement>) -> Vec<FigureData> {
+fn reported_figures(scene: &Scene, results: &Results, trust: Trust<'_>) -> Vec<FigureData> {
     let mut own = scene.figures.clone();
     let mut first = Vec::new();
     let followed: Vec<usize> = (0..scene.needs.curves.len())
@@ -73,10 +81,10 @@ fn reported_figures(scene: &Scene, results: &Results, judgement: Option<&Judgeme
         },
     });
     let of = |figure: &Figure| {
-        let data = data(scene, results, figure);
+        let data = data(scene, results, figure, trust.uncertainty);
         let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
         let named = with_full_names(legible, &scene.needs.curves);
-        match judgement {
+        match trust.judgement {
             Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
             _ => named,
         }
@@ -153,16 +161,16 @@ impl Findings {
         label: &'a str,
         scene: &'a Scene,
         results: &'a Results,
-        judgement: Option<&'a Judgement>,
+        trust: Trust<'a>,
     ) -> SceneReport<'a> {
         SceneReport {
             label,
             scene,
             results,
             answer: &self.answer,
-            judgement,
+            trust,
             sensitivities: &self.sensitivities,
-            figures: reported_figures(scene, results, judgement),
+            figures: reported_figures(scene, results, trust),
         }
     }
 
@@ -182,16 +190,40 @@ fn judge_tables(judgement: &Judgement, scene: &Scene) -> [(&'static str, Table);
     [(models, judgement.models_table(&scene.needs)), (windows, judgement.windows_table(&scene.needs))]
 }
 
-/// The names of the files that a scene may have, for whoever looks before they are made; `reported` with those of the
-/// report, `judged` with those of the judge, of which a table without rows is not written.
+/// The interval of every area, the indices of its inputs, and what to measure next.
+fn uncertainty_tables(uncertainty: &Uncertainty, scene: &Scene) -> [(&'static str, Table); 3] {
+    let [intervals, indices, advice] = UNCERTAINTY_TABLES;
+    [
+        (intervals, uncertainty.intervals_table(&scene.needs)),
+        (indices, uncertainty.indices_table(&scene.needs)),
+        (advice, uncertainty.advice_table(&scene.needs)),
+    ]
+}
+
+/// What is made of a scene beside its curves and figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Parts {
+    /// The report and its tables.
+    pub report: bool,
+    /// The tables of the judge.
+    pub judgement: bool,
+    /// The tables of draws.
+    pub uncertainty: bool,
+}
+
+/// The names of the files that a scene may have, for whoever looks before they are made. A table of the judge or of draws that
+/// has no rows is not written.
 #[must_use]
-pub fn file_names(scene: &Scene, reported: bool, judged: bool, format: Format) -> Vec<String> {
+pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
     let table = |name: &str| format!("{name}.{}", format.extension());
     let mut names: Vec<String> = scene.needs.curves.iter().map(|curve| table(&curve.name)).collect();
-    if judged {
+    if parts.judgement {
         names.extend(JUDGE_TABLES.map(table));
     }
-    if reported {
+    if parts.uncertainty {
+        names.extend(UNCERTAINTY_TABLES.map(table));
+    }
+    if parts.report {
         names.extend(REPORT_TABLES.map(table));
         names.push(REPORT.to_owned());
     }
@@ -205,7 +237,8 @@ pub fn file_names(scene: &Scene, reported: bool, judged: bool, format: Format) -
 pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
 
 /// Hands every file of a scene to `file`, by name, and yields their names. The report and its tables are left out where there
-/// are no findings, those of the judge where there is no judgement. A table is made when its turn comes, so that only one of them is held.
+/// are no findings, those of the judge and of draws where these were not asked. A table is made when its turn comes, so that
+/// only one of them is held.
 ///
 /// # Errors
 /// Those of `file`.
@@ -213,7 +246,7 @@ pub fn each_file<E>(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
-    judgement: Option<&Judgement>,
+    trust: Trust<'_>,
     format: Format,
     mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
 ) -> Result<Vec<String>, E> {
@@ -230,12 +263,16 @@ pub fn each_file<E>(
     for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
         table_file(name, "table", table)?;
     }
-    for (name, table) in judgement.iter().flat_map(|judgement| judge_tables(judgement, scene)) {
+    let judged = trust.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
+    let drawn_from = trust.uncertainty.into_iter();
+    let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
+    for (name, table) in judged.chain(of_draws) {
         if table.rows() > 0 {
             table_file(name, "table", &table)?;
         }
     }
-    let figures = figures(scene, results);
+    let figures: Vec<FigureData> =
+        scene.figures.iter().map(|figure| data(scene, results, figure, trust.uncertainty)).collect();
     for figure in &figures {
         table_file(&figure.name, "figure", &figure.table())?;
     }
@@ -247,7 +284,7 @@ pub fn each_file<E>(
     if let Some(findings) = findings {
         let report = Report {
             title: &scene.title,
-            scenes: vec![findings.report(&scene.title, scene, results, judgement)],
+            scenes: vec![findings.report(&scene.title, scene, results, trust)],
             ledger: None,
             repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
             occasion: &findings.occasion,

@@ -8,24 +8,27 @@ use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pre
 
 use crate::curve_names::in_full;
 use crate::cut_counts::CutCounts;
+use crate::trust::Trust;
 use crate::yardstick_words::yardsticks;
-use crate::{answer_words, doubt_words, scan_words, verdict_words};
+use crate::{
+    advice_words, answer_words, coverage, doubt_words, opening, scan_words, uncertainty_words, verdict_words,
+};
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
-use judge::Judgement;
 use rows::{NarrowSpectra, StateCounts};
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
 use study::scene::Scene;
+use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 use units::number;
 
-/// The summary of a scene's results, which opens with what the judge found, where it was asked.
-pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Option<&Judgement>) -> String {
+/// The summary of a scene's results, which opens with how far they can be trusted, where that was asked.
+pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'_>) -> String {
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
-    if let Some(first) = judgement.and_then(|judgement| verdict_words::first_line(judgement, scene, answer)) {
+    for first in opening::lines(scene, answer, trust) {
         let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
     }
     let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
@@ -33,6 +36,7 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Opt
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
+    let judgement = trust.judgement;
     let mut paragraphs =
         judgement.map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
     paragraphs.extend(answer_words::sentences(answer, scene, results));
@@ -40,6 +44,14 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Opt
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
+    }
+    if let Some(uncertainty) = trust.uncertainty {
+        let advice = trust.foremost_advice().into_iter();
+        let advice = advice.flat_map(|advice| advice_words::in_short(uncertainty, advice, scene));
+        for line in uncertainty_words::sentences(uncertainty).into_iter().chain(advice) {
+            let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
+        }
+        text.push('\n');
     }
     let doubts = Doubt::of_scene(scene, answer);
     for doubt in &doubts {
@@ -56,9 +68,9 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, judgement: Opt
     for choice in scene.model_choices() {
         let _ = writeln!(text, "{choice}");
     }
-    for ((curve, result), loads) in scene.needs.curves.iter().zip(&results.curves).zip(&answer.curves) {
+    for (curve, loads) in answer.curves.iter().enumerate() {
         text.push('\n');
-        text.push_str(&curve_summary(scene, results, curve, result, loads));
+        text.push_str(&curve_summary(scene, results, curve, loads, trust.uncertainty));
     }
     text
 }
@@ -80,13 +92,17 @@ pub fn sampling_of(psd: &ProfilePsd) -> String {
     )
 }
 
+/// Where intervals stand among the columns of a curve.
+const AFTER_THE_AREA: usize = 2;
+
 fn curve_summary(
     scene: &Scene,
     results: &Results,
-    curve: &Curve,
-    result: &CurveResult,
+    at: usize,
     loads: &[Option<LoadAnswer>],
+    uncertainty: Option<&Uncertainty>,
 ) -> String {
+    let (curve, result) = (&scene.needs.curves[at], &results.curves[at]);
     let hardness_pa = scene.hardness_pa();
     let mut rows = vec![
         [
@@ -99,19 +115,27 @@ fn curve_summary(
         .map(str::to_owned)
         .to_vec(),
     ];
-    for (load, answer) in scene.needs.loads.iter().zip(loads) {
+    if let Some(uncertainty) = uncertainty {
+        rows[0].insert(AFTER_THE_AREA, coverage::level(uncertainty));
+    }
+    for ((index, load), answer) in scene.needs.loads.iter().enumerate().zip(loads) {
         let Some(answer) = answer else { continue };
         let real_pressure = match hardness_pa {
             Some(hardness_pa) => format!("{} H", three_digits(answer.real_pressure_pa / hardness_pa)),
             None => pressure(answer.real_pressure_pa),
         };
-        rows.push(vec![
+        let mut row = vec![
             load.label.clone(),
             three_digits(answer.area_fraction),
             real_pressure,
             settled(answer, answer.within_1_percent),
             settled(answer, answer.within_01_percent),
-        ]);
+        ];
+        if let Some(uncertainty) = uncertainty {
+            let interval = uncertainty.interval(at, index).map(uncertainty_words::ends);
+            row.insert(AFTER_THE_AREA, interval.unwrap_or_else(|| "-".to_owned()));
+        }
+        rows.push(row);
     }
     let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
     text.extend(yardsticks(scene, results, curve).map(|sentence| format!("  {sentence}\n")));

@@ -3,22 +3,25 @@
 use ::answer::Answer;
 use judge::{ERRORS_GIVEN, Extent, Headline, Judgement, OfCurve, OfMap, Reason, RestsOn, Verdict};
 use study::scene::Scene;
+use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 
+use crate::coverage::level;
 use crate::curve_names::in_full;
-use crate::listing::{at_loads, listed, range};
+use crate::listing::{at_loads, capital, listed, range};
+use crate::trust::Trust;
+use crate::uncertainty_words::interval;
 
 /// More loads than this are left to the table.
 const LOADS_TOLD: usize = 3;
 
-/// The number of each of the first loads, with its bracket; none where no curve has an area.
-pub(crate) fn first_line(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Option<String> {
-    // A spectrum that tells nothing has no number.
-    if answer.too_few_scales.is_some() || answer.instruments_disagree.is_some() {
-        return None;
-    }
+/// The number of each of the first loads, with its bracket and its coverage interval; none where no curve has an area, or
+/// nobody judged them.
+pub(crate) fn first_line(trust: Trust<'_>, scene: &Scene) -> Option<String> {
+    let judgement = trust.judgement?;
     let told: Vec<&Headline> = judgement.headlines.iter().take(LOADS_TOLD).collect();
-    let numbers: Vec<String> = told.iter().map(|headline| number(headline, scene)).collect();
+    let numbers: Vec<String> =
+        told.iter().map(|headline| number(headline, scene, trust.uncertainty)).collect();
     if numbers.is_empty() {
         return None;
     }
@@ -29,17 +32,19 @@ pub(crate) fn first_line(judgement: &Judgement, scene: &Scene, answer: &Answer) 
     Some(format!("How much touches: {}{rest}.", numbers.join("; ")))
 }
 
-fn number(headline: &Headline, scene: &Scene) -> String {
+fn number(headline: &Headline, scene: &Scene, uncertainty: Option<&Uncertainty>) -> String {
     let load = &scene.needs.loads[headline.load].label;
     let (low, high) = (three_digits(headline.low), three_digits(headline.high));
     match headline.rests_on {
-        RestsOn::Curve { area_fraction, .. } => {
+        RestsOn::Curve { curve, area_fraction, .. } => {
+            let interval = uncertainty.and_then(|found| interval(found, curve, headline.load));
+            let interval = interval.map_or_else(String::new, |interval| format!("; {interval}"));
             format!(
-                "{} of the nominal area at {load} (between {low} and {high})",
+                "{} of the nominal area at {load} (between {low} and {high}{interval})",
                 three_digits(area_fraction)
             )
         }
-        RestsOn::RangeOfModels { elements, .. } => {
+        RestsOn::RangeOfModels { least, most, elements } => {
             let models = if low == high { low } else { format!("between {low} and {high}") };
             let elements = elements.map_or_else(String::new, |judged| {
                 let [low, high] = [-1.0, 1.0].map(|sign| {
@@ -47,7 +52,20 @@ fn number(headline: &Headline, scene: &Scene) -> String {
                 });
                 format!("; boundary elements put it between {low} and {high}")
             });
-            format!("{models} of the nominal area at {load}, what models give of which none stands{elements}")
+            let outer = uncertainty.and_then(|found| {
+                let of = |curve| found.interval(curve, headline.load);
+                let (least, most) = (of(least)?, of(most)?);
+                Some(format!(
+                    "; with what is uncertain {} to {} ({} of the outermost models)",
+                    three_digits(least.low),
+                    three_digits(most.high),
+                    level(found)
+                ))
+            });
+            format!(
+                "{models} of the nominal area at {load}, what models give of which none stands{}{elements}",
+                outer.unwrap_or_default()
+            )
         }
     }
 }
@@ -277,9 +295,4 @@ fn pressed(extent: &Extent) -> String {
         three_digits(extent.spent),
         three_digits(extent.budget)
     )
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
 }

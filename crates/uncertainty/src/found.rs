@@ -72,6 +72,16 @@ pub enum InstrumentName {
     Guessed(String),
 }
 
+impl InstrumentName {
+    /// The name itself.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        match self {
+            InstrumentName::Given(name) | InstrumentName::Guessed(name) => name,
+        }
+    }
+}
+
 /// What stands for the scatter between places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -254,6 +264,52 @@ pub enum StepKind {
         /// Down to this wavelength \[m\].
         to_m: f64,
     },
+}
+
+impl StepKind {
+    /// Its name in tables.
+    #[must_use]
+    pub fn key(&self) -> &'static str {
+        match self {
+            StepKind::MoreScans { .. } => "more-scans",
+            StepKind::Calibration { .. } => "calibration",
+            StepKind::KnownExactly { group: Group::Scans } => "known-scans",
+            StepKind::KnownExactly { group: Group::Instruments } => "known-instruments",
+            StepKind::KnownExactly { group: Group::Material } => "known-material",
+            StepKind::KnownExactly { group: Group::Strength } => "known-strength",
+            StepKind::LongerWavelengths { .. } => "longer-wavelengths",
+            StepKind::ShorterWavelengths { .. } => "shorter-wavelengths",
+        }
+    }
+
+    /// The instrument that it takes, by index.
+    #[must_use]
+    pub fn instrument(&self) -> Option<usize> {
+        match self {
+            StepKind::MoreScans { instrument, .. } | StepKind::Calibration { instrument } => {
+                Some(*instrument)
+            }
+            _ => None,
+        }
+    }
+
+    /// How many scans it adds.
+    #[must_use]
+    pub fn added_scans(&self) -> Option<usize> {
+        match self {
+            StepKind::MoreScans { added, .. } => Some(*added),
+            _ => None,
+        }
+    }
+
+    /// The wavelength \[m\] that it prolongs the spectrum to.
+    #[must_use]
+    pub fn wavelength_m(&self) -> Option<f64> {
+        match self {
+            StepKind::LongerWavelengths { to_m } | StepKind::ShorterWavelengths { to_m } => Some(*to_m),
+            _ => None,
+        }
+    }
 }
 
 /// Whether the area settles as the spectrum is followed to shorter wavelengths.

@@ -7,6 +7,7 @@ use study::scene::Scene;
 use crate::group::Group;
 use crate::material_draws::MaterialDraws;
 use crate::random::Streams;
+use crate::settings::DEFAULT_SEED;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
 /// Surface and bodies, to be drawn.
@@ -17,6 +18,12 @@ pub(crate) struct Inputs {
     streams: Streams,
     /// The groups that scatter.
     pub groups: Vec<Group>,
+}
+
+/// The groups of a scene's inputs that scatter, whatever it says of draws; none of a scene without draws.
+#[must_use]
+pub fn scattering_groups(scene: &Scene) -> Vec<Group> {
+    Inputs::of(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
 }
 
 impl Inputs {

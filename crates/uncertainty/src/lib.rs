@@ -24,6 +24,7 @@ pub mod sobol;
 mod spectrum_errors;
 mod student;
 mod surface_scatter;
+mod tables;
 
 pub use carry_out::UncertaintyPlan;
 pub use found::{
@@ -31,7 +32,9 @@ pub use found::{
     OverlapMisfit, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
 };
 pub use group::{Group, Index, Indices};
+pub use inputs::scattering_groups;
 pub use instruments::ASSUMED_Z_CALIBRATION;
 pub use material_draws::{DrawnMaterial, MaterialDraws};
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
 pub use spectrum_errors::CORRELATION_DECADES;
+pub use tables::LARGEST_ERROR_OF_A_SHARE;

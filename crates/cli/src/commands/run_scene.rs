@@ -10,22 +10,26 @@ use super::{Context, compute, refuse_idle_cutoff, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
+use crate::interruption::{self, EarlyEnd};
 use crate::output::{Place, make_folder, utf8};
-use crate::progress::Progress;
+use crate::progress::{Progress, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
-use crate::{interruption, output, scene_errors};
+use crate::{output, scene_errors};
 use answer::Answer;
 use judge::{JudgeError, JudgePlan, Judgement, Settings};
 use report::explain::explain;
 use report::occasion::Occasion;
-use report::products::{self, Findings};
+use report::products::{self, Findings, Parts};
 use report::reasons::reasons;
 use report::scene_note_words;
 use report::summary::summary;
+use report::trust::Trust;
+use report::uncertainty_words;
 use study::models::{Choice, CurveModel};
 use study::plan::{PlanError, Results};
 use study::scene::{Overrides, Scene};
+use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
@@ -37,10 +41,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     if args.dry_run {
         return print(&explain(&scene), context);
     }
-    let blame = |error: PlanError| match error {
-        PlanError::Cancelled => Failure::Interrupted,
-        error => Failure::Input(format!("{}: {error}", args.scene)),
-    };
+    let blame = |error| failed(args, error);
     let results = compute(&scene.plan()).map_err(blame)?;
     timings.lap("computing");
     if args.explain {
@@ -57,15 +58,14 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("comparing");
     let judgement = judgement(args, &scene, &results)?;
     timings.lap("judging");
+    let uncertainty = uncertainty(args, &scene, &results)?;
+    if uncertainty.is_some() {
+        timings.lap("drawing");
+    }
+    let trust = Trust { judgement: judgement.as_ref(), uncertainty: uncertainty.as_ref() };
     make_folder("--out", &folder)?;
-    let written = output::write_products(
-        &scene,
-        &results,
-        findings.as_ref(),
-        judgement.as_ref(),
-        context.shared.format,
-        &folder,
-    )?;
+    let written =
+        output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;
     timings.lap("writing");
     let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
     let others = output::other_files(&folder, &written)?;
@@ -73,9 +73,20 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         files += &format!("not of this run, and left there: {}\n", others.join(", "));
     }
     let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
-    print(&format!("{}{files}", summary(&scene, &results, &answer, judgement.as_ref())), context)?;
+    print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
     timings.report(context.shared.timings);
-    Ok(())
+    match uncertainty.filter(|found| found.ended_early) {
+        None => Ok(()),
+        Some(found) => Err(Failure::EndedEarly(uncertainty_words::ended_early(&found))),
+    }
+}
+
+/// A plan that was not carried out is the scene's fault, or nobody's.
+fn failed(args: &RunArgs, error: PlanError) -> Failure {
+    match error {
+        PlanError::Cancelled => Failure::Interrupted,
+        error => Failure::Input(format!("{}: {error}", args.scene)),
+    }
 }
 
 /// Whether boundary elements are asked: a report has their verdict, and so has a scene that has a section for it.
@@ -100,6 +111,25 @@ fn judgement(args: &RunArgs, scene: &Scene, results: &Results) -> Result<Option<
     Ok(Some(judgement))
 }
 
+/// Whether draws are made: a report has intervals where something of the scene scatters, and so has a scene that has a section
+/// for them.
+fn is_drawn(args: &RunArgs, scene: &Scene) -> bool {
+    let off = scene.uncertainty.as_ref().is_some_and(|choices| choices.off);
+    !off && (!args.no_report || scene.uncertainty.is_some()) && !scattering_groups(scene).is_empty()
+}
+
+/// What draws say of the areas, where some are made. From here on the first Ctrl-C ends no more than them.
+fn uncertainty(args: &RunArgs, scene: &Scene, results: &Results) -> Result<Option<Uncertainty>, Failure> {
+    if !is_drawn(args, scene) {
+        return Ok(None);
+    }
+    let settings = uncertainty::Settings::of(scene.uncertainty.as_ref());
+    let Some(plan) = UncertaintyPlan::of(scene, results, &settings) else { return Ok(None) };
+    let early_end = EarlyEnd::allow();
+    let progress = UntilEnded { progress: Progress::towards(plan.steps(), "draws"), early_end: &early_end };
+    plan.carry_out(&progress).map(Some).map_err(|error| failed(args, error))
+}
+
 /// Reads the scene and its files, and refuses what is wrong with the call: results that would replace one of them, and
 /// options that say nothing.
 fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
@@ -119,9 +149,8 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in
-            products::file_names(&scene, !args.no_report, is_judged(args, &scene), context.shared.format)
-        {
+        let parts = Parts { report: !args.no_report, judgement: is_judged(args, &scene), uncertainty: false };
+        for name in products::file_names(&scene, parts, context.shared.format) {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;

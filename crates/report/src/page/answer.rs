@@ -4,9 +4,9 @@ use maud::{Markup, html};
 
 use super::SceneReport;
 use crate::answer_words;
+use crate::opening;
 use crate::scan_words;
 use crate::summary::sampling;
-use crate::verdict_words;
 use units::display::typeset;
 
 pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {
@@ -22,11 +22,9 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let (scene, answer) = (report.scene, report.answer);
     let sentences = answer_words::sentences(answer, scene, report.results);
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
-    let first_line =
-        report.judgement.and_then(|judgement| verdict_words::first_line(judgement, scene, answer));
     html! {
         @if several { h3 { (report.label) } }
-        @if let Some(text) = &first_line { p.first { strong { (typeset(text)) } } }
+        @for text in opening::lines(scene, answer, report.trust) { p.first { strong { (typeset(&text)) } } }
         p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
         @if scene.needs.curves.is_empty() { p { "No contact was asked for: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }

@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::share_cell::share_cell;
 use super::{SceneReport, Section, per_scene, table};
 use crate::decade;
 use study::features::DecadeShare;
@@ -49,7 +50,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                     tr {
                         @if place == 0 { th scope="rowgroup" rowspan=(strips.len()) { (report.curve(curve)) } }
                         td { (loads(report, &strip.loads)) }
-                        @for percent in &strip.percents { (cell(*percent)) }
+                        @for percent in &strip.percents { (share_cell(*percent)) }
                     }
                 }
             }
@@ -84,17 +85,5 @@ fn loads(report: &SceneReport<'_>, loads: &[usize]) -> String {
         _ if loads.len() == report.scene.needs.loads.len() => "every load".to_owned(),
         [first, .., last] => format!("{} to {}", report.load(*first), report.load(*last)),
         [] => String::new(),
-    }
-}
-
-/// As dark as its share is large; a negative one is outlined instead.
-fn cell(percent: Option<i32>) -> Markup {
-    match percent {
-        None => html! { td.share {} },
-        Some(percent) if percent < 0 => html! { td.share.against { "−" (-percent) } },
-        Some(percent) => {
-            let depth = f64::from(percent.min(100)) / 100.0;
-            html! { td.share style={ "--share:" (format!("{depth:.2}")) } { (percent) } }
-        }
     }
 }

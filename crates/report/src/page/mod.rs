@@ -8,10 +8,13 @@ mod choices;
 mod decades;
 mod disagreements;
 mod figures;
+mod how_sure;
 mod key_numbers;
 mod ledger;
+mod measure_next;
 mod provenance;
 mod sensitivities;
+mod share_cell;
 mod validity;
 mod verdict;
 
@@ -21,8 +24,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::in_full;
 use crate::occasion::Occasion;
+use crate::trust::Trust;
 use ::answer::{Answer, LoadAnswer};
-use judge::Judgement;
 use sensitivity::Sensitivity;
 use study::figure::FigureData;
 use study::plan::Results;
@@ -39,8 +42,8 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
-    /// What boundary elements say of its curves, where they were asked.
-    pub judgement: Option<&'a Judgement>,
+    /// How far its results can be trusted, where that was asked.
+    pub trust: Trust<'a>,
     /// How much each choice of modelling moves its areas.
     pub sensitivities: &'a [Sensitivity],
     /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
@@ -75,6 +78,8 @@ impl Report<'_> {
         let ledger = self.ledger.map(ledger::section);
         let sections: Vec<Section> = [
             verdict::section(scenes),
+            how_sure::section(scenes),
+            measure_next::section(scenes),
             key_numbers::section(scenes),
             decades::section(scenes),
             disagreements::section(scenes),

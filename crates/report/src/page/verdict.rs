@@ -12,7 +12,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let judgement = report.judgement?;
+    let judgement = report.trust.judgement?;
     let head = html! {
         tr {
             th scope="col" { "nominal pressure" } th scope="col" { "model" } th scope="col" { "area" }

@@ -1,15 +1,20 @@
-//! Bands that lines are held against: pale, between two thin lines. The legend names them.
+//! Bands around lines and beside them, all of them pale. An interval has edges in the dash pattern of its line, which tells it
+//! from what lines are held against. The legend names both.
 
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{PathData, Primitive, Scene};
 
 use super::labels::Box;
-use super::style::colour;
-use study::figure::Band;
+use super::style::{colour, dash};
+use study::figure::{Band, BandKind};
 
 /// How much of its colour a band has.
 pub(super) const OPACITY: f64 = 0.18;
+/// The same for an interval, of which several may lie on each other.
+pub(super) const INTERVAL_OPACITY: f64 = 0.1;
+/// Thinner than any line of a curve.
+pub(super) const EDGE_PX: f64 = 0.7;
 
 /// Draws the bands as far as they lie inside the frame.
 pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, bands: &[Band]) {
@@ -18,15 +23,38 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, ban
         if inside.is_empty() {
             continue;
         }
+        let dark = colour(band.colour);
+        let opacity = match band.kind {
+            BandKind::Yardstick => OPACITY,
+            BandKind::Interval => INTERVAL_OPACITY,
+        };
         scene.add(Primitive::Path(std::boxed::Box::new(PathData {
             d: outline(&inside),
-            fill: Some(Color::from(colour(band.colour).as_str())),
-            stroke: Color::from(colour(band.colour).as_str()),
+            fill: Some(Color::from(dark.as_str())),
+            stroke: Color::from(dark.as_str()),
             stroke_width: 0.4,
-            opacity: Some(OPACITY),
+            opacity: Some(opacity),
             stroke_dasharray: None,
         })));
+        if band.kind == BandKind::Interval {
+            for end in [0, 1] {
+                scene.add(Primitive::Path(std::boxed::Box::new(PathData {
+                    d: steps(inside.iter().map(|(x, ordinates)| (*x, ordinates[end]))),
+                    fill: None,
+                    stroke: Color::from(dark.as_str()),
+                    stroke_width: EDGE_PX,
+                    opacity: None,
+                    stroke_dasharray: dash(band.dash).dasharray(),
+                })));
+            }
+        }
     }
+}
+
+/// Both ends of an interval at every abscissa, which belong on the axes; those of a yardstick do not.
+pub(super) fn ends(band: &Band) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let of_lines = band.kind == BandKind::Interval;
+    band.points.iter().filter(move |_| of_lines).flat_map(|(x, ordinates)| ordinates.map(|y| (*x, y)))
 }
 
 /// The points in pixels, lower ordinate first, both held inside the frame; those with neither inside are left out.
@@ -43,10 +71,14 @@ fn visible(computed: &ComputedLayout, frame: Box, band: &Band) -> Vec<(f64, [f64
 
 /// Along the lower ordinates, and back along the upper ones.
 fn outline(points: &[(f64, [f64; 2])]) -> String {
-    let there = points.iter().map(|(x, [lower, _])| (x, lower));
-    let back = points.iter().rev().map(|(x, [_, upper])| (x, upper));
-    let steps = there.chain(back).enumerate();
+    let there = points.iter().map(|(x, [lower, _])| (*x, *lower));
+    let back = points.iter().rev().map(|(x, [_, upper])| (*x, *upper));
+    steps(there.chain(back)) + " Z"
+}
+
+/// From each point to the next.
+fn steps(points: impl Iterator<Item = (f64, f64)>) -> String {
     let step =
-        |(at, (x, y)): (usize, (&f64, &f64))| format!("{}{x:.2} {y:.2}", if at == 0 { "M" } else { " L" });
-    steps.map(step).chain([" Z".to_owned()]).collect()
+        |(at, (x, y)): (usize, (f64, f64))| format!("{}{x:.2} {y:.2}", if at == 0 { "M" } else { " L" });
+    points.enumerate().map(step).collect()
 }

@@ -4,11 +4,11 @@
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
-use super::bands::OPACITY;
+use super::bands::{EDGE_PX, INTERVAL_OPACITY, OPACITY};
 use super::marks;
 use super::style::{NEUTRAL, colour, dash, tint};
 use super::text_width_px;
-use study::figure::FigureData;
+use study::figure::{BandKind, FigureData};
 
 const SIZE_PX: f64 = 12.0;
 const ROW_PX: f64 = 18.0;
@@ -32,8 +32,8 @@ enum Sample {
     Disc {
         is_ring: bool,
     },
-    /// A pale stretch, for bands of any colour.
-    Band,
+    /// A pale stretch, for bands of any colour; those of intervals have edges.
+    Band(BandKind),
 }
 
 /// Draws the legend below what is there, between two abscissas, and lengthens the picture by what it takes.
@@ -72,16 +72,7 @@ fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
             stroke_dasharray: dash(pattern).dasharray(),
         }),
         Sample::Disc { is_ring } => marks::disc(scene, x + 0.5 * SAMPLE_PX, y, &entry.colour, is_ring),
-        Sample::Band => scene.add(Primitive::Rect {
-            x,
-            y: y - 0.5 * BAND_PX,
-            width: SAMPLE_PX,
-            height: BAND_PX,
-            fill: Color::from(entry.colour.as_str()),
-            stroke: None,
-            stroke_width: None,
-            opacity: Some(OPACITY),
-        }),
+        Sample::Band(kind) => band(scene, kind, x, y, &entry.colour),
     }
     scene.add(Primitive::Text {
         x: x + SAMPLE_PX + GAP_PX,
@@ -93,6 +84,38 @@ fn draw(scene: &mut Scene, entry: &Entry<'_>, x: f64, baseline: f64) {
         bold: false,
         color: None,
     });
+}
+
+/// A stretch of a band around the middle of a row.
+fn band(scene: &mut Scene, kind: BandKind, x: f64, y: f64, colour: &str) {
+    let opacity = match kind {
+        BandKind::Yardstick => OPACITY,
+        BandKind::Interval => INTERVAL_OPACITY,
+    };
+    let (top, bottom) = (y - 0.5 * BAND_PX, y + 0.5 * BAND_PX);
+    scene.add(Primitive::Rect {
+        x,
+        y: top,
+        width: SAMPLE_PX,
+        height: BAND_PX,
+        fill: Color::from(colour),
+        stroke: None,
+        stroke_width: None,
+        opacity: Some(opacity),
+    });
+    if kind == BandKind::Interval {
+        for edge in [top, bottom] {
+            scene.add(Primitive::Line {
+                x1: x,
+                y1: edge,
+                x2: x + SAMPLE_PX,
+                y2: edge,
+                stroke: Color::from(colour),
+                stroke_width: EDGE_PX,
+                stroke_dasharray: None,
+            });
+        }
+    }
 }
 
 fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
@@ -128,7 +151,7 @@ fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
     for mark in &figure.marks {
         if !entries.iter().any(|entry| entry.label == mark.label) {
             entries.push(Entry {
-                label: mark.label,
+                label: &mark.label,
                 colour: colour(NEUTRAL),
                 sample: Sample::Disc { is_ring: mark.is_ring },
             });
@@ -137,8 +160,17 @@ fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
     entries
 }
 
-/// The bands have one name.
+/// Bands of one kind have one name.
 fn banded(figure: &FigureData) -> Vec<Entry<'_>> {
-    let first = figure.bands.first().into_iter();
-    first.map(|band| Entry { label: band.label, colour: colour(NEUTRAL), sample: Sample::Band }).collect()
+    let mut entries: Vec<Entry<'_>> = Vec::new();
+    for band in &figure.bands {
+        if !entries.iter().any(|entry| entry.label == band.label) {
+            entries.push(Entry {
+                label: &band.label,
+                colour: colour(NEUTRAL),
+                sample: Sample::Band(band.kind),
+            });
+        }
+    }
+    entries
 }

@@ -6,6 +6,7 @@ mod heights;
 mod labels;
 mod legend;
 mod marks;
+mod shares;
 mod style;
 mod thinned;
 
@@ -17,6 +18,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 pub use heights::line_of_heights;
+pub(crate) use shares::shares_of_decades;
 
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
@@ -55,8 +57,12 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
 pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
     let width_px = if beside.len() > 1 { WIDTH_PX } else { WIDE_PX };
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX).with_width(width_px);
-    let scene = drawn(figure, layout, beside);
-    let (opening, inside) = split(&scene, id);
+    page_element(&drawn(figure, layout, beside), id, words)
+}
+
+/// A picture as an element of a page.
+fn page_element(scene: &Scene, id: &str, words: &str) -> String {
+    let (opening, inside) = split(scene, id);
     let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     format!("{opening} role=\"img\" aria-label=\"{}\">{inside}", escaped(words))
 }
@@ -66,7 +72,8 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let points = || {
         let lines =
             beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
-        lines.chain(beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends))
+        let marks = beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends);
+        lines.chain(marks).chain(beside.iter().flat_map(|figure| &figure.bands).flat_map(bands::ends))
     };
     let x = Decades::around(points().map(|(x, _)| x));
     let y = Decades::around(points().map(|(_, y)| y));
@@ -100,7 +107,8 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let computed = ComputedLayout::from_layout(&layout);
     let mut scene = render_multiple(lines, layout);
     let frame = frame(&computed);
-    add_minor_ticks(&mut scene, &computed, frame, x, y);
+    ticks_below(&mut scene, &computed, frame, x);
+    ticks_left(&mut scene, &computed, frame, y);
     for (from, to) in &figure.gaps {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
     }
@@ -168,19 +176,24 @@ fn frame(computed: &ComputedLayout) -> Box {
 }
 
 /// The library's minor ticks are evenly spaced; those of a logarithmic axis are not.
-fn add_minor_ticks(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades, y: Decades) {
-    let mut tick = |x1: f64, y1: f64, x2: f64, y2: f64| {
-        let stroke = Color::from("black");
-        scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: 0.7, stroke_dasharray: None });
-    };
+fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades) {
     for power in x.minor_ticks() {
         let at = computed.map_x(power);
-        tick(at, frame.bottom, at, frame.bottom + MINOR_TICK_PX);
+        tick(scene, [at, frame.bottom], [at, frame.bottom + MINOR_TICK_PX]);
     }
+}
+
+/// The same of the ordinate.
+fn ticks_left(scene: &mut Scene, computed: &ComputedLayout, frame: Box, y: Decades) {
     for power in y.minor_ticks() {
         let at = computed.map_y(power);
-        tick(frame.left - MINOR_TICK_PX, at, frame.left, at);
+        tick(scene, [frame.left - MINOR_TICK_PX, at], [frame.left, at]);
     }
+}
+
+fn tick(scene: &mut Scene, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) {
+    let stroke = Color::from("black");
+    scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: 0.7, stroke_dasharray: None });
 }
 
 fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
@@ -243,7 +256,7 @@ pub(crate) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use study::figure::Shows;
+    use study::figure::{Band, BandKind, Shows};
 
     fn figure(name: &str) -> FigureData {
         let series = Series {
@@ -303,9 +316,11 @@ mod tests {
     fn a_band_is_drawn_inside_the_frame_and_named_once() {
         let mut figure = figure("a");
         let whole = svg(&figure, "", &[]);
-        let band = |colour, share: f64| study::figure::Band {
-            label: "linear laws",
+        let band = |colour, share: f64| Band {
+            label: "linear laws".to_owned(),
+            kind: BandKind::Yardstick,
             colour,
+            dash: 0,
             points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
         };
         // The last lies beside the decades that are drawn.
@@ -315,6 +330,22 @@ mod tests {
         // Two bands, and the sample of the legend.
         assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 3, "{banded}");
         assert_eq!(count(&banded, ">linear laws</text>"), 1);
+    }
+
+    #[test]
+    fn an_interval_has_edges_in_the_dash_pattern_of_its_line_and_belongs_on_the_axes() {
+        let mut figure = figure("a");
+        figure.bands = vec![Band {
+            label: "95 % coverage interval".to_owned(),
+            kind: BandKind::Interval,
+            colour: 0,
+            dash: 1,
+            points: vec![(1.0, [1e-33, 1e-29]), (10.0, [1e-21, 1e-19])],
+        }];
+        let banded = svg(&figure, "", &[]);
+        assert_eq!(banded.matches("stroke-width=\"0.7\" stroke-dasharray=\"4 3\"").count(), 2, "{banded}");
+        assert_eq!(banded.matches(">95 % coverage interval</text>").count(), 1);
+        assert!(banded.contains(">10⁻³⁴</text>"), "{banded}");
     }
 
     #[test]

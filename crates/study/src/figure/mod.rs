@@ -79,12 +79,26 @@ impl Series {
 /// An area between two lines, to hold lines against; it is not part of tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Band {
-    /// What it shows.
-    pub label: &'static str,
-    /// The colour of the lines that are held against it.
+    /// What it shows, for the legend.
+    pub label: String,
+    /// What it is to the lines of its colour.
+    pub kind: BandKind,
+    /// The colour of those lines.
     pub colour: usize,
+    /// The dash pattern of the line whose interval it is; 0 of a yardstick.
+    pub dash: usize,
     /// Abscissa, and the lower and the upper ordinate, of each point.
     pub points: Vec<(f64, [f64; 2])>,
+}
+
+/// What a band is to lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BandKind {
+    /// Something else to hold them against.
+    Yardstick,
+    /// Where they lie, as far as is known.
+    Interval,
 }
 
 /// A figure with its data; all axes are logarithmic.
@@ -116,7 +130,7 @@ pub struct FigureData {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mark {
     /// What it is, for the legend.
-    pub label: &'static str,
+    pub label: String,
     /// Whether it is drawn as a ring, to tell it from others drawn as discs.
     pub is_ring: bool,
     /// Which lines it shares its colour with.

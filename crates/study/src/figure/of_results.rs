@@ -3,7 +3,7 @@
 use stacked_contact::Scale;
 use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
 
-use super::{Axis, Band, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
+use super::{Axis, Band, BandKind, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
 use crate::linear_laws::{linear_areas, rms_gradients};
 use crate::plan::{CurveResult, Load, Needs, Results};
 
@@ -59,7 +59,8 @@ impl Figure {
         let band = |(colour, load): (usize, &Load)| {
             let areas = |gradient| linear_areas(elastic, load.nominal_pressure_pa(), gradient);
             let point = |&(cutoff_m, gradient): &(f64, f64)| Some((cutoff_m, areas(gradient)?));
-            Band { label: "linear laws", colour, points: gradients.iter().filter_map(point).collect() }
+            let points = gradients.iter().filter_map(point).collect();
+            Band { label: "linear laws".to_owned(), kind: BandKind::Yardstick, colour, dash: 0, points }
         };
         needs.loads.iter().enumerate().map(band).filter(|band| !band.points.is_empty()).collect()
     }

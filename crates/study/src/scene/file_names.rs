@@ -13,6 +13,8 @@ pub const REPORT: &str = "report";
 pub const REPORT_TABLES: [&str; 3] = ["report-scales", "report-decades", "report-sensitivity"];
 /// The names of the judge's tables: the verdict on every curve, and on every window.
 pub const JUDGE_TABLES: [&str; 2] = ["report-models", "report-judge"];
+/// The names of the tables of draws: the interval of every area, the indices of its inputs, and what to measure next.
+pub const UNCERTAINTY_TABLES: [&str; 3] = ["report-uncertainty", "report-sobol", "report-advice"];
 
 /// Refuses curves and figures whose files would replace those of another or of the report. Disks differ in whether case
 /// counts, so here it does not.
@@ -23,7 +25,7 @@ pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Res
     let figure_spans = raw.figure.iter().map(|figure| figure.get_ref().name.span());
     // Where the scene draws no figure, one is drawn of all curves, which has no place in it.
     let drawn = figures.iter().map(|figure| figure.name.as_str()).zip(figure_spans);
-    let mut taken: Vec<&str> = [&REPORT_TABLES[..], &JUDGE_TABLES[..]].concat();
+    let mut taken: Vec<&str> = [&REPORT_TABLES[..], &JUDGE_TABLES[..], &UNCERTAINTY_TABLES[..]].concat();
     taken.push(REPORT);
     if raw.figure.is_empty() && !figures.is_empty() {
         taken.push(AREA_OF_ALL);

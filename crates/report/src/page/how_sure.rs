@@ -1,0 +1,178 @@
+//! How sure the areas are: their intervals, who carries them, and what the draws rest on.
+
+use maud::{Markup, html};
+
+use super::share_cell::share_cell;
+use super::{SceneReport, Section, per_scene, table};
+use crate::coverage::level;
+use crate::uncertainty_words;
+use uncertainty::{
+    AreaInterval, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, Uncertainty,
+};
+use units::display::{counted, length, three_digits, typeset, typeset_digits};
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let body = per_scene(scenes, of)?;
+    Some(Section { id: "how-sure", title: "How sure", body })
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    let uncertainty = report.trust.uncertainty?;
+    Some(html! {
+        @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
+        (intervals(report, uncertainty))
+        @if !uncertainty.instruments.is_empty() { (instruments(uncertainty)) }
+        @if !uncertainty.overlaps.is_empty() { (overlaps(uncertainty)) }
+    })
+}
+
+/// Every area with its interval and the shares of its variance.
+fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
+    let groups = &uncertainty.groups;
+    let head = html! {
+        tr {
+            th scope="col" { "curve" } th scope="col" { "nominal pressure" } th scope="col" { "area fraction" }
+            th scope="col" { "median" } th scope="col" { (level(uncertainty)) } th scope="col" { "68 %" }
+            th scope="col" { "Monte Carlo error" }
+            @for group in groups { th scope="col" { (group_name(*group)) } }
+            @if groups.len() > 1 { th scope="col" { "together" } }
+        }
+    };
+    let of_curve = |curve: usize| -> Vec<&AreaInterval> {
+        uncertainty.areas.iter().filter(|area| area.curve == curve).collect()
+    };
+    let curves = (0..report.scene.needs.curves.len()).map(|curve| (curve, of_curve(curve)));
+    let body = html! {
+        @for (curve, areas) in curves.filter(|(_, areas)| !areas.is_empty()) {
+            tbody {
+                @for (place, area) in areas.iter().enumerate() {
+                    tr {
+                        @if place == 0 { th scope="rowgroup" rowspan=(areas.len()) { (report.curve(curve)) } }
+                        td { (report.load(area.load)) }
+                        td { (typeset_digits(area.area_fraction)) }
+                        td { (typeset_digits(area.median)) }
+                        td { (between(area.low, area.high)) }
+                        td { (between(area.within_68[0], area.within_68[1])) }
+                        td { (three_digits((1000.0 * area.monte_carlo_error).round() / 10.0)) "\u{a0}%" }
+                        @for group in groups { (share_cell(percent(uncertainty.share(area, *group)))) }
+                        @if groups.len() > 1 { (share_cell(percent(uncertainty.share_of_others(area)))) }
+                    }
+                }
+            }
+        }
+    };
+    table(
+        "Coverage intervals of every area, and how much of the variance of ln A each group of inputs carries by itself, in percent; \
+         “together” is what no group carries alone. Shares known no better than to 10 % are left empty. The Monte Carlo error is \
+         that of the interval, as a share of its width.",
+        &head,
+        &body,
+    )
+}
+
+/// What the draws take of every instrument.
+fn instruments(uncertainty: &Uncertainty) -> Markup {
+    let head = html! {
+        tr {
+            th scope="col" { "instrument" } th scope="col" { "scans" } th scope="col" { "wavelengths" }
+            th scope="col" { "scatter (type A) from" } th scope="col" { "height scale (type B)" }
+            th scope="col" { "exponent (type B)" } th scope="col" { "gain left by overlaps" }
+        }
+    };
+    let body = html! {
+        tbody { @for instrument in &uncertainty.instruments { (instrument_row(instrument)) } }
+    };
+    table(
+        "Instruments: standard uncertainties of their height scales and of the exponents of their spectra, and the gain of ln C \
+         with its standard uncertainty that overlaps with other instruments leave.",
+        &head,
+        &body,
+    )
+}
+
+fn instrument_row(instrument: &InstrumentInput) -> Markup {
+    let [longest_m, shortest_m] = instrument.band_m;
+    let [gain, gain_uncertainty] = instrument.gain;
+    let resampled = match instrument.resampled {
+        Resampled::Scans(scans) => counted(scans, "scan"),
+        Resampled::BlocksOfLines(blocks) => counted(blocks, "block") + " of lines",
+        Resampled::SingleLine => "the Fourier bins of one line".to_owned(),
+    };
+    html! {
+        tr {
+            th scope="row" { (instrument.name.text()) @if is_guessed(instrument) { " (guessed)" } }
+            td { (instrument.scans) }
+            td { (length(longest_m)) " to " (length(shortest_m)) }
+            td { (resampled) }
+            td {
+                (three_digits(100.0 * instrument.z_calibration)) "\u{a0}%"
+                @if instrument.z_calibration_is_assumed { " (assumed)" }
+            }
+            td { @if instrument.slope_uncertainty == 0.0 { "–" } @else { (three_digits(instrument.slope_uncertainty)) } }
+            td { (signed(gain)) " ± " (three_digits(gain_uncertainty)) }
+        }
+    }
+}
+
+fn is_guessed(instrument: &InstrumentInput) -> bool {
+    matches!(instrument.name, InstrumentName::Guessed(_))
+}
+
+/// What instruments say of each other.
+fn overlaps(uncertainty: &Uncertainty) -> Markup {
+    let head = html! {
+        tr {
+            th scope="col" { "instruments" } th scope="col" { "where both measure" } th scope="col" { "bins" }
+            th scope="col" { "ratio of spectra" } th scope="col" { "from scatter" }
+            th scope="col" { "with height scales" } th scope="col" { "" }
+        }
+    };
+    let name = |at: usize| uncertainty.instruments.get(at).map_or("", |instrument| instrument.name.text());
+    let found = |overlap: &OverlapMisfit| match uncertainty_words::is_as_expected(overlap) {
+        true => "as expected",
+        false => "more than explained",
+    };
+    let body = html! {
+        tbody {
+            @for overlap in &uncertainty.overlaps {
+                tr {
+                    th scope="row" { (name(overlap.instruments[0])) " over " (name(overlap.instruments[1])) }
+                    td { (length(overlap.longest_m)) " to " (length(overlap.shortest_m)) }
+                    td { (overlap.bins) }
+                    td { "×" (three_digits(overlap.misfit.exp())) }
+                    td { "×" (three_digits(overlap.scatter.exp())) }
+                    td { "×" (three_digits(overlap.expected.exp())) }
+                    td { (found(overlap)) }
+                }
+            }
+        }
+    };
+    table(
+        "Overlaps: the geometric mean of the ratio of two spectra, and its standard uncertainty as a factor.",
+        &head,
+        &body,
+    )
+}
+
+fn between(low: f64, high: f64) -> String {
+    format!("{} to {}", typeset_digits(low), typeset_digits(high))
+}
+
+fn percent(share: Option<f64>) -> Option<i32> {
+    share.map(|share| (100.0 * share).round() as i32)
+}
+
+fn group_name(group: Group) -> &'static str {
+    match group {
+        Group::Scans => "scans",
+        Group::Instruments => "instruments",
+        Group::Material => "elastic constants",
+        Group::Strength => "strength",
+    }
+}
+
+/// With a sign that is set as one.
+fn signed(value: f64) -> String {
+    let sign = if value < 0.0 { "−" } else { "" };
+    format!("{sign}{}", three_digits(value.abs()))
+}

@@ -1,0 +1,98 @@
+//! What to measure next: the steps that shrink the interval, the decades that widen it, and whether the area can settle.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::{SceneReport, Section, table};
+use crate::advice_words::{in_a_line, narrows, settling, step_in_words, subject};
+use crate::plot;
+use uncertainty::{Advice, DecadeOfVariance, Uncertainty};
+use units::display::{length, typeset};
+
+/// More steps than this are left to the table.
+const STEPS_TOLD: usize = 5;
+
+const SHARE: &str = "share of variance (%)";
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let several = scenes.len() > 1;
+    let parts: Vec<(&str, Markup)> =
+        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, of(scene, at)?))).collect();
+    let body = html! {
+        @for (label, part) in &parts {
+            @if several { h3 { (label) } }
+            (part)
+        }
+    };
+    (!parts.is_empty()).then_some(Section { id: "measure-next", title: "What to measure next", body })
+}
+
+fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
+    let uncertainty = report.trust.uncertainty?;
+    let advice = report.trust.foremost_advice()?;
+    let worthwhile: Vec<String> = advice
+        .steps
+        .iter()
+        .filter(|step| narrows(step))
+        .take(STEPS_TOLD)
+        .map(|step| in_a_line(uncertainty, step))
+        .collect();
+    Some(html! {
+        p { "For " strong.curve { (typeset(&subject(advice, report.scene))) } ":" }
+        @if worthwhile.is_empty() { p { "Nothing that was tried would narrow its interval." } }
+        @else { ol { @for step in &worthwhile { li { (typeset(step)) "." } } } }
+        p { (typeset(&settling(advice))) }
+        (decades(report, advice, &format!("scene-{at}-variance")))
+        (every_step(report, uncertainty))
+    })
+}
+
+/// Which decades carry the variance, as a figure.
+fn decades(report: &SceneReport<'_>, advice: &Advice, id: &str) -> Markup {
+    let words = format!(
+        "Share of each decade of wavelengths in the variance of ln A, {}: {}",
+        subject(advice, report.scene),
+        advice.decades.iter().map(in_words).collect::<Vec<_>>().join(", ")
+    );
+    let Some(drawn) = plot::shares_of_decades(&advice.decades, SHARE, id, &words) else { return html! {} };
+    html! {
+        figure {
+            div.panels { div { (PreEscaped(drawn)) } }
+            figcaption {
+                strong { "Where the interval comes from." } " How much of the variance of ln A that the spectrum brings each decade \
+                of wavelengths carries, " (typeset(&subject(advice, report.scene))) "."
+            }
+        }
+    }
+}
+
+fn in_words(decade: &DecadeOfVariance) -> String {
+    format!("{} to {} {:.0} %", length(decade.longest_m), length(decade.shortest_m), 100.0 * decade.share)
+}
+
+/// What every step would do to every area.
+fn every_step(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
+    let head = html! {
+        tr {
+            th scope="col" { "curve" } th scope="col" { "nominal pressure" } th scope="col" { "step" }
+            th scope="col" { "width of the interval" } th scope="col" { "area" }
+        }
+    };
+    let body = html! {
+        @for advice in &uncertainty.advice {
+            tbody {
+                @for (place, step) in advice.steps.iter().enumerate() {
+                    tr {
+                        @if place == 0 {
+                            th scope="rowgroup" rowspan=(advice.steps.len()) { (report.curve(advice.curve)) }
+                        }
+                        td { (report.load(advice.load)) }
+                        td { (step_in_words(uncertainty, &step.kind)) }
+                        td { "×" (format!("{:.2}", step.width_ratio)) }
+                        td { "×" (format!("{:.2}", step.area_ratio)) }
+                    }
+                }
+            }
+        }
+    };
+    table("Every step, the one that narrows the interval most first: what it would do.", &head, &body)
+}
