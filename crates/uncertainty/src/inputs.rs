@@ -38,9 +38,8 @@ impl Inputs {
             Group::Strength => of_material(MaterialDraws::strength_scatters),
         };
         let groups: Vec<Group> = Group::ALL.iter().copied().filter(scatters).collect();
-        let is_wanted = scene.uncertainty.is_some() || surface.tells_scatter() || material.is_some();
         let inputs = Inputs { surface, material, streams: Streams::new(seed), groups };
-        (is_wanted && !inputs.groups.is_empty()).then_some(inputs)
+        (scene.scatters() && !inputs.groups.is_empty()).then_some(inputs)
     }
 
     /// The random numbers.
