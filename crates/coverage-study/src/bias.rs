@@ -1,6 +1,6 @@
 //! How far averages of scans lie from the known spectrum in the mean over many studies.
 
-use topography::{Average, Recipe};
+use topography::{Average, CompositeSpectrum, Recipe};
 
 use crate::error::StudyError;
 use crate::instrument::{INSTRUMENTS, Instrument};
@@ -29,33 +29,33 @@ pub struct DecadeBias {
 /// ln(C/C_known) of every study and bin.
 type Deviations = Vec<Vec<f64>>;
 
-/// The bias of each average, decade by decade, of the composites of each instrument alone.
+/// The bias of each average, decade by decade, of the composites of one instrument, by its place among [`INSTRUMENTS`], with so
+/// many scans.
 ///
 /// # Errors
 /// Those of the studies.
 pub fn biases(
     laboratory: &Laboratory,
-    studies: u64,
-    scans: [u32; 2],
+    studies: u32,
+    instrument: usize,
+    scans: u32,
     averages: &[Average],
 ) -> Result<Vec<DecadeBias>, StudyError> {
-    let mut rows = Vec::new();
-    for instrument in INSTRUMENTS {
-        let of_studies = parallel::map_indices(studies as usize, |number| {
-            one_study(laboratory, number as u64, scans, instrument, averages)
-        });
-        let of_studies: Vec<(Vec<f64>, Vec<Vec<f64>>)> = of_studies.into_iter().collect::<Result<_, _>>()?;
-        let Some((wavelengths_m, _)) = of_studies.first().cloned() else { continue };
-        let of_average = |average: usize| -> Deviations {
-            of_studies.iter().map(|(_, deviations)| deviations[average].clone()).collect()
-        };
-        let expected = ln_expectation(&of_average(0));
-        for (place, &average) in averages.iter().enumerate() {
-            let deviations = of_average(place + 1);
-            rows.extend(by_decade(&wavelengths_m, &deviations, &expected, instrument, average));
-        }
-    }
-    Ok(rows)
+    let mut of_each = [0; 2];
+    of_each[instrument] = scans;
+    let one_study = |number| one_study(laboratory, number as u64, of_each, averages);
+    let of_studies: Result<Vec<_>, _> =
+        parallel::map_indices(studies as usize, one_study).into_iter().collect();
+    let of_studies = of_studies?;
+    let Some((wavelengths_m, _)) = of_studies.first() else { return Ok(Vec::new()) };
+    let of_average = |average: usize| -> Deviations {
+        of_studies.iter().map(|(_, deviations)| deviations[average].clone()).collect()
+    };
+    let expected = ln_expectation(&of_average(0));
+    let rows = averages.iter().enumerate().map(|(place, &average)| {
+        by_decade(wavelengths_m, &of_average(place + 1), &expected, INSTRUMENTS[instrument], average)
+    });
+    Ok(rows.flatten().collect())
 }
 
 /// The wavelengths \[m\] of the bins, and their deviations: first of arithmetic means, then of each average.
@@ -63,21 +63,19 @@ fn one_study(
     laboratory: &Laboratory,
     number: u64,
     scans: [u32; 2],
-    instrument: Instrument,
     averages: &[Average],
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), StudyError> {
-    let study = laboratory.study(number, scans)?;
-    let mut wavelengths_m = Vec::new();
-    let deviations = std::iter::once(Average::Arithmetic).chain(averages.iter().copied()).map(|average| {
-        let recipe = Recipe { average, ..Recipe::default() };
-        let measured = study.composite(&[instrument], &recipe)?.spectrum;
-        let known = known_composite(&laboratory.surface, &measured)?;
-        wavelengths_m = known.wavelengths_m().to_vec();
-        let bins = measured.composite.bins().iter().zip(known.c1d_m3());
+    let measured = laboratory.study(number, scans)?.composite()?;
+    let known = known_composite(&laboratory.surface, &measured)?;
+    let deviations = |&average: &Average| {
+        let recipe = Recipe { average, ..measured.recipe };
+        let composite = CompositeSpectrum::of(measured.scans.clone(), &recipe)?.composite;
+        let bins = composite.bins().iter().zip(known.c1d_m3());
         Ok(bins.map(|(bin, known_m3)| (bin.c1d_m3 / known_m3).ln()).collect())
-    });
-    let deviations = deviations.collect::<Result<Vec<_>, StudyError>>()?;
-    Ok((wavelengths_m, deviations))
+    };
+    let all = std::iter::once(&Average::Arithmetic).chain(averages);
+    let deviations = all.map(deviations).collect::<Result<Vec<_>, StudyError>>()?;
+    Ok((known.wavelengths_m().to_vec(), deviations))
 }
 
 /// ln of the mean of C/C_known in every bin.

@@ -31,7 +31,7 @@ pub const STYLUS: Instrument =
 
 /// Small maps. They share with the lines the wavelengths from 5 to 1.2 µm, six tenths of a decade.
 pub const AFM: Instrument =
-    Instrument { name: "AFM", shape: Shape::Map, points: 256, length_m: 10e-6, shortest_m: 100e-9 };
+    Instrument { name: "AFM", shape: Shape::Map, points: 128, length_m: 10e-6, shortest_m: 200e-9 };
 
 /// Both.
 pub const INSTRUMENTS: [Instrument; 2] = [STYLUS, AFM];

@@ -6,12 +6,12 @@ use crate::error::StudyError;
 use crate::instrument::{GAIN_SD, Instrument};
 use crate::synthetic::SyntheticStudy;
 
-/// A hard steel, light and heavy loads, and a model of each kind.
+/// A steel, light and heavy loads, and a model of each kind.
 const REST: &str = r#"
 [material]
 youngs_modulus = "200 GPa"
 poisson_ratio = 0.3
-yield_strength = "4 GPa"
+yield_strength = "1.5 GPa"
 
 [loads]
 pressures = ["10 MPa", "1 GPa"]

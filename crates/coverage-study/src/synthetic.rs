@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use measurements::{CompositeOfFiles, ScanRequest};
-use topography::Recipe;
+use topography::{CompositeSpectrum, Recipe};
 
 use crate::error::StudyError;
 use crate::instrument::{AFM, GAIN_SD, INSTRUMENTS, Instrument, STYLUS, Shape};
@@ -87,17 +87,12 @@ fn request(path: String, instrument: &Instrument) -> ScanRequest {
 }
 
 impl SyntheticStudy {
-    /// The composite of the scans of some instruments.
+    /// The composite of all scans.
     ///
     /// # Errors
     /// [`StudyError::Scans`] where the files do not read.
-    pub fn composite(
-        &self,
-        instruments: &[Instrument],
-        recipe: &Recipe,
-    ) -> Result<CompositeOfFiles, StudyError> {
-        let of_them = self.scans.iter().filter(|(instrument, _)| instruments.contains(instrument));
-        let requests: Vec<ScanRequest> = of_them.map(|(_, request)| request.clone()).collect();
-        Ok(CompositeOfFiles::read(&requests, &self.files, recipe)?)
+    pub fn composite(&self) -> Result<CompositeSpectrum, StudyError> {
+        let requests: Vec<ScanRequest> = self.scans.iter().map(|(_, request)| request.clone()).collect();
+        Ok(CompositeOfFiles::read(&requests, &self.files, &Recipe::default())?.spectrum)
     }
 }
