@@ -1,14 +1,15 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `stress`, `bench`, `judge`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `stress`,
+//! `coverage`, `bench`, `judge`.
 
 mod bench;
 mod docs;
 mod golden;
+mod in_release;
 mod instructions;
 mod judge;
 mod layers;
 mod reproduce;
 mod shared;
-mod stress;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -26,6 +27,9 @@ cargo xtask layers             which crate may know which, and what stays out of
 cargo xtask shared             the tests that need the folder shared/ beside the checkout
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                random extreme states against what every result promises: docs/stress.md
+cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice]
+                               synthetic studies of known surfaces: do intervals of the area hold the truth as often as
+                               they say? Prints the tables of docs/uncertainty.md (minutes)
 cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
 cargo xtask judge [--anew]       every model held against boundary elements: rewrites the tables and figures of
                                docs/which-model.md; presses what has not been pressed, --anew everything (minutes)
@@ -39,6 +43,7 @@ enum Task {
     Layers,
     Shared,
     Stress { arguments: Vec<OsString> },
+    Coverage { arguments: Vec<OsString> },
     Bench,
     Judge { anew: bool },
 }
@@ -51,7 +56,8 @@ fn main() -> ExitCode {
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
-        Ok(Some(Task::Stress { arguments })) => stress::run(&arguments),
+        Ok(Some(Task::Stress { arguments })) => in_release::run("stress", &arguments),
+        Ok(Some(Task::Coverage { arguments })) => in_release::run("coverage-study", &arguments),
         Ok(Some(Task::Bench)) => bench::run(),
         Ok(Some(Task::Judge { anew })) => judge::run(anew),
         Ok(None) => {
@@ -81,6 +87,10 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             (Value(name), None) if name == "stress" => {
                 let arguments = parser.raw_args()?.collect();
                 task = Some(Task::Stress { arguments });
+            }
+            (Value(name), None) if name == "coverage" => {
+                let arguments = parser.raw_args()?.collect();
+                task = Some(Task::Coverage { arguments });
             }
             (Value(name), None) if name == "bench" => task = Some(Task::Bench),
             (Value(name), None) if name == "judge" => task = Some(Task::Judge { anew: false }),

@@ -23,7 +23,7 @@ use clap_complete::Shell;
 use stat_contact::InterferenceLaw;
 
 use crate::output::Place;
-use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_tolerance};
+use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
 use rows::GivenColumn;
 use study::models::{Framework, ModelEntry};
 use study::plan::Tolerance;
@@ -300,7 +300,7 @@ pub(crate) struct TableArgs {
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub youngs_modulus: Option<Modulus>,
     /// Poisson's ratio of every row, in (-1, 0.5], in place of the column poisson_ratio
-    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
     pub poisson_ratio: Option<f64>,
     /// Yield strength of every row, in place of the column yield_strength_pa
     #[arg(long, value_name = "P", allow_hyphen_values = true)]

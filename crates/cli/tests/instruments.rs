@@ -1,7 +1,11 @@
 //! Files of instruments on the command line: what is in them, gaps, directions.
 
+#[path = "../../scans/tests/support/nanoscope.rs"]
+#[allow(dead_code, reason = "written for the tests of the reader")]
+mod nanoscope;
 mod support;
 
+use nanoscope::{Image, NanoscopeFile};
 use support::{Bench, column, numbers};
 
 /// A map of 64 x 48 points, 1 nm apart, rough along its rows and wavy across them; so many points, one in each row from the
@@ -70,6 +74,37 @@ fn a_file_that_leaves_its_unit_open_names_the_option_that_tells_it() {
 }
 
 #[test]
+fn a_spectrum_is_told_from_heights() {
+    let bench = Bench::new();
+    let spectrum = "wavelength_m,C1D_m3\n1e-6,1e-24\n5e-7,2e-25\n2e-7,3e-26\n1e-7,1e-27\n";
+    bench.write("psd.csv", spectrum);
+    for command in ["scan", "psd"] {
+        let run = bench.run(&[command, "psd.csv"]);
+        assert_eq!(run.status, 2, "{}", run.stdout);
+        let told = "error: psd.csv: this file holds a power spectrum, not heights; give it as a PSD\n";
+        assert_eq!(run.stderr, told);
+    }
+}
+
+#[test]
+fn a_channel_without_lengths_is_shown_and_drawn_in_its_unit_and_is_no_scan() {
+    let bench = Bench::new();
+    let values: Vec<f64> = (0..32).map(|point| f64::from(point * 7 % 32) * 1e-9).collect();
+    let image = |name| Image { name, direction: "Trace", heights_m: &values };
+    let images = vec![image("Phase"), image("Height")];
+    bench.write("scan.001", NanoscopeFile { images, ..NanoscopeFile::new(8, 4, &values) }.to_bytes());
+    let refused = bench.run(&["psd", "scan.001:channel=Phase"]).refused();
+    let told = "error: scan.001: reading Nanoscope: channel 'Phase (Trace)' has values in V, which are no heights; there is \
+                'Height (Trace)' with heights; say it with --channel\n";
+    assert_eq!(refused, told);
+    let run = bench.run(&["scan", "scan.001", "--all-channels", "--figure", "drawn.svg"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert_eq!(column(&run.stdout, "channel"), ["Phase (Trace)", "Height (Trace)"]);
+    let [phase, height] = ["drawn.svg", "drawn-2.svg"].map(|name| bench.read(name));
+    assert!(phase.contains(" V</text>") && height.contains("nm</text>"), "{phase}");
+}
+
+#[test]
 fn heights_are_drawn_a_picture_for_each_channel() {
     let bench = Bench::new();
     bench.write("map.txt", map(3)).write("line.txt", "# x (um) h (nm)\n0 1\n0.5 3\n1 2\n1.5 2\n");
@@ -118,6 +153,9 @@ fn a_map_is_looked_at_along_either_axis_or_both() {
     assert_eq!(both.status, 0, "{}", both.stderr);
     assert!(both.stdout.contains("map.txt") && numbers(&both.stdout, "measurements").contains(&2.0));
     assert!(both.stderr.contains("along y"), "{}", both.stderr);
+    let of_axis = |axis: &str| format!("# scan: map.txt (text, channel Topo, along {axis}), SHA-256 ");
+    assert!(["x", "y"].iter().all(|axis| both.stdout.contains(&of_axis(axis))), "{}", both.stdout);
+    assert!(x.stdout.contains("# scan: map.txt (text, channel Topo), SHA-256 "), "{}", x.stdout);
     assert_eq!(spectrum("z").status, 2);
 }
 
@@ -142,4 +180,15 @@ fn scenes_have_the_same_keys() {
     assert_eq!(refused.status, 2);
     assert!(refused.stderr.contains("have no height"), "{}", refused.stderr);
     assert!(run("bad.toml").stderr.contains("direction"), "{}", run("bad.toml").stderr);
+}
+
+#[test]
+fn the_keys_of_scans_that_the_template_shows_are_keys_that_there_are() {
+    let bench = Bench::new();
+    let template = bench.run(&["scene", "new"]).ok();
+    let at = |text: &str| template.find(text).unwrap_or_else(|| panic!("there is no {text}"));
+    let shown = template[at("# scans = [")..at("# gaps: harmonic")].replace("# ", "");
+    bench.write("own.toml", template.replace("psd = \"my_psd.csv\"\n", &shown));
+    let refused = bench.run(&["run", "own.toml"]).refused();
+    assert!(refused.contains("reading map.001: "), "{refused}");
 }

@@ -56,6 +56,8 @@ stacked psd.csv --model elastic --pressure 1MPa --counterface-youngs-modulus 1GP
 statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --hardness cosine
 statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --interference-law bem
 statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --strength-cap 1GPa
+statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 210GPa+-5GPa --poisson-ratio 0.3
+statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 210GPa --poisson-ratio 0.3+-0.02
 statistical --input rows.csv --cutoff 1um
 statistical --input rows.csv --column C1D_m3
 statistical --input rows.csv --output folder

@@ -1,36 +1,40 @@
 //! Scans of one instrument share its height scale, so that what is said of it must be the same.
 
 use crate::error::{ScanProblem, TopographyError};
-use crate::request::ScanRequest;
+use crate::instrument::InstrumentOfScan;
 
-/// Refuses scans of one named instrument that say different things of it.
-pub(crate) fn check(requests: &[ScanRequest]) -> Result<(), TopographyError> {
-    type Said = fn(&ScanRequest) -> Option<f64>;
+/// A scan, as it was asked for.
+pub(crate) struct Asked<'s> {
+    /// Which request it belongs to, by index.
+    pub request: usize,
+    /// The file.
+    pub path: &'s str,
+    /// Its instrument.
+    pub instrument: &'s InstrumentOfScan,
+}
+
+/// Refuses scans of one instrument, named or guessed, that say different things of it.
+pub(crate) fn check(scans: &[Asked<'_>]) -> Result<(), TopographyError> {
+    type Said = fn(&InstrumentOfScan) -> Option<f64>;
     let sayings: [(&str, Said); 2] = [
-        ("z-calibration", |request| request.z_calibration),
-        ("slope uncertainty", |request| request.slope_uncertainty),
+        ("z-calibration", |instrument| instrument.z_calibration),
+        ("slope uncertainty", |instrument| instrument.slope_uncertainty),
     ];
-    for (at, request) in requests.iter().enumerate() {
-        let Some(instrument) = &request.instrument else { continue };
-        let of_instrument =
-            || requests[..at].iter().filter(|other| other.instrument.as_ref() == Some(instrument));
+    for (at, scan) in scans.iter().enumerate() {
+        let name = &scan.instrument.name;
+        let before = || scans[..at].iter().filter(|other| other.instrument.name == *name);
         for (what, said) in sayings {
-            let Some(here) = said(request) else { continue };
-            let Some((other, there)) = of_instrument().find_map(|other| Some((other, said(other)?))) else {
+            let Some(here) = said(scan.instrument) else { continue };
+            let Some((other, there)) = before().find_map(|other| Some((other, said(other.instrument)?)))
+            else {
                 continue;
             };
             if here != there {
-                let problem = ScanProblem::InstrumentDisagrees {
-                    instrument: instrument.clone(),
-                    what,
-                    here,
-                    there,
-                    other: other.path.clone(),
-                };
-                return Err(TopographyError {
-                    request: Some(at),
-                    ..TopographyError::of_file(&request.path, problem)
-                });
+                let other = other.path.to_owned();
+                let problem =
+                    ScanProblem::InstrumentDisagrees { instrument: name.clone(), what, here, there, other };
+                let error = TopographyError::of_file(scan.path, problem);
+                return Err(TopographyError { request: Some(scan.request), ..error });
             }
         }
     }

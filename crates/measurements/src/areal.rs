@@ -1,11 +1,11 @@
 //! The two-dimensional spectrum of a map.
 
-use scans::Scan;
-use topography::{MapSpectrum, Recipe, Remark, without_gaps};
+use topography::{Direction, MapSpectrum, Recipe, Remark};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::load::{Loaded, load};
+use crate::only_map::{map_in, only_scan, untransformed};
 use crate::request::ScanRequest;
 use tables::Table;
 
@@ -22,25 +22,22 @@ pub struct AreaSpectrum {
 /// The spectrum of the one map in a file.
 ///
 /// # Errors
-/// [`TopographyError`] where the file holds no map, or several.
+/// [`TopographyError`] where the file holds no map, or several, where gaps left lines alone, or a direction is asked for.
 pub fn areal_spectrum(
     request: &ScanRequest,
     files: &dyn Files,
     recipe: &Recipe,
 ) -> Result<AreaSpectrum, TopographyError> {
-    let refused = |problem| TopographyError::of_file(&request.path, problem);
-    let Loaded { mut scans, sha256 } = load(request, files)?;
-    let (Some(file), true) = (scans.pop(), scans.is_empty()) else {
-        return Err(refused(ScanProblem::NotOneMap(scans.len() + 1)));
-    };
     let recipe = &request.recipe(recipe);
-    let file = without_gaps(file, recipe.gaps)
-        .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
-    let Scan::Map(map) = &file.scan else {
-        return Err(refused(ScanProblem::LineHasNoArea));
-    };
+    if recipe.direction != Direction::X {
+        let problem = ScanProblem::AreaHasNoDirection(recipe.direction);
+        return Err(TopographyError::of_file(&request.path, problem));
+    }
+    let Loaded { scans, sha256 } = load(request, files)?;
+    let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneMap)?;
+    let map = map_in(request, &file, ScanProblem::LineHasNoArea)?;
     let found = MapSpectrum::of(map, &file, request.limits(), recipe)
-        .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
+        .map_err(|error| untransformed(request, error))?;
     let wavelengths_m = found.reliable.wavelengths_m();
     let modes = |wavelength_m: &f64| found.modes_at(*wavelength_m).map(|modes| modes as f64);
     let table = Table::default()

@@ -6,7 +6,7 @@ use units::display::length;
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::{Files, file_name};
-use crate::load::options;
+use crate::load::{bytes_of_scans, options};
 use crate::request::ScanRequest;
 
 /// The channels of some files.
@@ -98,27 +98,26 @@ fn channels_of(
     see: &mut dyn FnMut(&ScanFile),
 ) -> Result<Vec<Row>, TopographyError> {
     let blame = |problem| TopographyError::of_file(&request.path, problem);
-    let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
+    let bytes = bytes_of_scans(request, files)?;
     let options = options(request, files)?;
-    let mut rows = Vec::new();
-    let mut failed = None;
+    let (mut rows, mut first_error, mut is_any_read) = (Vec::new(), None, false);
     let visited =
         visit_channels(&bytes, file_name(&request.path), &options, all_channels, |channel| match channel {
             Ok(file) => {
+                is_any_read = true;
                 rows.push(Row::of(request, &file));
                 see(&file);
             }
-            Err(error) => failed = Some(error),
+            Err(error) => {
+                rows.push(Row { file: request.path.clone(), note: error.to_string(), ..Row::default() });
+                first_error.get_or_insert(error);
+            }
         });
     visited.map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
-    match failed {
+    match first_error {
         // Where another channel can be read, this one is not the whole file's failure.
-        Some(error) if rows.is_empty() => Err(blame(ScanProblem::Format(Box::new(error)))),
-        Some(error) => {
-            rows.push(Row { file: request.path.clone(), note: error.to_string(), ..Row::default() });
-            Ok(rows)
-        }
-        None => Ok(rows),
+        Some(error) if !is_any_read => Err(blame(ScanProblem::Format(Box::new(error)))),
+        _ => Ok(rows),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The scans in some files become one spectrum, which remembers its files.
 
 use parallel::{Progress, Unobserved};
-use scans::{HeightMap, Scan, ScanFile};
+use scans::{Axis, HeightMap, Scan, ScanFile};
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
-use crate::agreement;
+use crate::agreement::{self, Asked};
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::instrument::InstrumentOfScan;
@@ -87,15 +87,23 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        agreement::check(requests)?;
         let of_files = parallel::map(requests, |request| of_file(request, files, recipe, progress));
-        let (mut scans, mut sources, mut maps) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut scans, mut maps) = (Vec::new(), Vec::new());
+        let mut sources: Vec<Source> = Vec::new();
+        let mut request_of = Vec::new();
         for (at, of_file) in of_files.into_iter().enumerate() {
             let of_file = of_file.map_err(|error| TopographyError { request: Some(at), ..error })?;
+            request_of.extend(of_file.sources.iter().map(|_| at));
             scans.extend(of_file.scans);
             sources.extend(of_file.sources);
             maps.extend(of_file.maps);
         }
+        let asked: Vec<Asked<'_>> = sources
+            .iter()
+            .zip(&request_of)
+            .map(|(source, &request)| Asked { request, path: &source.file, instrument: &source.instrument })
+            .collect();
+        agreement::check(&asked)?;
         let spectrum = CompositeSpectrum::of(scans, recipe)
             .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
         Ok(CompositeOfFiles { spectrum, sources, maps })
@@ -109,8 +117,13 @@ impl CompositeOfFiles {
         for (scan, source) in scans.iter().zip(&self.sources) {
             let channel =
                 scan.channel.as_ref().map_or(String::new(), |channel| format!(", channel {channel}"));
+            let along = match scan.axis {
+                Some(Axis::X) => ", along x",
+                Some(Axis::Y) => ", along y",
+                None => "",
+            };
             lines.push(format!(
-                "scan: {} ({}{channel}), SHA-256 {}, detrend {}, window {}, used down to {} m",
+                "scan: {} ({}{channel}{along}), SHA-256 {}, detrend {}, window {}, used down to {} m",
                 source.file,
                 scan.format,
                 source.sha256,

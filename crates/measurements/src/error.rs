@@ -3,7 +3,7 @@
 use std::{fmt, io};
 
 use scans::{Mend, ScanReadError};
-use topography::TransformError;
+use topography::{Direction, TransformError};
 use units::number;
 
 /// Why the scans of a file, or all of them together, yield no spectrum.
@@ -84,6 +84,11 @@ pub enum ScanProblem {
     /// An areal spectrum of a line.
     #[error("a line scan has no areal spectrum")]
     LineHasNoArea,
+    /// An areal spectrum along an axis.
+    #[error(
+        "an areal spectrum is averaged over all directions of a map, and direction = \"{0}\" is asked for; leave it out"
+    )]
+    AreaHasNoDirection(Direction),
 }
 
 impl fmt::Display for TopographyError {

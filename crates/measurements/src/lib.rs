@@ -11,6 +11,7 @@ mod instrument;
 mod list;
 mod load;
 mod map;
+mod only_map;
 mod request;
 mod tables;
 

@@ -21,12 +21,17 @@ pub(crate) struct Loaded {
 
 /// Reads the scans in a file.
 pub(crate) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
+    load_heights(request, &bytes_of_scans(request, files)?, files)
+}
+
+/// The bytes of a file that is asked for as scans; a spectrum, which may be read as a line of heights, is refused.
+pub(crate) fn bytes_of_scans(request: &ScanRequest, files: &dyn Files) -> Result<Vec<u8>, TopographyError> {
     let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
     let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
     if holds_a_spectrum(&bytes, &ReadOptions::default()) {
         return Err(blame(ScanProblem::HoldsASpectrum));
     }
-    load_heights(request, &bytes, files)
+    Ok(bytes)
 }
 
 /// Whether a file can be read as a spectrum. Of a large text the first lines tell: spectra are short, and a map in text would be

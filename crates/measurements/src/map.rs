@@ -1,11 +1,12 @@
 //! The heights of one map, less their trend, as they are pressed.
 
-use scans::{HeightMap, Scan};
-use topography::{Direction, Recipe, Remark, ScanRemark, detrended_m, without_gaps};
+use scans::HeightMap;
+use topography::{Direction, Recipe, Remark, ScanRemark, detrended_m};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::load::{Loaded, load_heights};
+use crate::only_map::{map_in, only_scan};
 use crate::request::ScanRequest;
 
 /// A measured map.
@@ -18,7 +19,7 @@ pub struct MapOfFile {
     pub is_periodic: bool,
     /// Where it comes from: the file with its SHA-256, and what was subtracted.
     pub provenance: String,
-    /// What reading took for granted.
+    /// What was taken for granted.
     pub remarks: Vec<Remark>,
 }
 
@@ -33,35 +34,30 @@ impl MapOfFile {
         files: &dyn Files,
         recipe: &Recipe,
     ) -> Result<Self, TopographyError> {
-        let refused = |problem| TopographyError::of_file(&request.path, problem);
-        let Loaded { mut scans, sha256 } = load_heights(request, bytes, files)?;
-        let (Some(file), true) = (scans.pop(), scans.is_empty()) else {
-            return Err(refused(ScanProblem::NotOneSurface(scans.len() + 1)));
-        };
+        let Loaded { scans, sha256 } = load_heights(request, bytes, files)?;
         let recipe = &request.recipe(recipe);
-        let file = without_gaps(file, recipe.gaps)
-            .map_err(|error| refused(ScanProblem::Transform { scan: None, error }))?;
-        let Scan::Map(map) = &file.scan else {
-            return Err(refused(ScanProblem::LineIsNoSurface));
-        };
+        let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneSurface)?;
+        let map = map_in(request, &file, ScanProblem::LineIsNoSurface)?;
         // Pressing knows no direction, but a trend of lines and the pictures do.
         let turned = (recipe.direction == Direction::Y).then(|| map.turned());
         let map = turned.as_ref().unwrap_or(map);
         let detrend = recipe.preparation(file.is_periodic).detrend;
         let rest_m = detrended_m(map, detrend);
-        let map = HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m)
-            .map_err(|error| refused(ScanProblem::Format(Box::new(error.into()))))?;
+        let map =
+            HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m).map_err(|error| {
+                TopographyError::of_file(&request.path, ScanProblem::Format(Box::new(error.into())))
+            })?;
         let provenance = format!(
             "map: {} ({}){}, SHA-256 {sha256}, detrend {detrend}",
             request.path,
             file.format,
             if turned.is_some() { ", turned" } else { "" }
         );
-        let of_map = |note: &String| Remark::Scan {
-            name: file.name.clone(),
-            remark: ScanRemark::Reading(note.clone()),
-        };
-        let remarks = file.notes.iter().map(of_map).collect();
+        let pressed_once = (recipe.direction == Direction::Both).then(|| {
+            "direction both makes two spectra of a map, but no other surface: it is pressed as it was scanned".to_owned()
+        });
+        let of_map = |note| Remark::Scan { name: file.name.clone(), remark: ScanRemark::Reading(note) };
+        let remarks = file.notes.iter().cloned().chain(pressed_once).map(of_map).collect();
         Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
     }
 }

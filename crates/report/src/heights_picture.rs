@@ -1,15 +1,15 @@
-//! Pictures of measured heights: maps in colours, gaps in grey; lines as lines.
+//! Pictures of measured heights, or of what else an instrument measured: maps in colours, gaps in grey; lines as lines.
 
-use scans::{Measured, ScanFile};
+use scans::{Measure, Measured, ScanFile};
 use units::LengthUnit;
-use units::display::length;
+use units::display::{length, three_digits};
 
 use crate::field_picture::{FieldPicture, colour};
 use crate::plot::line_of_heights;
 
 /// Points along the longer side of a picture; of larger maps, points that lie between are not drawn.
 const MOST_POINTS: usize = 1024;
-/// The share of the points at either end of the heights that lie beyond the colours: a spike would leave one colour to the rest.
+/// The share of the points at either end of the values that lie beyond the colours: a spike would leave one colour to the rest.
 const BEYOND: f64 = 0.002;
 const GAP: [u8; 3] = [150; 3];
 
@@ -22,7 +22,7 @@ pub enum HeightsPicture {
     Line(String),
 }
 
-/// The heights of a scan; none where no point has one.
+/// The heights of a scan, or what else its channel measures in its own unit; none where no point has a value.
 #[must_use]
 pub fn of_heights(file: &ScanFile) -> Option<HeightsPicture> {
     let name = match &file.channel {
@@ -30,62 +30,105 @@ pub fn of_heights(file: &ScanFile) -> Option<HeightsPicture> {
         None => file.name.clone(),
     };
     match file.scan.points() {
-        (columns, Some(rows)) => map(&name, &file.scan, columns, rows).map(HeightsPicture::Map),
-        (_, None) => line(&name, &file.scan).map(HeightsPicture::Line),
+        (columns, Some(rows)) => map(&name, file, columns, rows).map(HeightsPicture::Map),
+        (_, None) => line(&name, file).map(HeightsPicture::Line),
     }
 }
 
-fn map(name: &str, scan: &Measured, columns: usize, rows: usize) -> Option<FieldPicture> {
-    let [lowest_m, highest_m] = coloured_m(scan)?;
+fn map(
+    name: &str,
+    ScanFile { scan, measure, .. }: &ScanFile,
+    columns: usize,
+    rows: usize,
+) -> Option<FieldPicture> {
+    let [lowest, highest] = coloured(scan)?;
     let step = columns.max(rows).div_ceil(MOST_POINTS);
     let across = (0..columns).step_by(step);
-    let colour_of =
-        |height_m: f64| colour((height_m - lowest_m) / (highest_m - lowest_m).max(f64::MIN_POSITIVE));
+    let colour_of = |value: f64| colour((value - lowest) / (highest - lowest).max(f64::MIN_POSITIVE));
     let colours = (0..rows).step_by(step).flat_map(|row| {
         across.clone().map(move |column| scan.height_m(row * columns + column).map_or(GAP, colour_of))
     });
     let (x_m, y_m) = scan.size_m();
     let title = match scan.gaps().count() {
         0 => name.to_owned(),
-        count => format!("{name}; grey: {count} without a height"),
+        count => format!("{name}; grey: {count} without a {}", noun(measure)),
     };
-    let ends = ["0", &length(highest_m - lowest_m)];
+    let ends = ["0", &difference(measure, highest - lowest)];
     Some(FieldPicture::new(&title, [x_m, y_m.unwrap_or(x_m)], ends, across.len(), colours.collect()))
 }
 
-/// The heights in m that the first and the last colour stand for.
-fn coloured_m(scan: &Measured) -> Option<[f64; 2]> {
-    let mut heights_m: Vec<f64> = scan.heights_m().flatten().collect();
-    let last = heights_m.len().checked_sub(1)?;
+/// The values that the first and the last colour stand for.
+fn coloured(scan: &Measured) -> Option<[f64; 2]> {
+    let mut values: Vec<f64> = scan.heights_m().flatten().collect();
+    let last = values.len().checked_sub(1)?;
     let beyond = (BEYOND * last as f64) as usize;
-    let (_, lowest_m, _) = heights_m.select_nth_unstable_by(beyond, f64::total_cmp);
-    let lowest_m = *lowest_m;
-    let (_, highest_m, _) = heights_m.select_nth_unstable_by(last - beyond, f64::total_cmp);
-    Some([lowest_m, *highest_m])
+    let (_, lowest, _) = values.select_nth_unstable_by(beyond, f64::total_cmp);
+    let lowest = *lowest;
+    let (_, highest, _) = values.select_nth_unstable_by(last - beyond, f64::total_cmp);
+    Some([lowest, *highest])
 }
 
-fn line(name: &str, scan: &Measured) -> Option<String> {
+fn line(name: &str, ScanFile { scan, measure, .. }: &ScanFile) -> Option<String> {
     let (spacing_m, _) = scan.spacing_m();
     let position_m = |index: usize| match scan.positions_m() {
         Some(positions_m) => positions_m[index] - positions_m[0],
         None => index as f64 * spacing_m,
     };
-    let heights_m = || scan.heights_m().flatten();
-    let lowest_m = heights_m().reduce(f64::min)?;
-    let highest_m = heights_m().reduce(f64::max)?;
-    let [along, up] = [scan.size_m().0, highest_m - lowest_m].map(fitting_unit);
+    let values = || scan.heights_m().flatten();
+    let lowest = values().reduce(f64::min)?;
+    let highest = values().reduce(f64::max)?;
+    let along = fitting_unit(scan.size_m().0);
+    let up = Scale::fitting(measure, highest - lowest);
     let mut runs = vec![Vec::new()];
-    for (index, height_m) in scan.heights_m().enumerate() {
-        match (height_m, runs.last_mut()) {
-            (Some(height_m), Some(run)) => {
-                run.push((position_m(index) / along.to_m(1.0), (height_m - lowest_m) / up.to_m(1.0)));
+    for (index, value) in scan.heights_m().enumerate() {
+        match (value, runs.last_mut()) {
+            (Some(value), Some(run)) => {
+                run.push((position_m(index) / along.to_m(1.0), (value - lowest) / up.one));
             }
             (None, Some(run)) if !run.is_empty() => runs.push(Vec::new()),
             _ => {}
         }
     }
-    let labels = [format!("position ({along})"), format!("height above the lowest point ({up})")];
+    let bracket = if up.unit.is_empty() { String::new() } else { format!(" ({})", up.unit) };
+    let labels =
+        [format!("position ({along})"), format!("{} above the lowest point{bracket}", noun(measure))];
     Some(line_of_heights(name, [&labels[0], &labels[1]], &runs))
+}
+
+/// What a point has.
+fn noun(measure: &Measure) -> &'static str {
+    match measure {
+        Measure::Height => "height",
+        Measure::Length | Measure::Other(_) => "value",
+    }
+}
+
+/// A difference of values, with a prefix where it is one of lengths.
+fn difference(measure: &Measure, value: f64) -> String {
+    match measure {
+        Measure::Height | Measure::Length => length(value),
+        Measure::Other(unit) => format!("{} {unit}", three_digits(value)).trim_end().to_owned(),
+    }
+}
+
+/// The unit of an axis.
+struct Scale {
+    unit: String,
+    /// What a value of one unit is.
+    one: f64,
+}
+
+impl Scale {
+    /// A length in the unit that fits the largest one, anything else in its own.
+    fn fitting(measure: &Measure, largest: f64) -> Self {
+        match measure {
+            Measure::Height | Measure::Length => {
+                let unit = fitting_unit(largest);
+                Self { unit: unit.to_string(), one: unit.to_m(1.0) }
+            }
+            Measure::Other(unit) => Self { unit: unit.clone(), one: 1.0 },
+        }
+    }
 }
 
 /// The unit in which a length has one to three digits before its point.
@@ -99,13 +142,24 @@ mod tests {
     use super::*;
     use scans::{ScanOptions, read_scans};
 
-    fn picture(text: &str) -> HeightsPicture {
+    fn file(text: &str) -> ScanFile {
         let options = ScanOptions {
             unit: Some(LengthUnit::NANOMETRE),
             fallback_size: Some(scans::ScanSize { x_m: 1e-6, y_m: None }),
             ..ScanOptions::default()
         };
-        of_heights(&read_scans(text.as_bytes(), "a <b>", &options).unwrap()[0]).unwrap()
+        read_scans(text.as_bytes(), "a <b>", &options).unwrap().remove(0)
+    }
+
+    fn picture(text: &str) -> HeightsPicture {
+        of_heights(&file(text)).unwrap()
+    }
+
+    /// The picture of values, in nm, that are none.
+    fn picture_in(unit: &str, text: &str) -> HeightsPicture {
+        let mut file = file(text);
+        file.measure = Measure::Other(unit.to_owned());
+        of_heights(&file).unwrap()
     }
 
     #[test]
@@ -127,5 +181,25 @@ mod tests {
             svg.matches("stroke-width=\"1.2\"").count(),
             whole.matches("stroke-width=\"1.2\"").count() + 1
         );
+    }
+
+    #[test]
+    fn values_that_are_no_lengths_have_their_own_unit() {
+        let HeightsPicture::Map(map) = picture_in("V", "0 1 2 3\n4 5 nan 7e7\n0 1 2 3\n0 1 2 3\n") else {
+            panic!("a map")
+        };
+        assert!(
+            map.svg.contains("grey: 1 without a value") && map.svg.contains(">0.07 V</text>"),
+            "{}",
+            map.svg
+        );
+        let HeightsPicture::Map(map) = picture_in("", "0 1 2 3\n4 5 6 7e9\n0 1 2 3\n0 1 2 3\n") else {
+            panic!("a map")
+        };
+        assert!(map.svg.contains(">7</text>"), "{}", map.svg);
+        let HeightsPicture::Line(svg) = picture_in("°", "0\n1e9\n3e9\n2e9\n1e9\n") else { panic!("a line") };
+        assert!(svg.contains("value above the lowest point (°)") && !svg.contains("height above"), "{svg}");
+        let HeightsPicture::Line(svg) = picture_in("", "0\n1e9\n3e9\n2e9\n1e9\n") else { panic!("a line") };
+        assert!(svg.contains("value above the lowest point<"), "{svg}");
     }
 }

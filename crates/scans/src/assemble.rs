@@ -18,13 +18,16 @@ use units::LengthUnit;
 /// How far the size in the metadata may lie from that of the file before a note says so.
 const SIZE_AGREEMENT: f64 = 1e-4;
 
+/// What a channel without a name is called where one is asked for.
+pub(crate) const UNNAMED: &str = "unnamed";
+
 /// The channel asked for, else the one that the metadata chose, else the first of heights.
 pub(crate) fn chosen<'b>(
     format: ScanFormat,
     channels: Vec<Channel<'b>>,
     options: &ScanOptions,
 ) -> Result<Channel<'b>, ScanReadError> {
-    let label = |channel: &Channel| channel.name.clone().unwrap_or_else(|| "unnamed".to_owned());
+    let label = |channel: &Channel| channel.name.clone().unwrap_or_else(|| UNNAMED.to_owned());
     let all: Vec<String> = channels.iter().map(label).collect();
     let (found, wanted) = if let Some(wanted) = &options.channel {
         let exactly = all.iter().position(|name| name == wanted);
@@ -44,16 +47,22 @@ pub(crate) fn chosen<'b>(
     found.ok_or(ScanReadError::NoChannel { format, wanted, channels: all })
 }
 
+/// The names of the channels with heights, of those that have one.
+pub(crate) fn names_of_heights(channels: &[Channel<'_>]) -> Vec<String> {
+    let heights = channels.iter().filter(|channel| channel.is_heights());
+    heights.filter_map(|channel| channel.name.clone()).collect()
+}
+
 /// A name without the direction of the scan behind it.
 fn without_bracket(name: &str) -> &str {
     name.strip_suffix(')').and_then(|name| name.rsplit_once(" (")).map_or(name, |(name, _)| name)
 }
 
-/// Decodes a channel, completed by what the caller and the metadata say.
+/// Decodes a channel, completed by what the caller and the metadata say; beside it stand the channels with heights.
 pub(crate) fn assembled(
     format: ScanFormat,
     channel: Channel<'_>,
-    labels: &[String],
+    with_heights: &[String],
     name: &str,
     options: &ScanOptions,
 ) -> Result<ScanFile, ScanReadError> {
@@ -89,7 +98,7 @@ pub(crate) fn assembled(
         scan,
         measure,
         channel: channel.name,
-        channels: labels.to_vec(),
+        channels: with_heights.to_vec(),
         fast_axis: channel.fast_axis,
         is_periodic: channel.is_periodic.or(periodic).unwrap_or(false),
         probe: channel.probe.or(metadata.and_then(|metadata| metadata.probe)),

@@ -95,6 +95,21 @@ pub enum ScanReadError {
         /// Those that there are.
         channels: Vec<String>,
     },
+    /// A channel asked for whose values are no lengths.
+    #[error(
+        "reading {format}: channel '{channel}' has values {}, which are no heights; there {} with heights",
+        in_unit(.unit), list(.channels)
+    )]
+    NoHeights {
+        /// Format of the file.
+        format: ScanFormat,
+        /// The channel asked for.
+        channel: String,
+        /// The unit of its values as the file writes it; empty where it gives none.
+        unit: String,
+        /// The channels with heights.
+        channels: Vec<String>,
+    },
     /// Lengths or heights without a unit.
     #[error("reading {format}: the file does not say the unit of {what}")]
     NoUnit {
@@ -320,6 +335,7 @@ impl ScanReadError {
                     _ => ScanOption::Channel,
                 }))
             }
+            Self::NoHeights { channels, .. } if !channels.is_empty() => Some(Mend::Give(ScanOption::Channel)),
             Self::UnitIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Unit)),
             Self::SizeIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Size)),
             Self::Measurement { source, .. } => source.mend(),
@@ -381,6 +397,10 @@ fn list(names: &[String]) -> String {
         [name] => format!("is '{name}'"),
         _ => format!("are {}", names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")),
     }
+}
+
+fn in_unit(unit: &str) -> String {
+    if unit.is_empty() { "without a unit of length".to_owned() } else { format!("in {unit}") }
 }
 
 fn mark(is_comma: bool) -> &'static str {

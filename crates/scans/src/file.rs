@@ -18,7 +18,7 @@ pub struct ScanFile<S = Measured> {
     pub format: ScanFormat,
     /// The heights.
     pub scan: S,
-    /// What they measure: heights in m, unless another channel was asked for.
+    /// What they measure: heights in m, unless another channel was asked for or is visited.
     pub measure: Measure,
     /// The channel read, where the file names it.
     pub channel: Option<String>,

@@ -1,6 +1,6 @@
 //! Files of scans become scans: one, those of a container, or every channel.
 
-use crate::assemble::{assembled, chosen};
+use crate::assemble::{assembled, chosen, names_of_heights};
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
 use crate::measure::Measure;
@@ -11,8 +11,8 @@ use crate::single::{read_unpacked, unpacked};
 /// Reads the scan in a file, or those in a container.
 ///
 /// The format is told by the content, of files packed with gzip or alone in a ZIP file by what is packed, see
-/// [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read, else the first of heights. `name` is
-/// the name of the file, for messages. Memory is bounded by a small multiple of the file, or of what it unpacks to.
+/// [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read, else the first of heights; one
+/// that holds no lengths is refused. `name` is the name of the file, for messages. Memory is bounded by a small multiple of the file, or of what it unpacks to.
 ///
 /// ```
 /// use scans::{Scan, ScanOptions, read_scans};
@@ -58,15 +58,15 @@ pub fn visit_channels(
     }
     let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
     let channels = (reader.channels)(bytes, options)?;
-    let labels: Vec<String> = channels.iter().filter_map(|channel| channel.name.clone()).collect();
+    let with_heights = names_of_heights(&channels);
     if options.channel.is_some() {
         let channel = chosen(reader.format, channels, options)?;
-        visit(assembled(reader.format, channel, &labels, name, options));
+        visit(assembled(reader.format, channel, &with_heights, name, options));
         return Ok(());
     }
     let is_wanted = |measure: &Measure| all_channels || *measure == Measure::Height;
     for channel in channels.into_iter().filter(|channel| is_wanted(&channel.measure())) {
-        visit(assembled(reader.format, channel, &labels, name, options));
+        visit(assembled(reader.format, channel, &with_heights, name, options));
     }
     Ok(())
 }

@@ -3,9 +3,12 @@
 #[cfg(not(feature = "archives"))]
 use std::borrow::Cow;
 
-use crate::assemble::{assembled, chosen};
+use crate::assemble::{UNNAMED, assembled, chosen, names_of_heights};
+use crate::channel::Channel;
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
+use crate::format::ScanFormat;
+use crate::measure::Measure;
 use crate::options::ScanOptions;
 use crate::readers::{reader_of, unknown_format};
 #[cfg(feature = "archives")]
@@ -23,7 +26,7 @@ pub(crate) fn read_one(bytes: &[u8], name: &str, options: &ScanOptions) -> Resul
     read_unpacked(&unpacked(bytes, options)?, name, options)
 }
 
-/// Reads a file with one scan that is not packed as a whole, by the channel that is asked for.
+/// Reads a file with one scan that is not packed as a whole, by the channel that is asked for, which must hold lengths.
 pub(crate) fn read_unpacked(
     bytes: &[u8],
     name: &str,
@@ -31,8 +34,32 @@ pub(crate) fn read_unpacked(
 ) -> Result<ScanFile, ScanReadError> {
     let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
     let channels = (reader.channels)(bytes, options)?;
-    let heights = channels.iter().filter(|channel| channel.is_heights());
-    let labels: Vec<String> = heights.filter_map(|channel| channel.name.clone()).collect();
+    let with_heights = names_of_heights(&channels);
     let channel = chosen(reader.format, channels, options)?;
-    assembled(reader.format, channel, &labels, name, options)
+    refuse_no_length(reader.format, &channel, &with_heights)?;
+    let mut file = assembled(reader.format, channel, &with_heights, name, options)?;
+    if file.measure == Measure::Length {
+        let channel = file.channel.as_deref().unwrap_or(UNNAMED);
+        file.notes.push(format!(
+            "channel '{channel}' holds lengths that are no heights of the surface: they are read as asked for"
+        ));
+    }
+    Ok(file)
+}
+
+/// Refuses volts and degrees where they would be taken for metres.
+fn refuse_no_length(
+    format: ScanFormat,
+    channel: &Channel<'_>,
+    with_heights: &[String],
+) -> Result<(), ScanReadError> {
+    match channel.measure() {
+        Measure::Height | Measure::Length => Ok(()),
+        Measure::Other(unit) => Err(ScanReadError::NoHeights {
+            format,
+            channel: channel.name.clone().unwrap_or_else(|| UNNAMED.to_owned()),
+            unit,
+            channels: with_heights.to_vec(),
+        }),
+    }
 }

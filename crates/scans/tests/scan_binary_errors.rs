@@ -2,7 +2,7 @@
 
 mod support;
 
-use scans::{Measure, ScanOptions};
+use scans::{Measure, Mend, ScanOption, ScanOptions, read_scans, visit_channels};
 use support::nanoscope::{Image, NanoscopeFile};
 use support::netcdf::{Attribute, Kind, NetCdf, Variable};
 use support::x3p::X3p;
@@ -100,10 +100,33 @@ fn nanoscope_channels_go_by_name() {
         refusal(&file.to_bytes(), &wanted("Amplitude")),
         "reading Nanoscope: there is no channel 'Amplitude'; there are 'Phase (Trace)', 'Height Sensor (Retrace)'"
     );
-    let phase = read_one(&file.to_bytes(), &wanted("Phase")).unwrap();
-    assert_eq!(phase.channel.as_deref(), Some("Phase (Trace)"));
-    assert_eq!(phase.measure, Measure::Other("V".to_owned()));
-    assert_eq!(phase.channels, ["Height Sensor (Retrace)"]);
+    let phase = read_scans(&file.to_bytes(), "scan", &wanted("Phase")).unwrap_err();
+    assert_eq!(
+        phase.to_string(),
+        "reading Nanoscope: channel 'Phase (Trace)' has values in V, which are no heights; there is 'Height Sensor (Retrace)' \
+         with heights"
+    );
+    assert_eq!(phase.mend(), Some(Mend::Give(ScanOption::Channel)));
+    file.images.remove(1);
+    let alone = read_scans(&file.to_bytes(), "scan", &wanted("Phase")).unwrap_err();
+    assert!(alone.to_string().ends_with("there are none with heights") && alone.mend().is_none(), "{alone}");
+}
+
+#[test]
+fn channels_that_hold_no_lengths_can_be_looked_at() {
+    let map = self_affine_map(6, 4);
+    let mut file = NanoscopeFile::new(6, 4, &map);
+    let height = Image { name: "Height", direction: "Trace", heights_m: &map };
+    file.images = vec![Image { name: "Phase", direction: "Trace", heights_m: &map }, height];
+    let wanted = ScanOptions { channel: Some("Phase".to_owned()), ..none() };
+    for (options, all) in [(&wanted, false), (&none(), true)] {
+        let mut found = Vec::new();
+        visit_channels(&file.to_bytes(), "scan", options, all, |channel| found.push(channel)).unwrap();
+        let phase = found.remove(0).unwrap();
+        assert_eq!(phase.channel.as_deref(), Some("Phase (Trace)"));
+        assert_eq!(phase.measure, Measure::Other("V".to_owned()));
+        assert_eq!(phase.channels, ["Height (Trace)"]);
+    }
 }
 
 #[test]

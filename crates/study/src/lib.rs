@@ -5,6 +5,7 @@ pub mod figure;
 pub mod hardness_and_strength;
 pub mod linear_laws;
 pub mod material;
+pub mod material_spreads;
 pub mod measured;
 pub mod models;
 mod note;
@@ -12,6 +13,7 @@ pub mod persson_law;
 pub mod plan;
 pub mod result_tables;
 pub mod scene;
+pub mod spread;
 pub mod surface;
 
 pub use features;

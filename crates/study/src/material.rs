@@ -120,6 +120,12 @@ impl Material {
         }
     }
 
+    /// The counterface, where it is not rigid.
+    #[must_use]
+    pub fn counterface(&self) -> Option<ElasticBody> {
+        self.counterface
+    }
+
     /// The yield strength S0 \[Pa\], where there is one: as given, or else a third of the hardness.
     #[must_use]
     pub fn yield_strength_pa(&self) -> Option<f64> {

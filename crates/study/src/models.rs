@@ -356,6 +356,21 @@ impl CurveModel {
         }
     }
 
+    /// The same model of other bodies in contact; what yields keeps its strength.
+    #[must_use]
+    pub fn with_pair(self, pair: MaterialPair) -> Self {
+        match self {
+            CurveModel::Stacked(StackedModel::Elastic { .. }) => {
+                CurveModel::Stacked(StackedModel::Elastic { pair })
+            }
+            CurveModel::Stacked(StackedModel::ElasticPlastic { strength, .. }) => {
+                CurveModel::Stacked(StackedModel::ElasticPlastic { pair, strength })
+            }
+            CurveModel::Statistical { law, .. } => CurveModel::Statistical { pair, law },
+            CurveModel::Persson { law, .. } => CurveModel::Persson { pair, law },
+        }
+    }
+
     /// The same model of another strength; `None` where it never yields.
     #[must_use]
     pub fn with_strength(self, strength: NixGao) -> Option<Self> {
@@ -445,6 +460,10 @@ mod tests {
             let grows = entry.build(&strong, &growing).unwrap() != model;
             assert_eq!(grows, entry.has(Choice::StrainGradient), "{entry}");
             assert_eq!(named(entry.framework, entry.name).unwrap(), entry);
+            let other = MaterialPair::against_rigid(ElasticBody::new(70e9, 0.33).unwrap());
+            let moved = model.with_pair(other);
+            assert_eq!((moved.pair(), moved.strength(), moved.entry()), (other, model.strength(), entry));
+            assert_eq!(moved.with_pair(model.pair()), model);
         }
     }
 

@@ -208,6 +208,15 @@ impl Surface {
         Surface { name, psd: sum.psd, of_area: None, remarks, notes, made_from: None, sources, parts, holes }
     }
 
+    /// The surfaces that it is the sum of, or itself.
+    #[must_use]
+    pub fn each(&self) -> Vec<&Surface> {
+        match &self.parts {
+            Some(parts) => parts.iter().flat_map(Surface::each).collect(),
+            None => vec![self],
+        }
+    }
+
     fn has(&self, hole: &Hole) -> bool {
         self.holes.contains(hole)
     }

@@ -3,13 +3,16 @@
 use std::num::NonZeroU32;
 
 use study::Unobserved;
-use study::plan::{Curve, CurveResult, Cutoffs, Ground, Needs, Plan, Results, Sampling, Work};
+use study::plan::{Curve, CurveResult, Cutoffs, Ground, Needs, Plan, Results, Sampling, Tolerance, Work};
 use study::scene::Scene;
 
 use spectrum::ProfilePsd;
 
-/// Cutoffs a decade at which statistical curves are followed in draws.
-const STATES_PER_DECADE: u32 = 10;
+/// Cutoffs a decade at which statistical curves are followed in draws, for bands.
+const STATES_PER_DECADE: u32 = 4;
+
+/// The relative tolerance of statistical states in draws: what it leaves is far below the error of any number of draws.
+const TOLERANCE: f64 = 1e-6;
 
 /// An area along the cutoff.
 pub(crate) type Points = Vec<(f64, f64)>;
@@ -40,7 +43,7 @@ impl Areas {
             amplitudes: own.amplitudes,
             curves: own.curves.clone(),
             loads: own.loads.clone(),
-            tolerance: own.tolerance,
+            tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
             ..Needs::default()
         };
         Areas { needs, sampling: scene.sampling, own_ground: Ground::of(results) }

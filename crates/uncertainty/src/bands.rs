@@ -5,7 +5,7 @@ use crate::found::{AreaBand, BandPoint};
 use crate::quantiles::interval;
 
 /// Draws that a band is made of, at most: it is drawn, not read off.
-pub(crate) const MOST_DRAWS: usize = 100;
+pub(crate) const MOST_DRAWS: usize = 64;
 
 /// The band of a curve under a load from what each draw has along the cutoff, at the cutoffs that all of them have.
 pub(crate) fn band(curve: usize, load: usize, draws: &[&Points], level: f64) -> Option<AreaBand> {

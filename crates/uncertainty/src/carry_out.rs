@@ -143,9 +143,6 @@ impl<'p> UncertaintyPlan<'p> {
         let ln_areas = drawn.of(area);
         let found = interval(&ln_areas, self.settings.level)?;
         let within = interval(&ln_areas, ONE_STANDARD_UNCERTAINTY)?;
-        let count = ln_areas.len() as f64;
-        let mean = ln_areas.iter().sum::<f64>() / count;
-        let variance = ln_areas.iter().map(|ln_area| (ln_area - mean).powi(2)).sum::<f64>() / count;
         Some(AreaInterval {
             curve: area / self.areas.loads(),
             load: area % self.areas.loads(),
@@ -155,7 +152,7 @@ impl<'p> UncertaintyPlan<'p> {
             high: found.high.value.exp(),
             within_68: [within.low.value.exp(), within.high.value.exp()],
             monte_carlo_error: found.relative_error(),
-            ln_area_sd: variance.sqrt(),
+            ln_area_sd: standard_deviation(&ln_areas, found.median.value),
             indices: indices.get(area).cloned().unwrap_or_default(),
         })
     }
@@ -188,4 +185,12 @@ impl<'p> UncertaintyPlan<'p> {
             }
         }
     }
+}
+
+/// The standard deviation of draws about their mean, from their distances from their median: of equal draws it is 0.
+fn standard_deviation(draws: &[f64], median: f64) -> f64 {
+    let count = draws.len() as f64;
+    let mean = draws.iter().map(|draw| draw - median).sum::<f64>() / count;
+    let squares = draws.iter().map(|draw| (draw - median).powi(2)).sum::<f64>();
+    (squares / count - mean * mean).max(0.0).sqrt()
 }

@@ -31,12 +31,15 @@ impl Inputs {
     pub fn of(scene: &Scene, seed: u64) -> Option<Self> {
         let surface = SurfaceScatter::of(&scene.surface);
         let material = MaterialDraws::of(scene);
-        let scatters =
-            |group: &Group| surface.has(*group) || material.as_ref().is_some_and(|draws| draws.has(*group));
+        let of_material = |scatters: fn(&MaterialDraws) -> bool| material.as_ref().is_some_and(scatters);
+        let scatters = |group: &Group| match group {
+            Group::Scans | Group::Instruments => surface.has(*group),
+            Group::Material => of_material(MaterialDraws::elastic_scatters),
+            Group::Strength => of_material(MaterialDraws::strength_scatters),
+        };
         let groups: Vec<Group> = Group::ALL.iter().copied().filter(scatters).collect();
-        let is_wanted = scene.uncertainty.is_some() || surface.tells_scatter() || material.is_some();
         let inputs = Inputs { surface, material, streams: Streams::new(seed), groups };
-        (is_wanted && !inputs.groups.is_empty()).then_some(inputs)
+        (scene.scatters() && !inputs.groups.is_empty()).then_some(inputs)
     }
 
     /// The random numbers.

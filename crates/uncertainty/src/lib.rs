@@ -34,6 +34,7 @@ pub use found::{
 pub use group::{Group, Index, Indices};
 pub use inputs::scattering_groups;
 pub use instruments::ASSUMED_Z_CALIBRATION;
+pub use material_draws::{DrawnMaterial, MaterialDraws};
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
 pub use spectrum_errors::CORRELATION_DECADES;
 pub use tables::LARGEST_ERROR_OF_A_SHARE;

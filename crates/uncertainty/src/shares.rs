@@ -10,8 +10,8 @@ use crate::inputs::Inputs;
 use crate::sobol::indices;
 use crate::surface_scatter::DrawOf;
 
-/// Draws of the small design: with them a share has a standard error of 0.06 at most.
-pub(crate) const SMALL_DESIGN: usize = 128;
+/// Draws of the small design: with them a share has a standard error of 0.04 at most.
+pub(crate) const SMALL_DESIGN: usize = 256;
 
 /// The only group has all of it.
 const ALL: Indices = Indices {

@@ -85,15 +85,6 @@ impl SurfaceScatter {
         self.parts().iter().any(of_part)
     }
 
-    /// Whether its files tell how much it scatters: there are several scans, or standard errors.
-    pub fn tells_scatter(&self) -> bool {
-        self.parts().iter().any(|part| match part {
-            SurfaceScatter::Scans(scans) => scans.told.iter().map(|told| told.scans).sum::<usize>() > 1,
-            SurfaceScatter::Errors(_) => true,
-            SurfaceScatter::Certain(..) | SurfaceScatter::Sum(_) => false,
-        })
-    }
-
     /// The spectrum of a draw; none where its values leave the range of what a spectrum may have. The second surface of a sum
     /// has random numbers of its own.
     pub fn psd(&self, streams: Streams, draw: DrawOf) -> Option<ProfilePsd> {

@@ -12,7 +12,7 @@ use topography::Detrend;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
 use super::groups::{CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, StrengthCapArg};
-use super::parsers::{one_of, parse_count, parse_labelled_pressure};
+use super::parsers::{one_of, parse_count, parse_labelled_pressure, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
@@ -62,7 +62,7 @@ pub(crate) struct PressedMaterialArgs {
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub youngs_modulus: Option<Modulus>,
     /// Poisson's ratio of the rough body, in (-1, 0.5]
-    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
     pub poisson_ratio: Option<f64>,
     /// Yield strength of the rough body, a third of the hardness H in which pressures may be given
     #[arg(long, value_name = "P", allow_hyphen_values = true)]

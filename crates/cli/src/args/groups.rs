@@ -9,7 +9,7 @@ use study::plan::Sampling;
 use tables::Format;
 use units::{IndentationHardness, Length, Modulus, Pressure};
 
-use super::parsers::{hardness, one_of, parse_count, parse_place};
+use super::parsers::{hardness, one_of, parse_count, parse_place, parse_poisson_ratio};
 use crate::output::Place;
 use crate::picture::Picture;
 
@@ -125,7 +125,7 @@ pub(crate) struct CounterfaceArgs {
     #[arg(long, value_name = "P", allow_hyphen_values = true, requires = "counterface_poisson_ratio")]
     pub counterface_youngs_modulus: Option<Modulus>,
     /// Poisson's ratio of the counterface
-    #[arg(long, value_name = "NU", allow_hyphen_values = true, requires = "counterface_youngs_modulus")]
+    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true, requires = "counterface_youngs_modulus")]
     pub counterface_poisson_ratio: Option<f64>,
 }
 
@@ -136,7 +136,7 @@ pub(crate) struct MaterialArgs {
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub youngs_modulus: Option<Modulus>,
     /// Poisson's ratio of the rough body, in (-1, 0.5]; every model needs it
-    #[arg(long, value_name = "NU", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
     pub poisson_ratio: Option<f64>,
     /// Yield strength of the rough body; elastic models do without
     #[arg(long, value_name = "P", allow_hyphen_values = true)]

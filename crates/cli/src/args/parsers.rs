@@ -6,7 +6,7 @@ use asperity::Hardness;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use study::models::{self, Framework, ModelEntry};
 use study::plan::Tolerance;
-use units::Pressure;
+use units::{Pressure, QuantityError, TypedSpread};
 
 use crate::output::Place;
 
@@ -21,6 +21,17 @@ pub(super) fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), 
 
 pub(super) fn parse_count(text: &str) -> Result<NonZeroU32, String> {
     text.parse().map_err(|_| format!("'{text}' must be a whole number from 1 to {}", u32::MAX))
+}
+
+/// A Poisson's ratio: one number, and no spread, which is for scenes.
+pub(super) fn parse_poisson_ratio(text: &str) -> Result<f64, String> {
+    text.parse().map_err(|error: std::num::ParseFloatError| match TypedSpread::of(text) {
+        Some(_) => {
+            let (text, what) = (text.to_owned(), "Poisson's ratio");
+            QuantityError::OneValueWanted { text, what }.to_string()
+        }
+        None => error.to_string(),
+    })
 }
 
 pub(super) fn parse_tolerance(text: &str) -> Result<Tolerance, String> {

@@ -86,39 +86,37 @@ impl Raster<'_> {
         let start = decoded.values.len();
         let (scale, zero) = (self.scale, self.zero);
         decoded.values.extend(numbers.clone().map(|number| number * scale + zero));
-        let mut mark = |is_gap: &dyn Fn(usize, f64) -> bool| {
-            for (at, number) in numbers.clone().enumerate() {
-                if is_gap(at, number) {
-                    decoded.gaps.insert(start + at);
-                    decoded.values[start + at] = 0.0;
-                }
-            }
-        };
-        // Without an early end these are many points at a time as well.
         match &self.gap {
             GapMark::None => {}
-            GapMark::Equal(value) if numbers.clone().fold(false, |any, number| any | (number == *value)) => {
-                mark(&|_, number| number == *value);
+            GapMark::Equal(mark) => mark_numbers(numbers, |number| number == *mark, start, decoded),
+            GapMark::AtLeast(least) => mark_numbers(numbers, |number| number >= *least, start, decoded),
+            GapMark::AtMost(most) => mark_numbers(numbers, |number| number <= *most, start, decoded),
+            GapMark::Flagged(flags) => {
+                let flagged = (0..decoded.values.len() - start).filter(|at| flags[first + at * step] != 0);
+                flagged.for_each(|at| decoded.set_gap(start + at));
             }
-            GapMark::AtLeast(least)
-                if numbers.clone().fold(false, |any, number| any | (number >= *least)) =>
-            {
-                mark(&|_, number| number >= *least);
-            }
-            GapMark::AtMost(most) if numbers.clone().fold(false, |any, number| any | (number <= *most)) => {
-                mark(&|_, number| number <= *most);
-            }
-            GapMark::Equal(_) | GapMark::AtLeast(_) | GapMark::AtMost(_) => {}
-            GapMark::Flagged(flags) => mark(&|at, _| flags[first + at * step] != 0),
         }
         if !decoded.values[start..].iter().fold(true, |all, value| all & value.is_finite()) {
             for index in start..decoded.values.len() {
                 if !decoded.values[index].is_finite() {
-                    decoded.gaps.insert(index);
-                    decoded.values[index] = 0.0;
+                    decoded.set_gap(index);
                 }
             }
         }
+    }
+}
+
+/// Takes away the values of those numbers of a row that mark gaps; its first value stands at `start`.
+fn mark_numbers(
+    numbers: impl Iterator<Item = f64> + Clone,
+    is_gap: impl Fn(f64) -> bool,
+    start: usize,
+    decoded: &mut Decoded,
+) {
+    // Without an early end this looks at many points at a time as well.
+    if numbers.clone().fold(false, |any, number| any | is_gap(number)) {
+        let marks = numbers.enumerate().filter(|(_, number)| is_gap(*number));
+        marks.for_each(|(at, _)| decoded.set_gap(start + at));
     }
 }
 

@@ -107,10 +107,7 @@ impl Decoded {
             }
         }
     }
-}
 
-#[cfg(feature = "hdf5")]
-impl Decoded {
     /// Takes the value of a point away.
     pub(crate) fn set_gap(&mut self, index: usize) {
         if let Some(value) = self.values.get_mut(index) {

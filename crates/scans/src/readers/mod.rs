@@ -1,4 +1,8 @@
 //! One module a format: how its files are told, and what channels they hold.
+//!
+//! Four modules read no format of their own and help those that do: `even_axis` (positions on even axes and grids),
+//! `measured_line` (lines with a position for every point), `sections` (headers in sections of keys and values) and `tiff` (pages
+//! and tags). `container` holds files of other formats.
 
 mod alicona;
 mod bcr;

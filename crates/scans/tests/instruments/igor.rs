@@ -166,10 +166,20 @@ fn channels_of_a_scan_have_their_names_and_units() {
     assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(Axis::X)));
     assert_eq!(all[0].free_text, "ImageNote: sharp tip\n");
     assert_eq!((all[1].channel.as_deref(), &all[1].measure), (Some("AmplitudeTrace"), &Measure::Length));
-    assert_eq!(all[0].channels, ["HeightTrace", "AmplitudeTrace"]);
+    assert_eq!(all[0].channels, ["HeightTrace"]);
+    assert_eq!(all[1].channels, ["HeightTrace"]);
     let phase = Wave { labels: &["PhaseTrace", "HeightRetrace"], ..Wave::scan() };
     let found = heights(&phase.bytes());
     assert_eq!((found.len(), found[0].channel.as_deref()), (1, Some("HeightRetrace")));
+}
+
+#[test]
+fn lengths_that_are_no_heights_are_read_with_a_note_where_they_are_asked_for() {
+    let options = ScanOptions { channel: Some("AmplitudeTrace".to_owned()), ..ScanOptions::default() };
+    let [amplitude] = read_scans(&Wave::scan().bytes(), "scan", &options).unwrap().try_into().unwrap();
+    assert_eq!(amplitude.measure, Measure::Length);
+    let note = "channel 'AmplitudeTrace' holds lengths that are no heights of the surface: they are read as asked for";
+    assert!(amplitude.notes.iter().any(|told| told == note), "{:?}", amplitude.notes);
 }
 
 #[test]

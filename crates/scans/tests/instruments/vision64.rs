@@ -138,7 +138,7 @@ fn the_primary_map_comes_first_and_names_are_told_apart() {
     let heights_m = [0.5, 1.0, 1.5, 2.0, 0.0, 3.0].map(|nm| Some(nm * 1e-9).filter(|_| nm != 0.0));
     assert_holds(&raw.scan, (1.5e-6, Some(4e-6)), &heights_m, 1e-22);
     assert_holds(&levelled.scan, (1.5e-6, Some(4e-6)), &[Some(0.0); 6], 1e-22);
-    assert_eq!(raw.channels, ["Height (Raw)", "Intensity", "Height (Levelled)"]);
+    assert_eq!(raw.channels, ["Height (Raw)", "Height (Levelled)"]);
     assert_eq!(raw.probe, Some(Probe::Microscope));
     assert_eq!(channels(&maps(), true).len(), 3);
 }

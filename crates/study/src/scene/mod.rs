@@ -9,6 +9,7 @@ mod figures;
 pub mod file_names;
 mod from_toml;
 mod judge;
+mod known;
 mod loads;
 mod notes;
 mod raw;
@@ -29,6 +30,7 @@ pub use uncertainty::UncertaintyChoices;
 use crate::choices_in_words;
 use crate::figure::Figure;
 use crate::material::Material;
+use crate::material_spreads::MaterialSpreads;
 use crate::plan::{CurveModel, Needs, Plan, Sampling};
 use crate::surface::Surface;
 use measurements::{Files, NoFiles};
@@ -45,6 +47,8 @@ pub struct Scene {
     pub surface: Surface,
     /// The material; absent where no curve needs one.
     pub material: Option<Material>,
+    /// How well the material is known.
+    pub spreads: MaterialSpreads,
     /// Which scales take part.
     pub sampling: Sampling,
     /// What has to be computed for its curves and figures.
@@ -123,11 +127,17 @@ impl Scene {
         self.material?.hardness_pa()
     }
 
-    /// Whether anything in it is known to scatter: scans between places, a spectrum by its standard errors, the material.
+    /// Whether anything in it is known to scatter: scans between places, a spectrum by its standard errors, the material. Of a
+    /// single scan something is known, too, which counts where the scene has a section on its uncertainty.
     pub fn scatters(&self) -> bool {
-        let has_several_scans =
-            self.surface.made_from.as_ref().is_some_and(|composite| composite.spectrum.scans.len() > 1);
-        has_several_scans || self.surface.psd.standard_errors_m3().is_some()
+        let parts = self.surface.each();
+        let scans = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.scans.len()));
+        let least_scans = if self.uncertainty.is_some() { 1 } else { 2 };
+        let has_errors = |part: &&Surface| {
+            let errors_m3 = part.psd.standard_errors_m3().unwrap_or_default();
+            part.made_from.is_none() && errors_m3.iter().flatten().any(|error_m3| *error_m3 > 0.0)
+        };
+        scans.sum::<usize>() >= least_scans || parts.iter().any(has_errors) || !self.spreads.is_empty()
     }
 
     /// What carries the scene out.

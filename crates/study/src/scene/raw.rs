@@ -81,18 +81,48 @@ pub(super) struct RawScanKeys {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawMaterial {
-    pub youngs_modulus: RawQuantity,
-    pub poisson_ratio: Spanned<f64>,
-    pub yield_strength: Option<RawQuantity>,
-    pub indentation_hardness: Option<RawQuantity>,
-    pub strain_gradient_length: Option<RawQuantity>,
+    pub youngs_modulus: Spanned<RawProperty>,
+    pub poisson_ratio: Spanned<RawProperty>,
+    pub yield_strength: Option<Spanned<RawProperty>>,
+    pub indentation_hardness: Option<Spanned<RawProperty>>,
+    pub strain_gradient_length: Option<Spanned<RawProperty>>,
+}
+
+/// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
+#[derive(Debug)]
+pub(super) enum RawProperty {
+    /// A text, a number, or what is neither, to be refused with the mend.
+    Value(toml::Value),
+    /// A table.
+    Distribution(RawDistribution),
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawDistribution {
+    pub distribution: Distribution,
+    pub median: Option<RawQuantity>,
+    pub standard_uncertainty: Option<RawQuantity>,
+    pub from: Option<RawQuantity>,
+    pub to: Option<RawQuantity>,
+    pub values: Option<Vec<RawQuantity>>,
+}
+
+/// The distributions that a property may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Distribution {
+    LogNormal,
+    Beta,
+    Uniform,
+    Values,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCounterface {
-    pub youngs_modulus: Option<RawQuantity>,
-    pub poisson_ratio: Option<Spanned<f64>>,
+    pub youngs_modulus: Option<Spanned<RawProperty>>,
+    pub poisson_ratio: Option<Spanned<RawProperty>>,
     pub surface: Option<Spanned<RawSurface>>,
 }
 
@@ -195,6 +225,42 @@ impl<'de> Deserialize<'de> for RawScan {
         }
 
         deserializer.deserialize_any(FileOrKeys)
+    }
+}
+
+impl<'de> Deserialize<'de> for RawProperty {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ValueOrKeys;
+
+        impl<'de> Visitor<'de> for ValueOrKeys {
+            type Value = RawProperty;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a value or { distribution = \"...\", ... }")
+            }
+
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<RawProperty, E> {
+                Ok(RawProperty::Value(toml::Value::String(text.to_owned())))
+            }
+
+            fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<RawProperty, E> {
+                Ok(RawProperty::Value(toml::Value::Float(number)))
+            }
+
+            fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<RawProperty, E> {
+                Ok(RawProperty::Value(toml::Value::Integer(number)))
+            }
+
+            fn visit_bool<E: serde::de::Error>(self, truth: bool) -> Result<RawProperty, E> {
+                Ok(RawProperty::Value(toml::Value::Boolean(truth)))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawProperty, A::Error> {
+                RawDistribution::deserialize(MapAccessDeserializer::new(keys)).map(RawProperty::Distribution)
+            }
+        }
+
+        deserializer.deserialize_any(ValueOrKeys)
     }
 }
 

@@ -6,7 +6,7 @@ use asperity::{ElasticBody, Hardness};
 use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
-use super::bodies::{resolve_counterface, resolve_material};
+use super::bodies::{KnownBody, resolve_counterface, resolve_material};
 use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
@@ -18,6 +18,7 @@ use super::surfaces::resolve_surface;
 use super::uncertainty::{UncertaintyChoices, resolve_uncertainty};
 use super::values::{count, optional, tolerance};
 use crate::figure::Shows;
+use crate::material_spreads::MaterialSpreads;
 use crate::models::ModelOptions;
 use crate::plan::{Needs, Sampling};
 use measurements::Files;
@@ -58,15 +59,17 @@ pub(super) fn resolve(
         None => optional("options.strength_cap", options.strength_cap.as_ref())?,
     };
     let counterface = match (overrides.counterface, &raw.counterface) {
-        (Some(body), _) => Some(body),
+        (Some(body), _) => Some(KnownBody::exactly(body)),
         (None, Some(raw)) => resolve_counterface(raw)?,
         (None, None) => None,
     };
-    let material = raw
-        .material
-        .as_ref()
-        .map(|material| resolve_material(material, counterface, strength_cap))
-        .transpose()?;
+    let (material, spreads) = match &raw.material {
+        Some(material) => {
+            let (material, spreads) = resolve_material(material, counterface, strength_cap)?;
+            (Some(material), spreads)
+        }
+        None => (None, MaterialSpreads::default()),
+    };
     let cutoff: Option<Length> =
         optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
     let per_decade =
@@ -106,6 +109,7 @@ pub(super) fn resolve(
         title: raw.title.clone().unwrap_or_else(|| surface.name.clone()),
         surface,
         material,
+        spreads,
         sampling: Sampling {
             scales_per_decade: overrides.scales_per_decade.or(per_decade),
             cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),

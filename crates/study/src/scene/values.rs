@@ -22,11 +22,16 @@ pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
     key: &str,
     raw: &RawQuantity,
 ) -> Result<T, SceneError> {
-    let text = match raw.get_ref() {
+    let text = text_of(raw.get_ref());
+    text.parse().map_err(|error| value_error(key, &text, raw.span(), error))
+}
+
+/// A value as text that a quantity is read from.
+pub(super) fn text_of(value: &toml::Value) -> String {
+    match value {
         toml::Value::String(text) => text.clone(),
         other => other.to_string(),
-    };
-    text.parse().map_err(|error| value_error(key, &text, raw.span(), error))
+    }
 }
 
 pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(

@@ -1,0 +1,121 @@
+//! How far averages of scans lie from the known spectrum in the mean over many studies.
+
+use topography::{Average, CompositeSpectrum, Recipe};
+
+use crate::error::StudyError;
+use crate::instrument::{INSTRUMENTS, Instrument};
+use crate::synthetic::Laboratory;
+use crate::truth::known_composite;
+
+/// The mean deviation of a composite in a decade.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DecadeBias {
+    /// The instrument whose scans they are.
+    pub instrument: Instrument,
+    /// How they are averaged.
+    pub average: Average,
+    /// Exponent of its longest wavelength: 10^n m.
+    pub decade: i32,
+    /// Bins of a composite in it.
+    pub bins: usize,
+    /// ln(C/C_known), the mean over its bins and all studies.
+    pub of_known: f64,
+    /// The same of C over the expectation of a scan's spectrum, which is the known one seen through window and detrending.
+    pub of_expected: f64,
+    /// One standard error of the latter.
+    pub standard_error: f64,
+}
+
+/// ln(C/C_known) of every study and bin.
+type Deviations = Vec<Vec<f64>>;
+
+/// The bias of each average, decade by decade, of the composites of one instrument, by its place among [`INSTRUMENTS`], with so
+/// many scans.
+///
+/// # Errors
+/// Those of the studies.
+pub fn biases(
+    laboratory: &Laboratory,
+    studies: u32,
+    instrument: usize,
+    scans: u32,
+    averages: &[Average],
+) -> Result<Vec<DecadeBias>, StudyError> {
+    let mut of_each = [0; 2];
+    of_each[instrument] = scans;
+    let one_study = |number| one_study(laboratory, number as u64, of_each, averages);
+    let of_studies: Result<Vec<_>, _> =
+        parallel::map_indices(studies as usize, one_study).into_iter().collect();
+    let of_studies = of_studies?;
+    let Some((wavelengths_m, _)) = of_studies.first() else { return Ok(Vec::new()) };
+    let of_average = |average: usize| -> Deviations {
+        of_studies.iter().map(|(_, deviations)| deviations[average].clone()).collect()
+    };
+    let expected = ln_expectation(&of_average(0));
+    let rows = averages.iter().enumerate().map(|(place, &average)| {
+        by_decade(wavelengths_m, &of_average(place + 1), &expected, INSTRUMENTS[instrument], average)
+    });
+    Ok(rows.flatten().collect())
+}
+
+/// The wavelengths \[m\] of the bins, and their deviations: first of arithmetic means, then of each average.
+fn one_study(
+    laboratory: &Laboratory,
+    number: u64,
+    scans: [u32; 2],
+    averages: &[Average],
+) -> Result<(Vec<f64>, Vec<Vec<f64>>), StudyError> {
+    let measured = laboratory.study(number, scans)?.composite()?;
+    let known = known_composite(&laboratory.surface, &measured)?;
+    let deviations = |&average: &Average| {
+        let recipe = Recipe { average, ..measured.recipe };
+        let composite = CompositeSpectrum::of(measured.scans.clone(), &recipe)?.composite;
+        let bins = composite.bins().iter().zip(known.c1d_m3());
+        Ok(bins.map(|(bin, known_m3)| (bin.c1d_m3 / known_m3).ln()).collect())
+    };
+    let all = std::iter::once(&Average::Arithmetic).chain(averages);
+    let deviations = all.map(deviations).collect::<Result<Vec<_>, StudyError>>()?;
+    Ok((known.wavelengths_m().to_vec(), deviations))
+}
+
+/// ln of the mean of C/C_known in every bin.
+fn ln_expectation(deviations: &Deviations) -> Vec<f64> {
+    let bins = deviations.first().map_or(0, Vec::len);
+    let of_bin = |bin: usize| {
+        deviations.iter().map(|of_study| of_study[bin].exp()).sum::<f64>() / deviations.len() as f64
+    };
+    (0..bins).map(|bin| of_bin(bin).ln()).collect()
+}
+
+fn by_decade(
+    wavelengths_m: &[f64],
+    deviations: &Deviations,
+    expected: &[f64],
+    instrument: Instrument,
+    average: Average,
+) -> Vec<DecadeBias> {
+    // A bin at the very end of a decade belongs to it.
+    let decades: Vec<i32> = wavelengths_m.iter().map(|m| m.log10().ceil() as i32).collect();
+    let mut rows = Vec::new();
+    let mut first = 0;
+    for decade in decades.chunk_by(|a, b| a == b) {
+        let bins = first..first + decade.len();
+        first = bins.end;
+        let mean_in = |values: &[f64]| values[bins.clone()].iter().sum::<f64>() / bins.len() as f64;
+        let of_studies: Vec<f64> = deviations.iter().map(|values| mean_in(values)).collect();
+        let count = of_studies.len() as f64;
+        let of_known = of_studies.iter().sum::<f64>() / count;
+        let variance =
+            of_studies.iter().map(|value| (value - of_known).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+        rows.push(DecadeBias {
+            instrument,
+            average,
+            decade: decade[0],
+            bins: bins.len(),
+            of_known,
+            of_expected: of_known - mean_in(expected),
+            standard_error: (variance / count).sqrt(),
+        });
+    }
+    rows
+}

@@ -1,0 +1,93 @@
+//! Maps of a Gaussian surface that do not meet themselves at their edges.
+
+use std::f64::consts::TAU;
+
+use gaussian_surfaces::{AreaSpectrum, Phases, Synthesis};
+use realfft::num_complex::Complex64;
+
+use crate::error::StudyError;
+use crate::instrument::Instrument;
+use crate::random::Normals;
+use crate::surface::{KnownSurface, LONGEST_M};
+
+/// A map is the corner of a periodic one whose sides are this many times as long.
+const PERIODS: usize = 2;
+
+/// Waves longer than that are those of boxes, each so many times as long as the one before it, up to the longest wave.
+const BOX_RATIO: f64 = 5.0;
+
+/// What maps are made of.
+#[derive(Debug, Clone)]
+pub(crate) struct MapMaker {
+    points: usize,
+    spacing_m: f64,
+    fine: AreaSpectrum,
+    long: Vec<Wave>,
+}
+
+/// A wave longer than the periodic map.
+#[derive(Debug, Clone, Copy)]
+struct Wave {
+    x_rad_per_m: f64,
+    y_rad_per_m: f64,
+    /// Root mean square modulus of its complex amplitude \[m\].
+    modulus_m: f64,
+}
+
+impl MapMaker {
+    pub(crate) fn new(surface: &KnownSurface, instrument: &Instrument) -> Result<Self, StudyError> {
+        let period_m = PERIODS as f64 * instrument.length_m;
+        let fine = surface.area.cut(period_m, surface.area.shortest_m())?;
+        let mut long = Vec::new();
+        let mut shortest_m = period_m;
+        while shortest_m < LONGEST_M {
+            let longest_m = (BOX_RATIO * shortest_m).min(LONGEST_M);
+            long.extend(waves_of_box(&surface.area, longest_m, shortest_m));
+            shortest_m = longest_m;
+        }
+        Ok(MapMaker { points: instrument.points, spacing_m: instrument.spacing_m(), fine, long })
+    }
+
+    /// Heights \[m\], row by row: the short waves are those of a seed, the long ones of the numbers drawn.
+    pub(crate) fn map(&self, seed: u64, number: u64, normals: &mut Normals) -> Result<Vec<f64>, StudyError> {
+        let side = PERIODS * self.points;
+        let synthesis = Synthesis::square(side, side as f64 * self.spacing_m, seed, Phases::Gaussian);
+        let periodic = self.fine.surface(&synthesis, number)?;
+        let rows = periodic.heights_m().chunks_exact(side).take(self.points);
+        let mut heights_m: Vec<f64> = rows.flat_map(|row| row[..self.points].iter().copied()).collect();
+        for wave in &self.long {
+            let amplitude_m =
+                Complex64::new(normals.next(), normals.next()) * (wave.modulus_m * 0.5f64.sqrt());
+            let along = |rad_per_m: f64| -> Vec<Complex64> {
+                (0..self.points)
+                    .map(|point| Complex64::cis(rad_per_m * point as f64 * self.spacing_m))
+                    .collect()
+            };
+            let along_x = along(wave.x_rad_per_m);
+            let rows = heights_m.chunks_exact_mut(self.points).zip(along(wave.y_rad_per_m));
+            for (row, of_row) in rows {
+                let of_row = 2.0 * amplitude_m * of_row;
+                row.iter_mut().zip(&along_x).for_each(|(height_m, of_column)| {
+                    *height_m += of_row.re * of_column.re - of_row.im * of_column.im;
+                });
+            }
+        }
+        Ok(heights_m)
+    }
+}
+
+/// The waves of a square box, one half of the plane, from its own length down to, but not with, a shortest one \[m\].
+fn waves_of_box(area: &AreaSpectrum, box_m: f64, shortest_m: f64) -> Vec<Wave> {
+    let most = (box_m / shortest_m).ceil() as i64;
+    let step = TAU / box_m;
+    let half_plane =
+        (0..=most).flat_map(|m| (-most..=most).map(move |n| (m, n))).filter(|&(m, n)| m > 0 || n > 0);
+    let wave = |(m, n): (i64, i64)| {
+        let (x_rad_per_m, y_rad_per_m) = (m as f64 * step, n as f64 * step);
+        let q_rad_per_m = x_rad_per_m.hypot(y_rad_per_m);
+        let is_long = q_rad_per_m * shortest_m < TAU * (1.0 - 1e-9);
+        let modulus_m = area.ciso_m4(q_rad_per_m.max(TAU / area.longest_m())).sqrt() / box_m;
+        is_long.then_some(Wave { x_rad_per_m, y_rad_per_m, modulus_m })
+    };
+    half_plane.filter_map(wave).collect()
+}

@@ -1,0 +1,70 @@
+//! The tables of `docs/uncertainty.md`.
+
+use crate::advised::Shrinkage;
+use crate::bias::DecadeBias;
+use crate::coverage::Coverage;
+
+/// How far averages lie from the spectrum, decade by decade.
+#[must_use]
+pub fn bias_table(hurst_exponent: f64, rows: &[DecadeBias]) -> String {
+    let mut text = String::from(
+        "| Hurst exponent | instrument | average | decade from | bins | off the spectrum seen | standard error | off the known spectrum |\n\
+         | ---: | --- | --- | ---: | ---: | ---: | ---: | ---: |\n",
+    );
+    for row in rows {
+        text += &format!(
+            "| {hurst_exponent} | {} | {} | 10^{} m | {} | {} | {:.1} % | {} |\n",
+            row.instrument.name,
+            row.average.name(),
+            row.decade,
+            row.bins,
+            signed_percent(row.of_expected),
+            100.0 * row.standard_error,
+            signed_percent(row.of_known)
+        );
+    }
+    text
+}
+
+/// How often intervals hold the truth.
+#[must_use]
+pub fn coverage_table(hurst_exponent: f64, scans: u32, rows: &[Coverage]) -> String {
+    let mut text = String::from(
+        "| Hurst exponent | scans each | curve | load | studies | hold the truth | median ln(high/low) | over 3.92 rms | mean ln(median/truth) |\n\
+         | ---: | ---: | --- | --- | ---: | ---: | ---: | ---: | ---: |\n",
+    );
+    for row in rows {
+        text += &format!(
+            "| {hurst_exponent} | {scans} | {} | {} | {} | {:.1} % | {:.3} | {:.2} | {:+.4} |\n",
+            row.curve,
+            row.load,
+            row.studies,
+            100.0 * row.share(),
+            row.width,
+            row.relative_width(),
+            row.bias
+        );
+    }
+    text
+}
+
+/// How intervals shrink, as predicted and as found.
+#[must_use]
+pub fn shrinkage_table(hurst_exponent: f64, rows: &[Shrinkage]) -> String {
+    let mut text = String::from(
+        "| Hurst exponent | curve | load | more scans of | added | predicted | found | found over predicted |\n\
+         | ---: | --- | --- | --- | ---: | ---: | ---: | ---: |\n",
+    );
+    for row in rows {
+        text += &format!(
+            "| {hurst_exponent} | {} | {} | {} | {} | {:.3} | {:.3} | {:.2} |\n",
+            row.curve, row.load, row.instrument, row.added, row.predicted, row.real, row.ratio
+        );
+    }
+    text
+}
+
+/// A difference of logarithms as a share.
+fn signed_percent(difference: f64) -> String {
+    format!("{:+.1} %", 100.0 * difference.exp_m1())
+}

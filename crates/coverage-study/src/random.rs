@@ -1,0 +1,22 @@
+//! Random numbers, a stream of its own for everything that is drawn.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// Normal numbers of mean 0 and variance 1.
+#[derive(Debug)]
+pub(crate) struct Normals(ChaCha8Rng);
+
+impl Normals {
+    /// The stream of a seed and a number, whatever was drawn before.
+    pub(crate) fn of(seed: u64, number: u64) -> Self {
+        let mut stream = ChaCha8Rng::seed_from_u64(seed);
+        stream.set_stream(number);
+        Normals(stream)
+    }
+
+    pub(crate) fn next(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.0)
+    }
+}

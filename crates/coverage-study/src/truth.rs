@@ -1,0 +1,25 @@
+//! The spectrum that a composite estimates.
+
+use spectrum::ProfilePsd;
+use topography::{BinMean, CompositeOptions, CompositeSpectrum, composite};
+
+use crate::error::StudyError;
+use crate::surface::KnownSurface;
+
+/// The composite of scans without scatter: the known spectrum at the wavelengths of each scan, averaged in the same bins.
+///
+/// # Errors
+/// [`StudyError::Surface`] at wavelengths that the surface has not.
+pub fn known_composite(
+    surface: &KnownSurface,
+    measured: &CompositeSpectrum,
+) -> Result<ProfilePsd, StudyError> {
+    let known: Result<Vec<ProfilePsd>, StudyError> =
+        measured.scans.iter().map(|scan| surface.profile(scan.reliable.wavelengths_m())).collect();
+    let options = CompositeOptions {
+        bins_per_decade: measured.recipe.bins_per_decade,
+        inside: BinMean::Arithmetic,
+        across: BinMean::Geometric,
+    };
+    Ok(composite(&known?, &options)?.profile())
+}

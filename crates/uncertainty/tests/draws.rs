@@ -1,0 +1,167 @@
+//! Draws against what is known by hand.
+
+use std::collections::BTreeMap;
+
+use study::Unobserved;
+use study::plan::Results;
+use study::scene::{Overrides, Scene};
+use uncertainty::{Group, Settings, Uncertainty, UncertaintyPlan};
+
+/// A spectrum with these relative standard errors, over two decades.
+fn psd(relative_error: f64) -> String {
+    let row = |at: i32| {
+        let wavelength_nm = 10f64.powf(4.0 - 0.1 * f64::from(at));
+        let c1d_nm3 = 1e5 * (wavelength_nm / 1e4).powf(2.6);
+        format!("{wavelength_nm},{c1d_nm3},{}\n", relative_error * c1d_nm3)
+    };
+    std::iter::once("wavelength_nm,C1D_nm3,C1D_se_nm3\n".to_owned()).chain((0..=20).map(row)).collect()
+}
+
+fn scene(psd: &str, material: &str, curves: &[&str]) -> Scene {
+    let curves: String = curves.iter().map(|model| format!("[[curve]]\nmodel = \"{model}\"\n")).collect();
+    let text = format!(
+        "surface = {{ psd = \"psd.csv\" }}\nloads = {{ pressures = [\"1 MPa\"] }}\nmaterial = {{ {material} }}\n{curves}"
+    );
+    let files = BTreeMap::from([("psd.csv".to_owned(), psd.as_bytes().to_vec())]);
+    Scene::parse(&text, &files, &Overrides::default()).unwrap()
+}
+
+fn found(scene: &Scene, settings: &Settings) -> (Results, Uncertainty) {
+    let results = scene.plan().compute().unwrap();
+    let found = UncertaintyPlan::of(scene, &results, settings).unwrap().carry_out(&Unobserved).unwrap();
+    (results, found)
+}
+
+const CERTAIN: &str = "youngs_modulus = \"100 GPa\", poisson_ratio = 0.3, yield_strength = \"1 GPa\"";
+
+#[test]
+fn where_nothing_scatters_there_is_nothing_to_draw() {
+    let scene = scene(&psd(0.0), CERTAIN, &["elastic"]);
+    let results = scene.plan().compute().unwrap();
+    assert!(UncertaintyPlan::of(&scene, &results, &Settings::default()).is_none());
+}
+
+#[test]
+fn what_does_not_depend_on_what_scatters_does_not_scatter() {
+    let material = "youngs_modulus = \"100 GPa\", poisson_ratio = 0.3, yield_strength = \"1 GPa +- 10 %\"";
+    let (results, found) = found(&scene(&psd(0.0), material, &["hertz", "ep-sphere"]), &Settings::default());
+    let [hertz, sphere] = &found.areas[..] else { panic!("two curves") };
+    assert_eq!((hertz.low, hertz.high, hertz.ln_area_sd, hertz.monte_carlo_error), (hertz.median, hertz.median, 0.0, 0.0));
+    let own = results.curves[0].area_fractions(0).last().unwrap().1;
+    assert!((hertz.median / own - 1.0).abs() < 1e-6);
+    assert!(sphere.high > 1.05 * sphere.low);
+    assert_eq!(found.groups, [Group::Strength]);
+}
+
+#[test]
+fn the_elastic_constants_follow_the_linear_law() {
+    // Under a light load ln A goes like -ln E*; 1 % of E and 1 % of nu = 0.3, which moves 1 - nu^2 by 0.198 %.
+    let material = "youngs_modulus = \"100 GPa +- 1 %\", poisson_ratio = \"0.3 +- 0.003\"";
+    let settings = Settings { draws: 4000, ..Settings::default() };
+    let (_, found) = found(&scene(&psd(0.0), material, &["elastic", "bgt", "persson"]), &settings);
+    let linear = (0.01f64.powi(2) + (2.0 * 0.3 * 0.003 / (1.0 - 0.09_f64)).powi(2)).sqrt();
+    for area in &found.areas {
+        assert!((area.ln_area_sd / linear - 1.0).abs() < 0.05, "{area:?}");
+        assert!(((area.high / area.low).ln() / (2.0 * 1.96 * linear) - 1.0).abs() < 0.05, "{area:?}");
+    }
+}
+
+#[test]
+fn standard_errors_of_a_spectrum_follow_the_linear_law() {
+    let own = scene(&psd(0.01), CERTAIN, &["elastic", "hertz", "persson"]);
+    let settings = Settings { draws: 4000, ..Settings::default() };
+    let (results, found) = found(&own, &settings);
+    // d ln A/d ln C of every sample by differences of the plain plan.
+    let last = |results: &Results, curve: usize| results.curves[curve].area_fractions(0).last().unwrap().1.ln();
+    let plain = psd(0.0);
+    let rows: Vec<&str> = plain.lines().collect();
+    let step = 1e-3f64;
+    let moved = |at: usize| {
+        let mut rows: Vec<String> = rows.iter().map(|row| (*row).to_owned()).collect();
+        let cells: Vec<f64> = rows[at + 1].split(',').map(|cell| cell.parse().unwrap()).collect();
+        rows[at + 1] = format!("{},{},0", cells[0], cells[1] * step.exp());
+        scene(&(rows.join("\n") + "\n"), CERTAIN, &["elastic", "hertz", "persson"]).plan().compute().unwrap()
+    };
+    let moved: Vec<Results> = (0..21).map(moved).collect();
+    for area in &found.areas {
+        let gradient: Vec<f64> = moved
+            .iter()
+            .map(|moved| (last(moved, area.curve) - last(&results, area.curve)) / step)
+            .collect();
+        // Samples a tenth of a decade apart, correlated as exp(-distance/half a decade).
+        let mut variance = 0.0;
+        for (i, a) in gradient.iter().enumerate() {
+            for (j, b) in gradient.iter().enumerate() {
+                variance += a * b * 1e-4 * (-0.2 * (i as f64 - j as f64).abs()).exp();
+            }
+        }
+        assert!((area.ln_area_sd / variance.sqrt() - 1.0).abs() < 0.05, "{area:?} {}", variance.sqrt());
+    }
+}
+
+#[test]
+fn shares_are_those_of_a_brute_force() {
+    // The variance of the mean over all else, with each input fixed in turn at values of its distribution.
+    let with = |error: f64, modulus: &str, strength: &str| {
+        let material =
+            format!("youngs_modulus = \"{modulus}\", poisson_ratio = 0.3, yield_strength = \"{strength}\"");
+        scene(&psd(error), &material, &["ep-sphere"])
+    };
+    let mean = |scene: &Scene, settings: &Settings| {
+        let (_, found) = found(scene, settings);
+        (found.areas[0].median.ln(), found.areas[0].ln_area_sd)
+    };
+    let settings = Settings { draws: 256, shares_draws: Some(64), ..Settings::default() };
+    let full = Settings { draws: 4096, shares_draws: Some(1 << 13), ..Settings::default() };
+    let (_, all) = found(&with(0.3, "100 GPa +- 10 %", "1 GPa +- 15 %"), &full);
+    let total = all.areas[0].ln_area_sd.powi(2);
+    let sigma = |relative: f64| (0.5 * (1.0 + (1.0 + 4.0 * relative * relative).sqrt())).ln().sqrt();
+    // The middles of 64 parts of equal probability.
+    let deviates: Vec<f64> = (0..64).map(|at| normal_quantile((f64::from(at) + 0.5) / 64.0)).collect();
+    let share = |of: &dyn Fn(f64) -> Scene| {
+        let means: Vec<f64> = deviates.iter().map(|&deviate| mean(&of(deviate), &settings).0).collect();
+        let middle = means.iter().sum::<f64>() / 64.0;
+        means.iter().map(|mean| (mean - middle).powi(2)).sum::<f64>() / 64.0 / total
+    };
+    let of_modulus = share(&|deviate| {
+        with(0.3, &format!("{} GPa", 100.0 * (sigma(0.1) * deviate).exp()), "1 GPa +- 15 %")
+    });
+    let of_strength = share(&|deviate| {
+        with(0.3, "100 GPa +- 10 %", &format!("{} GPa", (sigma(0.15) * deviate).exp()))
+    });
+    let told: Vec<f64> = all.areas[0].indices.iter().map(|indices| indices.first_order.value).collect();
+    assert_eq!(all.groups, [Group::Scans, Group::Material, Group::Strength]);
+    assert!((told[1] - of_modulus).abs() < 0.03, "{told:?} {of_modulus}");
+    assert!((told[2] - of_strength).abs() < 0.03, "{told:?} {of_strength}");
+    assert!((told.iter().sum::<f64>() - 1.0).abs() < 0.05, "{told:?}");
+}
+
+/// By bisection of the distribution, integrated by Simpson's rule: for the test alone.
+fn normal_quantile(probability: f64) -> f64 {
+    let density = |x: f64| (-0.5 * x * x).exp() / std::f64::consts::TAU.sqrt();
+    let below = |x: f64| {
+        let step = (x + 9.0) / 2000.0;
+        let weight = |at: i32| match at {
+            0 | 2000 => 1.0,
+            at if at % 2 == 1 => 4.0,
+            _ => 2.0,
+        };
+        (0..=2000).map(|at| weight(at) * density(-9.0 + step * f64::from(at))).sum::<f64>() * step / 3.0
+    };
+    let (mut low, mut high) = (-8.0, 8.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if below(middle) < probability { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn the_same_seed_makes_the_same_digits() {
+    let own = scene(&psd(0.1), "youngs_modulus = \"100 GPa +- 5 %\", poisson_ratio = 0.3", &["hertz"]);
+    let settings = Settings { draws: 100, ..Settings::default() };
+    let (first, again) = (found(&own, &settings).1, found(&own, &settings).1);
+    assert_eq!(first, again);
+    let other = found(&own, &Settings { seed: 2, ..settings }).1;
+    assert_ne!(first.areas, other.areas);
+}
