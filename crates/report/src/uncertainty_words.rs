@@ -96,31 +96,26 @@ fn what_was_drawn(uncertainty: &Uncertainty) -> String {
     ];
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
     format!(
-        "Coverage intervals of {} hold as many draws below as above; {} of {}.",
+        "{} coverage intervals, equal-tailed, from {}; {}.",
         level(uncertainty),
         counted(uncertainty.draws, "draw"),
         kinds.join("; ")
     )
 }
 
-/// A group of inputs, by what it holds.
-pub(crate) fn group_in_words(group: Group) -> &'static str {
+/// A group of inputs, by what it holds; a surface that is not made from scans has its spectrum's own errors.
+pub(crate) fn group_in_words(group: Group, is_of_scans: bool) -> &'static str {
     match group {
-        Group::Scans => "the scatter of scans between places",
+        Group::Scans if is_of_scans => "the scatter of scans between places",
+        Group::Scans => "the standard errors of the spectrum",
         Group::Instruments => "the height scales of instruments",
         Group::Material => "the elastic constants",
         Group::Strength => "the strength",
     }
 }
 
-/// The same of a scene whose instruments are known.
 fn input(uncertainty: &Uncertainty, group: Group) -> String {
-    match group {
-        Group::Scans if uncertainty.instruments.is_empty() => {
-            "the standard errors of the spectrum".to_owned()
-        }
-        other => group_in_words(other).to_owned(),
-    }
+    group_in_words(group, !uncertainty.instruments.is_empty()).to_owned()
 }
 
 /// What there is where somebody ended the draws.

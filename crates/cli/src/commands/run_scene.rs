@@ -149,7 +149,8 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        let parts = Parts { report: !args.no_report, judgement: is_judged(args, &scene), uncertainty: false };
+        let (judgement, uncertainty) = (is_judged(args, &scene), is_drawn(args, &scene));
+        let parts = Parts { report: !args.no_report, judgement, uncertainty };
         for name in products::file_names(&scene, parts, context.shared.format) {
             results = results.with_file("--out", &folder.join(name))?;
         }

@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use super::answer::sentence;
 use super::{SceneReport, Section};
 use crate::plot;
-use study::figure::{FigureData, Shows};
+use study::figure::{BandKind, FigureData, Shows};
 
 /// The figure that shows the answer: the first of the first scene that has one of areas against the cutoff there.
 pub(super) fn of_the_answer(scenes: &[SceneReport<'_>]) -> Markup {
@@ -50,7 +50,7 @@ fn figure(scenes: &[SceneReport<'_>], name: &str) -> Markup {
                     }
                 }
             }
-            figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (caption(first.shows)) }
+            figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (caption(first.shows)) (intervals(first)) }
         }
     }
 }
@@ -67,6 +67,16 @@ fn words(scene: &SceneReport<'_>, figure: &FigureData) -> String {
 /// `Figure 3a. ` of `figure-3a`; other names say nothing that the title does not.
 fn numbered(name: &str) -> String {
     name.strip_prefix("figure-").map_or_else(String::new, |number| format!("Figure {number}. "))
+}
+
+/// What the bands of a figure with intervals are.
+fn intervals(figure: &FigureData) -> &'static str {
+    let has_intervals = figure.bands.iter().any(|band| band.kind == BandKind::Interval);
+    if has_intervals {
+        " Bands with edges are coverage intervals, each in the colour and the dash pattern of its line."
+    } else {
+        ""
+    }
 }
 
 /// What is seen, in a line.

@@ -32,10 +32,10 @@ fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
     let head = html! {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" } th scope="col" { "area fraction" }
-            th scope="col" { "median" } th scope="col" { (level(uncertainty)) } th scope="col" { "68 %" }
-            th scope="col" { "Monte Carlo error" }
+            th scope="col" { (level(uncertainty)) }
             @for group in groups { th scope="col" { (group_name(*group)) } }
             @if groups.len() > 1 { th scope="col" { "together" } }
+            th scope="col" { "median" } th scope="col" { "68 %" } th scope="col" { "Monte Carlo error" }
         }
     };
     let of_curve = |curve: usize| -> Vec<&AreaInterval> {
@@ -50,12 +50,12 @@ fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
                         @if place == 0 { th scope="rowgroup" rowspan=(areas.len()) { (report.curve(curve)) } }
                         td { (report.load(area.load)) }
                         td { (typeset_digits(area.area_fraction)) }
-                        td { (typeset_digits(area.median)) }
                         td { (between(area.low, area.high)) }
-                        td { (between(area.within_68[0], area.within_68[1])) }
-                        td { (three_digits((1000.0 * area.monte_carlo_error).round() / 10.0)) "\u{a0}%" }
                         @for group in groups { (share_cell(percent(uncertainty.share(area, *group)))) }
                         @if groups.len() > 1 { (share_cell(percent(uncertainty.share_of_others(area)))) }
+                        td { (typeset_digits(area.median)) }
+                        td { (between(area.within_68[0], area.within_68[1])) }
+                        td { (three_digits((1000.0 * area.monte_carlo_error).round() / 10.0)) "\u{a0}%" }
                     }
                 }
             }

@@ -14,7 +14,7 @@ pub(super) const OPACITY: f64 = 0.18;
 /// The same for an interval, of which several may lie on each other.
 pub(super) const INTERVAL_OPACITY: f64 = 0.1;
 /// Thinner than any line of a curve.
-pub(super) const EDGE_PX: f64 = 0.7;
+pub(super) const EDGE_PX: f64 = 0.75;
 
 /// Draws the bands as far as they lie inside the frame.
 pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, bands: &[Band]) {

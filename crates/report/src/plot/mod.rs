@@ -343,7 +343,11 @@ mod tests {
             points: vec![(1.0, [1e-33, 1e-29]), (10.0, [1e-21, 1e-19])],
         }];
         let banded = svg(&figure, "", &[]);
-        assert_eq!(banded.matches("stroke-width=\"0.7\" stroke-dasharray=\"4 3\"").count(), 2, "{banded}");
+        assert_eq!(
+            banded.matches("stroke-width=\"0.75\" fill=\"none\" stroke-dasharray=\"4 3\"").count(),
+            2,
+            "{banded}"
+        );
         assert_eq!(banded.matches(">95 % coverage interval</text>").count(), 1);
         assert!(banded.contains(">10⁻³⁴</text>"), "{banded}");
     }
