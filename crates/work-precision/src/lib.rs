@@ -14,6 +14,7 @@
 //! * [`study`]: asks everybody everything, and yields a [`point::Point`] per answer, held against its reference;
 //! * [`kernels`], [`stack`] and [`scaling`]: what single asperities and scales of a stack cost, and how the program grows;
 //! * [`verdicts`]: whether a competitor is ever both faster and more accurate, and by how much we are ahead;
+//! * `surrogate`, behind the feature of that name: what an interval costs by plain sampling and by fitted polynomials;
 //! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/performance/` and the tables of `docs/performance.md`.
 //!
 //! Times are of one thread, the shortest of many repetitions: machines are shared, and the shortest is the least disturbed.
@@ -33,4 +34,6 @@ pub mod scaling;
 pub mod sections;
 pub mod stack;
 pub mod study;
+#[cfg(feature = "surrogate")]
+pub mod surrogate;
 pub mod verdicts;

@@ -1,0 +1,31 @@
+//! Prints what intervals and shares cost by plain sampling and by fitted polynomials, as a table for `docs/uncertainty.md`:
+//! `cargo run --release -p work-precision --features surrogate --bin surrogate`.
+
+use std::process::ExitCode;
+
+use work_precision::page::{error, table};
+use work_precision::surrogate::{Found, Method, found};
+
+fn main() -> ExitCode {
+    match found() {
+        Ok(rows) => {
+            let row = |found: &Found| {
+                let method = match found.method {
+                    Method::Plain => "plain sampling".to_owned(),
+                    Method::Polynomial(degree) => format!("polynomial of degree {degree}"),
+                };
+                vec![method, found.plans.to_string(), error(found.ends), error(found.shares)]
+            };
+            let rows: Vec<Vec<String>> = rows.iter().map(row).collect();
+            print!(
+                "{}",
+                table(&["method", "plans", "error of the ends over the length", "error of shares"], &rows)
+            );
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
