@@ -11,7 +11,7 @@ use crate::draws::{self, Along, Drawn};
 use crate::found::{AreaBand, AreaInterval, Guess, Resampled, Uncertainty};
 use crate::group::Indices;
 use crate::inputs::Inputs;
-use crate::quantiles::interval;
+use crate::quantiles::{bias_corrected_interval, interval};
 use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
@@ -82,8 +82,14 @@ impl<'p> UncertaintyPlan<'p> {
         };
         work += of_advice;
         plans += plans_of_advice;
-        let areas =
-            (0..self.areas.count()).filter_map(|area| self.interval(area, &drawn, &indices)).collect();
+        let best = match self.inputs.best_psd() {
+            Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
+            None => self.areas.nothing(),
+        };
+        work += best.work;
+        plans += 1;
+        let interval = |area: usize| self.interval(area, &drawn, best.ln_areas[area], &indices);
+        let areas = (0..self.areas.count()).filter_map(interval).collect();
         let mut found = Uncertainty {
             settings: self.settings,
             draws,
@@ -139,10 +145,20 @@ impl<'p> UncertaintyPlan<'p> {
             .collect()
     }
 
-    fn interval(&self, area: usize, drawn: &Drawn, indices: &[Vec<Indices>]) -> Option<AreaInterval> {
+    fn interval(
+        &self,
+        area: usize,
+        drawn: &Drawn,
+        best: Option<f64>,
+        indices: &[Vec<Indices>],
+    ) -> Option<AreaInterval> {
         let ln_areas = drawn.of(area);
-        let found = interval(&ln_areas, self.settings.level)?;
-        let within = interval(&ln_areas, ONE_STANDARD_UNCERTAINTY)?;
+        let at_level = |level| match best {
+            Some(best) => bias_corrected_interval(&ln_areas, best, level),
+            None => interval(&ln_areas, level),
+        };
+        let found = at_level(self.settings.level)?;
+        let within = at_level(ONE_STANDARD_UNCERTAINTY)?;
         Some(AreaInterval {
             curve: area / self.areas.loads(),
             load: area % self.areas.loads(),

@@ -74,6 +74,11 @@ impl Gains {
         gains
     }
 
+    /// The mean of gain and slope of each.
+    pub fn mean(&self) -> &[[f64; 2]] {
+        &self.mean
+    }
+
     /// Mean and standard uncertainty of the gain of an instrument.
     pub fn gain_of(&self, instrument: usize) -> [f64; 2] {
         [self.mean[instrument][0], self.variances[instrument].sqrt()]

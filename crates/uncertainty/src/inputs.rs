@@ -61,6 +61,14 @@ impl Inputs {
         self.surface.psd(self.streams, draw).map(Some)
     }
 
+    /// The spectrum of the best estimates, as that of a draw.
+    pub fn best_psd(&self) -> Option<Option<ProfilePsd>> {
+        if !self.surface_scatters() {
+            return Some(None);
+        }
+        self.surface.best().map(Some)
+    }
+
     /// The curves of the bodies of a draw.
     pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
         let Some(material) = &self.material else { return curves.to_vec() };

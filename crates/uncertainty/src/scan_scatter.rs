@@ -78,6 +78,12 @@ impl ScanScatter {
         self.of_gains(&self.gains.draw(numbers))
     }
 
+    /// ln C of the composite where scans do not deviate, and gains are what overlaps tell of them.
+    pub fn best(&self) -> Vec<f64> {
+        let no_places = vec![vec![0.0; self.ln_c1d.len()]; self.instruments.len()];
+        self.composed(&no_places, &self.of_gains(self.gains.mean()))
+    }
+
     /// For every instrument, all gains if its own were known exactly.
     pub fn gains_without_each(&self) -> Vec<Gains> {
         (0..self.instruments.len()).map(|instrument| self.gains.without(instrument)).collect()

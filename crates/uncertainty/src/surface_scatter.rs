@@ -91,6 +91,16 @@ impl SurfaceScatter {
         self.psd_of(streams, draw, 0)
     }
 
+    /// The spectrum of the best estimates: nothing deviates but by what overlaps tell of the gains.
+    pub fn best(&self) -> Option<ProfilePsd> {
+        match self {
+            SurfaceScatter::Certain(psd, _) => Some(psd.clone()),
+            SurfaceScatter::Errors(errors) => Some(errors.centre().clone()),
+            SurfaceScatter::Scans(scans) => scans.psd(&scans.best()),
+            SurfaceScatter::Sum(parts) => Some(superpose(&parts[0].best()?, &parts[1].best()?).psd),
+        }
+    }
+
     fn psd_of(&self, streams: Streams, draw: DrawOf, surface: u64) -> Option<ProfilePsd> {
         let numbers = |group, draw| streams.of_surface(group, draw, surface);
         match self {

@@ -46,7 +46,10 @@ fn what_does_not_depend_on_what_scatters_does_not_scatter() {
     let material = "youngs_modulus = \"100 GPa\", poisson_ratio = 0.3, yield_strength = \"1 GPa +- 10 %\"";
     let (results, found) = found(&scene(&psd(0.0), material, &["hertz", "ep-sphere"]), &Settings::default());
     let [hertz, sphere] = &found.areas[..] else { panic!("two curves") };
-    assert_eq!((hertz.low, hertz.high, hertz.ln_area_sd, hertz.monte_carlo_error), (hertz.median, hertz.median, 0.0, 0.0));
+    assert_eq!(
+        (hertz.low, hertz.high, hertz.ln_area_sd, hertz.monte_carlo_error),
+        (hertz.median, hertz.median, 0.0, 0.0)
+    );
     let own = results.curves[0].area_fractions(0).last().unwrap().1;
     assert!((hertz.median / own - 1.0).abs() < 1e-6);
     assert!(sphere.high > 1.05 * sphere.low);
@@ -72,7 +75,8 @@ fn standard_errors_of_a_spectrum_follow_the_linear_law() {
     let settings = Settings { draws: 4000, ..Settings::default() };
     let (results, found) = found(&own, &settings);
     // d ln A/d ln C of every sample by differences of the plain plan.
-    let last = |results: &Results, curve: usize| results.curves[curve].area_fractions(0).last().unwrap().1.ln();
+    let last =
+        |results: &Results, curve: usize| results.curves[curve].area_fractions(0).last().unwrap().1.ln();
     let plain = psd(0.0);
     let rows: Vec<&str> = plain.lines().collect();
     let step = 1e-3f64;
@@ -84,10 +88,8 @@ fn standard_errors_of_a_spectrum_follow_the_linear_law() {
     };
     let moved: Vec<Results> = (0..21).map(moved).collect();
     for area in &found.areas {
-        let gradient: Vec<f64> = moved
-            .iter()
-            .map(|moved| (last(moved, area.curve) - last(&results, area.curve)) / step)
-            .collect();
+        let gradient: Vec<f64> =
+            moved.iter().map(|moved| (last(moved, area.curve) - last(&results, area.curve)) / step).collect();
         // Samples a tenth of a decade apart, correlated as exp(-distance/half a decade).
         let mut variance = 0.0;
         for (i, a) in gradient.iter().enumerate() {
@@ -126,9 +128,8 @@ fn shares_are_those_of_a_brute_force() {
     let of_modulus = share(&|deviate| {
         with(0.3, &format!("{} GPa", 100.0 * (sigma(0.1) * deviate).exp()), "1 GPa +- 15 %")
     });
-    let of_strength = share(&|deviate| {
-        with(0.3, "100 GPa +- 10 %", &format!("{} GPa", (sigma(0.15) * deviate).exp()))
-    });
+    let of_strength =
+        share(&|deviate| with(0.3, "100 GPa +- 10 %", &format!("{} GPa", (sigma(0.15) * deviate).exp())));
     let told: Vec<f64> = all.areas[0].indices.iter().map(|indices| indices.first_order.value).collect();
     assert_eq!(all.groups, [Group::Scans, Group::Material, Group::Strength]);
     assert!((told[1] - of_modulus).abs() < 0.03, "{told:?} {of_modulus}");
