@@ -40,7 +40,7 @@ pub fn shrinkages(
 ) -> Result<Vec<Shrinkage>, StudyError> {
     let both = [scans; 2];
     let of_study = |number: usize| {
-        let before = laboratory.trial(number as u64, both, settings)?;
+        let before = laboratory.advised_trial(number as u64, both, settings)?;
         let mut ratios = Vec::new();
         for instrument in 0..INSTRUMENTS.len() {
             for &added in added {
@@ -86,8 +86,8 @@ type Ratios = Vec<Option<(f64, f64)>>;
 
 fn ratios_of(before: &Trial, after: &Trial, instrument: usize, added: usize) -> Ratios {
     let of_interval = |(held, after): (&Held, &Held)| {
-        let advice = &before.uncertainty.advice;
-        let advice = advice.iter().find(|advice| (advice.curve, advice.load) == (held.curve, held.load))?;
+        let advice =
+            before.advice.iter().find(|advice| (advice.curve, advice.load) == (held.curve, held.load))?;
         let kind = StepKind::MoreScans { instrument, added };
         let step = advice.steps.iter().find(|step| step.kind == kind)?;
         Some((step.width_ratio, after.width() / held.width()))

@@ -1,9 +1,9 @@
 //! One study carried out: what is said of its areas, and what they are.
 
 use study::Unobserved;
-use study::plan::{Plan, Results};
+use study::plan::{Plan, PlanError, Results};
 use study::scene::Scene;
-use uncertainty::{Settings, Uncertainty, UncertaintyPlan};
+use uncertainty::{Advice, AreaInterval, Settings, UncertaintyPlan};
 
 use crate::error::StudyError;
 use crate::synthetic::Laboratory;
@@ -33,8 +33,8 @@ pub struct Trial {
     pub loads: Vec<String>,
     /// Every interval.
     pub held: Vec<Held>,
-    /// What is said in all.
-    pub uncertainty: Uncertainty,
+    /// What to measure next, where that was asked for.
+    pub advice: Vec<Advice>,
 }
 
 /// Areas that differ by less are the same.
@@ -62,18 +62,44 @@ impl Held {
 }
 
 impl Laboratory {
-    /// Carries out the study of a number with so many scans by each instrument.
+    /// Carries out the study of a number with so many scans by each instrument, for its intervals alone.
     ///
     /// # Errors
     /// [`StudyError`] where anything of it fails, and [`StudyError::Certain`] where nothing of it is said to scatter.
     pub fn trial(&self, number: u64, scans: [u32; 2], settings: &Settings) -> Result<Trial, StudyError> {
+        self.carried_out(number, scans, settings, |plan| Ok((plan.intervals(&Unobserved)?, Vec::new())))
+    }
+
+    /// The same with what to measure next.
+    ///
+    /// # Errors
+    /// Those of [`trial`](Self::trial).
+    pub fn advised_trial(
+        &self,
+        number: u64,
+        scans: [u32; 2],
+        settings: &Settings,
+    ) -> Result<Trial, StudyError> {
+        self.carried_out(number, scans, settings, |plan| {
+            let found = plan.carry_out(&Unobserved)?;
+            Ok((found.areas, found.advice))
+        })
+    }
+
+    fn carried_out(
+        &self,
+        number: u64,
+        scans: [u32; 2],
+        settings: &Settings,
+        carry_out: impl Fn(&UncertaintyPlan<'_>) -> Result<(Vec<AreaInterval>, Vec<Advice>), PlanError>,
+    ) -> Result<Trial, StudyError> {
         let scene = self.study(number, scans)?.scene()?;
         let results = scene.plan().compute()?;
         let settings = Settings { seed: number, ..*settings };
         let plan = UncertaintyPlan::of(&scene, &results, &settings).ok_or(StudyError::Certain)?;
-        let uncertainty = plan.carry_out(&Unobserved)?;
+        let (areas, advice) = carry_out(&plan)?;
         let known = self.known(&scene)?;
-        let held = uncertainty.areas.iter().filter_map(|area| {
+        let held = areas.iter().filter_map(|area| {
             let (_, truth) = *known.curves[area.curve].area_fractions(area.load).last()?;
             let ends = [area.low, area.high];
             Some(Held { curve: area.curve, load: area.load, truth, median: area.median, ends })
@@ -82,7 +108,7 @@ impl Laboratory {
             curves: scene.needs.curves.iter().map(|curve| curve.name.clone()).collect(),
             loads: scene.needs.loads.iter().map(|load| load.label.clone()).collect(),
             held: held.collect(),
-            uncertainty,
+            advice,
         })
     }
 

@@ -60,12 +60,8 @@ impl<'p> UncertaintyPlan<'p> {
     /// # Errors
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
     pub fn carry_out(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
-        let all = |draw| DrawOf::all(draw);
-        let drawn = draws::all(&self.inputs, &self.areas, self.settings.draws, all, progress);
+        let drawn = self.drawn(progress)?;
         let draws = drawn.ln_areas.len();
-        if draws < FEWEST_DRAWS.min(self.settings.draws) {
-            return Err(PlanError::Cancelled);
-        }
         let mut work = drawn.work;
         let mut plans = draws;
         let (along, of_bands) = self.along(progress);
@@ -82,14 +78,9 @@ impl<'p> UncertaintyPlan<'p> {
         };
         work += of_advice;
         plans += plans_of_advice;
-        let best = match self.inputs.best_psd() {
-            Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
-            None => self.areas.nothing(),
-        };
-        work += best.work;
+        let (areas, of_best) = self.intervals_of(&drawn, &indices);
+        work += of_best;
         plans += 1;
-        let interval = |area: usize| self.interval(area, &drawn, best.ln_areas[area], &indices);
-        let areas = (0..self.areas.count()).filter_map(interval).collect();
         let mut found = Uncertainty {
             settings: self.settings,
             draws,
@@ -110,6 +101,34 @@ impl<'p> UncertaintyPlan<'p> {
             found.guesses.push(Guess::FewDraws { draws });
         }
         Ok(found)
+    }
+
+    /// The intervals alone, without indices, bands and advice; a step of `progress` is a draw.
+    ///
+    /// # Errors
+    /// Those of [`carry_out`](Self::carry_out).
+    pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
+        Ok(self.intervals_of(&self.drawn(progress)?, &[]).0)
+    }
+
+    /// The draws, as many as were made before somebody ended them.
+    fn drawn(&self, progress: &dyn Progress) -> Result<Drawn, PlanError> {
+        let wanted = self.settings.draws;
+        let drawn = draws::all(&self.inputs, &self.areas, wanted, DrawOf::all, progress);
+        if drawn.ln_areas.len() < FEWEST_DRAWS.min(wanted) {
+            return Err(PlanError::Cancelled);
+        }
+        Ok(drawn)
+    }
+
+    /// The interval of every area that has one, about that of the best estimates.
+    fn intervals_of(&self, drawn: &Drawn, indices: &[Vec<Indices>]) -> (Vec<AreaInterval>, Work) {
+        let best = match self.inputs.best_psd() {
+            Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
+            None => self.areas.nothing(),
+        };
+        let interval = |area: usize| self.interval(area, drawn, best.ln_areas[area], indices);
+        ((0..self.areas.count()).filter_map(interval).collect(), best.work)
     }
 
     fn design(&self) -> Design {
