@@ -166,3 +166,24 @@ fn the_same_seed_makes_the_same_digits() {
     let other = found(&own, &Settings { seed: 2, ..settings }).1;
     assert_ne!(first.areas, other.areas);
 }
+
+#[test]
+fn draws_compute_final_areas_and_nothing_else() {
+    let own = scene(
+        &psd(0.1),
+        "youngs_modulus = \"100 GPa +- 5 %\", poisson_ratio = 0.3, yield_strength = \"1 GPa +- 5 %\"",
+        &["elastic", "hertz", "ep-sphere"],
+    );
+    let settings = Settings { draws: 200, ..Settings::default() };
+    let (results, found) = found(&own, &settings);
+    // 200 draws, 3 groups of 100 pairs, the best estimates, the spectrum with each of its 20 parts moved and with none, 64 draws
+    // of it prolonged at either end, and 64 along the cutoff.
+    assert_eq!(found.plans, 200 + 300 + 1 + 21 + 128 + 64);
+    // A state for each of two statistical curves, and nine cutoffs at four a decade for each along the cutoff.
+    assert_eq!(found.work.statistical_states, 2 * (650 + 64 * 9));
+    let (of_state, of_scene) = (
+        found.work.law_evaluations as f64 / found.work.statistical_states as f64,
+        results.work.law_evaluations as f64 / results.work.statistical_states as f64,
+    );
+    assert!(of_state < 1.5 * of_scene, "{of_state} {of_scene}");
+}

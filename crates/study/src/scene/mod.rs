@@ -85,6 +85,7 @@ impl Scene {
     /// The choices that its numbers depend on, besides the spectrum.
     pub fn choices(&self) -> Vec<String> {
         let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
+        choices.extend(self.spreads.describe());
         choices.extend(self.model_choices());
         choices
     }
