@@ -67,6 +67,12 @@ impl<'p> UncertaintyPlan<'p> {
         let (along, of_bands) = self.along(progress);
         work += of_bands;
         plans += along.len();
+        let mut bands = Vec::new();
+        if let Some((best, of_best)) = self.best_along() {
+            bands = self.bands(&along, &best);
+            work += of_best;
+            plans += 1;
+        }
         let shares = self.design().carry_out(&self.inputs, &self.areas, &drawn, progress);
         let ended_early = draws < self.settings.draws || shares.is_none() || progress.is_cancelled();
         let (indices, of_shares, plans_of_shares) = shares.unwrap_or_default();
@@ -91,7 +97,7 @@ impl<'p> UncertaintyPlan<'p> {
             spectrum_errors: Vec::new(),
             guesses: Vec::new(),
             areas,
-            bands: self.bands(&along),
+            bands,
             advice,
             work,
             plans,
@@ -152,12 +158,18 @@ impl<'p> UncertaintyPlan<'p> {
         draws::along(&self.inputs, &self.areas, self.draws_of_bands(), progress)
     }
 
-    fn bands(&self, along: &[Along]) -> Vec<AreaBand> {
+    /// What the best estimates have along the cutoff; none where no curve is followed.
+    fn best_along(&self) -> Option<(Along, Work)> {
+        let psd = self.inputs.best_psd().filter(|_| self.follows_any())?;
+        self.areas.along(psd.as_ref(), self.areas.curves().to_vec())
+    }
+
+    fn bands(&self, along: &[Along], best: &Along) -> Vec<AreaBand> {
         let followed =
             (0..self.areas.curves().len()).filter(|&at| self.areas.curves()[at].cutoffs == Cutoffs::Every);
         let of_load = |curve: usize, load: usize| {
             let draws: Vec<&Points> = along.iter().map(|draw| &draw[curve][load]).collect();
-            band(curve, load, &draws, self.settings.level)
+            band(curve, load, &draws, &best[curve][load], self.settings.level)
         };
         followed
             .flat_map(|curve| (0..self.areas.loads()).filter_map(move |load| of_load(curve, load)))

@@ -2,6 +2,9 @@
 
 use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 
+/// The largest bias that is corrected, in standard deviations.
+const LARGEST_BIAS: f64 = 1.0;
+
 /// A quantile of draws.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantile {
@@ -67,25 +70,26 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
 /// in the middle of what would be found from it. With z0 the normal quantile of the share of draws below that result, the
 /// quantiles taken are those of the normal probabilities 2 z0 - z, 2 z0 and 2 z0 + z (Efron 1981, Can. J. Stat. 9:139). Such
 /// a bias comes from results that are largest values or moments of what scatters by factors; results that are smooth and
-/// scatter little have none, and their interval is that of [`interval`].
+/// scatter little have none, and their interval is that of [`interval`]. More than one standard deviation of bias is not
+/// corrected: an interval whose ends are both beyond nearly all draws would say more than they know.
 pub fn bias_corrected_interval(draws: &[f64], best: f64, level: f64) -> Option<Interval> {
     let plain = interval(draws, level)?;
     let count = draws.len() as f64;
     let below = draws.iter().filter(|draw| **draw < best).count() as f64;
     let equal = draws.iter().filter(|draw| **draw == best).count() as f64;
     let share = (below + 0.5 * equal) / count;
-    // Beyond all draws nothing is known of how far.
-    if share <= 0.0 || share >= 1.0 || plain.low.value == plain.high.value {
+    if plain.low.value == plain.high.value {
         return Some(plain);
     }
     let normal = Normal::standard();
-    let off = normal.inverse_cdf(share);
+    let off = normal.inverse_cdf(share).clamp(-LARGEST_BIAS, LARGEST_BIAS);
     let half = normal.inverse_cdf(0.5 + 0.5 * level);
     let mut sorted = draws.to_vec();
     sorted.sort_by(f64::total_cmp);
     let at = |deviate: f64| quantile(&sorted, normal.cdf(2.0 * off + deviate));
     // What the share is not known to moves both ends together.
-    let off_error = (share * (1.0 - share) / count).sqrt() / normal.pdf(off);
+    let is_told = off.abs() < LARGEST_BIAS;
+    let off_error = if is_told { (share * (1.0 - share) / count).sqrt() / normal.pdf(off) } else { 0.0 };
     let moved = |end: Quantile| {
         let by_off = 2.0 * off_error * (plain.high.value - plain.low.value) / (2.0 * half);
         Quantile { standard_error: end.standard_error.hypot(by_off), ..end }
@@ -228,6 +232,8 @@ mod tests {
         }
         let same = bias_corrected_interval(&[2.0; 50], 2.0, 0.95).unwrap();
         assert_eq!((same.low.value, same.high.value, same.relative_error()), (2.0, 2.0, 0.0));
-        assert_eq!(bias_corrected_interval(&draws, 1e3, 0.95), interval(&draws, 0.95));
+        // Beyond all draws it counts as one standard deviation.
+        let beyond = bias_corrected_interval(&draws, 1e3, 0.95).unwrap();
+        assert!((beyond.median.value - (best + 0.5 + 2.0)).abs() < 0.1, "{beyond:?}");
     }
 }

@@ -177,10 +177,10 @@ fn draws_compute_final_areas_and_nothing_else() {
     let settings = Settings { draws: 200, ..Settings::default() };
     let (results, found) = found(&own, &settings);
     // 200 draws, 3 groups of 100 pairs, the best estimates, the spectrum with each of its 20 parts moved and with none, 64 draws
-    // of it prolonged at either end, and 64 along the cutoff.
-    assert_eq!(found.plans, 200 + 300 + 1 + 21 + 128 + 64);
+    // of it prolonged at either end, and 64 and the best estimates along the cutoff.
+    assert_eq!(found.plans, 200 + 300 + 1 + 21 + 128 + 65);
     // A state for each of two statistical curves, and nine cutoffs at four a decade for each along the cutoff.
-    assert_eq!(found.work.statistical_states, 2 * (650 + 64 * 9));
+    assert_eq!(found.work.statistical_states, 2 * (650 + 65 * 9));
     let (of_state, of_scene) = (
         found.work.law_evaluations as f64 / found.work.statistical_states as f64,
         results.work.law_evaluations as f64 / results.work.statistical_states as f64,
