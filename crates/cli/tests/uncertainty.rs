@@ -48,7 +48,7 @@ fn an_area_is_told_with_its_interval_in_words_table_and_page() {
     assert!(said.contains("How sure, c, Persson's theory, elastic: "), "{said}");
     assert!(
         said.contains(
-            "95 % coverage intervals, equal-tailed, from 1000 draws; type A: the standard errors of the spectrum."
+            "95 % coverage intervals from 1000 draws; type A: the standard errors of the spectrum."
         ),
         "{said}"
     );

@@ -31,9 +31,9 @@ impl InstrumentOfScan {
 /// What people wrote down as the instrument, and else the format, which is that of a maker.
 fn guessed_name<S>(file: &ScanFile<S>) -> String {
     let written = file.free_text.lines().find_map(|line| {
-        let rest = line.trim().strip_prefix("Instrument")?;
-        let name = rest.trim_matches(|c: char| c.is_whitespace() || matches!(c, '-' | '–' | ':' | '=' | '.'));
-        (!name.is_empty() && name != rest).then(|| name.to_owned())
+        let rest = line.trim().strip_prefix("Instrument")?.trim_start();
+        let name = rest.strip_prefix(['-', '–', ':', '='])?.trim().trim_end_matches('.');
+        (!name.is_empty()).then(|| name.to_owned())
     });
     written.unwrap_or_else(|| file.format.to_string())
 }

@@ -124,8 +124,11 @@ pub fn explain(scene: &Scene) -> String {
 
 /// The draws that tell how sure the areas are, where something of the scene scatters.
 fn draws(scene: &Scene) -> Option<(&'static str, String)> {
+    if scene.needs.curves.is_empty() {
+        return None;
+    }
     let groups = scattering_groups(scene);
-    let of_scans = scene.surface.made_from.is_some();
+    let of_scans = scene.surface.each().iter().any(|part| part.made_from.is_some());
     let of: Vec<&str> = groups.iter().map(|group| group_in_words(*group, of_scans)).collect();
     let of = listed(&of);
     let choices = scene.uncertainty.as_ref();

@@ -96,7 +96,7 @@ fn what_was_drawn(uncertainty: &Uncertainty) -> String {
     ];
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
     format!(
-        "{} coverage intervals, equal-tailed, from {}; {}.",
+        "{} coverage intervals from {}; {}.",
         level(uncertainty),
         counted(uncertainty.draws, "draw"),
         kinds.join("; ")
@@ -138,6 +138,10 @@ fn guesses(uncertainty: &Uncertainty) -> Vec<String> {
             let name = uncertainty.instruments.get(*instrument)?.name.text();
             Some(format!("{name} has {}, too few to say how places differ", counted(*scans, "scan")))
         }
+        Guess::DrawsWithoutArea { draws, of } => Some(format!(
+            "{draws} of {} leave the range of a model, and its interval is that of the others",
+            counted(*of, "draw")
+        )),
         Guess::FewDraws { draws } => Some(format!("it rests on {}", counted(*draws, "draw"))),
         Guess::SpectrumWithoutErrors { name } => Some(format!(
             "nothing is known of the scatter of {name}, which has no standard errors; it holds that of the other inputs alone"
@@ -157,7 +161,7 @@ fn misfit(uncertainty: &Uncertainty, overlap: &OverlapMisfit) -> Option<String> 
         false => "more than scatter and calibrations explain",
     };
     Some(format!(
-        "{} and {} differ by a factor {} in the spectrum where both measure, from {} to {} (standard uncertainty {}): {found}.",
+        "{} and {} differ by a factor {} in the spectrum where both measure, from {} to {} (standard uncertainty a factor {}): {found}.",
         first.name.text(),
         second.name.text(),
         three_digits(overlap.misfit.abs().exp()),
@@ -247,6 +251,10 @@ fn leading<'u>(
     area: &AreaInterval,
     part: usize,
 ) -> Option<&'u InstrumentInput> {
+    // Of two surfaces the spectrum of the other may carry as much.
+    if !uncertainty.spectrum_errors.is_empty() {
+        return None;
+    }
     if let [only] = &uncertainty.instruments[..] {
         return Some(only);
     }
@@ -263,6 +271,6 @@ fn scatter_of(instrument: &InstrumentInput) -> String {
         Resampled::Scans(1) => format!("the scatter of one {name} scan"),
         Resampled::Scans(scans) => format!("the scatter of {} {name} scans", number_word(scans)),
         Resampled::BlocksOfLines(_) => format!("the scatter along the one {name} map"),
-        Resampled::SingleLine => format!("the scatter of the one {name} line"),
+        Resampled::SingleLine => format!("the scatter of the one {name} scan"),
     }
 }

@@ -116,6 +116,26 @@ impl CompositeSpectrum {
         (1..self.scans.len()).map(|y| (y - 1, y)).filter(is_pair)
     }
 
+    /// The place that each scan is of, by the index of the first scan there: the two spectra of one map are of one place, and so is
+    /// the same data given twice.
+    #[must_use]
+    pub fn places(&self) -> Vec<usize> {
+        let mut places: Vec<usize> = Vec::new();
+        for at in 0..self.scans.len() {
+            let repeats = self.repeated.iter().find(|(_, second)| *second == at).map(|(first, _)| *first);
+            let is_second_axis = self.both_directions().any(|(_, y)| y == at);
+            let same_as = repeats.or(is_second_axis.then(|| at - 1));
+            places.push(same_as.map_or(at, |other| places[other]));
+        }
+        places
+    }
+
+    /// How many places there are.
+    #[must_use]
+    pub fn place_count(&self) -> usize {
+        self.places().iter().enumerate().filter(|(at, place)| at == *place).count()
+    }
+
     /// Whether the two are those of one map along both axes, which are no two instruments.
     fn is_one_map(&self, overlap: &Overlap) -> bool {
         self.both_directions().any(|pair| pair == (overlap.first, overlap.second))

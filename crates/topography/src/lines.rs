@@ -86,6 +86,8 @@ impl<'a> MapLines<'a> {
             add_power(&mut sums.power_m2, values);
             if let Some(part) = self.part_of(row) {
                 add_power(sums.part(part, bins), values);
+            }
+            if self.rows.count() > 1 {
                 sums.first_bins_m.extend(&values[..bins.min(FIRST_BINS)]);
             }
         }

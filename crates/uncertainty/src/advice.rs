@@ -5,6 +5,7 @@ use study::plan::{Cutoffs, Results, Work};
 
 use spectrum::ProfilePsd;
 use study::features::convergence;
+use study::models::Framework;
 
 use crate::areas::Areas;
 use crate::draws::Drawn;
@@ -36,6 +37,9 @@ pub(crate) const TELLING_SCANS: usize = 3;
 
 /// The mean square slope has a limit where the spectrum falls more steeply than this.
 const STEEP: f64 = -3.0;
+
+/// The mean square curvature, which sets the radius of asperities, has one where it falls more steeply than this.
+const STEEP_FOR_RADII: f64 = -5.0;
 
 /// An area that moves by less than this when the spectrum goes on has settled.
 const SETTLED_WITHIN: f64 = 0.01;
@@ -293,9 +297,12 @@ impl Adviser<'_> {
         let followed = self.areas.curves()[curve].cutoffs == Cutoffs::Every;
         let points = self.results.curves[curve].area_fractions(load);
         let settled = convergence(&points, SETTLED_WITHIN).is_some_and(|found| found.converged);
+        let entry = self.areas.curves()[curve].model.entry();
+        let has_radii = entry.framework == Framework::Statistical && !entry.takes_moments();
+        let steep = if has_radii { STEEP_FOR_RADII } else { STEEP };
         match PowerLaw::at(End::Short, psd) {
             _ if followed && settled => Settling::HasSettled,
-            Some(PowerLaw { slope, standard_error }) if slope < STEEP => {
+            Some(PowerLaw { slope, standard_error }) if slope < steep => {
                 Settling::WillSettle { slope, standard_error }
             }
             Some(PowerLaw { slope, standard_error }) => Settling::CannotSettle { slope, standard_error },
@@ -383,12 +390,13 @@ fn decades(psd: &ProfilePsd, influence: &Influence, parts: &[Vec<f64>]) -> Vec<D
     }
     let wavelengths_m = psd.wavelengths_m();
     let starts: Vec<f64> = influence.starts().map(|sample| wavelengths_m[sample]).collect();
-    let decade = |wavelength_m: f64| (wavelength_m.log10() + 1e-9).floor();
+    // A wavelength at the end of a decade is its longest.
+    let decade = |wavelength_m: f64| (wavelength_m.log10() - 1e-9).ceil();
     let mut found: Vec<DecadeOfVariance> = Vec::new();
     for (part, start_m) in starts.iter().enumerate() {
         let share =
             inside().map(|(parts, total)| parts[part] * (total - mean)).sum::<f64>() / count / variance;
-        let longest_m = 10f64.powf(decade(*start_m) + 1.0);
+        let longest_m = 10f64.powf(decade(*start_m));
         match found.last_mut() {
             Some(last) if last.longest_m == longest_m => last.share += share,
             _ => found.push(DecadeOfVariance { longest_m, shortest_m: 0.1 * longest_m, share }),

@@ -8,7 +8,7 @@ use crate::advice::{Adviser, TELLING_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
 use crate::draws::{self, Along, Drawn};
-use crate::found::{AreaBand, AreaInterval, Guess, Resampled, Uncertainty};
+use crate::found::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::group::Indices;
 use crate::inputs::Inputs;
 use crate::quantiles::{bias_corrected_interval, interval};
@@ -29,6 +29,9 @@ pub struct UncertaintyPlan<'p> {
 /// With fewer draws than this nothing is told.
 const FEWEST_DRAWS: usize = 20;
 
+/// The share of draws that have to have an area for an interval of them.
+const LEAST_WITH_AREA: f64 = 0.9;
+
 /// The level of the narrower interval, that of one standard uncertainty of a normal distribution.
 const ONE_STANDARD_UNCERTAINTY: f64 = 0.68;
 
@@ -38,8 +41,12 @@ impl<'p> UncertaintyPlan<'p> {
     pub fn of(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
         let inputs = Inputs::of(scene, settings.seed)?;
         let areas = Areas::of(scene, results);
-        let last =
-            |curve: usize, load| results.curves[curve].area_fractions(load).last().map(|point| point.1);
+        let shortest_m = results.psd.shortest_wavelength_m();
+        let last = |curve: usize, load| {
+            let last = results.curves[curve].area_fractions(load).last().copied();
+            last.filter(|(wavelength_m, _)| *wavelength_m == shortest_m)
+                .map(|(_, area_fraction)| area_fraction)
+        };
         let area_fractions: Vec<Option<f64>> = (0..areas.curves().len())
             .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
             .collect();
@@ -68,20 +75,22 @@ impl<'p> UncertaintyPlan<'p> {
         work += of_bands;
         plans += along.len();
         let mut bands = Vec::new();
-        if let Some((best, of_best)) = self.best_along() {
+        let are_all = along.len() == self.draws_of_bands();
+        if let Some((best, of_best)) = self.best_along().filter(|_| are_all) {
             bands = self.bands(&along, &best);
             work += of_best;
             plans += 1;
         }
         let shares = self.design().carry_out(&self.inputs, &self.areas, &drawn, progress);
-        let ended_early = draws < self.settings.draws || shares.is_none() || progress.is_cancelled();
+        let is_incomplete = draws < self.settings.draws || shares.is_none() || progress.is_cancelled();
         let (indices, of_shares, plans_of_shares) = shares.unwrap_or_default();
         work += of_shares;
         plans += plans_of_shares;
-        let (advice, of_advice, plans_of_advice) = match ended_early {
+        let (advice, of_advice, plans_of_advice) = match is_incomplete {
             true => (Vec::new(), Work::default(), 0),
             false => self.adviser(&drawn, &indices).advice(progress),
         };
+        let ended_early = is_incomplete || progress.is_cancelled();
         work += of_advice;
         plans += plans_of_advice;
         let (areas, of_best) = self.intervals_of(&drawn, &indices);
@@ -103,8 +112,14 @@ impl<'p> UncertaintyPlan<'p> {
             plans,
         };
         self.tell_inputs(&mut found);
-        if ended_early && draws < self.settings.draws {
+        if draws < self.settings.draws {
             found.guesses.push(Guess::FewDraws { draws });
+        }
+        let without =
+            |area: &AreaInterval| draws - drawn.of(area.curve * self.areas.loads() + area.load).len();
+        let most_without = found.areas.iter().map(without).max().unwrap_or(0);
+        if most_without > 0 {
+            found.guesses.push(Guess::DrawsWithoutArea { draws: most_without, of: draws });
         }
         Ok(found)
     }
@@ -184,6 +199,11 @@ impl<'p> UncertaintyPlan<'p> {
         indices: &[Vec<Indices>],
     ) -> Option<AreaInterval> {
         let ln_areas = drawn.of(area);
+        if (ln_areas.len() as f64) < LEAST_WITH_AREA * drawn.ln_areas.len() as f64 {
+            return None;
+        }
+        // What calibrations and data sheets alone leave open is told as it is drawn.
+        let best = best.filter(|_| self.inputs.surface_scatters());
         let at_level = |level| match best {
             Some(best) => bias_corrected_interval(&ln_areas, best, level),
             None => interval(&ln_areas, level),
@@ -209,13 +229,10 @@ impl<'p> UncertaintyPlan<'p> {
             match part {
                 SurfaceScatter::Scans(scans) => {
                     let first = found.instruments.len();
-                    let few = scans.told.iter().enumerate().filter_map(|(at, told)| {
-                        let scans = match told.resampled {
-                            Resampled::Scans(places) => places,
-                            Resampled::BlocksOfLines(_) | Resampled::SingleLine => 1,
-                        };
-                        let guess = Guess::FewScans { instrument: first + at, scans };
-                        (scans < TELLING_SCANS).then_some(guess)
+                    let few = (0..scans.told.len()).filter_map(|at| {
+                        let places = scans.places_in_a_bin(at);
+                        let guess = Guess::FewScans { instrument: first + at, scans: places };
+                        (places < TELLING_SCANS).then_some(guess)
                     });
                     found.guesses.extend(few);
                     found.instruments.extend(scans.told.iter().cloned());

@@ -46,9 +46,11 @@ pub struct AreaInterval {
     pub load: usize,
     /// The area fraction of the plain run, at the shortest wavelength.
     pub area_fraction: f64,
-    /// The median of the draws.
+    /// The median of the draws, corrected for bias where the surface scatters.
     pub median: f64,
-    /// The lower end of the interval: as many draws lie below as above the upper one.
+    /// The lower end of the interval, which leaves as much probability below as the upper one above; of draws as they are where
+    /// the surface is taken for exact, and else corrected for bias
+    /// ([`bias_corrected_interval`](crate::quantiles::bias_corrected_interval)).
     pub low: f64,
     /// The upper end.
     pub high: f64,
@@ -90,7 +92,7 @@ pub enum Resampled {
     Scans(usize),
     /// So many blocks of lines of the one map.
     BlocksOfLines(usize),
-    /// Nothing: one line, of which the scatter of its own Fourier bins is known.
+    /// Nothing: one scan of few lines, of which the scatter of its own Fourier bins is known.
     SingleLine,
 }
 
@@ -99,7 +101,7 @@ pub enum Resampled {
 pub struct InstrumentInput {
     /// Its name.
     pub name: InstrumentName,
-    /// How many scans it has.
+    /// At how many places it has scanned.
     pub scans: usize,
     /// What stands for their scatter.
     pub resampled: Resampled,
@@ -158,6 +160,13 @@ pub enum Guess {
         instrument: usize,
         /// How many it has.
         scans: usize,
+    },
+    /// Some draws leave the range of a model, so that its interval is that of the others.
+    DrawsWithoutArea {
+        /// How many have no area, of the area that has fewest.
+        draws: usize,
+        /// Of how many.
+        of: usize,
     },
     /// The draws were ended early.
     FewDraws {

@@ -31,6 +31,8 @@ pub(crate) struct InstrumentBin {
     pub ln_q: f64,
     /// Mean of ln C over its scans.
     pub ln_mean: f64,
+    /// How many places have a scan that reaches it.
+    pub places: usize,
     /// How far the scan of each place, or the part of the map, lies off that mean.
     pub deviations: Vec<(usize, f64)>,
     /// What those do not show.

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use measurements::CompositeOfFiles;
-use scans::Axis;
 use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
 
 use crate::found::{InstrumentInput, InstrumentName, Resampled};
@@ -21,7 +20,7 @@ pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec
             distinct.push(name);
         }
     }
-    let places = places(scans);
+    let places = scans.spectrum.places();
     let own = |name: &str| (0..names.len()).filter(|&scan| names[scan] == name).collect::<Vec<_>>();
     let of_instruments: Vec<OwnScans<'_>> =
         distinct.iter().map(|name| OwnScans::of(scans, &own(name), &places)).collect();
@@ -31,28 +30,12 @@ pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec
     (bins, told)
 }
 
-/// The place of every scan by number: the two spectra of one map are of one place, and so is the same data given twice.
-fn places(scans: &CompositeOfFiles) -> Vec<usize> {
-    let found = &scans.spectrum;
-    let mut places: Vec<usize> = Vec::new();
-    for at in 0..found.scans.len() {
-        let axis = |scan: usize| found.scans[scan].axis;
-        let repeats = found.repeated.iter().find(|(_, second)| *second == at).map(|(first, _)| *first);
-        let is_second_axis = at > 0 && axis(at - 1) == Some(Axis::X) && axis(at) == Some(Axis::Y);
-        let same_as = repeats.or(is_second_axis.then(|| at - 1));
-        places.push(same_as.map_or(at, |other| places[other]));
-    }
-    places
-}
-
 /// The scatter between places is known of instruments with several; the others are taken to have as much.
 fn lend_place_scatter(instruments: &mut [InstrumentBins], own: &[OwnScans<'_>]) {
-    let known: Vec<f64> =
-        own.iter().filter(|own| own.places.len() > 1).map(OwnScans::place_variance).collect();
+    let known: Vec<f64> = own.iter().filter_map(OwnScans::place_variance).collect();
     let mean = if known.is_empty() { 0.0 } else { known.iter().sum::<f64>() / known.len() as f64 };
     for (instrument, own) in instruments.iter_mut().zip(own) {
-        let variance = if own.places.len() > 1 { own.place_variance() } else { mean };
-        instrument.place_sd = variance.sqrt();
+        instrument.place_sd = own.place_variance().unwrap_or(mean).sqrt();
     }
 }
 
@@ -130,30 +113,36 @@ impl<'s> OwnScans<'s> {
         let ln_of_places = self.ln_of_places(scans);
         let ln_mean = ln_of_places.iter().map(|(_, ln)| ln).sum::<f64>() / ln_of_places.len() as f64;
         let (deviations, beside) = match (self.only_map(), ln_of_places.len()) {
-            (Some(_), _) => parts(first),
-            (None, 1) => (Vec::new(), own_bins(first)),
-            (None, _) => {
-                (ln_of_places.iter().map(|(place, ln)| (*place, ln - ln_mean)).collect(), Beside::Nothing)
-            }
+            (Some(_), _) if !first.of_parts_m3.is_empty() => parts(first),
+            (_, 1) => (Vec::new(), own_bins(first)),
+            _ => (ln_of_places.iter().map(|(place, ln)| (*place, ln - ln_mean)).collect(), Beside::Nothing),
         };
-        Some(InstrumentBin { weight, ln_q: -bin.wavelength_m.ln() - middle, ln_mean, deviations, beside })
+        Some(InstrumentBin {
+            places: ln_of_places.len(),
+            weight,
+            ln_q: -bin.wavelength_m.ln() - middle,
+            ln_mean,
+            deviations,
+            beside,
+        })
     }
 
-    /// ln C at each place, of several scans there their mean.
+    /// ln C at each place without bias, however the composite is averaged; of several scans there their mean.
     fn ln_of_places(&self, scans: &[(usize, &ScanBin)]) -> Vec<(usize, f64)> {
         let at_place = |place: usize| {
             let ln: Vec<f64> = scans
                 .iter()
                 .filter(|(at, _)| self.place_of[*at] == place)
-                .map(|(_, bin)| self.average().counted_m3(bin).ln())
+                .map(|(_, bin)| Average::LogUnbiased.counted_m3(bin).ln())
                 .collect();
             (!ln.is_empty()).then(|| (place, ln.iter().sum::<f64>() / ln.len() as f64))
         };
         (0..self.places.len()).filter_map(at_place).collect()
     }
 
-    /// The variance of ln C between places beyond what the Fourier bins of each scan make, over the bins that several reach.
-    fn place_variance(&self) -> f64 {
+    /// The variance of ln C between places beyond what the Fourier bins of each scan make, over the bins that several reach; none
+    /// where there is no such bin.
+    fn place_variance(&self) -> Option<f64> {
         let of_bin = |scans: &Vec<(usize, &ScanBin)>| {
             let places = self.ln_of_places(scans);
             let count = places.len() as f64;
@@ -164,7 +153,8 @@ impl<'s> OwnScans<'s> {
             (places.len() > 1).then(|| squares / (count - 1.0) - own)
         };
         let of_bins: Vec<f64> = self.in_bins.iter().filter_map(of_bin).collect();
-        if of_bins.is_empty() { 0.0 } else { (of_bins.iter().sum::<f64>() / of_bins.len() as f64).max(0.0) }
+        let mean = of_bins.iter().sum::<f64>() / of_bins.len() as f64;
+        (!of_bins.is_empty()).then(|| mean.max(0.0))
     }
 
     fn told(&self, bins: &InstrumentBins) -> InstrumentInput {
@@ -178,7 +168,7 @@ impl<'s> OwnScans<'s> {
                 true => InstrumentName::Guessed(name),
                 false => InstrumentName::Given(name),
             },
-            scans: self.own.len(),
+            scans: self.places.len(),
             resampled: match (self.places.len(), self.only_map()) {
                 (1, Some(_)) => Resampled::BlocksOfLines(bins.units),
                 (1, None) => Resampled::SingleLine,

@@ -94,12 +94,11 @@ pub fn bias_corrected_interval(draws: &[f64], best: f64, level: f64) -> Option<I
         let by_off = 2.0 * off_error * (plain.high.value - plain.low.value) / (2.0 * half);
         Quantile { standard_error: end.standard_error.hypot(by_off), ..end }
     };
-    Some(Interval {
-        low: moved(at(-half)),
-        median: moved(at(0.0)),
-        high: moved(at(half)),
-        length_standard_error: plain.length_standard_error,
-    })
+    let (low, high) = (at(-half), at(half));
+    // The length is known no better than that of the plain interval, whose ends are farther from the outermost draws.
+    let of_ends = low.standard_error.hypot(high.standard_error);
+    let length_standard_error = of_ends.max(plain.length_standard_error);
+    Some(Interval { low: moved(low), median: moved(at(0.0)), high: moved(high), length_standard_error })
 }
 
 fn quantile(sorted: &[f64], probability: f64) -> Quantile {

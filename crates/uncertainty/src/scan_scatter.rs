@@ -84,6 +84,14 @@ impl ScanScatter {
         self.composed(&no_places, &self.of_gains(self.gains.mean()))
     }
 
+    /// How many places an instrument has in the bins that it reaches, in half of them at least.
+    pub fn places_in_a_bin(&self, instrument: usize) -> usize {
+        let instrument = &self.instruments[instrument];
+        let mut places: Vec<usize> = instrument.bins.iter().flatten().map(|bin| bin.places).collect();
+        places.sort_unstable();
+        places.get(places.len() / 2).copied().unwrap_or(0)
+    }
+
     /// For every instrument, all gains if its own were known exactly.
     pub fn gains_without_each(&self) -> Vec<Gains> {
         (0..self.instruments.len()).map(|instrument| self.gains.without(instrument)).collect()

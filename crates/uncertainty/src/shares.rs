@@ -19,6 +19,12 @@ const ALL: Indices = Indices {
     total: Index { value: 1.0, standard_error: 0.0 },
 };
 
+/// Of what does not vary there is nothing to share out.
+const NOTHING: Indices = Indices {
+    first_order: Index { value: 0.0, standard_error: 0.0 },
+    total: Index { value: 0.0, standard_error: 0.0 },
+};
+
 /// Saltelli's design over the groups that scatter: A and B are draws that were made already, as far as they go.
 pub(crate) struct Design {
     /// Draws of A, and as many of B.
@@ -46,7 +52,12 @@ impl Design {
     ) -> Option<(Vec<Vec<Indices>>, Work, usize)> {
         let groups = &inputs.groups;
         if groups.len() < 2 {
-            return Some((vec![vec![ALL; groups.len()]; areas.count()], Work::default(), 0));
+            let of_area = |area: usize| {
+                let draws = made.of(area);
+                let varies = draws.iter().any(|draw| *draw != draws[0]);
+                vec![if varies { ALL } else { NOTHING }; groups.len()]
+            };
+            return Some(((0..areas.count()).map(of_area).collect(), Work::default(), 0));
         }
         let (size, known) = (self.size, made.ln_areas.len());
         let missing = (2 * size).saturating_sub(known);
@@ -86,8 +97,12 @@ fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize)
     indices(&a, &b, &ab)
 }
 
-/// The indices of a group among those that scatter.
+/// The largest standard error of a share that is told.
+const LARGEST_ERROR: f64 = 0.1;
+
+/// The first-order index of a group, where it scatters and its index is known.
 pub(crate) fn first_order(groups: &[Group], indices: &[Indices], group: Group) -> Option<f64> {
     let at = groups.iter().position(|other| *other == group)?;
-    Some(indices.get(at)?.first_order.value)
+    let index = indices.get(at)?.first_order;
+    (index.standard_error <= LARGEST_ERROR).then_some(index.value)
 }

@@ -132,13 +132,13 @@ impl Scene {
     /// single scan something is known, too, which counts where the scene has a section on its uncertainty.
     pub fn scatters(&self) -> bool {
         let parts = self.surface.each();
-        let scans = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.scans.len()));
-        let least_scans = if self.uncertainty.is_some() { 1 } else { 2 };
+        let places = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.place_count()));
+        let least_places = if self.uncertainty.is_some() { 1 } else { 2 };
         let has_errors = |part: &&Surface| {
             let errors_m3 = part.psd.standard_errors_m3().unwrap_or_default();
             part.made_from.is_none() && errors_m3.iter().flatten().any(|error_m3| *error_m3 > 0.0)
         };
-        scans.sum::<usize>() >= least_scans || parts.iter().any(has_errors) || !self.spreads.is_empty()
+        places.sum::<usize>() >= least_places || parts.iter().any(has_errors) || !self.spreads.is_empty()
     }
 
     /// What carries the scene out.
