@@ -135,8 +135,18 @@ impl SeparationLaw {
         let first_pa = (2.0 * stretch.variance_pa2).sqrt().max(from_pa).max(1e-18 * last_pa);
         let mut end_pa = last_pa;
         while end_pa > first_pa {
-            let slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / MOST_GROWTH;
-            let start_pa = first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
+            let mut slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / MOST_GROWTH;
+            let start =
+                |slower_rad_per_m| first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
+            let mut start_pa = start(slower_rad_per_m);
+            // Where a spectrum falls by powers of ten within a stretch, v stays what it is to rounding over much of it.
+            while start_pa >= end_pa && slower_rad_per_m > stretch.wavevector_rad_per_m {
+                slower_rad_per_m /= MOST_GROWTH;
+                start_pa = start(slower_rad_per_m);
+            }
+            if start_pa >= end_pa {
+                break;
+            }
             for (v_pa, weight) in self.rule.over(start_pa, end_pa) {
                 term(v_pa, weight / stretch.wavevector_rad_per_m(v_pa));
             }
@@ -180,7 +190,9 @@ impl Stretch {
 
     fn wavevector_rad_per_m(&self, v_pa: f64) -> f64 {
         let grown = self.growth_per_pa2 * (0.5 * v_pa * v_pa - self.variance_pa2);
-        self.wavevector_rad_per_m * (libm::log1p(grown) / self.exponent).exp()
+        let wavevector_rad_per_m = self.wavevector_rad_per_m * (libm::log1p(grown) / self.exponent).exp();
+        // Rounding may lead beyond the end, and to no number at all, where v hardly grows any more.
+        wavevector_rad_per_m.min(self.end_rad_per_m)
     }
 
     /// v at a wavevector, that of the beginning where it is smaller.
@@ -248,5 +260,28 @@ impl Energy {
             (self.factor * libm::expm1(-t * t) + slipped) / t
         };
         self.rule.over(from, to).map(|(t, weight)| weight * regular(t)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spectrum_that_falls_by_powers_of_ten_has_an_end() {
+        // Between neighbouring samples the variance is all there at the beginning, or all at the end.
+        for exponent in [-90.0, -900.0, 90.0] {
+            let knot = |wavevector_rad_per_m, variance_pa2| SeparationKnot {
+                wavevector_rad_per_m,
+                variance_pa2,
+                variance_exponent: exponent,
+            };
+            let knots = [knot(1e6, 0.0), knot(1.26e6, 1e18), knot(1.6e6, 1e18 + 1e5), knot(2e6, 2e18)];
+            let law = SeparationLaw::new(&knots, 1e11, 0.45);
+            let found = law.along(1e7);
+            assert!(found.iter().all(|cut| cut.mean_gap_m.is_finite()), "{found:?}");
+            assert!(found.windows(2).all(|pair| pair[1].mean_gap_m >= pair[0].mean_gap_m));
+            assert!(law.light_loads().is_some_and(|loads| loads.decay_length_m.is_finite()));
+        }
     }
 }

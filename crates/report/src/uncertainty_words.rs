@@ -177,8 +177,10 @@ pub(crate) fn is_as_expected(overlap: &OverlapMisfit) -> bool {
 }
 
 fn errors_of_spectrum(errors: &SpectrumErrors) -> String {
+    let others =
+        if errors.samples < errors.of { ", the others are taken to have their neighbours'" } else { "" };
     format!(
-        "{}: {} of {} have a standard error; errors are taken to go together over {} decades of wavelength.",
+        "{}: {} of {} have a standard error{others}; errors are taken to go together over {} decades of wavelength.",
         errors.name,
         errors.samples,
         counted(errors.of, "sample"),

@@ -232,7 +232,7 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
         "The draws were ended after 312 of 1000: intervals rest on these, and there is no advice.",
         "The interval is a guess: it rests on 312 draws.",
         "nothing is known of the scatter of s.csv",
-        "t.csv: 90 of 94 samples have a standard error; errors are taken to go together over 0.5 decades of wavelength.",
+        "t.csv: 90 of 94 samples have a standard error, the others are taken to have their neighbours'; errors are taken to go together over 0.5 decades of wavelength.",
         "type A: the standard errors of the spectrum;",
     ] {
         assert!(words.contains(said), "{said}\n{words}");

@@ -112,7 +112,8 @@ impl<'p> UncertaintyPlan<'p> {
             plans,
         };
         self.tell_inputs(&mut found);
-        if draws < self.settings.draws {
+        let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
+        if draws < self.settings.draws || beyond_an_end < 1.0 {
             found.guesses.push(Guess::FewDraws { draws });
         }
         let without =

@@ -168,7 +168,7 @@ pub enum Guess {
         /// Of how many.
         of: usize,
     },
-    /// The draws were ended early.
+    /// The draws were ended early, or are so few that none lies beyond an end.
     FewDraws {
         /// How many there are.
         draws: usize,

@@ -14,9 +14,9 @@ use crate::instrument_bins::{InstrumentBin, InstrumentBins};
 use crate::instruments::instruments;
 use crate::overlap::overlaps;
 
-/// The largest deviation of ln C that a draw may have. Student's t of two scans has no variance; what lies beyond a factor of
-/// e^20 is beyond the ends of every interval that is told, and must not leave the range of doubles.
-const MOST: f64 = 20.0;
+/// The largest deviation of ln C that a draw may have, a factor of 22,000: Student's t of two scans has no variance, and an
+/// interval that reaches so far says that nothing is known.
+const MOST: f64 = 10.0;
 
 /// What there is to draw a composite of scans from.
 #[derive(Debug)]

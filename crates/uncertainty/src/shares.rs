@@ -7,6 +7,7 @@ use crate::areas::Areas;
 use crate::draws::{self, Drawn};
 use crate::group::{Group, Index, Indices};
 use crate::inputs::Inputs;
+use crate::quantiles::interval;
 use crate::sobol::indices;
 use crate::surface_scatter::DrawOf;
 
@@ -94,7 +95,34 @@ fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize)
             ab.push(of_mixed);
         }
     }
+    let tails = Tails::of(a.iter().chain(&b).copied().collect());
+    let [a, b, ab] =
+        [a, b, ab].map(|draws| draws.into_iter().map(|draw| tails.held(draw)).collect::<Vec<_>>());
     indices(&a, &b, &ab)
+}
+
+/// Draws so far out that they would make all of the variance: Student's distribution of few scans has none. Such tails are held
+/// at the ends of the interval of 95 %, which they do not move.
+struct Tails {
+    ends: [f64; 2],
+}
+
+impl Tails {
+    /// A range of so many intervals marks tails; that of a thousand normal draws is 1.7.
+    const HEAVY: f64 = 2.5;
+
+    fn of(draws: Vec<f64>) -> Self {
+        let everything = Tails { ends: [f64::NEG_INFINITY, f64::INFINITY] };
+        let Some(found) = interval(&draws, 0.95) else { return everything };
+        let ends = [found.low.value, found.high.value];
+        let range = draws.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+            - draws.iter().copied().fold(f64::INFINITY, f64::min);
+        if range > Self::HEAVY * (ends[1] - ends[0]) { Tails { ends } } else { everything }
+    }
+
+    fn held(&self, draw: f64) -> f64 {
+        draw.clamp(self.ends[0], self.ends[1])
+    }
 }
 
 /// The largest standard error of a share that is told.

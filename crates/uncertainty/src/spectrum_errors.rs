@@ -14,7 +14,7 @@ pub const CORRELATION_DECADES: f64 = 0.5;
 #[derive(Debug)]
 pub(crate) struct ErrorsOfSpectrum {
     psd: ProfilePsd,
-    /// Standard deviation of ln C at each wavelength; 0 where the file has no error.
+    /// Standard deviation of ln C at each wavelength; where the file has none, that of the nearest sample with one.
     sd: Vec<f64>,
     /// The correlation with the wavelength before.
     with_last: Vec<f64>,
@@ -32,12 +32,13 @@ impl ErrorsOfSpectrum {
             let relative = error_m3.unwrap_or(0.0) / value_m3;
             (0.5 * (1.0 + (1.0 + 4.0 * relative * relative).sqrt())).ln().sqrt()
         };
-        let sd: Vec<f64> = psd.c1d_m3().iter().zip(errors_m3).map(sd).collect();
+        let known: Vec<f64> = psd.c1d_m3().iter().zip(errors_m3).map(sd).collect();
+        let sd = with_neighbours(&known, errors_m3);
         let decades = |pair: &[f64]| (pair[0] / pair[1]).log10();
         let steps = psd.wavelengths_m().windows(2).map(|pair| (-decades(pair) / CORRELATION_DECADES).exp());
         let told = SpectrumErrors {
             name: name.to_owned(),
-            samples: sd.iter().filter(|sd| **sd > 0.0).count(),
+            samples: known.iter().filter(|sd| **sd > 0.0).count(),
             of: sd.len(),
             correlation_decades: CORRELATION_DECADES,
         };
@@ -68,6 +69,15 @@ impl ErrorsOfSpectrum {
     }
 }
 
+/// The standard deviations, those of samples without an error from their nearest neighbours that have one: no sample is known
+/// exactly because nobody wrote down how well.
+fn with_neighbours(sd: &[f64], errors_m3: &[Option<f64>]) -> Vec<f64> {
+    let known: Vec<usize> = (0..sd.len()).filter(|&at| errors_m3[at].is_some()).collect();
+    let nearest =
+        |at: usize| known.iter().copied().min_by_key(|other| other.abs_diff(at)).map_or(0.0, |at| sd[at]);
+    (0..sd.len()).map(nearest).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,7 +102,8 @@ mod tests {
         assert!((mean(&|draw| draw[5] * draw[5]) / 0.009_852 - 1.0).abs() < 0.03);
         // Half a decade apart: e^-1.
         assert!((mean(&|draw| draw[0] * draw[5]) / variance - (-1f64).exp()).abs() < 0.03);
-        assert!(draws.iter().all(|draw| draw[2] == 0.0));
+        // The third has none of its own: that of its neighbours.
+        assert!((mean(&|draw| draw[2] * draw[2]) / 0.009_852 - 1.0).abs() < 0.03);
         let sd_of_values = mean(&|draw| (2.0 * draw[0].exp() - 2.0).powi(2)).sqrt();
         assert!((sd_of_values / 0.2 - 1.0).abs() < 0.03);
     }

@@ -146,7 +146,7 @@ pub fn found() -> Result<Vec<Found>, String> {
                 let fitted = repeat * plans..(repeat + 1) * plans;
                 let outputs: Vec<&[f64]> = designs.iter().map(|design| &design.a[fitted.clone()]).collect();
                 let coefficients = least_squares(&a[fitted.clone()], &terms, &outputs);
-                coefficients.iter().map(|coefficients| of_polynomial(coefficients, &terms, &a)).collect()
+                coefficients.iter().map(|coefficients| of_polynomial(coefficients, &terms, &b)).collect()
             }));
         }
     }
