@@ -128,7 +128,7 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
-    use super::interval;
+    use super::{bias_corrected_interval, interval};
 
     /// Of the normal distribution at 97.5 %.
     const HIGH: f64 = 1.959_963_984_540_054;
