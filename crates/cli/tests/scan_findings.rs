@@ -69,7 +69,10 @@ fn f_a_2_a_hole_in_a_composite_is_told_in_table_summary_report_and_figure() {
     let fine: Vec<&str> = table.lines().filter(is_fine).collect();
     bench.write(
         "whole.csv",
-        format!("wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,measurements\n{}", fine.join("\n")),
+        format!(
+            "wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,measurements,degrees_of_freedom\n{}",
+            fine.join("\n")
+        ),
     );
     bench.write("w.toml", "[surface]\npsd = \"whole.csv\"\n[[figure]]\nname = \"psd\"\nshows = \"psd\"\n");
     let run = bench.run(&["run", "w.toml"]);

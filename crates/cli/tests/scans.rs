@@ -29,7 +29,12 @@ fn a_composite_is_a_spectrum_that_every_command_takes() {
     assert!(table.starts_with("# truearea 0.1.0: psd coarse.txt:unit=nm fine.txt --unit nm --out psd.csv\n"));
     assert!(table.contains("# composite of 2 scans; detrend: as fits the scan"), "{table}");
     assert!(table.contains("# scan: fine.txt (text), SHA-256 "), "{table}");
-    assert!(table.contains("\nwavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,measurements\n"), "{table}");
+    assert!(
+        table.contains(
+            "\nwavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3,measurements,degrees_of_freedom\n"
+        ),
+        "{table}"
+    );
     // The sinusoid is the highest bin in terms of variance; it is a tenth of a decade wide.
     let (wavelengths, values) = (numbers(&table, "wavelength_m"), numbers(&table, "C1D_m3"));
     let peak = (0..values.len())
@@ -49,8 +54,10 @@ fn a_periodic_sinusoid_has_its_variance() {
         format!("{x_nm} {:.12}", 3.0 * (std::f64::consts::TAU * x_nm / 160.0).sin())
     };
     bench.write("sine.txt", (0..256).map(heights).collect::<Vec<_>>().join("\n"));
+    // A sinusoid is none of the Gaussian surfaces that logarithms are freed from their bias for.
+    let average = ["--average", "log"];
     let args = ["psd", "sine.txt", "--unit", "nm", "--detrend", "mean", "--window", "none", "--per-scan"];
-    let table = bench.run(&args).ok();
+    let table = bench.run(&[&args[..], &average].concat()).ok();
     assert!(table.contains("\nseries,wavelength_m,wavevector_rad_per_m,C1D_m3,C1D_se_m3\nsine.txt,"));
     // sigma^2 = (1/pi) C dq of the one bin, dq = 2 pi/L.
     let highest = numbers(&table, "C1D_m3").into_iter().fold(0.0, f64::max);
