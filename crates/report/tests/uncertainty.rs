@@ -180,8 +180,8 @@ fn an_interval_stands_beside_its_area_with_what_carries_it() {
         "most of it from the scatter of three AFM scans",
         "type A: the scatter of scans between places; type B: the height scales of instruments and the elastic constants",
         "The interval is a guess: stylus has 2 scans, too few to say how places differ.",
-        "stylus and AFM differ by a factor 1.08 in the spectrum where both measure, from 20 µm to 4 µm (standard uncertainty \
-         1.07): as expected.",
+        "stylus and AFM differ by a factor 1.08 in the spectrum where both measure, from 20 µm to 4 µm (standard uncertainty a \
+         factor 1.07): as expected.",
         "Height scale of AFM: 3 % assumed as standard uncertainty; give z_calibration.",
         "AFM (3 scans), guessed from format and maker; give instrument.",
         "ten more AFM scans, at other places: the interval narrows to 62 % of its width.",
