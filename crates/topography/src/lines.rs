@@ -45,10 +45,9 @@ const PARTS: usize = 8;
 /// What a block of rows adds to the spectrum of a map.
 #[derive(Clone, Debug)]
 pub struct LineSums {
-    power_m2: Vec<f64>,
-    variances_m2: f64,
-    /// The same power for every part of the map that the block has rows of, with the part's number.
+    /// For every part of the map that the block has rows of, its number and the power of these rows.
     power_of_parts_m2: Vec<(usize, Vec<f64>)>,
+    variances_m2: f64,
     /// The first bins of each row, row after row.
     first_bins_m: Vec<Complex<f64>>,
 }
@@ -74,19 +73,13 @@ impl<'a> MapLines<'a> {
     pub fn block(&self, block: usize) -> LineSums {
         let mut transform = self.transform.clone();
         let bins = self.rows.points / 2;
-        let mut sums = LineSums {
-            power_m2: vec![0.0; bins],
-            variances_m2: 0.0,
-            power_of_parts_m2: Vec::new(),
-            first_bins_m: Vec::new(),
-        };
+        let mut sums =
+            LineSums { power_of_parts_m2: Vec::new(), variances_m2: 0.0, first_bins_m: Vec::new() };
         for (row, heights_m) in self.rows.block(block) {
             sums.variances_m2 += transform.run(&self.trend, row, heights_m).variance();
             let values = &transform.output[1..];
-            add_power(&mut sums.power_m2, values);
-            if let Some(part) = self.part_of(row) {
-                add_power(sums.part(part, bins), values);
-            }
+            let power_m2 = sums.power_of_part_m2(self.part_of(row), bins);
+            power_m2.iter_mut().zip(values).for_each(|(power_m2, value)| *power_m2 += value.norm_sqr());
             if self.rows.count() > 1 {
                 sums.first_bins_m.extend(&values[..bins.min(FIRST_BINS)]);
             }
@@ -94,18 +87,24 @@ impl<'a> MapLines<'a> {
         sums
     }
 
-    /// The part of the map that a row belongs to; none where each part would be less than two rows.
-    fn part_of(&self, row: usize) -> Option<usize> {
-        let rows = self.rows.count();
-        (rows >= 2 * PARTS).then(|| row * PARTS / rows)
+    /// The part of the map that a row belongs to.
+    fn part_of(&self, row: usize) -> usize {
+        row * self.parts() / self.rows.count()
+    }
+
+    /// How many parts there are: one where each of several would be less than two rows.
+    fn parts(&self) -> usize {
+        if self.rows.count() >= 2 * PARTS { PARTS } else { 1 }
     }
 
     /// The spectrum from the sums of all blocks, in their order.
     pub fn spectrum(&self, sums: &[LineSums]) -> LineSpectrum {
-        let mut power_m2 = vec![0.0; self.rows.points / 2];
-        for sums in sums {
-            power_m2.iter_mut().zip(&sums.power_m2).for_each(|(total, part)| *total += part);
+        let mut parts_m2 = vec![vec![0.0; self.rows.points / 2]; self.parts()];
+        for (part, of_block_m2) in sums.iter().flat_map(|sums| &sums.power_of_parts_m2) {
+            add(&mut parts_m2[*part], of_block_m2);
         }
+        let mut power_m2 = vec![0.0; self.rows.points / 2];
+        parts_m2.iter().for_each(|of_part_m2| add(&mut power_m2, of_part_m2));
         let variances_m2 = sums.iter().map(|sums| sums.variances_m2).sum();
         let Rows { spacing_m, points, .. } = self.rows;
         let flagged_bins = self.preparation.flagged_bins();
@@ -113,38 +112,29 @@ impl<'a> MapLines<'a> {
         let spectrum = |lines, power_m2| {
             LineSpectrum::of_even_spacing(spacing_m, points, lines, power_m2, variances_m2, flagged_bins)
         };
-        let rows_of_part = |part| (0..lines).filter(|&row| self.part_of(row) == Some(part)).count();
-        let parts = power_of_parts_m2(sums, points / 2).into_iter().enumerate();
-        let of_parts = parts.map(|(part, power_m2)| spectrum(rows_of_part(part), power_m2).c1d_m3).collect();
+        let rows_of_part = |part| (0..lines).filter(|&row| self.part_of(row) == part).count();
+        let several = parts_m2.into_iter().enumerate().filter(|_| self.parts() > 1);
+        let of_parts =
+            several.map(|(part, power_m2)| spectrum(rows_of_part(part), power_m2).c1d_m3).collect();
         let first_bins_m: Vec<&[Complex<f64>]> = sums.iter().map(|sums| &sums.first_bins_m[..]).collect();
         let independent = independent_lines(&first_bins_m.concat(), FIRST_BINS.min(points / 2));
         LineSpectrum { of_parts, independent, ..spectrum(lines, power_m2) }
     }
 }
 
-fn add_power(power_m2: &mut [f64], values: &[Complex<f64>]) {
-    power_m2.iter_mut().zip(values).for_each(|(power_m2, value)| *power_m2 += value.norm_sqr());
+fn add(total: &mut [f64], part: &[f64]) {
+    total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
 }
 
 impl LineSums {
-    /// The power of a part, of which rows come one after the other.
-    fn part(&mut self, part: usize, bins: usize) -> &mut [f64] {
+    /// The power of a part, whose rows come one after the other.
+    fn power_of_part_m2(&mut self, part: usize, bins: usize) -> &mut [f64] {
         if self.power_of_parts_m2.last().is_none_or(|(last, _)| *last != part) {
             self.power_of_parts_m2.push((part, vec![0.0; bins]));
         }
         let last = self.power_of_parts_m2.len() - 1;
         &mut self.power_of_parts_m2[last].1
     }
-}
-
-/// The power of every part of a map; none where it has no parts.
-fn power_of_parts_m2(sums: &[LineSums], bins: usize) -> Vec<Vec<f64>> {
-    let mut parts: Vec<Vec<f64>> = Vec::new();
-    for (part, power_m2) in sums.iter().flat_map(|sums| &sums.power_of_parts_m2) {
-        parts.resize_with(parts.len().max(part + 1), || vec![0.0; bins]);
-        parts[*part].iter_mut().zip(power_m2).for_each(|(total, of_block)| *total += of_block);
-    }
-    parts
 }
 
 /// Detrends, windows and transforms one row after the other.
