@@ -10,24 +10,19 @@ use study::models::Framework;
 use crate::areas::Areas;
 use crate::draws::Drawn;
 use crate::found::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKind};
-use crate::gains::Gains;
 use crate::group::{Group, Indices};
 use crate::influence::Influence;
 use crate::inputs::Inputs;
+use crate::light_draws::{Contributions, LIGHT_DRAWS, LightDraw};
 use crate::quantiles::interval;
-use crate::random::Streams;
-use crate::scan_scatter::ScanScatter;
 use crate::settings::Settings;
 use crate::shares::first_order;
-use crate::short_end::{End, PowerLaw, prolonged, prolonged_to_m};
+use crate::spectrum_ends::{End, PowerLaw, prolonged, prolonged_to_m};
 use crate::student::{half_width, normal_half_width};
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
 /// Draws of a prolonged spectrum.
 const PROLONGED_DRAWS: usize = 64;
-
-/// Draws of a composite alone, for which nothing is pressed.
-const LIGHT_DRAWS: u64 = 1000;
 
 /// Scans that are tried to be added.
 const ADDED: [usize; 3] = [1, 3, 10];
@@ -52,29 +47,6 @@ pub(crate) struct Adviser<'p> {
     pub settings: Settings,
     pub drawn: &'p Drawn,
     pub indices: &'p [Vec<Indices>],
-}
-
-/// Draws of a composite alone: the deviations of ln C of each instrument, in parts of the spectrum.
-struct LightDraw {
-    /// For every instrument, of its scans.
-    places: Vec<Vec<f64>>,
-    /// For every instrument, of its gain.
-    gains: Vec<Vec<f64>>,
-    /// For every instrument, of all gains where its own is known.
-    gains_without: Vec<Vec<f64>>,
-}
-
-/// What such draws do to ln A.
-#[derive(Default)]
-struct Contributions {
-    /// For every instrument, of its scans.
-    places: Vec<Vec<f64>>,
-    /// For every instrument, of its gain.
-    gains: Vec<Vec<f64>>,
-    /// For every instrument, of all gains where its own is known.
-    gains_without: Vec<Vec<f64>>,
-    /// For every draw, the total in each part of the spectrum.
-    parts: Vec<Vec<f64>>,
 }
 
 impl Adviser<'_> {
@@ -102,7 +74,7 @@ impl Adviser<'_> {
             work += prolongation.drawn.work;
             plans += PROLONGED_DRAWS;
         }
-        let light = self.light_draws(&influence);
+        let light = LightDraw::all(self.inputs, &influence);
         let of_area = |area: usize| self.of_area(area, &psd, &influence, &light, &prolongations);
         ((0..self.areas.count()).filter_map(of_area).collect(), work, plans)
     }
@@ -120,7 +92,7 @@ impl Adviser<'_> {
         if width == 0.0 {
             return None;
         }
-        let contributions = contributions(area, influence, light);
+        let contributions = Contributions::of(area, influence, light);
         let steps = self.steps_of(area, width, &contributions, psd, prolongations);
         Some(Advice {
             curve,
@@ -141,26 +113,6 @@ impl Adviser<'_> {
     /// The same of draws that there are.
     fn width_of(&self, draws: &[f64]) -> f64 {
         self.width(draws).unwrap_or(0.0)
-    }
-
-    fn light_draws(&self, influence: &Influence) -> Vec<LightDraw> {
-        let streams = self.inputs.streams();
-        match &self.inputs.surface {
-            SurfaceScatter::Scans(scans) => {
-                let without = scans.gains_without_each();
-                (0..LIGHT_DRAWS).map(|draw| of_scans(scans, &without, streams, draw, influence)).collect()
-            }
-            SurfaceScatter::Errors(errors) => {
-                let deviations = |draw| errors.deviations(&mut streams.of(Group::Scans, draw));
-                let light = |draw| LightDraw {
-                    places: vec![influence.in_parts(&deviations(draw))],
-                    gains: Vec::new(),
-                    gains_without: Vec::new(),
-                };
-                (0..LIGHT_DRAWS).map(light).collect()
-            }
-            SurfaceScatter::Certain(..) | SurfaceScatter::Sum(_) => Vec::new(),
-        }
     }
 
     /// The shares of the variance of ln A that the scans and the height scale of every instrument carry.
@@ -194,7 +146,7 @@ impl Adviser<'_> {
             ((width * width - before * before + after * after).max(0.0)).sqrt() / width
         };
         if let SurfaceScatter::Scans(scans) = &self.inputs.surface {
-            let of_all_gains: Vec<f64> = (0..LIGHT_DRAWS as usize)
+            let of_all_gains: Vec<f64> = (0..LIGHT_DRAWS)
                 .map(|draw| contributions.gains.iter().map(|draws| draws[draw]).sum())
                 .collect();
             let all_gains = self.width_of(&of_all_gains).min(width);
@@ -308,56 +260,6 @@ impl Adviser<'_> {
             Some(PowerLaw { slope, standard_error }) => Settling::CannotSettle { slope, standard_error },
             None => Settling::Unknown,
         }
-    }
-}
-
-/// A light draw of scans.
-fn of_scans(
-    scans: &ScanScatter,
-    without: &[Gains],
-    streams: Streams,
-    draw: u64,
-    influence: &Influence,
-) -> LightDraw {
-    let in_parts = |deviations: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
-        let weighted = |(instrument, deviations): (usize, &Vec<f64>)| {
-            let of_composite: Vec<f64> =
-                deviations.iter().zip(scans.weights(instrument)).map(|(off, weight)| off * weight).collect();
-            influence.in_parts(&of_composite)
-        };
-        deviations.iter().enumerate().map(weighted).collect()
-    };
-    let of_gains =
-        |gains: &Gains| in_parts(scans.of_gains(&gains.draw(&mut streams.of(Group::Instruments, draw))));
-    let sum = |parts: Vec<Vec<f64>>| parts.into_iter().reduce(added).unwrap_or_default();
-    LightDraw {
-        places: in_parts(scans.places(&mut streams.of(Group::Scans, draw))),
-        gains: in_parts(scans.gains(&mut streams.of(Group::Instruments, draw))),
-        gains_without: without.iter().map(|gains| sum(of_gains(gains))).collect(),
-    }
-}
-
-fn added(mut a: Vec<f64>, b: Vec<f64>) -> Vec<f64> {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
-    a
-}
-
-/// What light draws do to ln A of an area, where deviations are small.
-fn contributions(area: usize, influence: &Influence, draws: &[LightDraw]) -> Contributions {
-    let total = |in_parts: &Vec<f64>| influence.on(area, in_parts).iter().sum::<f64>();
-    let by_instrument = |of: fn(&LightDraw) -> &Vec<Vec<f64>>| -> Vec<Vec<f64>> {
-        let count = draws.first().map_or(0, |draw| of(draw).len());
-        (0..count).map(|at| draws.iter().map(|draw| total(&of(draw)[at])).collect()).collect()
-    };
-    let parts = |draw: &LightDraw| {
-        let all = draw.places.iter().chain(&draw.gains).cloned().reduce(added).unwrap_or_default();
-        influence.on(area, &all)
-    };
-    Contributions {
-        places: by_instrument(|draw| &draw.places),
-        gains: by_instrument(|draw| &draw.gains),
-        gains_without: by_instrument(|draw| &draw.gains_without),
-        parts: draws.iter().map(parts).collect(),
     }
 }
 

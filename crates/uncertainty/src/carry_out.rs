@@ -29,6 +29,9 @@ pub struct UncertaintyPlan<'p> {
 /// With fewer draws than this nothing is told.
 const FEWEST_DRAWS: usize = 20;
 
+/// The error that the number of draws leaves, as a share of the interval, from which on the interval is a guess.
+const LOOSE: f64 = 0.25;
+
 /// The share of draws that have to have an area for an interval of them.
 const LEAST_WITH_AREA: f64 = 0.9;
 
@@ -113,7 +116,8 @@ impl<'p> UncertaintyPlan<'p> {
         };
         self.tell_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
-        if draws < self.settings.draws || beyond_an_end < 1.0 {
+        let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > LOOSE);
+        if draws < self.settings.draws || beyond_an_end < 1.0 || are_ends_loose {
             found.guesses.push(Guess::FewDraws { draws });
         }
         let without =

@@ -168,7 +168,8 @@ pub enum Guess {
         /// Of how many.
         of: usize,
     },
-    /// The draws were ended early, or are so few that none lies beyond an end.
+    /// The draws were ended early, or are so few that none lies beyond an end, or that an end is known to a quarter of the interval
+    /// at best.
     FewDraws {
         /// How many there are.
         draws: usize,
