@@ -1,11 +1,12 @@
 //! What to measure next, in plain words.
 
 use study::scene::Scene;
-use uncertainty::{Advice, Group, Settling, Step, StepKind, Uncertainty};
+use uncertainty::{Advice, Settling, Step, StepKind, Uncertainty};
 use units::display::{length, three_digits};
 
 use crate::curve_names::in_full;
 use crate::number_words::number_word;
+use crate::uncertainty_words::group_in_words;
 
 /// A ratio this close to 1 is none.
 const SAME: f64 = 0.005;
@@ -62,19 +63,10 @@ pub(crate) fn step_in_words(uncertainty: &Uncertainty, kind: &StepKind) -> Strin
         StepKind::Calibration { instrument } => {
             format!("the height scale of {} calibrated", name(instrument))
         }
-        StepKind::KnownExactly { group } => format!("{} known exactly", in_words(*group)),
+        StepKind::KnownExactly { group } => format!("{} known exactly", group_in_words(*group, true)),
         StepKind::LongerWavelengths { to_m } => format!("wavelengths up to {}", length(*to_m)),
         StepKind::ShorterWavelengths { to_m } => format!("wavelengths down to {}", length(*to_m)),
         other => other.key().replace('-', " "),
-    }
-}
-
-fn in_words(group: Group) -> &'static str {
-    match group {
-        Group::Scans => "the spectrum",
-        Group::Instruments => "the height scales",
-        Group::Material => "the elastic constants",
-        Group::Strength => "the strength",
     }
 }
 

@@ -96,7 +96,7 @@ fn instrument_row(instrument: &InstrumentInput) -> Markup {
     let resampled = match instrument.resampled {
         Resampled::Scans(scans) => counted(scans, "scan"),
         Resampled::BlocksOfLines(blocks) => counted(blocks, "block") + " of lines",
-        Resampled::SingleLine => "the Fourier bins of one line".to_owned(),
+        Resampled::SingleLine => "the Fourier bins of one scan".to_owned(),
     };
     html! {
         tr {
