@@ -7,7 +7,7 @@ use study::NoFiles;
 use study::scene::{Overrides, Scene};
 use study::surface::Surface;
 use tests::shared_file;
-use topography::{CompositeSpectrum, Recipe};
+use topography::{Average, CompositeSpectrum, Recipe};
 
 const SCANS: [&str; 7] = [
     "uncd_scans/uncd_stylus_300um_5mar_3_k0HpKJt.txt:shortest=2.07um",
@@ -19,9 +19,11 @@ const SCANS: [&str; 7] = [
     "afm_tem_mit/xy-1.txt:unit=nm",
 ];
 
+/// The composite with the average of the study that the measured spectrum is of.
 fn composite() -> CompositeSpectrum {
+    let recipe = Recipe { average: Average::Log, ..Recipe::default() };
     let requests: Vec<ScanRequest> = SCANS.iter().map(|scan| scan.parse().unwrap()).collect();
-    CompositeOfFiles::read(&requests, &files(), &Recipe::default()).unwrap().spectrum
+    CompositeOfFiles::read(&requests, &files(), &recipe).unwrap().spectrum
 }
 
 /// The scans, and what lies beside them.
