@@ -95,7 +95,7 @@ fn one_scene_leads_from_the_scans_to_stacked_and_statistical_areas() {
         entry + " }"
     };
     let text = format!(
-        "[surface]\nscans = [{}]\n[material]\nyoungs_modulus = \"463 GPa\"\npoisson_ratio = 0.2\nyield_strength = \"1.8 GPa\"\n\
+        "[surface]\nscans = [{}]\naverage = \"log\"\n[material]\nyoungs_modulus = \"463 GPa\"\npoisson_ratio = 0.2\nyield_strength = \"1.8 GPa\"\n\
          [loads]\npressures = [\"1e-3 H\"]\n[[curve]]\nmodel = \"elastic-plastic\"\n[[curve]]\nmodel = \"ep-sphere\"\n",
         SCANS.iter().map(entry).collect::<Vec<_>>().join(", ")
     );
