@@ -1,6 +1,7 @@
 //! States of statistical models, in runs: one after the other from its neighbour, run beside run.
 
 use asperity::MaterialPair;
+use ordered_float::OrderedFloat;
 use stat_contact::{ContactState, StatisticalContact};
 
 use super::condition::{Asperities, Condition, Pressed, contact_of};
@@ -28,6 +29,9 @@ impl Statistical<'_> {
         cutoffs: &[Cutoff],
         conditions: &[Condition],
     ) -> Result<(Vec<Vec<CutoffState>>, Work), PlanError> {
+        if let [Cutoff { wavelength_m, roughness: Some(roughness) }] = cutoffs {
+            return self.at_one_cutoff(*wavelength_m, roughness, conditions);
+        }
         let pieces: Vec<&[Cutoff]> = cutoffs.chunks(IN_A_ROW).collect();
         let blocks = parallel::try_map(conditions, |&condition| {
             parallel::try_map(&pieces, |cutoffs| self.rows(cutoffs, condition)).map(joined)
@@ -45,20 +49,56 @@ impl Statistical<'_> {
         let Pressed::Contact(contact) = contact_of(&self.pair, &self.law, roughness)? else {
             return Ok(Default::default());
         };
-        let piece = |pressures_pa: &[f64]| {
+        let condition = |&pressure_pa: &f64| Condition::Pressure(OrderedFloat(pressure_pa));
+        self.states(&contact, &pressures_pa.iter().map(condition).collect::<Vec<_>>())
+    }
+
+    /// A block of one row for every condition: what is evaluated for one of them serves those after it.
+    fn at_one_cutoff(
+        &self,
+        wavelength_m: f64,
+        roughness: &Roughness,
+        conditions: &[Condition],
+    ) -> Result<(Vec<Vec<CutoffState>>, Work), PlanError> {
+        let nothing = CutoffState { wavelength_m, contact: None, too_narrow_alpha: None };
+        match contact_of(&self.pair, &self.law, roughness)? {
+            Pressed::Contact(contact) => {
+                let (states, work) = self.states(&contact, conditions)?;
+                let row =
+                    |state| vec![CutoffState { contact: Some((roughness.asperities, state)), ..nothing }];
+                Ok((states.into_iter().map(row).collect(), work))
+            }
+            Pressed::TooNarrow { alpha } => {
+                conditions.iter().for_each(|_| self.run.state_is_known());
+                let row = vec![CutoffState { too_narrow_alpha: Some(alpha), ..nothing }];
+                Ok((vec![row; conditions.len()], Work::default()))
+            }
+        }
+    }
+
+    /// The states of a contact, one for every condition.
+    fn states(
+        &self,
+        contact: &StatisticalContact,
+        conditions: &[Condition],
+    ) -> Result<(Vec<ContactState>, Work), PlanError> {
+        let piece = |conditions: &[Condition]| {
             let mut sweep = contact.sweep(self.run.tolerance.value());
             let mut work = Work::default();
-            let state = |&pressure_pa: &f64| {
+            let state = |condition: &Condition| {
                 self.run.go_on()?;
-                let state = sweep.at_pressure(pressure_pa)?;
+                let state = match condition {
+                    Condition::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa.0)?,
+                    Condition::Separation(separation_m) => sweep.at_separation(separation_m.0)?,
+                };
                 self.count(&state, &mut work);
                 Ok(state)
             };
-            let states = pressures_pa.iter().map(state).collect::<Result<Vec<_>, PlanError>>()?;
+            let states = conditions.iter().map(state).collect::<Result<Vec<_>, PlanError>>()?;
             Ok((states, work))
         };
-        let pieces: Vec<&[f64]> = pressures_pa.chunks(IN_A_ROW).collect();
-        parallel::try_map(&pieces, |pressures_pa| piece(pressures_pa)).map(joined)
+        let pieces: Vec<&[Condition]> = conditions.chunks(IN_A_ROW).collect();
+        parallel::try_map(&pieces, |conditions| piece(conditions)).map(joined)
     }
 
     /// The rows of neighbouring cutoffs under one condition, each found from the one before it, which saves work. Where a
