@@ -103,38 +103,54 @@ fn standard_errors_of_a_spectrum_follow_the_linear_law() {
 
 #[test]
 fn shares_are_those_of_a_brute_force() {
+    for (model, error, modulus, strength) in [
+        ("ep-sphere", 0.3, 10.0, 15.0),
+        ("elastic-plastic", 0.2, 15.0, 20.0),
+        ("persson-plastic", 0.3, 10.0, 10.0),
+    ] {
+        hold_shares_against_a_brute_force(model, error, modulus, strength);
+    }
+}
+
+/// With so many per cent of standard uncertainty in modulus and strength.
+fn hold_shares_against_a_brute_force(model: &str, error: f64, modulus_percent: f64, strength_percent: f64) {
     // The variance of the mean over all else, with each input fixed in turn at values of its distribution.
-    let with = |error: f64, modulus: &str, strength: &str| {
+    let with = |modulus: &str, strength: &str| {
         let material =
             format!("youngs_modulus = \"{modulus}\", poisson_ratio = 0.3, yield_strength = \"{strength}\"");
-        scene(&psd(error), &material, &["ep-sphere"])
+        scene(&psd(error), &material, &[model])
     };
-    let mean = |scene: &Scene, settings: &Settings| {
-        let (_, found) = found(scene, settings);
-        (found.areas[0].median.ln(), found.areas[0].ln_area_sd)
-    };
-    let settings = Settings { draws: 256, shares_draws: Some(64), ..Settings::default() };
+    let (modulus, strength) =
+        (format!("100 GPa +- {modulus_percent} %"), format!("1 GPa +- {strength_percent} %"));
     let full = Settings { draws: 4096, shares_draws: Some(1 << 13), ..Settings::default() };
-    let (_, all) = found(&with(0.3, "100 GPa +- 10 %", "1 GPa +- 15 %"), &full);
+    let (_, all) = found(&with(&modulus, &strength), &full);
     let total = all.areas[0].ln_area_sd.powi(2);
-    let sigma = |relative: f64| (0.5 * (1.0 + (1.0 + 4.0 * relative * relative).sqrt())).ln().sqrt();
-    // The middles of 64 parts of equal probability.
+    let sigma = |percent: f64| (0.5 * (1.0 + (1.0 + 4e-4 * percent * percent).sqrt())).ln().sqrt();
+    // The middles of 64 parts of equal probability, each with 256 draws of all else: 2^14 in all.
     let deviates: Vec<f64> = (0..64).map(|at| normal_quantile((f64::from(at) + 0.5) / 64.0)).collect();
     let share = |of: &dyn Fn(f64) -> Scene| {
-        let means: Vec<f64> = deviates.iter().map(|&deviate| mean(&of(deviate), &settings).0).collect();
+        let mean = |&deviate: &f64| median_of_draws(&of(deviate), 256).ln();
+        let means: Vec<f64> = deviates.iter().map(mean).collect();
         let middle = means.iter().sum::<f64>() / 64.0;
         means.iter().map(|mean| (mean - middle).powi(2)).sum::<f64>() / 64.0 / total
     };
-    let of_modulus = share(&|deviate| {
-        with(0.3, &format!("{} GPa", 100.0 * (sigma(0.1) * deviate).exp()), "1 GPa +- 15 %")
-    });
-    let of_strength =
-        share(&|deviate| with(0.3, "100 GPa +- 10 %", &format!("{} GPa", (sigma(0.15) * deviate).exp())));
+    let moved = |centre: f64, percent: f64, deviate: f64| {
+        format!("{} GPa", centre * (sigma(percent) * deviate).exp())
+    };
+    let of_modulus = share(&|deviate| with(&moved(100.0, modulus_percent, deviate), &strength));
+    let of_strength = share(&|deviate| with(&modulus, &moved(1.0, strength_percent, deviate)));
     let told: Vec<f64> = all.areas[0].indices.iter().map(|indices| indices.first_order.value).collect();
     assert_eq!(all.groups, [Group::Scans, Group::Material, Group::Strength]);
-    assert!((told[1] - of_modulus).abs() < 0.03, "{told:?} {of_modulus}");
-    assert!((told[2] - of_strength).abs() < 0.03, "{told:?} {of_strength}");
-    assert!((told.iter().sum::<f64>() - 1.0).abs() < 0.05, "{told:?}");
+    assert!((told[1] - of_modulus).abs() < 0.03, "{model}: {told:?} {of_modulus}");
+    assert!((told[2] - of_strength).abs() < 0.03, "{model}: {told:?} {of_strength}");
+    assert!((told.iter().sum::<f64>() - 1.0).abs() < 0.05, "{model}: {told:?}");
+}
+
+fn median_of_draws(scene: &Scene, draws: usize) -> f64 {
+    let results = scene.plan().compute().unwrap();
+    let settings = Settings { draws, ..Settings::default() };
+    let plan = UncertaintyPlan::of(scene, &results, &settings).unwrap();
+    plan.intervals(&Unobserved).unwrap()[0].median
 }
 
 /// By bisection of the distribution, integrated by Simpson's rule: for the test alone.
