@@ -43,17 +43,72 @@ impl Correction {
     #[must_use]
     pub fn effective_variances_pa2(self, pressure_pa: f64, variances_pa2: &[f64], alpha: &[f64]) -> Vec<f64> {
         let algebraic = |g: f64, variance_pa2: f64| algebraic_variance_pa2(g, pressure_pa, variance_pa2);
+        match self.form() {
+            Form::Differential(slowness) => marched(pressure_pa, variances_pa2, slowness),
+            Form::Algebraic(factor) => {
+                let of_place = |(&variance_pa2, &alpha)| algebraic(factor(alpha)[0], variance_pa2);
+                variances_pa2.iter().zip(alpha).map(of_place).collect()
+            }
+        }
+    }
+
+    fn form(self) -> Form {
         match self {
-            Correction::WangMuser => marched(pressure_pa, variances_pa2, |area| {
+            Correction::WangMuser => Form::Differential(|area| {
                 let square = area * area;
                 5.0 / 9.0 - 2.0 / 9.0 * square + 2.0 / 3.0 * square * square
             }),
-            Correction::YangPersson => {
-                marched(pressure_pa, variances_pa2, |area| PUBLISHED + (1.0 - PUBLISHED) * area * area)
-            }
-            Correction::Algebraic => variances_pa2.iter().map(|&v| algebraic(PUBLISHED, v)).collect(),
-            Correction::AlgebraicNayak => {
-                variances_pa2.iter().zip(alpha).map(|(&v, &alpha)| algebraic(nayak(alpha), v)).collect()
+            Correction::YangPersson => Form::Differential(|area| PUBLISHED + (1.0 - PUBLISHED) * area * area),
+            Correction::Algebraic => Form::Algebraic(|_| [PUBLISHED, 0.0]),
+            Correction::AlgebraicNayak => Form::Algebraic(nayak),
+        }
+    }
+}
+
+/// How a corrected form comes by its effective variance.
+enum Form {
+    /// dV_e = S(A) dV: S.
+    Differential(fn(f64) -> f64),
+    /// V_e = \[g + (1 - g) A\] V: g and dg/dln(alpha), of alpha.
+    Algebraic(fn(f64) -> [f64; 2]),
+}
+
+/// How much has been flattened where the contact has come down to a share A.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Flattened {
+    /// V/p^2.
+    pub(crate) variance_over_square_pressure: f64,
+    /// Its derivative by A, below 0.
+    pub(crate) per_area: f64,
+    /// Its derivative by ln(alpha).
+    pub(crate) per_ln_alpha: f64,
+}
+
+/// What has been flattened where A = erf(`argument`) with an argument > 0, by the theory or by a corrected form.
+pub(crate) fn flattened(correction: Option<Correction>, argument: f64, alpha: f64) -> Flattened {
+    let area = libm::erf(argument);
+    // V_e/p^2 = 1/(2 x^2), and dA = (2/sqrt(pi)) exp(-x^2) dx.
+    let effective = 0.5 / (argument * argument);
+    let effective_per_area = -0.5 * PI.sqrt() * (argument * argument).exp() / argument.powi(3);
+    match correction.map(Correction::form) {
+        None => Flattened {
+            variance_over_square_pressure: effective,
+            per_area: effective_per_area,
+            per_ln_alpha: 0.0,
+        },
+        Some(Form::Differential(slowness)) => Flattened {
+            variance_over_square_pressure: variance_of(&rule(), 0.0, effective, slowness),
+            per_area: effective_per_area / slowness(area),
+            per_ln_alpha: 0.0,
+        },
+        Some(Form::Algebraic(factor)) => {
+            let [g, g_per_ln_alpha] = factor(alpha);
+            let slowing = g + (1.0 - g) * area;
+            let variance = effective / slowing;
+            Flattened {
+                variance_over_square_pressure: variance,
+                per_area: (effective_per_area - variance * (1.0 - g)) / slowing,
+                per_ln_alpha: -variance * libm::erfc(argument) / slowing * g_per_ln_alpha,
             }
         }
     }
@@ -66,9 +121,11 @@ pub fn algebraic_variance_pa2(g: f64, pressure_pa: f64, variance_pa2: f64) -> f6
     variance_pa2 * slowing(g, pressure_pa, variance_pa2)
 }
 
-/// g of `algebraic-nayak`, at most 1.
-fn nayak(alpha: f64) -> f64 {
-    (0.4244 + 0.0357 * alpha.ln()).min(1.0)
+/// g of `algebraic-nayak`, at most 1, and its derivative by ln(alpha).
+fn nayak(alpha: f64) -> [f64; 2] {
+    const PER_LN_ALPHA: f64 = 0.0357;
+    let g = 0.4244 + PER_LN_ALPHA * alpha.ln();
+    if g < 1.0 { [g, PER_LN_ALPHA] } else { [1.0, 0.0] }
 }
 
 /// V_e/V = g + (1 - g) A, with A that of V_e.
@@ -85,21 +142,21 @@ fn slowing(g: f64, pressure_pa: f64, variance_pa2: f64) -> f64 {
 }
 
 /// V_e along the variances where dV_e = S(A) dV: by V(V_e) = Int dV_e/S, which is a quadrature, inverted step by step.
-fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: impl Fn(f64) -> f64) -> Vec<f64> {
-    let rule = GaussLegendre::new(10);
+fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: fn(f64) -> f64) -> Vec<f64> {
+    let rule = rule();
     let unit_pa2 = pressure_pa * pressure_pa;
-    let inverse = |t: f64| slowness(libm::erf(FRAC_1_SQRT_2 / t.sqrt())).recip();
-    let integral =
-        |from: f64, to: f64| stretches(from, to).map(|[a, b]| sum(&rule, a, b, inverse)).sum::<f64>();
     let (mut reached, mut at) = (0.0, 0.0);
     let step = |&variance_pa2: &f64| {
         let target = variance_pa2 / unit_pa2 - reached;
         let start = at;
         if target > 0.0 {
             // S lies between 0 and 1.
-            at = newton_in_bracket(start, start + target, start + target / inverse(start + target), |t| {
-                (integral(start, t) - target, inverse(t))
-            });
+            at = newton_in_bracket(
+                start,
+                start + target,
+                start + target / variance_rate(slowness, start + target),
+                |t| (variance_of(&rule, start, t, slowness) - target, variance_rate(slowness, t)),
+            );
             reached += target;
         }
         at * unit_pa2
@@ -107,8 +164,22 @@ fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: impl Fn(f64) -> f6
     variances_pa2.iter().map(step).collect()
 }
 
-fn sum(rule: &GaussLegendre, from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    rule.over(from, to).map(|(t, weight)| weight * f(t)).sum()
+/// Of ten nodes on each of [`stretches`].
+fn rule() -> GaussLegendre {
+    GaussLegendre::new(10)
+}
+
+/// What V/p^2 grows by as V_e/p^2 grows.
+fn variance_of(rule: &GaussLegendre, from: f64, to: f64, slowness: fn(f64) -> f64) -> f64 {
+    let over = |[a, b]: [f64; 2]| -> f64 {
+        rule.over(a, b).map(|(t, weight)| weight * variance_rate(slowness, t)).sum()
+    };
+    stretches(from, to).map(over).sum()
+}
+
+/// dV/dV_e = 1/S at V_e/p^2.
+fn variance_rate(slowness: fn(f64) -> f64, effective: f64) -> f64 {
+    slowness(libm::erf(FRAC_1_SQRT_2 / effective.sqrt())).recip()
 }
 
 /// What S is smooth on: below 1/80 it is 1 to rounding, above it changes with the logarithm of V_e/p^2.
@@ -168,10 +239,43 @@ mod tests {
 
     #[test]
     fn the_algebraic_form_is_implicit_in_its_own_area() {
-        let effective = Correction::Algebraic.effective_variances_pa2(0.7, &variances_pa2(), &[]);
+        let effective =
+            Correction::Algebraic.effective_variances_pa2(0.7, &variances_pa2(), &[2.0; SPREADS_PA.len()]);
         for (effective, variance) in effective.iter().zip(variances_pa2()) {
             let area = libm::erf(FRAC_1_SQRT_2 * 0.7 / effective.sqrt());
             assert!((effective / ((0.45 + 0.55 * area) * variance) - 1.0).abs() < 1e-14);
+        }
+    }
+    #[test]
+    fn what_is_flattened_is_what_leaves_the_share_in_contact() {
+        let forms = std::iter::once(None).chain(Correction::ALL.iter().copied().map(Some));
+        for correction in forms {
+            let alpha = 30.0;
+            for argument in [1e-6, 0.1, 0.39, 1.5, 4.0] {
+                let found = flattened(correction, argument, alpha);
+                let variance_pa2 = 0.49 * found.variance_over_square_pressure;
+                let effective_pa2 = match correction {
+                    Some(correction) => correction.effective_variances_pa2(0.7, &[variance_pa2], &[alpha])[0],
+                    None => variance_pa2,
+                };
+                assert!(
+                    (0.7 / (2.0 * effective_pa2).sqrt() / argument - 1.0).abs() < 1e-12,
+                    "{correction:?}"
+                );
+                let step = 1e-4 * argument;
+                let [more, less] = [argument + step, argument - step]
+                    .map(|x| (flattened(correction, x, alpha).variance_over_square_pressure, libm::erf(x)));
+                let per_area = (more.0 - less.0) / (more.1 - less.1);
+                assert!((found.per_area / per_area - 1.0).abs() < 1e-5, "{correction:?} {argument}");
+                let [more, less] = [1e-5f64, -1e-5].map(|ln| {
+                    flattened(correction, argument, alpha * ln.exp()).variance_over_square_pressure
+                });
+                let per_ln_alpha = (more - less) / 2e-5;
+                assert!(
+                    (found.per_ln_alpha - per_ln_alpha).abs() < 1e-7 * found.variance_over_square_pressure,
+                    "{correction:?} {argument}"
+                );
+            }
         }
     }
 }

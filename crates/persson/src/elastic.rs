@@ -5,6 +5,8 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
+use numerics::newton_in_bracket;
+
 /// The spread s \[Pa\] of the flattening pressure under a contact modulus E* > 0 \[Pa\] of a surface of mean square
 /// gradient h'^2 >= 0.
 #[must_use]
@@ -22,6 +24,16 @@ pub fn area_fraction(pressure_pa: f64, spread_pa: f64) -> f64 {
 #[must_use]
 pub fn gap_fraction(pressure_pa: f64, spread_pa: f64) -> f64 {
     if spread_pa == 0.0 { 0.0 } else { libm::erfc(FRAC_1_SQRT_2 * (pressure_pa / spread_pa)) }
+}
+
+/// p/(sqrt(2) s) at which a share A in (0, 1) is in contact: the inverse of erf.
+#[must_use]
+pub fn argument_of_area(area_fraction: f64) -> f64 {
+    // erf(6) is 1 to rounding. From the left of the zero of a function that bends down Newton's steps stay to its left.
+    let start = 0.5 * PI.sqrt() * area_fraction;
+    newton_in_bracket(0.0, 6.0, start, |x: f64| {
+        (libm::erf(x) - area_fraction, 2.0 / PI.sqrt() * (-x * x).exp())
+    })
 }
 
 /// The density \[1/Pa\] of the stress sigma > 0 \[Pa\] over the nominal area: the Gaussian about p less its image
@@ -45,6 +57,15 @@ mod tests {
         assert!((light / ((8.0 / PI).sqrt() * 1e-9) - 1.0).abs() < 1e-15);
         assert_eq!((area_fraction(1.0, 0.0), gap_fraction(1.0, 0.0)), (1.0, 0.0));
         assert!((gap_fraction(8.0, 1.0) / 1.244_192_114_854_356_8e-15 - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_share_has_its_argument() {
+        for share in [1e-300, 1e-12, 0.42, 0.5, 0.9, 1.0 - 1e-12] {
+            assert!((libm::erf(argument_of_area(share)) / share - 1.0).abs() < 1e-15, "{share}");
+        }
+        // By mpmath.
+        assert!((argument_of_area(0.42) / 0.391_302_087_802_832_1 - 1.0).abs() < 1e-14);
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //!   [`hardness_laws`]: which ones there are.
 //! * [`corrections`]: forms fitted to simulations.
 //! * [`separation`]: mean gap and stiffness.
+//! * [`sealing`]: whether channels cross the contact, and how narrow they are.
 //! * [`PerssonModel`]: all of this along a spectrum, one pass per load.
 #![deny(missing_docs)]
 
@@ -20,7 +21,9 @@ pub mod hardness_laws;
 mod hardness_path;
 mod model;
 mod roughness;
+pub mod sealing;
 pub mod separation;
+mod stretch;
 pub mod variance;
 
 pub use areas::ContactAreas;

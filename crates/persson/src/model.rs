@@ -134,15 +134,7 @@ impl PerssonModel {
     /// They say nothing where more than a few per cent of the contact is plastic.
     #[must_use]
     pub fn separation(&self, roughness: &Roughness, energy_factor: f64) -> SeparationLaw {
-        let knots: Vec<SeparationKnot> = roughness
-            .places()
-            .iter()
-            .map(|place| SeparationKnot {
-                wavevector_rad_per_m: place.wavevector_rad_per_m,
-                variance_pa2: place.variance_pa2(self.contact_modulus_pa()),
-                variance_exponent: place.variance_exponent,
-            })
-            .collect();
+        let knots = SeparationKnot::along(roughness, self.contact_modulus_pa());
         SeparationLaw::new(&knots, self.contact_modulus_pa(), energy_factor)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::stretch::share_of_power_law;
 use crate::variance::{Band, SpectrumSample, mean_square_gradients, spectral_exponents};
 
 /// The samples of a spectrum, from long to short wavelengths, with what the theory needs at each.
@@ -20,6 +21,8 @@ pub struct Place {
     pub wavevector_rad_per_m: f64,
     /// h'^2 up to there.
     pub mean_square_gradient: f64,
+    /// m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles up to there.
+    pub moments: [f64; 3],
     /// Nayak's alpha = m0 m4/m2^2 of profiles up to there; infinite at the first.
     pub alpha: f64,
     /// Amplitude of the scale \[m\].
@@ -62,16 +65,14 @@ impl Roughness {
         }));
         let gradients = mean_square_gradients(&of_spectrum, band);
         let exponents = spectral_exponents(&of_spectrum);
-        let place = |(at, sample): (usize, &RoughnessSample)| {
-            let [m0, m2, m4] = sample.moments;
-            Place {
-                wavelength_m: sample.wavelength_m,
-                wavevector_rad_per_m: TAU / sample.wavelength_m,
-                mean_square_gradient: gradients[at],
-                alpha: if m2 > 0.0 { (m0 / m2) * (m4 / m2) } else { f64::INFINITY },
-                amplitude_m: sample.amplitude_m,
-                variance_exponent: exponents.get(at).map_or(3.0, |exponent| 3.0 + exponent),
-            }
+        let place = |(at, sample): (usize, &RoughnessSample)| Place {
+            wavelength_m: sample.wavelength_m,
+            wavevector_rad_per_m: TAU / sample.wavelength_m,
+            mean_square_gradient: gradients[at],
+            moments: sample.moments,
+            alpha: nayak(sample.moments),
+            amplitude_m: sample.amplitude_m,
+            variance_exponent: exponents.get(at).map_or(3.0, |exponent| 3.0 + exponent),
         };
         Roughness { places: samples.iter().enumerate().map(place).collect() }
     }
@@ -81,6 +82,35 @@ impl Roughness {
     pub fn places(&self) -> &[Place] {
         &self.places
     }
+}
+
+impl Roughness {
+    /// Nayak's alpha of profiles up to a wavevector \[rad/m\] between two places, and its derivative dln(alpha)/dln(q);
+    /// that of the nearest place, which does not change, outside of them.
+    pub(crate) fn alpha_at(&self, wavevector_rad_per_m: f64) -> [f64; 2] {
+        let begun = self.places.partition_point(|place| place.wavevector_rad_per_m <= wavevector_rad_per_m);
+        let pair = begun.checked_sub(1).and_then(|at| self.places.get(at..at + 2));
+        let Some([start, end]) = pair else {
+            let nearest = if begun == 0 { self.places.first() } else { self.places.last() };
+            return [nearest.map_or(f64::INFINITY, |place| place.alpha), 0.0];
+        };
+        let ln_q = |to_rad_per_m: f64| (to_rad_per_m / start.wavevector_rad_per_m).ln();
+        let (part_ln, whole_ln) = (ln_q(wavevector_rad_per_m), ln_q(end.wavevector_rad_per_m));
+        // The moments grow by q^(k + exponent of C1D), V as m2.
+        let grown = |at: usize, power: f64| {
+            let [share, slope] = share_of_power_law(start.variance_exponent + power, part_ln, whole_ln);
+            let rise = end.moments[at] - start.moments[at];
+            let moment = start.moments[at] + share * rise;
+            (moment, if moment > 0.0 { slope * rise / moment } else { 0.0 })
+        };
+        let [(m0, m0_slope), (m2, m2_slope), (m4, m4_slope)] = [grown(0, -2.0), grown(1, 0.0), grown(2, 2.0)];
+        [nayak([m0, m2, m4]), m0_slope + m4_slope - 2.0 * m2_slope]
+    }
+}
+
+/// m0 m4/m2^2.
+fn nayak([m0, m2, m4]: [f64; 3]) -> f64 {
+    if m2 > 0.0 { (m0 / m2) * (m4 / m2) } else { f64::INFINITY }
 }
 
 impl Place {

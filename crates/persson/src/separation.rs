@@ -14,6 +14,9 @@ use std::f64::consts::PI;
 
 use numerics::GaussLegendre;
 
+use crate::roughness::{Place, Roughness};
+use crate::stretch::Stretch;
+
 /// A place along the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeparationKnot {
@@ -23,6 +26,19 @@ pub struct SeparationKnot {
     pub variance_pa2: f64,
     /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
     pub variance_exponent: f64,
+}
+
+impl SeparationKnot {
+    /// The knots of a roughness under a contact modulus E* > 0 \[Pa\].
+    #[must_use]
+    pub fn along(roughness: &Roughness, contact_modulus_pa: f64) -> Vec<Self> {
+        let knot = |place: &Place| SeparationKnot {
+            wavevector_rad_per_m: place.wavevector_rad_per_m,
+            variance_pa2: place.variance_pa2(contact_modulus_pa),
+            variance_exponent: place.variance_exponent,
+        };
+        roughness.places().iter().map(knot).collect()
+    }
 }
 
 /// What is known of the gap under a load with the spectrum cut off somewhere.
@@ -53,17 +69,6 @@ pub struct SeparationLaw {
     contact_modulus_pa: f64,
     stretches: Vec<Option<Stretch>>,
     rule: GaussLegendre,
-}
-
-/// One interval of the spectrum: q = q_i \[1 + k (V - V_i)\]^(1/e).
-#[derive(Debug, Clone, Copy)]
-struct Stretch {
-    wavevector_rad_per_m: f64,
-    end_rad_per_m: f64,
-    variance_pa2: f64,
-    end_pa2: f64,
-    growth_per_pa2: f64,
-    exponent: f64,
 }
 
 impl SeparationLaw {
@@ -103,7 +108,7 @@ impl SeparationLaw {
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {
         let first = self.stretches.first().copied().flatten()?;
-        let decade_rad_per_m = 10.0 * first.wavevector_rad_per_m;
+        let decade_rad_per_m = 10.0 * first.start_rad_per_m;
         let (mut sum, mut in_first_decade, mut logarithms) = (0.0, 0.0, 0.0);
         for stretch in &self.stretches {
             self.over(stretch, 0.0, |v_pa, per_rad_m| {
@@ -121,6 +126,63 @@ impl SeparationLaw {
         })
     }
 
+    /// The law of the waves shorter than those of a wavevector q_z \[rad/m\]: what is seen of the gap inside the contact
+    /// that longer waves leave, whose pressure is p/A(q_z). v^2 = 2 (V(q) - V(q_z)) takes the place of 2 V(q).
+    #[must_use]
+    pub fn beyond(&self, wavevector_rad_per_m: f64) -> Self {
+        let left_out_pa2 = self.variance_pa2(wavevector_rad_per_m);
+        let stretches = self.stretches.iter().flatten();
+        let rest = stretches.filter_map(|stretch| stretch.beyond(wavevector_rad_per_m, left_out_pa2));
+        SeparationLaw { stretches: rest.map(Some).collect(), ..self.clone() }
+    }
+
+    /// V up to a wavevector \[Pa^2\]; that of the ends outside of them.
+    pub(crate) fn variance_pa2(&self, wavevector_rad_per_m: f64) -> f64 {
+        match self.stretch_begun_at(wavevector_rad_per_m) {
+            Some(stretch) if wavevector_rad_per_m < stretch.end_rad_per_m => {
+                stretch.variance_pa2(wavevector_rad_per_m)
+            }
+            Some(stretch) => stretch.end_pa2,
+            None => self.stretches.iter().flatten().next().map_or(0.0, |first| first.start_pa2),
+        }
+    }
+
+    /// dV/dln(q) at a wavevector \[Pa^2\], from below where it jumps; `None` where nothing is added.
+    pub(crate) fn variance_per_ln_wavevector_pa2(&self, wavevector_rad_per_m: f64) -> Option<f64> {
+        let within = |stretch: &&Stretch| {
+            stretch.start_rad_per_m < wavevector_rad_per_m && wavevector_rad_per_m <= stretch.end_rad_per_m
+        };
+        let stretch = self.stretches.iter().flatten().find(within)?;
+        Some(stretch.variance_per_ln_wavevector_pa2(wavevector_rad_per_m))
+    }
+
+    fn stretch_begun_at(&self, wavevector_rad_per_m: f64) -> Option<&Stretch> {
+        let begun = |stretch: &&Stretch| stretch.start_rad_per_m <= wavevector_rad_per_m;
+        self.stretches.iter().flatten().rfind(begun)
+    }
+
+    /// Separation and stiffness of the whole spectrum under a nominal pressure p > 0 \[Pa\].
+    pub(crate) fn of_whole(&self, pressure_pa: f64) -> Separation {
+        let nothing = Separation { mean_gap_m: 0.0, stiffness_pa_per_m: f64::INFINITY };
+        self.along(pressure_pa).last().copied().unwrap_or(nothing)
+    }
+
+    /// How the gap changes under a constant pressure p > 0 \[Pa\] as variance is left out at the long end \[m/Pa^2\].
+    ///
+    /// With W = V - V_z, du/dV_z = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) (d/dW)(1/q) dv less what leaves at the end v1. By
+    /// parts that is (2/(sqrt(pi) E*)) Int_0^v1 \[G(x) - D(x)\]/v^2 dv/q with x = p/v and D = -x G': no derivative of the
+    /// spectrum, and what leaves at the end has cancelled.
+    pub(crate) fn gap_per_variance_left_out_m_per_pa2(&self, pressure_pa: f64) -> f64 {
+        let mut sum = 0.0;
+        for stretch in &self.stretches {
+            self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
+                let x = pressure_pa / v_pa;
+                sum += per_rad_m * (self.energy.beyond(x) - self.energy.density(x)) / (v_pa * v_pa);
+            });
+        }
+        self.factor() * sum
+    }
+
     /// 2/(sqrt(pi) E*).
     fn factor(&self) -> f64 {
         2.0 / (PI.sqrt() * self.contact_modulus_pa)
@@ -132,7 +194,7 @@ impl SeparationLaw {
         const MOST_GROWTH: f64 = 1.6;
         let Some(stretch) = stretch else { return };
         let last_pa = (2.0 * stretch.end_pa2).sqrt();
-        let first_pa = (2.0 * stretch.variance_pa2).sqrt().max(from_pa).max(1e-18 * last_pa);
+        let first_pa = (2.0 * stretch.start_pa2).sqrt().max(from_pa).max(1e-18 * last_pa);
         let mut end_pa = last_pa;
         while end_pa > first_pa {
             let mut slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / MOST_GROWTH;
@@ -140,7 +202,7 @@ impl SeparationLaw {
                 |slower_rad_per_m| first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
             let mut start_pa = start(slower_rad_per_m);
             // Where a spectrum falls by powers of ten within a stretch, v stays what it is to rounding over much of it.
-            while start_pa >= end_pa && slower_rad_per_m > stretch.wavevector_rad_per_m {
+            while start_pa >= end_pa && slower_rad_per_m > stretch.start_rad_per_m {
                 slower_rad_per_m /= MOST_GROWTH;
                 start_pa = start(slower_rad_per_m);
             }
@@ -152,53 +214,6 @@ impl SeparationLaw {
             }
             end_pa = start_pa;
         }
-    }
-}
-
-impl Stretch {
-    /// The stretch between two knots; none where nothing is added.
-    fn between(start: &SeparationKnot, end: &SeparationKnot) -> Option<Self> {
-        let rise_pa2 = end.variance_pa2 - start.variance_pa2;
-        if rise_pa2 <= 0.0 {
-            return None;
-        }
-        let exponent = start.variance_exponent;
-        let exponent = if exponent.abs() < 1e-9 { 1e-9 } else { exponent };
-        let ln_q = (end.wavevector_rad_per_m / start.wavevector_rad_per_m).ln();
-        Some(Stretch {
-            wavevector_rad_per_m: start.wavevector_rad_per_m,
-            end_rad_per_m: end.wavevector_rad_per_m,
-            variance_pa2: start.variance_pa2,
-            end_pa2: end.variance_pa2,
-            growth_per_pa2: libm::expm1(exponent * ln_q) / rise_pa2,
-            exponent,
-        })
-    }
-
-    /// The part up to a wavevector, if there is any.
-    fn up_to(self, wavevector_rad_per_m: f64) -> Option<Self> {
-        if wavevector_rad_per_m >= self.end_rad_per_m {
-            return Some(self);
-        }
-        let end_pa2 = 0.5 * self.v_pa(wavevector_rad_per_m).powi(2);
-        (wavevector_rad_per_m > self.wavevector_rad_per_m).then_some(Stretch {
-            end_rad_per_m: wavevector_rad_per_m,
-            end_pa2,
-            ..self
-        })
-    }
-
-    fn wavevector_rad_per_m(&self, v_pa: f64) -> f64 {
-        let grown = self.growth_per_pa2 * (0.5 * v_pa * v_pa - self.variance_pa2);
-        let wavevector_rad_per_m = self.wavevector_rad_per_m * (libm::log1p(grown) / self.exponent).exp();
-        // Rounding may lead beyond the end, and to no number at all, where v hardly grows any more.
-        wavevector_rad_per_m.min(self.end_rad_per_m)
-    }
-
-    /// v at a wavevector, that of the beginning where it is smaller.
-    fn v_pa(&self, wavevector_rad_per_m: f64) -> f64 {
-        let ln_q = (wavevector_rad_per_m / self.wavevector_rad_per_m).max(1.0).ln();
-        (2.0 * (self.variance_pa2 + libm::expm1(self.exponent * ln_q) / self.growth_per_pa2)).sqrt()
     }
 }
 
