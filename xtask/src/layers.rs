@@ -49,6 +49,7 @@ const LAYERS: &[Layer] = &[
     ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-persson", &["truearea-units", "truearea-numerics"]),
+    ("truearea-interface", &["truearea-units"]),
     ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",

@@ -1,0 +1,149 @@
+//! Two numbers that are held against adhesion. Neither is a verdict, and neither changes the contact.
+
+use units::{Bound, OutOfBounds};
+
+/// The adhesion parameter of Fuller & Tabor (1975), Proc. R. Soc. A 345:327, for the summits of a surface cut off somewhere:
+/// theta = E* sigma_s^(3/2)/(sqrt(R) w).
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct FullerTabor {
+    theta: f64,
+}
+
+impl FullerTabor {
+    /// Above about this, what they pulled apart did not stick.
+    pub const GONE_ABOVE: f64 = 10.0;
+
+    /// Of a contact modulus E* \[Pa\], the standard deviation sigma_s of the summits' heights \[m\], the mean radius R of the
+    /// summits \[m\] and the work of adhesion w \[J/m^2\].
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
+    pub fn new(
+        contact_modulus_pa: f64,
+        summit_deviation_m: f64,
+        summit_radius_m: f64,
+        work_of_adhesion_j_per_m2: f64,
+    ) -> Result<Self, OutOfBounds> {
+        let modulus_pa = Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
+        let deviation_m = Bound::Magnitude.check("deviation of summit heights in m", summit_deviation_m)?;
+        let radius_m = Bound::Magnitude.check("summit radius in m", summit_radius_m)?;
+        let work_j_per_m2 = work(work_of_adhesion_j_per_m2)?;
+        let theta = modulus_pa * deviation_m * (deviation_m / radius_m).sqrt() / work_j_per_m2;
+        Ok(FullerTabor { theta })
+    }
+
+    /// theta.
+    #[must_use]
+    pub fn theta(self) -> f64 {
+        self.theta
+    }
+}
+
+/// The criterion of Pastewka & Robbins (2014), Proc. Natl. Acad. Sci. 111:3298, for a surface cut off somewhere: it would be
+/// sticky where
+///
+/// (h' dr/(kappa l_a)) (h' d_rep/(4 dr))^(2/3) < pi (3/16)^(2/3), l_a = w/E*, d_rep = 4 h'/h'',
+///
+/// with h' the rms gradient and h'' the rms Laplacian of the surface (a cap of radius R has 2/R, and d_rep is the width over
+/// which its slope reaches h'), dr the range of the attraction and kappa that of A/A_0 = kappa p/(E* h') without adhesion.
+/// Its constants are quoted at second hand, and it is contested (Ciavarella 2016, arXiv:1602.02555): the left side is told
+/// beside the limit.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct PastewkaRobbins {
+    left_side: f64,
+}
+
+/// What the criterion asks of a surface and of what acts across the gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StickyContact {
+    /// Rms gradient h' of the surface.
+    pub rms_gradient: f64,
+    /// Rms Laplacian h'' of the surface \[1/m\]; sqrt(8 m4/3) of an isotropic one.
+    pub rms_laplacian_per_m: f64,
+    /// Contact modulus E* \[Pa\].
+    pub contact_modulus_pa: f64,
+    /// Work of adhesion w \[J/m^2\].
+    pub work_of_adhesion_j_per_m2: f64,
+    /// Range of the attraction dr \[m\].
+    pub range_m: f64,
+    /// kappa; [`PastewkaRobbins::USUAL_KAPPA`] as a rule.
+    pub kappa: f64,
+}
+
+impl PastewkaRobbins {
+    /// pi (3/16)^(2/3), below which the left side would be that of a sticky surface.
+    pub const LIMIT: f64 = 1.029_162_738_875_667_7;
+
+    /// kappa of A/A_0 = kappa p/(E* h') at light loads.
+    pub const USUAL_KAPPA: f64 = 2.0;
+
+    /// Of a contact.
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] unless all of it is positive and within thirty decades of 1.
+    pub fn new(contact: &StickyContact) -> Result<Self, OutOfBounds> {
+        let gradient = Bound::Magnitude.check("rms gradient", contact.rms_gradient)?;
+        let laplacian_per_m = Bound::Magnitude.check("rms Laplacian in 1/m", contact.rms_laplacian_per_m)?;
+        let modulus_pa = Bound::Magnitude.check("contact modulus in Pa", contact.contact_modulus_pa)?;
+        let range_m = Bound::Magnitude.check("range of the attraction in m", contact.range_m)?;
+        let kappa = Bound::Magnitude.check("kappa of area over load", contact.kappa)?;
+        let adhesion_length_m = work(contact.work_of_adhesion_j_per_m2)? / modulus_pa;
+        let repulsive_width_m = 4.0 * gradient / laplacian_per_m;
+        let strength = gradient * range_m / (kappa * adhesion_length_m);
+        let shape = libm::cbrt(gradient * repulsive_width_m / (4.0 * range_m));
+        Ok(PastewkaRobbins { left_side: strength * shape * shape })
+    }
+
+    /// The left side of the criterion.
+    #[must_use]
+    pub fn left_side(self) -> f64 {
+        self.left_side
+    }
+}
+
+fn work(work_of_adhesion_j_per_m2: f64) -> Result<f64, OutOfBounds> {
+    Bound::Magnitude.check("work of adhesion in J/m^2", work_of_adhesion_j_per_m2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn theta_is_the_summits_own_parameter() {
+        // 1e6 Pa (1e-6 m)^1.5/(sqrt(1e-4 m) 0.05 J/m^2).
+        let theta = FullerTabor::new(1e6, 1e-6, 1e-4, 0.05).unwrap().theta();
+        assert!((theta / 2.0 - 1.0).abs() < 1e-14, "{theta}");
+        let rougher = FullerTabor::new(1e6, 4e-6, 1e-4, 0.05).unwrap().theta();
+        assert!((rougher / theta - 8.0).abs() < 1e-13);
+        assert!(FullerTabor::new(1e6, 1e-6, 1e-4, 0.0).is_err());
+    }
+
+    #[test]
+    fn the_left_side_goes_with_its_powers() {
+        let contact = StickyContact {
+            rms_gradient: 0.1,
+            rms_laplacian_per_m: 1e8,
+            contact_modulus_pa: 1e9,
+            work_of_adhesion_j_per_m2: 0.05,
+            range_m: 0.5e-9,
+            kappa: PastewkaRobbins::USUAL_KAPPA,
+        };
+        let left = |contact: &StickyContact| PastewkaRobbins::new(contact).unwrap().left_side();
+        // h' dr/(kappa l_a) = 0.1 0.5e-9/(2 5e-11) = 0.5; h' d_rep/(4 dr) = 0.1 4e-9/2e-9 = 0.2.
+        assert!((left(&contact) / (0.5 * 0.2f64.powf(2.0 / 3.0)) - 1.0).abs() < 1e-14);
+        let power = |changed: StickyContact| (left(&changed) / left(&contact)).ln() / 2f64.ln();
+        assert!((power(StickyContact { rms_gradient: 0.2, ..contact }) - 7.0 / 3.0).abs() < 1e-13);
+        assert!((power(StickyContact { range_m: 1e-9, ..contact }) - 1.0 / 3.0).abs() < 1e-13);
+        let more_work = StickyContact { work_of_adhesion_j_per_m2: 0.1, ..contact };
+        assert!((power(more_work) + 1.0).abs() < 1e-13);
+        let error = PastewkaRobbins::new(&StickyContact { kappa: 0.0, ..contact }).unwrap_err();
+        assert!(error.to_string().contains("kappa"), "{error}");
+    }
+
+    #[test]
+    fn the_limit_is_what_it_says() {
+        let limit = std::f64::consts::PI * (3.0f64 / 16.0).powf(2.0 / 3.0);
+        assert!((PastewkaRobbins::LIMIT / limit - 1.0).abs() < 1e-15, "{limit:.17}");
+    }
+}

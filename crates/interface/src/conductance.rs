@@ -1,0 +1,23 @@
+//! How well an interface conducts heat and current.
+//!
+//! Potential and displacement of a half-space follow from flux and pressure by the same law, so that the conductance of an
+//! interface is its incremental elastic stiffness in other units (Barber 2003, Proc. R. Soc. A 459:53). [`RelativeStiffness`]
+//! is that of a nominal area, [`Spot`] that of one contact, or of a whole interface as the one circle that conducts as much.
+//! Neither needs the number of spots or a cutoff of the spectrum.
+//!
+//! The correlations for plastic contact ([`PlasticCorrelation`]) need the slopes of the surface, which depend on where its
+//! spectrum is cut off ([`CutSurface`]).
+//!
+//! [`Circumstances`] tell what has not been considered.
+
+mod bodies;
+mod circumstances;
+mod plastic;
+mod spot;
+mod stiffness;
+
+pub use bodies::{Conductivities, Resistivities};
+pub use circumstances::{Circumstances, ELECTRON_MEAN_FREE_PATH_M, Flag, MOST_PLASTIC_SHARE};
+pub use plastic::{CorrelationRange, CutSurface, PlasticCorrelation, PressureRatio};
+pub use spot::Spot;
+pub use stiffness::RelativeStiffness;
