@@ -1,5 +1,7 @@
 //! What a pressed surface is asked.
 
+use crate::sums;
+
 /// How a solve ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -48,4 +50,18 @@ pub struct Contact {
     pub pressures_pa: Vec<f64>,
     /// Gap in m at every point, row by row; negative where the surfaces overlap, by flow or within the tolerance.
     pub gaps_m: Vec<f64>,
+}
+
+/// Contact is where the pressure is above this share of the nominal one.
+pub(crate) const TOUCHING: f64 = 1e-10;
+
+impl Contact {
+    /// Whether each point is in contact, row by row, as [`area_fraction`](Self::area_fraction) counts them.
+    #[must_use]
+    pub fn touching(&self) -> Vec<bool> {
+        let points = self.pressures_pa.len();
+        let [sum_pa] = sums::over(points, |point| [self.pressures_pa[point]]);
+        let least_pa = TOUCHING * sum_pa / points as f64;
+        self.pressures_pa.iter().map(|&pressure_pa| pressure_pa > least_pa).collect()
+    }
 }

@@ -6,7 +6,7 @@ use parallel::Progress;
 use units::Bound;
 
 use crate::area::{Count, count};
-use crate::contact::Contact;
+use crate::contact::{Contact, TOUCHING};
 use crate::descent::{Outcome, descend};
 use crate::loading::Loading;
 use crate::problem::{Operators, Problem, State};
@@ -16,9 +16,6 @@ use crate::{Grid, HalfSpaceError, sums};
 /// The steps that a solve tells its [`Progress`] of: as many as the residual has come nearer to the tolerance, of its whole
 /// way in decades.
 pub const PROGRESS_STEPS: usize = 100;
-
-/// Contact is where the pressure is above this share of the nominal one.
-const TOUCHING: f64 = 1e-10;
 
 /// Flow is where the pressure is within this of the saturation.
 const FLOWING: f64 = 1e-9;
@@ -118,10 +115,10 @@ impl Elements {
         if contact.pressures_pa.len() != points {
             return Err(HalfSpaceError::Size { given: contact.pressures_pa.len(), expected: points });
         }
-        let [sum_pa] = sums::over(points, |point| [contact.pressures_pa[point]]);
-        let least_pa = TOUCHING * sum_pa / points as f64;
-        let touching: Vec<u32> =
-            (0..points as u32).filter(|&k| contact.pressures_pa[k as usize] > least_pa).collect();
+        let touching: Vec<u32> = (0u32..)
+            .zip(contact.touching())
+            .filter_map(|(point, touches)| touches.then_some(point))
+            .collect();
         if self.periodic && touching.len() == points {
             return Ok(None);
         }

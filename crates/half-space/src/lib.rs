@@ -5,6 +5,7 @@
 //! * [`PeriodicElements`] and [`FreeElements`]: a surface laid out on them, which may be pressed again and again.
 //! * [`Loading`]: modulus, pressure, saturation and tolerance.
 //! * [`Contact`]: pressures and gaps in equilibrium, and what follows from them.
+//! * [`OpenPaths`]: whether what is not in contact lets a fluid across.
 
 mod area;
 mod contact;
@@ -15,6 +16,7 @@ mod free;
 mod grid;
 mod loading;
 mod love;
+mod percolation;
 mod periodic;
 mod problem;
 mod projection;
@@ -29,4 +31,5 @@ pub use error::HalfSpaceError;
 pub use free::FreeElements;
 pub use grid::Grid;
 pub use loading::Loading;
+pub use percolation::{OpenPaths, Sides, open_paths};
 pub use periodic::PeriodicElements;

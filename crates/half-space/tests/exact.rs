@@ -5,7 +5,7 @@ mod common;
 use std::f64::consts::{PI, SQRT_2, TAU};
 
 use common::{CLOSING, elastic, flowing, heights, press, rough};
-use half_space::{Contact, FreeElements, Grid, PeriodicElements};
+use half_space::{Contact, FreeElements, Grid, OpenPaths, PeriodicElements, Sides, open_paths};
 use parallel::Unobserved;
 
 /// One wave of height 1 and length 1 on a line.
@@ -218,4 +218,20 @@ fn half_a_wave_flows_as_a_line_of_constant_pressure() {
     assert!(contact.area_fraction >= 0.25 && contact.area_fraction < 0.26, "{}", contact.area_fraction);
     assert!((contact.plastic_area_fraction / 0.25 - 1.0).abs() < 0.02);
     assert!(contact.mean_plastic_depth_m > 0.0);
+}
+
+#[test]
+fn a_fluid_passes_along_waves_and_not_across_them() {
+    let heights_m = heights(32, 64, |x, _| (TAU * 2.0 * x).cos());
+    let contact = |share_of_closing: f64| {
+        let grid = Grid::new(32, 64, 1.0, 1.0).unwrap();
+        let loading = elastic(2.0 * share_of_closing * CLOSING, 1e-10);
+        let contact = PeriodicElements::new(grid, &heights_m).unwrap().press(&loading, &Unobserved).unwrap();
+        let touching = contact.touching();
+        let share = touching.iter().filter(|&&touches| touches).count() as f64 / touching.len() as f64;
+        assert_eq!(share, contact.area_fraction);
+        open_paths(&grid, Sides::Periodic, &touching).unwrap()
+    };
+    assert_eq!(contact(0.3), OpenPaths { along_x: false, along_y: true });
+    assert_eq!(contact(1.1), OpenPaths { along_x: false, along_y: false });
 }
