@@ -15,10 +15,11 @@ fn of_material(keys: &str, model: &str) -> Result<Scene, SceneError> {
     Scene::parse(&text, &NoFiles, &Overrides::default())
 }
 
+const LENGTH: &str = "strain_gradient_length = \"5 um\"\n";
+
 #[test]
 fn loads_caps_and_laws_follow_the_hardness_that_is_given() {
-    let length = "strain_gradient_length = \"5 um\"\n";
-    let scene = |keys: &str| of_material(&format!("{length}{keys}"), "elastic-plastic").unwrap();
+    let scene = |keys: &str| of_material(&format!("{LENGTH}{keys}"), "elastic-plastic").unwrap();
     let of = |scene: &Scene| {
         let strength = scene.needs.curves[0].model.strength().unwrap();
         (scene.needs.loads[0].nominal_pressure_pa(), strength.macroscopic_strength_pa(), strength.cap_pa())
@@ -30,6 +31,22 @@ fn loads_caps_and_laws_follow_the_hardness_that_is_given() {
     assert_eq!(of(&both), (1e-3 * 4.53e9, 1.5e9, Some(2.0 * 4.53e9)));
     let vickers = scene("indentation_hardness = \"300 HV\"\n");
     assert_eq!(vickers.hardness_pa(), Some(300.0 * 9.80665e6));
+    assert_eq!(scene("indentation_hardness = \"200 HBW\"\n").hardness_pa(), Some(200.0 * 9.80665e6));
+    let rockwell = scene("indentation_hardness = \"60 HRC\"\n").hardness_pa().unwrap();
+    assert!((rockwell / (697.0 * 9.80665e6) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn how_well_a_hardness_is_known_may_be_told_in_steps_of_its_scale() {
+    let scene =
+        |hardness: &str| of_material(&format!("{LENGTH}indentation_hardness = \"{hardness}\"\n"), "elastic");
+    let relative = |hardness: &str| scene(hardness).unwrap().spreads.strength.unwrap().standard_uncertainty();
+    // One step at 60 HRC is 23 HV.
+    assert!((relative("60 HRC +- 1 HRC") - 23.0 / 697.0).abs() < 1e-9);
+    assert!((relative("200 HBW +- 10 HBW") - 0.05).abs() < 1e-9);
+    assert!(relative("58 HRC to 62 HRC") > 0.03);
+    let error = scene("700 HV +- 1 HRC").unwrap_err().to_string();
+    assert!(error.contains("'1 HRC' has the unit 'HRC'"), "{error}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod bound;
 pub mod display;
+mod hardness_scale;
 mod length_unit;
 mod named;
 mod number;
@@ -20,7 +21,10 @@ pub use length_unit::{LengthUnit, UnknownLengthUnit};
 pub use named::UnknownName;
 pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
-pub use quantity::{Area, Force, IndentationHardness, Length, Modulus, Pressure, SignedLength};
+pub use quantity::{
+    Area, Force, IndentationHardness, Length, Modulus, Pressure, Resistivity, SignedLength,
+    ThermalConductivity,
+};
 pub use quantity_error::QuantityError;
 pub use roughness::Scale;
 pub use share::{Share, ShareError};

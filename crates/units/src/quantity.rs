@@ -2,9 +2,11 @@
 
 use std::str::FromStr;
 
+use crate::hardness_scale::{HardnessScale, pascals_per_rockwell_c};
 use crate::quantity_error::QuantityError;
 use crate::quantity_kind::{
-    AREA, FORCE, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, VICKERS, VICKERS_UNIT, scaled,
+    AREA, FORCE, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, RESISTIVITY, THERMAL_CONDUCTIVITY,
+    scaled,
 };
 use crate::unit_scale::UnitScale;
 
@@ -43,11 +45,52 @@ pub struct Modulus {
     pub pa: f64,
 }
 
-/// An indentation hardness > 0, a pressure or a Vickers number.
+/// An indentation hardness > 0, a pressure or a number of Vickers, Brinell or Rockwell's C scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IndentationHardness {
-    /// In pascals; of a Vickers number, the load over the area of the indent's facets, 9.80665 MPa for 1 HV (ISO 6507).
+    /// In pascals; of a Vickers or Brinell number, the load over the area of the indent itself, 9.80665 MPa for 1 HV (ISO 6507)
+    /// or 1 HBW (ISO 6506); of a number of Rockwell's C scale, that of the Vickers number it is converted to.
     pub pa: f64,
+}
+
+/// A thermal conductivity > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThermalConductivity {
+    /// In watts per metre and kelvin.
+    pub w_per_m_k: f64,
+}
+
+/// An electrical resistivity > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resistivity {
+    /// In ohm metres.
+    pub ohm_m: f64,
+}
+
+impl IndentationHardness {
+    /// A standard uncertainty \[Pa\] that is typed in steps of Rockwell's C scale, of a hardness that is; `None` where the
+    /// uncertainty is typed in another unit.
+    ///
+    /// A step is worth more pressure the harder the body is, so that it has no size without the hardness.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`] where the hardness is not of that scale, [`QuantityError::Uncertainty`] for steps below 0.
+    pub fn uncertainty_of_steps(hardness: &str, uncertainty: &str) -> Result<Option<f64>, QuantityError> {
+        let is_steps = |unit| HardnessScale::of(unit) == Some(HardnessScale::RockwellC);
+        let Ok((steps, unit)) = HARDNESS.split(uncertainty) else { return Ok(None) };
+        if !is_steps(unit) {
+            return Ok(None);
+        }
+        let (number, unit) = HARDNESS.split(hardness)?;
+        if !is_steps(unit) {
+            return Err(HARDNESS.wrong_unit(uncertainty, "HRC"));
+        }
+        let steps = scaled(steps, UnitScale::ONE);
+        if !(steps >= 0.0 && steps.is_finite()) {
+            return Err(QuantityError::Uncertainty { text: uncertainty.to_owned() });
+        }
+        Ok(Some(steps * pascals_per_rockwell_c(scaled(number, UnitScale::ONE))))
+    }
 }
 
 /// A pressure > 0, in Pa or as a multiple of the hardness H = 3 S0.
@@ -120,10 +163,27 @@ impl FromStr for IndentationHardness {
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let (number, unit) = HARDNESS.split(text)?;
-        if unit == VICKERS_UNIT {
-            return Ok(IndentationHardness { pa: HARDNESS.positive(text, scaled(number, VICKERS))? });
-        }
-        Ok(IndentationHardness { pa: HARDNESS.parse(text)? })
+        let pa = match HardnessScale::of(unit) {
+            Some(scale) => scale.pascals(text, number)?,
+            None => HARDNESS.parse(text)?,
+        };
+        Ok(IndentationHardness { pa })
+    }
+}
+
+impl FromStr for ThermalConductivity {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(ThermalConductivity { w_per_m_k: THERMAL_CONDUCTIVITY.parse(text)? })
+    }
+}
+
+impl FromStr for Resistivity {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(Resistivity { ohm_m: RESISTIVITY.parse(text)? })
     }
 }
 
@@ -183,14 +243,54 @@ mod tests {
         assert_eq!(pascals("0.1HV"), Ok(980_665.0));
         assert_eq!(
             pascals("1 H").unwrap_err().to_string(),
-            "'1 H' has the unit 'H'; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV"
+            "'1 H' has the unit 'H'; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV, HBW, HRC"
         );
         assert_eq!(
             pascals("300").unwrap_err().to_string(),
-            "'300' has no unit; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV, as in '3 GPa'"
+            "'300' has no unit; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV, HBW, HRC, as in '3 GPa'"
         );
         assert!(matches!(pascals("-1 HV"), Err(QuantityError::NotPositive { what: "hardness", .. })));
         assert!("300 HV".parse::<Pressure>().is_err() && "300 HV".parse::<Modulus>().is_err());
+    }
+
+    #[test]
+    fn an_uncertainty_in_steps_of_rockwell_c_needs_a_hardness_of_that_scale() {
+        let found = |hardness, steps| IndentationHardness::uncertainty_of_steps(hardness, steps);
+        // (223 x 40 + 223 x 60 + 14500)/40^2 of a Vickers number.
+        assert_eq!(found("60 HRC", "1 HRC"), Ok(Some(23.0 * 9.80665e6)));
+        assert_eq!(found("60 HRC", "0 HRC"), Ok(Some(0.0)));
+        assert_eq!(found("60 HRC", "20 HV"), Ok(None));
+        assert!(matches!(found("7 GPa", "1 HRC"), Err(QuantityError::WrongUnit { .. })));
+        assert!(matches!(found("60 HRC", "-1 HRC"), Err(QuantityError::Uncertainty { .. })));
+    }
+
+    #[test]
+    fn conductivities_and_resistivities_have_units_of_their_own() {
+        for (text, expected) in
+            [("46 W/(m K)", 46.0), ("46 W/m/K", 46.0), ("0.46 W/(cm K)", 46.0), ("25 mW/mK", 0.025)]
+        {
+            assert_eq!(text.parse::<ThermalConductivity>().unwrap().w_per_m_k, expected, "{text}");
+        }
+        for (text, expected) in [
+            ("1.7e-8 ohm m", 1.7e-8),
+            ("1.7 uohm cm", 1.7e-8),
+            ("1.7 µΩ·cm", 1.7e-8),
+            ("17 nΩ m", 1.7e-8),
+            ("0.017 Ω mm²/m", 1.7e-8),
+        ] {
+            assert_eq!(text.parse::<Resistivity>().unwrap().ohm_m, expected, "{text}");
+        }
+        assert_eq!(
+            "46".parse::<ThermalConductivity>().unwrap_err().to_string(),
+            "'46' has no unit; a thermal conductivity needs one of W/(m K), mW/(m K), W/(cm K), as in '46 W/(m K)'"
+        );
+        assert_eq!(
+            "-46 W/(m K)".parse::<ThermalConductivity>().unwrap_err().to_string(),
+            "'-46 W/(m K)' is out of range; a thermal conductivity must be greater than 0 and finite"
+        );
+        assert!(
+            "5 ohm".parse::<Resistivity>().unwrap_err().to_string().contains("needs one of ohm m, ohm cm")
+        );
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! What is wrong with a typed quantity.
 
+use crate::bound::OutOfBounds;
+
 /// What is wrong with a typed quantity.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -45,6 +47,16 @@ pub enum QuantityError {
         text: String,
         /// The kind of quantity.
         what: &'static str,
+    },
+    /// A number that its scale of hardness does not have.
+    #[error(
+        "'{text}' is off its scale: {error}; give the hardness as a Vickers number, such as 300 HV, or as a pressure"
+    )]
+    OffScale {
+        /// What was typed.
+        text: String,
+        /// The number and its bound.
+        error: OutOfBounds,
     },
     /// Beyond the largest double.
     #[error("'{text}' is out of range; it must be finite")]

@@ -9,11 +9,11 @@ use crate::quantity_error::QuantityError;
 use crate::typed_spread::TypedSpread;
 use crate::unit_scale::UnitScale;
 
-/// A kind of quantity: its name, its units, the one that only this kind has beside them, and an example.
+/// A kind of quantity: its name, its units, those that only this kind has beside them, and an example.
 pub(crate) struct Kind {
     what: &'static str,
     units: Units,
-    own_unit: Option<&'static str>,
+    own_units: &'static [&'static str],
     example: &'static str,
 }
 
@@ -26,7 +26,7 @@ enum Units {
 }
 
 pub(crate) const LENGTH: Kind =
-    Kind { what: "length", units: Units::Lengths, own_unit: None, example: "5 um" };
+    Kind { what: "length", units: Units::Lengths, own_units: &[], example: "5 um" };
 
 /// 0.45359237 kg x 9.80665 m/s^2 / (25.4 mm)^2, to sixteen digits.
 const PSI: (u64, i32) = (6_894_757_293_168_361, -12);
@@ -48,23 +48,18 @@ pub(crate) const PRESSURE: Kind = Kind {
         (&["psi"], UnitScale::decimal(PSI.0, PSI.1)),
         (&["ksi"], UnitScale::decimal(PSI.0, PSI.1 + 3)),
     ]),
-    own_unit: Some(HARDNESS_UNIT),
+    own_units: &[HARDNESS_UNIT],
     example: "5.4 MPa",
 };
 
 /// The unit of pressure that is the material's own.
 pub(crate) const HARDNESS_UNIT: &str = "H";
 
-pub(crate) const MODULUS: Kind = Kind { what: "modulus", own_unit: None, example: "210 GPa", ..PRESSURE };
+pub(crate) const MODULUS: Kind = Kind { what: "modulus", own_units: &[], example: "210 GPa", ..PRESSURE };
 
+/// Its own units are those of [`HardnessScale`](crate::hardness_scale::HardnessScale).
 pub(crate) const HARDNESS: Kind =
-    Kind { what: "hardness", own_unit: Some(VICKERS_UNIT), example: "3 GPa", ..PRESSURE };
-
-/// Vickers' number, kgf/mm^2 over the facets of the indent.
-pub(crate) const VICKERS_UNIT: &str = "HV";
-
-/// 1 kgf/mm^2 = 9.80665 MPa.
-pub(crate) const VICKERS: UnitScale = UnitScale::decimal(980_665, 1);
+    Kind { what: "hardness", own_units: &["HV", "HBW", "HRC"], example: "3 GPa", ..PRESSURE };
 
 pub(crate) const FORCE: Kind = Kind {
     what: "force",
@@ -76,8 +71,34 @@ pub(crate) const FORCE: Kind = Kind {
         (&["kN"], ten(3)),
         (&["MN"], ten(6)),
     ]),
-    own_unit: None,
+    own_units: &[],
     example: "10 N",
+};
+
+pub(crate) const THERMAL_CONDUCTIVITY: Kind = Kind {
+    what: "thermal conductivity",
+    units: Units::Listed(&[
+        (&["W/(m K)", "W/(m*K)", "W/(m·K)", "W/m/K", "W/mK", "W/m K", "W m^-1 K^-1"], ten(0)),
+        (&["mW/(m K)", "mW/(m*K)", "mW/(m·K)", "mW/m/K", "mW/mK"], ten(-3)),
+        (&["W/(cm K)", "W/(cm*K)", "W/(cm·K)", "W/cm/K", "W/cmK"], ten(2)),
+    ]),
+    own_units: &[],
+    example: "46 W/(m K)",
+};
+
+/// The letter omega and the sign for ohm look the same.
+pub(crate) const RESISTIVITY: Kind = Kind {
+    what: "resistivity",
+    units: Units::Listed(&[
+        (&["ohm m", "ohm*m", "Ohm m", "Ω m", "Ω·m", "Ω*m", "Ωm", "\u{2126} m", "\u{2126}m"], ten(0)),
+        (&["ohm cm", "ohm*cm", "Ohm cm", "Ω cm", "Ω·cm", "Ωcm", "\u{2126} cm"], ten(-2)),
+        (&["mohm cm", "mOhm cm", "mΩ cm", "mΩ·cm", "m\u{2126} cm"], ten(-5)),
+        (&["uohm m", "uOhm m", "µΩ m", "μΩ m", "µΩ·m", "μΩ·m", "ohm mm^2/m", "Ω mm²/m", "Ω·mm²/m"], ten(-6)),
+        (&["uohm cm", "uOhm cm", "µΩ cm", "μΩ cm", "µΩ·cm", "μΩ·cm", "µ\u{2126} cm"], ten(-8)),
+        (&["nohm m", "nOhm m", "nΩ m", "nΩ·m", "n\u{2126} m"], ten(-9)),
+    ]),
+    own_units: &[],
+    example: "1.7e-8 ohm m",
 };
 
 pub(crate) const AREA: Kind = Kind {
@@ -88,7 +109,7 @@ pub(crate) const AREA: Kind = Kind {
         (&["mm^2", "mm2", "mm²"], ten(-6)),
         (&["um^2", "um2", "um²", "µm^2", "µm2", "µm²", "μm^2", "μm2", "μm²"], ten(-12)),
     ]),
-    own_unit: None,
+    own_units: &[],
     example: "1 cm^2",
 };
 
@@ -99,7 +120,7 @@ impl Kind {
             Units::Lengths => LengthUnit::ALL.map(LengthUnit::ascii).to_vec(),
             Units::Listed(units) => units.iter().map(|(spellings, _)| spellings[0]).collect(),
         };
-        names.extend(self.own_unit);
+        names.extend(self.own_units);
         names.join(", ")
     }
 
@@ -146,7 +167,7 @@ impl Kind {
         }
     }
 
-    fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
+    pub(crate) fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
         if TypedSpread::of(text).is_some() {
             return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
         }

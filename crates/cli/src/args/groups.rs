@@ -141,8 +141,8 @@ pub(crate) struct MaterialArgs {
     /// Yield strength of the rough body; elastic models do without
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub yield_strength: Option<Pressure>,
-    /// Indentation hardness H of the rough body, a pressure or a Vickers number, as 300HV; three times the yield strength
-    /// where not given, and where it alone is given, a third of it is the yield strength
+    /// Indentation hardness H of the rough body, a pressure or a number of a scale, as 300HV, 200HBW or 60HRC; three times
+    /// the yield strength where not given, and where it alone is given, a third of it is the yield strength
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub indentation_hardness: Option<IndentationHardness>,
     /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)

@@ -34,6 +34,11 @@ pub(super) trait Property: FromStr<Err = QuantityError> {
 
     /// The property of a value in SI units.
     fn of_si(value: f64) -> Self;
+
+    /// A standard uncertainty in SI units that has no size without its value; `None` where it has one by itself.
+    fn uncertainty_beside(_value: &str, _uncertainty: &str) -> Result<Option<f64>, QuantityError> {
+        Ok(None)
+    }
 }
 
 impl Property for Modulus {
@@ -53,6 +58,10 @@ impl Property for IndentationHardness {
 
     fn of_si(pa: f64) -> Self {
         IndentationHardness { pa }
+    }
+
+    fn uncertainty_beside(value: &str, uncertainty: &str) -> Result<Option<f64>, QuantityError> {
+        IndentationHardness::uncertainty_of_steps(value, uncertainty)
     }
 }
 
@@ -152,9 +161,11 @@ fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Known<T>, String> {
         TypedSpread::PlusMinus { value: text, uncertainty } => {
             let value: T = text.parse().map_err(|error: QuantityError| error.to_string())?;
             let median = value.si()?;
-            let uncertainty = match share(uncertainty)? {
-                Some(share) => share * median,
-                None => standard_uncertainty::<T>(uncertainty)
+            let beside = T::uncertainty_beside(text, uncertainty).map_err(|error| error.to_string())?;
+            let uncertainty = match (share(uncertainty)?, beside) {
+                (Some(share), _) => share * median,
+                (None, Some(uncertainty)) => uncertainty,
+                (None, None) => standard_uncertainty::<T>(uncertainty)
                     .map_err(|error| error.to_string())?
                     .map_or(Ok(0.0), |uncertainty| uncertainty.si())?,
             };
