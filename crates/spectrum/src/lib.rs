@@ -20,6 +20,7 @@
 //! * [`Moments`]: the spectral moments m0, m2, m4 down to a cutoff, and [`AsperityParameters`] from them;
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
+//! * [`SelfAffineProfile`]: the spectrum that has given [`RoughnessParameters`];
 //! * [`Superposition`]: the spectrum of the gap between two rough surfaces;
 //! * [`PowerLaw`] and [`AbelIntegral`]: pieces of a function of the wavevector, and the integral that joins line and area
 //!   spectra;
@@ -42,6 +43,7 @@ mod power_law;
 mod profile;
 mod psd;
 mod read;
+mod roughness_parameters;
 mod samples;
 mod self_affine_fit;
 mod superpose;
@@ -58,6 +60,10 @@ pub use psd::Psd;
 pub use read::{
     Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadMend, ReadOption, ReadOptions, SeriesError,
     SeriesName, UnitError, Wanted, WorkbookError, is_psd, read_psd, series_names,
+};
+pub use roughness_parameters::{
+    HURST_UNCERTAINTY, LONGEST_OVER_ROLLOFF, ROLLOFF_UNCERTAINTY_FACTOR, RoughnessError, RoughnessParameters,
+    SelfAffineProfile,
 };
 pub use samples::PsdError;
 pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
