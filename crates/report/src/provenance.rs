@@ -25,5 +25,15 @@ pub fn provenance(asked: &str, surface: &Surface, sampling: Sampling) -> Vec<Str
 /// The comment lines that tell which spectrum a file is made from, and what its own file says.
 pub fn of_surface(surface: &Surface) -> Vec<String> {
     let says = surface.remarks.iter().map(|remark| format!("spectrum says: {remark}"));
-    std::iter::once(format!("spectrum: {}", surface.name)).chain(says).collect()
+    let made_of = surface.each().into_iter().filter_map(|part| part.roughness).map(|given| {
+        let parameters = given.profile.parameters();
+        format!(
+            "spectrum made from Rq = {} m, Rdq = {}, roll-off wavelength {} m, Hurst exponent {}",
+            number(parameters.rms_height_m),
+            number(parameters.rms_slope),
+            number(parameters.rolloff_m),
+            number(parameters.hurst_exponent)
+        )
+    });
+    std::iter::once(format!("spectrum: {}", surface.name)).chain(says).chain(made_of).collect()
 }

@@ -1,8 +1,9 @@
 //! The words for what is worth knowing about a spectrum and the scans that it is made from.
 
 use scans::{Mend, ScanOption};
-use spectrum::Hole;
+use spectrum::{HURST_UNCERTAINTY, Hole, ROLLOFF_UNCERTAINTY_FACTOR, RoughnessParameters};
 use study::Note;
+use study::given_roughness::{GivenRoughness, RollOffFrom};
 use study::surface::Surface;
 use topography::{
     BandEnd, DIRECTIONS_DIFFER, Derivative, Direction, DirectionRatio, FundamentalMode, Remark,
@@ -23,6 +24,7 @@ pub fn note(told: &Note) -> String {
         Note::Reading(text) => text.clone(),
         Note::Reconstruction => "this spectrum is a reconstruction, not the published one".to_owned(),
         Note::Holes(found) => holes(found),
+        Note::OfParameters(given) => of_parameters(given),
         Note::Scans(of_scans) => remark(of_scans),
         Note::Superposition { shared_m: Some([longest_m, shortest_m]) } => format!(
             "both surfaces have a spectrum from {} to {}, where the two add; elsewhere one stands alone",
@@ -34,6 +36,31 @@ pub fn note(told: &Note) -> String {
         }
         Note::OfSurface { name, note: of_it } => format!("{name}: {}", note(of_it)),
     }
+}
+
+/// What of a spectrum was given, and what was assumed to make it of that.
+fn of_parameters(given: &GivenRoughness) -> String {
+    let RoughnessParameters { rms_height_m, rms_slope, rolloff_m, hurst_exponent } =
+        given.profile.parameters();
+    let rolloff = match given.rolloff_from {
+        RollOffFrom::Given => "as given",
+        RollOffFrom::MeanWidth => "for which the mean width RSm is taken",
+    };
+    let hurst = if given.hurst_is_assumed { "assumed" } else { "as given" };
+    format!(
+        "this spectrum was not measured but made from an rms height Rq of {} and an rms slope Rdq of {}, both of profiles of an \
+         isotropic surface: level from {} (assumed) to the roll-off at {} ({rolloff}), a Hurst exponent of {} ({hurst}) from there to \
+         {}, where it ends so as to have that slope; shorter waves are not in it. Its standard errors are those of a Hurst exponent \
+         known to {} and a roll-off known to a factor of {}",
+        length(rms_height_m),
+        three_digits(rms_slope),
+        length(given.profile.longest_m()),
+        length(rolloff_m),
+        three_digits(hurst_exponent),
+        length(given.profile.shortest_m()),
+        three_digits(HURST_UNCERTAINTY),
+        three_digits(ROLLOFF_UNCERTAINTY_FACTOR)
+    )
 }
 
 /// The warnings about a spectrum, a sentence each.

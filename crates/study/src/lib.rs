@@ -2,6 +2,7 @@
 
 pub mod choices_in_words;
 pub mod figure;
+pub mod given_roughness;
 pub mod hardness_and_strength;
 pub mod linear_laws;
 pub mod material;

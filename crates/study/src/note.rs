@@ -3,6 +3,8 @@
 use spectrum::Hole;
 use topography::{Remark, Severity};
 
+use crate::given_roughness::GivenRoughness;
+
 /// Something to know about the spectrum of a surface. Whoever has words has some for all of these: a match on them is whole.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
@@ -12,6 +14,8 @@ pub enum Note {
     Reconstruction,
     /// Wavelengths that were not measured, from long to short, at least one.
     Holes(Vec<Hole>),
+    /// It was not measured but made from roughness parameters.
+    OfParameters(GivenRoughness),
     /// Of the scans that it is made from.
     Scans(Remark),
     /// It is the sum of the spectra of two surfaces.
@@ -34,7 +38,7 @@ impl Note {
     pub fn severity(&self) -> Severity {
         match self {
             Note::Reading(_) | Note::Reconstruction | Note::Superposition { .. } => Severity::Note,
-            Note::Holes(_) => Severity::Warning,
+            Note::Holes(_) | Note::OfParameters(_) => Severity::Warning,
             Note::Scans(remark) => remark.severity(),
             Note::OfSurface { note, .. } => note.severity(),
         }

@@ -9,6 +9,7 @@ use spectrum::{
 };
 use topography::Recipe;
 
+use crate::given_roughness::GivenRoughness;
 use crate::note::Note;
 use measurements::Files;
 use measurements::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
@@ -94,6 +95,8 @@ pub struct Surface {
     pub notes: Vec<Note>,
     /// The scans it is the composite of, where it is not given as a spectrum.
     pub made_from: Option<CompositeOfFiles>,
+    /// The roughness parameters that it is made from, where they are all that is given.
+    pub roughness: Option<GivenRoughness>,
     /// The files that it was read from; those of scans are told in the remarks.
     pub sources: Vec<SourceFile>,
     /// The two surfaces that it is the sum of, where it is one.
@@ -138,6 +141,7 @@ impl Surface {
             remarks: comments,
             notes,
             made_from: None,
+            roughness: None,
             sources: vec![source],
             parts: None,
             holes,
@@ -176,9 +180,32 @@ impl Surface {
             remarks,
             notes,
             made_from: Some(scans),
+            roughness: None,
             sources: Vec::new(),
             parts: None,
             holes,
+        })
+    }
+
+    /// The spectrum of roughness parameters.
+    ///
+    /// # Errors
+    /// None: a spectrum of profiles needs no conversion.
+    pub fn of_roughness(given: GivenRoughness) -> Result<Self, SurfaceError> {
+        let name = given.name();
+        let psd = given.profile.psd();
+        let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
+        Ok(Surface {
+            name,
+            psd,
+            of_area: None,
+            remarks: Vec::new(),
+            notes: vec![Note::OfParameters(given)],
+            made_from: None,
+            roughness: Some(given),
+            sources: Vec::new(),
+            parts: None,
+            holes: Vec::new(),
         })
     }
 
@@ -205,7 +232,8 @@ impl Surface {
         let name = format!("{} against {}", self.name, other.name);
         let sources = [&self.sources[..], &other.sources[..]].concat();
         let parts = Some(Box::new([self, other]));
-        Surface { name, psd: sum.psd, of_area: None, remarks, notes, made_from: None, sources, parts, holes }
+        let (of_area, made_from, roughness) = (None, None, None);
+        Surface { name, psd: sum.psd, of_area, remarks, notes, made_from, roughness, sources, parts, holes }
     }
 
     /// The surfaces that it is the sum of, or itself.

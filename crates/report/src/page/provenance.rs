@@ -29,7 +29,8 @@ fn of(report: &SceneReport<'_>) -> Markup {
         @for source in &surface.sources {
             p { "SHA-256 of " code { (source.name) } ": " code.hash { (source.sha256) } }
         }
-        @if surface.remarks.is_empty() { p { "Its file says nothing about where it comes from." } }
+        @if surface.roughness.is_some() { p { "It was made from roughness parameters." } }
+        @else if surface.remarks.is_empty() { p { "Its file says nothing about where it comes from." } }
         @else {
             p { "Its file says:" }
             blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }

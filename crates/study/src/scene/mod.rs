@@ -14,6 +14,7 @@ mod loads;
 mod notes;
 mod raw;
 mod resolve;
+mod roughness;
 mod spelling;
 mod surfaces;
 mod template;

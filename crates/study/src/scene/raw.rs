@@ -56,6 +56,11 @@ pub(super) struct RawSurface {
     pub window: Option<Window>,
     pub average: Option<Average>,
     pub bins_per_decade: Option<Spanned<i64>>,
+    pub rms_height: Option<RawQuantity>,
+    pub rms_slope: Option<Spanned<f64>>,
+    pub mean_width: Option<RawQuantity>,
+    pub rolloff_wavelength: Option<RawQuantity>,
+    pub hurst: Option<Spanned<f64>>,
 }
 
 /// A scan: its file alone, or with what the file does not say.

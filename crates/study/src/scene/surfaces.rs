@@ -1,10 +1,11 @@
-//! The surfaces of a scene: a spectrum, or scans to make one of; the counterface's added where it has one.
+//! The surfaces of a scene: a spectrum, scans to make one of, or roughness parameters; the counterface's added where it has one.
 
 use serde_spanned::Spanned;
 use spectrum::ReadOptions;
 
 use super::error::SceneError;
 use super::raw::{RawScan, RawSurface};
+use super::roughness::{keys as roughness_keys, resolve_roughness};
 use super::values::{count, optional, parsed};
 use crate::surface::{Surface, SurfaceError};
 use measurements::{Files, Instrument, ScanRequest, SlopeUncertainty, ZCalibration};
@@ -18,20 +19,36 @@ pub(super) fn resolve_surface(
     files: &dyn Files,
 ) -> Result<Surface, SceneError> {
     let surface = raw.get_ref();
-    match (&surface.psd, &surface.scans[..]) {
-        (Some(psd), []) => {
+    let parameter = roughness_keys(surface).into_iter().find(|(_, given)| *given).map(|(name, _)| name);
+    match (&surface.psd, &surface.scans[..], parameter) {
+        (Some(psd), [], None) => {
             refuse_idle_keys(key, raw)?;
             spectrum(key, surface, psd, files)
         }
-        (None, [_, ..]) => {
+        (None, [_, ..], None) => {
             refuse_idle_keys(key, raw)?;
             composite(key, surface, files)
         }
-        (Some(_), _) => {
+        (None, [], Some(_)) => {
+            refuse_idle_keys(key, raw)?;
+            resolve_roughness(key, raw)
+        }
+        (Some(_), [_, ..], _) => {
             Err(SceneError::at(raw.span(), format!("[{key}] has both psd and scans; keep one of them")))
         }
-        (None, []) => {
-            let message = format!("[{key}] needs psd = \"...\", or scans = [{{ file = \"...\" }}]");
+        (psd, _, Some(parameter)) => {
+            let measured = if psd.is_some() { "psd" } else { "scans" };
+            let message = format!(
+                "[{key}] has both {measured} and {parameter}; roughness parameters stand in place of a measured spectrum: keep \
+                 one of them"
+            );
+            Err(SceneError::at(raw.span(), message))
+        }
+        (None, [], None) => {
+            let message = format!(
+                "[{key}] needs psd = \"...\", or scans = [{{ file = \"...\" }}], or rms_height, rms_slope and mean_width or \
+                 rolloff_wavelength"
+            );
             Err(SceneError::at(raw.span(), message))
         }
     }
@@ -55,13 +72,19 @@ fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneErr
         ("average", surface.average.is_some()),
         ("bins_per_decade", surface.bins_per_decade.is_some()),
     ];
-    let (idle, without, what): (&[(&str, bool)], _, _) = match surface.psd {
-        Some(_) => (&of_scans, "psd", "scans"),
-        None => (&of_spectra, "scans", "a psd"),
+    let [spectra, scans] = [(&of_spectra[..], "a psd"), (&of_scans[..], "scans")];
+    let (idle, given) = match (&surface.psd, &surface.scans[..]) {
+        (Some(_), _) => (vec![scans], "psd"),
+        (None, [_, ..]) => (vec![spectra], "scans"),
+        (None, []) => (vec![spectra, scans], "roughness parameters"),
     };
-    match idle.iter().find(|(_, given)| *given) {
-        Some((name, _)) => {
-            let message = format!("key {key}.{name} is for {what}, and {without} is given; leave it out");
+    let first_of = |(keys, what): (&[(&'static str, bool)], &'static str)| {
+        keys.iter().find(|(_, given)| *given).map(|(name, _)| (*name, what))
+    };
+    match idle.into_iter().find_map(first_of) {
+        Some((name, what)) => {
+            let verb = if given == "roughness parameters" { "are" } else { "is" };
+            let message = format!("key {key}.{name} is for {what}, and {given} {verb} given; leave it out");
             Err(SceneError::at(raw.span(), message))
         }
         None => Ok(()),

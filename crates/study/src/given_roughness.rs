@@ -1,0 +1,47 @@
+//! A surface of which roughness parameters are all that is given.
+
+use spectrum::{RoughnessParameters, SelfAffineProfile};
+use units::display::{length, three_digits};
+
+/// The Hurst exponent where none is given: what measured surfaces have mostly.
+pub const ASSUMED_HURST: f64 = 0.8;
+
+/// The spectrum of roughness parameters, and what of it was assumed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GivenRoughness {
+    /// The spectrum.
+    pub profile: SelfAffineProfile,
+    /// Where its roll-off wavelength comes from.
+    pub rolloff_from: RollOffFrom,
+    /// Whether nobody gave its Hurst exponent.
+    pub hurst_is_assumed: bool,
+}
+
+/// Where a roll-off wavelength comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RollOffFrom {
+    /// It was given.
+    Given,
+    /// The mean width of profile elements, RSm, was taken for it.
+    MeanWidth,
+}
+
+impl GivenRoughness {
+    /// The surface by its parameters, in short.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let RoughnessParameters { rms_height_m, rms_slope, rolloff_m, hurst_exponent } =
+            self.profile.parameters();
+        let width = match self.rolloff_from {
+            RollOffFrom::Given => "roll-off",
+            RollOffFrom::MeanWidth => "RSm",
+        };
+        format!(
+            "Rq {}, Rdq {}, {width} {}, H {}",
+            length(rms_height_m),
+            three_digits(rms_slope),
+            length(rolloff_m),
+            three_digits(hurst_exponent)
+        )
+    }
+}
