@@ -65,6 +65,9 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
         let told: Vec<String> = material.iter().map(|(name, value)| format!("{name} {value}")).collect();
         let _ = writeln!(text, "{}", textwrap::fill(&told.join(", "), &columns));
     }
+    for line in scene.bodies.describe(&scene.spreads) {
+        let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
+    }
     for choice in scene.model_choices() {
         let _ = writeln!(text, "{choice}");
     }

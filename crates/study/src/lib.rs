@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod bodies;
 pub mod choices_in_words;
 pub mod figure;
 pub mod given_roughness;
@@ -7,6 +8,7 @@ pub mod hardness_and_strength;
 pub mod linear_laws;
 pub mod material;
 pub mod material_spreads;
+pub mod materials;
 pub mod measured;
 pub mod models;
 mod note;

@@ -74,10 +74,7 @@ fn keys_that_contradict_lack_or_repeat_one_another_are_refused_with_the_mend() {
          wide features are"
     );
     let missing = of_surface("rms_height = \"1 um\"\nmean_width = \"80 um\"").unwrap_err();
-    assert!(
-        matches!(&missing.problem, SceneProblem::MissingKey { key } if key == "surface.rms_slope"),
-        "{missing}"
-    );
+    assert!(matches!(&missing.problem, SceneProblem::MissingKey { key } if key == "rms_slope"), "{missing}");
     assert_eq!(
         told(&format!("{GROUND}mean_width = \"80 um\"\nwindow = \"hann\"")),
         "key surface.window is for scans, and roughness parameters are given; leave it out"

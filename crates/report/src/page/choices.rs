@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::answer::sentence;
 use super::{SceneReport, Section, per_scene};
 use study::material::Material;
 use study::plan::Sampling;
@@ -24,6 +25,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         @if !properties.is_empty() {
             dl.pairs { @for (name, value) in &properties { div { dt { (name) } dd { (value) } } } }
         }
+        @for line in scene.bodies.describe(&scene.spreads) { p { (sentence(&line)) } }
         @if !choices.is_empty() { ul { @for choice in &choices { li { (choice) } } } }
         @if let Some(density) = sampling.scales_per_decade {
             p { "The spectrum is resampled to " (density) " scales per decade." }

@@ -11,6 +11,7 @@ mod from_toml;
 mod judge;
 mod known;
 mod loads;
+mod named_material;
 mod notes;
 mod raw;
 mod resolve;
@@ -28,6 +29,7 @@ pub use resolve::Overrides;
 pub use template::Template;
 pub use uncertainty::UncertaintyChoices;
 
+use crate::bodies::Bodies;
 use crate::choices_in_words;
 use crate::figure::Figure;
 use crate::material::Material;
@@ -50,6 +52,8 @@ pub struct Scene {
     pub material: Option<Material>,
     /// How well the material is known.
     pub spreads: MaterialSpreads,
+    /// What else is known of the two bodies.
+    pub bodies: Bodies,
     /// Which scales take part.
     pub sampling: Sampling,
     /// What has to be computed for its curves and figures.
@@ -86,6 +90,7 @@ impl Scene {
     /// The choices that its numbers depend on, besides the spectrum.
     pub fn choices(&self) -> Vec<String> {
         let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
+        choices.extend(self.bodies.describe(&self.spreads));
         choices.extend(self.spreads.describe());
         choices.extend(self.model_choices());
         choices

@@ -24,7 +24,7 @@ pub(super) type RawQuantity = Spanned<toml::Value>;
 pub(super) struct RawScene {
     pub title: Option<String>,
     pub surface: Spanned<RawSurface>,
-    pub material: Option<RawMaterial>,
+    pub material: Option<Spanned<RawMaterial>>,
     pub counterface: Option<Spanned<RawCounterface>>,
     pub loads: Option<Spanned<RawLoads>>,
     #[serde(default)]
@@ -83,18 +83,21 @@ pub(super) struct RawScanKeys {
     pub slope_uncertainty: Option<RawQuantity>,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawMaterial {
-    pub youngs_modulus: Spanned<RawProperty>,
-    pub poisson_ratio: Spanned<RawProperty>,
+    pub name: Option<Spanned<String>>,
+    pub youngs_modulus: Option<Spanned<RawProperty>>,
+    pub poisson_ratio: Option<Spanned<RawProperty>>,
     pub yield_strength: Option<Spanned<RawProperty>>,
     pub indentation_hardness: Option<Spanned<RawProperty>>,
     pub strain_gradient_length: Option<Spanned<RawProperty>>,
+    pub thermal_conductivity: Option<RawQuantity>,
+    pub resistivity: Option<RawQuantity>,
 }
 
 /// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) enum RawProperty {
     /// A text, a number, or what is neither, to be refused with the mend.
     Value(toml::Value),
@@ -102,7 +105,7 @@ pub(super) enum RawProperty {
     Distribution(RawDistribution),
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawDistribution {
     pub distribution: Distribution,
@@ -126,8 +129,14 @@ pub(super) enum Distribution {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawCounterface {
+    pub name: Option<Spanned<String>>,
     pub youngs_modulus: Option<Spanned<RawProperty>>,
     pub poisson_ratio: Option<Spanned<RawProperty>>,
+    pub yield_strength: Option<Spanned<RawProperty>>,
+    pub indentation_hardness: Option<Spanned<RawProperty>>,
+    pub strain_gradient_length: Option<Spanned<RawProperty>>,
+    pub thermal_conductivity: Option<RawQuantity>,
+    pub resistivity: Option<RawQuantity>,
     pub surface: Option<Spanned<RawSurface>>,
 }
 

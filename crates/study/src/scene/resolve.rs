@@ -6,7 +6,7 @@ use asperity::{ElasticBody, Hardness};
 use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
-use super::bodies::{KnownBody, resolve_counterface, resolve_material};
+use super::bodies::{KnownCounterface, resolve_counterface, resolve_material};
 use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
@@ -17,6 +17,7 @@ use super::raw::RawScene;
 use super::surfaces::resolve_surface;
 use super::uncertainty::{UncertaintyChoices, resolve_uncertainty};
 use super::values::{count, optional, tolerance};
+use crate::bodies::Bodies;
 use crate::figure::Shows;
 use crate::material_spreads::MaterialSpreads;
 use crate::models::ModelOptions;
@@ -59,16 +60,16 @@ pub(super) fn resolve(
         None => optional("options.strength_cap", options.strength_cap.as_ref())?,
     };
     let counterface = match (overrides.counterface, &raw.counterface) {
-        (Some(body), _) => Some(KnownBody::exactly(body)),
+        (Some(body), _) => KnownCounterface::exactly(body),
         (None, Some(raw)) => resolve_counterface(raw)?,
-        (None, None) => None,
+        (None, None) => KnownCounterface::default(),
     };
-    let (material, spreads) = match &raw.material {
+    let (material, spreads, bodies) = match &raw.material {
         Some(material) => {
-            let (material, spreads) = resolve_material(material, counterface, strength_cap)?;
-            (Some(material), spreads)
+            let (material, spreads, bodies) = resolve_material(material, counterface, strength_cap)?;
+            (Some(material), spreads, bodies)
         }
-        None => (None, MaterialSpreads::default()),
+        None => (None, MaterialSpreads::default(), Bodies::default()),
     };
     let cutoff: Option<Length> =
         optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
@@ -110,6 +111,7 @@ pub(super) fn resolve(
         surface,
         material,
         spreads,
+        bodies,
         sampling: Sampling {
             scales_per_decade: overrides.scales_per_decade.or(per_decade),
             cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),

@@ -48,8 +48,7 @@ pub(super) fn resolve_roughness(key: &str, raw: &Spanned<RawSurface>) -> Result<
             )));
         }
     };
-    let missing =
-        |name: &str| SceneError::at(raw.span(), SceneProblem::MissingKey { key: format!("{key}.{name}") });
+    let missing = |name: &str| SceneError::at(raw.span(), SceneProblem::MissingKey { key: name.to_owned() });
     let parameters = RoughnessParameters {
         rms_height_m: height.ok_or_else(|| missing("rms_height"))?.m,
         rms_slope: *surface.rms_slope.as_ref().ok_or_else(|| missing("rms_slope"))?.get_ref(),

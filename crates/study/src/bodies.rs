@@ -1,0 +1,121 @@
+//! What a scene says of its two bodies besides their elastic constants: what they conduct, where their values come from, and which
+//! of them flows.
+
+use units::display::pressure;
+
+use crate::material_spreads::MaterialSpreads;
+
+/// One of the two bodies in contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Body {
+    /// The rough body, \[material\] of a scene.
+    Rough,
+    /// What presses on it, \[counterface\] of a scene.
+    Counterface,
+}
+
+impl Body {
+    /// Its name in sentences.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Body::Rough => "the rough body",
+            Body::Counterface => "the counterface",
+        }
+    }
+}
+
+/// How well a body conducts; no law of contact needs it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Transport {
+    /// Its thermal conductivity \[W/(m K)\], where it is given.
+    pub thermal_conductivity_w_per_m_k: Option<f64>,
+    /// Its electrical resistivity \[ohm m\], where it is given.
+    pub resistivity_ohm_m: Option<f64>,
+}
+
+/// Values that a scene took from the table of materials, since it named one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FromTable {
+    /// The name in the table.
+    pub name: String,
+    /// The keys that were left out and filled, in their order in a scene.
+    pub keys: Vec<&'static str>,
+    /// Where the values of the table come from.
+    pub sources: String,
+}
+
+/// Which body flows, where the counterface has a strength.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Softer {
+    /// The one whose yield strength and hardness the models take.
+    pub flows: Body,
+    /// Its yield strength \[Pa\], a third of its hardness where that was given.
+    pub yield_strength_pa: f64,
+    /// That of the other, at least as large; absent where the other was given none and is taken not to yield.
+    pub other_pa: Option<f64>,
+}
+
+/// What is known of both bodies.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Bodies {
+    /// How well the rough body conducts.
+    pub transport: Transport,
+    /// How well the counterface does.
+    pub counterface_transport: Transport,
+    /// What the table of materials filled of the rough body.
+    pub from_table: Option<FromTable>,
+    /// What it filled of the counterface.
+    pub counterface_from_table: Option<FromTable>,
+    /// Which of them flows; absent where the counterface has no strength, as then the rough body alone yields.
+    pub softer: Option<Softer>,
+}
+
+impl Bodies {
+    /// A line for each thing that a scene does not say itself: what was taken from the table, and which body flows.
+    #[must_use]
+    pub fn describe(&self, spreads: &MaterialSpreads) -> Vec<String> {
+        let filled = [(Body::Rough, &self.from_table), (Body::Counterface, &self.counterface_from_table)];
+        let mut lines: Vec<String> = filled
+            .into_iter()
+            .filter_map(|(body, from_table)| from_table.as_ref().and_then(|from_table| from_table.line(body)))
+            .collect();
+        lines.extend(self.softer.map(|softer| softer.line(spreads.strength.is_some())));
+        lines
+    }
+}
+
+impl FromTable {
+    /// What was filled; nothing to say where all was given.
+    fn line(&self, body: Body) -> Option<String> {
+        let (name, sources) = (&self.name, &self.sources);
+        let filled = (!self.keys.is_empty()).then(|| self.keys.join(", "))?;
+        Some(format!("{} is {name}: {filled} from the table of materials ({sources})", body.words()))
+    }
+}
+
+impl Softer {
+    fn line(&self, is_uncertain: bool) -> String {
+        let Softer { flows, yield_strength_pa, other_pa } = *self;
+        let other = match flows {
+            Body::Rough => Body::Counterface,
+            Body::Counterface => Body::Rough,
+        };
+        let (flows, other) = (flows.words(), other.words());
+        let decided = if is_uncertain { "; medians decide, in every draw" } else { "" };
+        match other_pa {
+            Some(other_pa) if other_pa == yield_strength_pa => {
+                format!(
+                    "both bodies have a yield strength of {}, and {flows} is taken to flow",
+                    pressure(other_pa)
+                )
+            }
+            Some(other_pa) => format!(
+                "{flows} flows, which is the softer: its yield strength is {}, that of {other} {}{decided}",
+                pressure(yield_strength_pa),
+                pressure(other_pa)
+            ),
+            None => format!("{flows} flows: {other} was given no strength and is taken not to yield"),
+        }
+    }
+}
