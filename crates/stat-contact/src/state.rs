@@ -32,12 +32,27 @@ pub struct ContactState {
     pub out_of_range_load_share: f64,
     /// Whether the sum of the areas exceeds the nominal area and was held at it.
     pub clamped: bool,
+    /// The separation over which the pressure falls by a factor e, if it went on as here \[m\]: -p/(dp/dd).
+    #[serde(skip)]
+    pub(crate) decay_length_m: Option<f64>,
 }
 
 impl ContactState {
+    /// The stiffness K = -dp/dd over the nominal area \[Pa/m\]. The separation enters the integral over the heights by their
+    /// density alone, g'(z) = -z g(z)/sigma_s^2, so that K = p <z>/sigma_s^2, <z> being the mean height of what meets the
+    /// flat, weighted by its load. No force is differentiated: kinks cost nothing, and where a force steps, K holds the
+    /// asperities on the step. Below 0 where the pressure falls as the surfaces approach.
+    ///
+    /// `None` where the contact is complete, and from a million standard deviations below the mean down, where all heights
+    /// are taken as one.
+    #[must_use]
+    pub fn stiffness_pa_per_m(&self) -> Option<f64> {
+        self.decay_length_m.map(|decay_length_m| self.pressure_pa / decay_length_m)
+    }
+
     /// The state on a frame at the separation u + rounding, in units of sigma_s, but for what the frame does not know: the
     /// separation in metres, and the evaluations.
-    pub(crate) fn on_frame(here: &Here<'_, '_>, rounding: f64) -> Self {
+    pub(crate) fn on_frame(here: &Here<'_, '_>, rounding: f64, sigma_s_m: f64) -> Self {
         let &Here { u, sums, .. } = here;
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
@@ -54,6 +69,7 @@ impl ContactState {
             evaluations: 0,
             out_of_range_load_share: here.out_of_range_load_share(),
             clamped: area_fraction.logarithm > 0.0,
+            decay_length_m: Some(-sigma_s_m / sums.log_pressure_slope()),
         }
     }
 
@@ -73,6 +89,7 @@ impl ContactState {
             evaluations: EVALUATIONS,
             out_of_range_load_share: 0.0,
             clamped: response.area_fraction > 1.0,
+            decay_length_m: None,
         }
     }
 
@@ -88,6 +105,7 @@ impl ContactState {
             evaluations: 0,
             out_of_range_load_share: 0.0,
             clamped: false,
+            decay_length_m: None,
         }
     }
 
