@@ -12,7 +12,7 @@
 
 use std::f64::consts::PI;
 
-use numerics::GaussLegendre;
+use numerics::{GaussLegendre, zero_in_bracket};
 
 use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
@@ -85,23 +85,65 @@ impl SeparationLaw {
     /// infinite at the first.
     #[must_use]
     pub fn along(&self, pressure_pa: f64) -> Vec<Separation> {
-        let factor = self.factor();
         let (mut gap, mut compliance) = (0.0, 0.0);
-        let of_sums = |gap: f64, compliance: f64| Separation {
-            mean_gap_m: factor * gap,
-            stiffness_pa_per_m: pressure_pa / (factor * compliance),
-        };
-        let mut all = vec![of_sums(0.0, 0.0)];
+        let mut all = vec![self.of_sums(pressure_pa, gap, compliance)];
         all.extend(self.stretches.iter().map(|stretch| {
-            // Where p/v is beyond 27 the integrands are below the smallest double.
-            self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
-                let x = pressure_pa / v_pa;
-                gap += per_rad_m * self.energy.beyond(x);
-                compliance += per_rad_m * self.energy.density(x);
-            });
-            of_sums(gap, compliance)
+            self.add(stretch, pressure_pa, &mut gap, &mut compliance);
+            self.of_sums(pressure_pa, gap, compliance)
         }));
         all
+    }
+
+    /// Adds a stretch to the two integrals.
+    fn add(&self, stretch: &Option<Stretch>, pressure_pa: f64, gap: &mut f64, compliance: &mut f64) {
+        // Where p/v is beyond 27 the integrands are below the smallest double.
+        self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
+            let x = pressure_pa / v_pa;
+            *gap += per_rad_m * self.energy.beyond(x);
+            *compliance += per_rad_m * self.energy.density(x);
+        });
+    }
+
+    fn of_sums(&self, pressure_pa: f64, gap: f64, compliance: f64) -> Separation {
+        let factor = self.factor();
+        Separation { mean_gap_m: factor * gap, stiffness_pa_per_m: pressure_pa / (factor * compliance) }
+    }
+
+    /// Separation and stiffness under a nominal pressure p > 0 \[Pa\] of the whole spectrum; 0 and infinite where there is
+    /// no roughness.
+    #[must_use]
+    pub fn whole(&self, pressure_pa: f64) -> Separation {
+        let (mut gap, mut compliance) = (0.0, 0.0);
+        for stretch in &self.stretches {
+            self.add(stretch, pressure_pa, &mut gap, &mut compliance);
+        }
+        self.of_sums(pressure_pa, gap, compliance)
+    }
+
+    /// The pressure \[Pa\] up to which the law of light loads turns a gap into the pressure of the whole theory, but for a
+    /// share of it. `None` where there is no roughness.
+    #[must_use]
+    pub fn light_loads_hold_up_to_pa(&self, share: f64) -> Option<f64> {
+        // The law is met from below: a millionth of p00 lies well within, and the steps are finer than it bends.
+        const FROM: f64 = 1e-6;
+        const STEP: f64 = 1.2;
+        let light = self.light_loads()?;
+        let excess = |log_pa: f64| {
+            let gap_m = self.whole(log_pa.exp()).mean_gap_m;
+            let log_of_law = light.reference_pressure_pa.ln() - gap_m / light.decay_length_m;
+            libm::expm1(log_of_law - log_pa).abs() - share
+        };
+        let steps = (0..).map(|step| (FROM * light.reference_pressure_pa).ln() + f64::from(step) * STEP.ln());
+        let mut within = None;
+        // Where nothing is left of the gap the law is off by any share.
+        for log_pa in steps.take_while(|log_pa| *log_pa < (1e3 * light.reference_pressure_pa).ln()) {
+            if excess(log_pa) > 0.0 {
+                let bracket = |within| zero_in_bracket(within, log_pa, excess);
+                return Some(within.map_or(log_pa, bracket).exp());
+            }
+            within = Some(log_pa);
+        }
+        within.map(f64::exp)
     }
 
     /// The law of light loads of the whole spectrum; `None` where there is no roughness.
@@ -281,6 +323,43 @@ impl Energy {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// C1D ~ q^-2.6 over two decades of wavevectors, in which V ~ q^0.4 for the exponents of the theory.
+    fn power_law() -> SeparationLaw {
+        let knots: Vec<SeparationKnot> = (0..=20)
+            .map(|at| {
+                let q = 1e4 * 10f64.powf(f64::from(at) / 10.0);
+                let variance_pa2 = 1e16 * ((q / 1e4).powf(0.4) - 1.0);
+                SeparationKnot { wavevector_rad_per_m: q, variance_pa2, variance_exponent: 0.4 }
+            })
+            .collect();
+        SeparationLaw::new(&knots, 1e11, 0.45)
+    }
+
+    #[test]
+    fn the_whole_spectrum_is_the_last_of_its_cutoffs() {
+        let law = power_law();
+        for pressure_pa in [1e3, 1e7, 3e8] {
+            assert_eq!(law.along(pressure_pa).last(), Some(&law.whole(pressure_pa)));
+        }
+    }
+
+    #[test]
+    fn the_law_of_light_loads_holds_up_to_the_pressure_that_is_told() {
+        let law = power_law();
+        let light = law.light_loads().unwrap();
+        let off = |pressure_pa: f64| {
+            let gap_m = law.whole(pressure_pa).mean_gap_m;
+            light.reference_pressure_pa * (-gap_m / light.decay_length_m).exp() / pressure_pa - 1.0
+        };
+        for share in [1e-3, 0.01, 0.1] {
+            let most_pa = law.light_loads_hold_up_to_pa(share).unwrap();
+            assert!((off(most_pa).abs() / share - 1.0).abs() < 1e-3, "{share}: {}", off(most_pa));
+            assert!((0..40).all(|step| off(most_pa * 0.8f64.powi(step)).abs() <= share * (1.0 + 1e-3)));
+        }
+        let flat = SeparationLaw::new(&[], 1e11, 0.45);
+        assert_eq!(flat.light_loads_hold_up_to_pa(0.01), None);
+    }
 
     #[test]
     fn a_spectrum_that_falls_by_powers_of_ten_has_an_end() {
