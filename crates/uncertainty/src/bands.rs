@@ -2,7 +2,7 @@
 
 use crate::areas::Points;
 use crate::found::{AreaBand, BandPoint};
-use crate::quantiles::bias_corrected_interval;
+use crate::quantiles::interval_about;
 
 /// Draws that a band is made of, at most: it is drawn, not read off.
 pub(crate) const MOST_DRAWS: usize = 64;
@@ -22,7 +22,7 @@ pub(crate) fn band(
             Some(found.1.ln())
         };
         let ln_areas: Vec<f64> = draws.iter().map(at).collect::<Option<_>>()?;
-        let found = bias_corrected_interval(&ln_areas, best.ln(), level)?;
+        let found = interval_about(best.ln(), &ln_areas, level)?;
         let is_told = found.low.value.is_finite() && found.high.value.is_finite();
         is_told.then(|| BandPoint { wavelength_m, low: found.low.value.exp(), high: found.high.value.exp() })
     };

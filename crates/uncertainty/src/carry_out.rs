@@ -11,7 +11,7 @@ use crate::draws::{self, Along, Drawn};
 use crate::found::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::group::Indices;
 use crate::inputs::Inputs;
-use crate::quantiles::{bias_corrected_interval, interval};
+use crate::quantiles::{interval, interval_about};
 use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
@@ -210,7 +210,7 @@ impl<'p> UncertaintyPlan<'p> {
         // What calibrations and data sheets alone leave open is told as it is drawn.
         let best = best.filter(|_| self.inputs.surface_scatters());
         let at_level = |level| match best {
-            Some(best) => bias_corrected_interval(&ln_areas, best, level),
+            Some(best) => interval_about(best, &ln_areas, level),
             None => interval(&ln_areas, level),
         };
         let found = at_level(self.settings.level)?;

@@ -46,11 +46,11 @@ pub struct AreaInterval {
     pub load: usize,
     /// The area fraction of the plain run, at the shortest wavelength.
     pub area_fraction: f64,
-    /// The median of the draws, corrected for bias where the surface scatters.
+    /// The median of the draws, moved to the area of the best estimates where the surface scatters.
     pub median: f64,
     /// The lower end of the interval, which leaves as much probability below as the upper one above; of draws as they are where
-    /// the surface is taken for exact, and else corrected for bias
-    /// ([`bias_corrected_interval`](crate::quantiles::bias_corrected_interval)).
+    /// the surface is taken for exact, and else about the area of the best estimates
+    /// ([`interval_about`](crate::quantiles::interval_about)).
     pub low: f64,
     /// The upper end.
     pub high: f64,
