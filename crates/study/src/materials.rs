@@ -73,10 +73,10 @@ mod tests {
             let strength = row.yield_strength.as_ref().map(|text| text.parse::<Pressure>().unwrap());
             // H is three times S0 in the models, which no two measured values are.
             assert!(hardness.is_none() || strength.is_none(), "{}", row.name);
-            for conductivity in &row.thermal_conductivity {
+            if let Some(conductivity) = &row.thermal_conductivity {
                 conductivity.parse::<ThermalConductivity>().unwrap();
             }
-            for resistivity in &row.resistivity {
+            if let Some(resistivity) = &row.resistivity {
                 resistivity.parse::<Resistivity>().unwrap();
             }
             assert!(row.sources.len() > 10, "{}", row.name);
