@@ -55,6 +55,7 @@ const LAYERS: &[Layer] = &[
         "truearea-study",
         &[
             "truearea-features",
+            "truearea-interface",
             "truearea-persson",
             "truearea-units",
             "truearea-numerics",
@@ -140,6 +141,7 @@ const LAYERS: &[Layer] = &[
         &[
             "truearea-judge",
             "truearea-uncertainty",
+            "truearea-interface",
             "truearea-persson",
             "truearea-elements",
             "truearea-gaussian-surfaces",

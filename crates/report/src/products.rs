@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use crate::coverage::with_intervals;
 use crate::curve_names::with_full_names;
+use crate::interface_table;
 use crate::judged;
 use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
@@ -15,10 +16,11 @@ use judge::Judgement;
 use sensitivity::{Sensitivity, counted_sensitivities};
 use study::Unobserved;
 use study::figure::{Figure, FigureData, Shows, over_scans};
+use study::interface::InterfaceStates;
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
-use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
+use study::scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use tables::{Format, Table};
 use uncertainty::Uncertainty;
 
@@ -223,6 +225,7 @@ pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
     if parts.uncertainty {
         names.extend(UNCERTAINTY_TABLES.map(table));
     }
+    names.extend(scene.interface.as_ref().map(|_| table(INTERFACE_TABLE)));
     if parts.report {
         names.extend(REPORT_TABLES.map(table));
         names.push(REPORT.to_owned());
@@ -270,6 +273,9 @@ pub fn each_file<E>(
         if table.rows() > 0 {
             table_file(name, "table", &table)?;
         }
+    }
+    if let Some(states) = InterfaceStates::of_scene(scene, results) {
+        table_file(INTERFACE_TABLE, "table", &interface_table::of(&states, scene, trust.uncertainty))?;
     }
     let figures: Vec<FigureData> =
         scene.figures.iter().map(|figure| data(scene, results, figure, trust.uncertainty)).collect();

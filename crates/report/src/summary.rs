@@ -11,11 +11,13 @@ use crate::cut_counts::CutCounts;
 use crate::trust::Trust;
 use crate::yardstick_words::yardsticks;
 use crate::{
-    advice_words, answer_words, coverage, doubt_words, opening, scan_words, uncertainty_words, verdict_words,
+    advice_words, answer_words, coverage, doubt_words, interface_words, opening, scan_words,
+    uncertainty_words, verdict_words,
 };
 use answer::doubts::Doubt;
 use answer::{Answer, LoadAnswer};
 use rows::{NarrowSpectra, StateCounts};
+use study::interface::InterfaceStates;
 use study::material::Material;
 use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
 use study::scene::Scene;
@@ -50,6 +52,15 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
         let advice = advice.flat_map(|advice| advice_words::in_short(uncertainty, advice, scene));
         for line in uncertainty_words::sentences(uncertainty).into_iter().chain(advice) {
             let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
+        }
+        text.push('\n');
+    }
+    if let Some(states) = InterfaceStates::of_scene(scene, results) {
+        for line in interface_words::sentences(&states, scene, trust.uncertainty) {
+            let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
+        }
+        for note in interface_words::notes(&states, scene) {
+            let _ = writeln!(text, "note: {note}");
         }
         text.push('\n');
     }

@@ -116,6 +116,7 @@ impl Study {
             spectrum_errors: Vec::new(),
             guesses: vec![Guess::FewScans { instrument: 0, scans: 2 }],
             areas,
+            quantities: Vec::new(),
             bands,
             advice: places.map(|(curve, load)| advice(curve, load)).collect(),
             work: Work::default(),

@@ -5,6 +5,7 @@ pub mod choices_in_words;
 pub mod figure;
 pub mod given_roughness;
 pub mod hardness_and_strength;
+pub mod interface;
 pub mod linear_laws;
 pub mod material;
 pub mod material_spreads;

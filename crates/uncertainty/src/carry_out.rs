@@ -8,10 +8,11 @@ use crate::advice::{Adviser, TELLING_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
 use crate::draws::{self, Along, Drawn};
-use crate::found::{AreaBand, AreaInterval, Guess, Uncertainty};
+use crate::found::{AreaBand, AreaInterval, Guess, QuantityInterval, Uncertainty};
 use crate::group::Indices;
 use crate::inputs::Inputs;
 use crate::quantiles::{interval, interval_about};
+use crate::quantities::Quantities;
 use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
@@ -23,6 +24,7 @@ pub struct UncertaintyPlan<'p> {
     settings: Settings,
     inputs: Inputs,
     areas: Areas,
+    quantities: Option<Quantities<'p>>,
     area_fractions: Vec<Option<f64>>,
 }
 
@@ -54,7 +56,15 @@ impl<'p> UncertaintyPlan<'p> {
             .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
             .collect();
         let has_areas = area_fractions.iter().any(Option::is_some);
-        has_areas.then_some(UncertaintyPlan { results, settings: *settings, inputs, areas, area_fractions })
+        let quantities = Quantities::of(scene, results);
+        has_areas.then_some(UncertaintyPlan {
+            results,
+            settings: *settings,
+            inputs,
+            areas,
+            quantities,
+            area_fractions,
+        })
     }
 
     /// How many steps of progress it takes, at most; most of them are draws.
@@ -62,7 +72,8 @@ impl<'p> UncertaintyPlan<'p> {
     pub fn steps(&self) -> usize {
         let draws = self.settings.draws;
         let further = self.design().further_draws(draws, self.inputs.groups.len());
-        draws + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
+        let of_quantities = if self.quantities.is_some() { draws } else { 0 };
+        draws + of_quantities + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
     }
 
     /// Carries it out. Whoever watches may end the draws: what was drawn by then is told, without shares and advice.
@@ -109,11 +120,13 @@ impl<'p> UncertaintyPlan<'p> {
             spectrum_errors: Vec::new(),
             guesses: Vec::new(),
             areas,
+            quantities: Vec::new(),
             bands,
             advice,
             work,
             plans,
         };
+        found.quantities = self.quantities_of(draws, &found.areas, progress);
         self.tell_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
         let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > LOOSE);
@@ -155,6 +168,18 @@ impl<'p> UncertaintyPlan<'p> {
         };
         let interval = |area: usize| self.interval(area, drawn, best.ln_areas[area], indices);
         ((0..self.areas.count()).filter_map(interval).collect(), best.work)
+    }
+
+    fn quantities_of(
+        &self,
+        draws: usize,
+        areas: &[AreaInterval],
+        progress: &dyn Progress,
+    ) -> Vec<QuantityInterval> {
+        let level = self.settings.level;
+        let intervals =
+            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);
+        self.quantities.as_ref().map_or_else(Vec::new, intervals)
     }
 
     fn design(&self) -> Design {

@@ -1,6 +1,7 @@
 //! What draws say of a scene.
 
 use serde::Serialize;
+use study::interface::Slot;
 use study::plan::Work;
 
 use crate::group::{Group, Indices};
@@ -27,6 +28,8 @@ pub struct Uncertainty {
     pub guesses: Vec<Guess>,
     /// An interval for every curve and load that has an area.
     pub areas: Vec<AreaInterval>,
+    /// An interval for everything that the scene asks of its interface and that has a value.
+    pub quantities: Vec<QuantityInterval>,
     /// Intervals along the cutoff, for every followed curve and load.
     pub bands: Vec<AreaBand>,
     /// What to measure next; absent where nothing of the spectrum scatters or draws were ended.
@@ -46,10 +49,10 @@ pub struct AreaInterval {
     pub load: usize,
     /// The area fraction of the plain run, at the shortest wavelength.
     pub area_fraction: f64,
-    /// The median of the draws, moved to the area of the best estimates where the surface scatters.
+    /// The median of the draws, corrected for bias where the surface scatters.
     pub median: f64,
     /// The lower end of the interval, which leaves as much probability below as the upper one above; of draws as they are where
-    /// the surface is taken for exact, and else about the area of the best estimates
+    /// the surface is taken for exact, and else corrected for bias
     /// ([`interval_about`](crate::quantiles::interval_about)).
     pub low: f64,
     /// The upper end.
@@ -62,6 +65,23 @@ pub struct AreaInterval {
     pub ln_area_sd: f64,
     /// The indices of each group that scatters, in the order of [`Uncertainty::groups`].
     pub indices: Vec<Indices>,
+}
+
+/// A quantity of the interface with its interval, as that of an area.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct QuantityInterval {
+    /// The quantity, its load and its curve.
+    pub slot: Slot,
+    /// The value of the plain run, in the unit of the quantity.
+    pub value: f64,
+    /// The median.
+    pub median: f64,
+    /// The lower end.
+    pub low: f64,
+    /// The upper end.
+    pub high: f64,
+    /// One standard error of ln(high/low) as a share of it.
+    pub monte_carlo_error: f64,
 }
 
 /// How an instrument's scans came to their instrument.

@@ -5,7 +5,7 @@ use study::plan::Curve;
 use study::scene::Scene;
 
 use crate::group::Group;
-use crate::material_draws::MaterialDraws;
+use crate::material_draws::{DrawnMaterial, MaterialDraws};
 use crate::random::Streams;
 use crate::settings::DEFAULT_SEED;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
@@ -69,12 +69,16 @@ impl Inputs {
         self.surface.best().map(Some)
     }
 
-    /// The curves of the bodies of a draw.
-    pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
-        let Some(material) = &self.material else { return curves.to_vec() };
+    /// The bodies of a draw; none where they are taken for exact.
+    pub fn material(&self, draw: DrawOf) -> Option<DrawnMaterial> {
         let mut elastic = self.streams.of(Group::Material, draw.material);
         let mut strength = self.streams.of(Group::Strength, draw.strength);
-        let drawn = material.draw(&mut elastic, &mut strength);
+        Some(self.material.as_ref()?.draw(&mut elastic, &mut strength))
+    }
+
+    /// The curves of the bodies of a draw.
+    pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
+        let Some(drawn) = self.material(draw) else { return curves.to_vec() };
         let moved = |curve: &Curve| Curve { model: drawn.of(&curve.model), ..curve.clone() };
         curves.iter().map(moved).collect()
     }

@@ -16,6 +16,7 @@ mod light_draws;
 mod material_draws;
 mod overlap;
 pub mod quantiles;
+mod quantities;
 mod random;
 mod scan_scatter;
 mod settings;
@@ -30,7 +31,7 @@ mod tables;
 pub use carry_out::UncertaintyPlan;
 pub use found::{
     Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
-    OverlapMisfit, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
+    OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
 };
 pub use group::{Group, Index, Indices};
 pub use inputs::scattering_groups;

@@ -1,9 +1,10 @@
 //! What draws say as tables that others script against.
 
+use study::interface::Slot;
 use study::plan::Needs;
 use tables::Table;
 
-use crate::found::{Advice, AreaInterval, Step, StepKind, Uncertainty};
+use crate::found::{Advice, AreaInterval, QuantityInterval, Step, StepKind, Uncertainty};
 use crate::group::{Group, Index, Indices};
 
 /// The largest standard error of a share that is told: one known worse says nothing of who carries what.
@@ -22,6 +23,12 @@ impl Uncertainty {
     #[must_use]
     pub fn interval(&self, curve: usize, load: usize) -> Option<&AreaInterval> {
         self.areas.iter().find(|area| (area.curve, area.load) == (curve, load))
+    }
+
+    /// The interval of a quantity of the interface.
+    #[must_use]
+    pub fn quantity(&self, slot: Slot) -> Option<&QuantityInterval> {
+        self.quantities.iter().find(|interval| interval.slot == slot)
     }
 
     /// What to measure next for a curve under a load.

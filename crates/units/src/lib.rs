@@ -23,7 +23,7 @@ pub use number::{number, write_number};
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{
     Area, Force, IndentationHardness, Length, Modulus, Pressure, Resistivity, SignedLength,
-    ThermalConductivity,
+    ThermalConductivity, Viscosity, WorkOfAdhesion,
 };
 pub use quantity_error::QuantityError;
 pub use roughness::Scale;

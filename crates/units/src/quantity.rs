@@ -6,7 +6,7 @@ use crate::hardness_scale::{HardnessScale, pascals_per_rockwell_c};
 use crate::quantity_error::QuantityError;
 use crate::quantity_kind::{
     AREA, FORCE, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, RESISTIVITY, THERMAL_CONDUCTIVITY,
-    scaled,
+    VISCOSITY, WORK_OF_ADHESION, scaled,
 };
 use crate::unit_scale::UnitScale;
 
@@ -65,6 +65,20 @@ pub struct ThermalConductivity {
 pub struct Resistivity {
     /// In ohm metres.
     pub ohm_m: f64,
+}
+
+/// A dynamic viscosity > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Viscosity {
+    /// In pascal seconds.
+    pub pa_s: f64,
+}
+
+/// A work of adhesion > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorkOfAdhesion {
+    /// In joules per square metre.
+    pub j_per_m2: f64,
 }
 
 impl IndentationHardness {
@@ -187,6 +201,22 @@ impl FromStr for Resistivity {
     }
 }
 
+impl FromStr for Viscosity {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(Viscosity { pa_s: VISCOSITY.parse(text)? })
+    }
+}
+
+impl FromStr for WorkOfAdhesion {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(WorkOfAdhesion { j_per_m2: WORK_OF_ADHESION.parse(text)? })
+    }
+}
+
 impl FromStr for Pressure {
     type Err = QuantityError;
 
@@ -291,6 +321,19 @@ mod tests {
         assert!(
             "5 ohm".parse::<Resistivity>().unwrap_err().to_string().contains("needs one of ohm m, ohm cm")
         );
+    }
+
+    #[test]
+    fn viscosities_and_works_of_adhesion_have_units_of_their_own() {
+        for (text, expected) in
+            [("1 mPa s", 1e-3), ("1.8e-5 Pa s", 1.8e-5), ("18 µPa·s", 1.8e-5), ("1 cP", 1e-3)]
+        {
+            assert_eq!(text.parse::<Viscosity>().unwrap().pa_s, expected, "{text}");
+        }
+        for (text, expected) in [("50 mJ/m^2", 0.05), ("0.05 J/m²", 0.05), ("50 mN/m", 0.05)] {
+            assert_eq!(text.parse::<WorkOfAdhesion>().unwrap().j_per_m2, expected, "{text}");
+        }
+        assert!("1".parse::<Viscosity>().is_err() && "-1 J/m^2".parse::<WorkOfAdhesion>().is_err());
     }
 
     #[test]

@@ -101,6 +101,28 @@ pub(crate) const RESISTIVITY: Kind = Kind {
     example: "1.7e-8 ohm m",
 };
 
+pub(crate) const VISCOSITY: Kind = Kind {
+    what: "viscosity",
+    units: Units::Listed(&[
+        (&["Pa s", "Pa*s", "Pa·s", "N s/m^2", "N s/m²"], ten(0)),
+        (&["mPa s", "mPa*s", "mPa·s", "cP"], ten(-3)),
+        (&["uPa s", "uPa*s", "µPa s", "μPa s", "µPa·s", "μPa·s"], ten(-6)),
+        (&["P"], ten(-1)),
+    ]),
+    own_units: &[],
+    example: "1 mPa s",
+};
+
+pub(crate) const WORK_OF_ADHESION: Kind = Kind {
+    what: "work of adhesion",
+    units: Units::Listed(&[
+        (&["J/m^2", "J/m2", "J/m²", "N/m"], ten(0)),
+        (&["mJ/m^2", "mJ/m2", "mJ/m²", "mN/m"], ten(-3)),
+    ]),
+    own_units: &[],
+    example: "50 mJ/m^2",
+};
+
 pub(crate) const AREA: Kind = Kind {
     what: "area",
     units: Units::Listed(&[

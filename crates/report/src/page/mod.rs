@@ -11,6 +11,7 @@ mod figures;
 mod how_sure;
 mod key_numbers;
 mod ledger;
+mod meaning;
 mod measure_next;
 mod provenance;
 mod sensitivities;
@@ -80,6 +81,7 @@ impl Report<'_> {
             verdict::section(scenes),
             how_sure::section(scenes),
             measure_next::section(scenes),
+            meaning::section(scenes),
             key_numbers::section(scenes),
             decades::section(scenes),
             disagreements::section(scenes),

@@ -16,6 +16,9 @@ pub const JUDGE_TABLES: [&str; 2] = ["report-models", "report-judge"];
 /// The names of the tables of draws: the interval of every area, the indices of its inputs, and what to measure next.
 pub const UNCERTAINTY_TABLES: [&str; 3] = ["report-uncertainty", "report-sobol", "report-advice"];
 
+/// The name of the table of what the interface does besides touching.
+pub const INTERFACE_TABLE: &str = "report-interface";
+
 /// Refuses curves and figures whose files would replace those of another or of the report. Disks differ in whether case
 /// counts, so here it does not.
 pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Result<(), SceneError> {
@@ -26,7 +29,7 @@ pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Res
     // Where the scene draws no figure, one is drawn of all curves, which has no place in it.
     let drawn = figures.iter().map(|figure| figure.name.as_str()).zip(figure_spans);
     let mut taken: Vec<&str> = [&REPORT_TABLES[..], &JUDGE_TABLES[..], &UNCERTAINTY_TABLES[..]].concat();
-    taken.push(REPORT);
+    taken.extend([REPORT, INTERFACE_TABLE]);
     if raw.figure.is_empty() && !figures.is_empty() {
         taken.push(AREA_OF_ALL);
     }

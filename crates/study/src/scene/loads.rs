@@ -4,7 +4,7 @@ use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
 use super::raw::{RawLoads, RawQuantity};
-use super::values::{label, quantity, value_error};
+use super::values::{label, optional, quantity, value_error};
 use crate::material::{Material, MaterialError, NeededFor};
 use crate::plan::{Load, NominalPressure};
 use units::{Area, Force, Pressure};
@@ -51,6 +51,12 @@ pub(super) fn nominal_pressure(
     })?;
     NominalPressure::new(pressure_pa)
         .map_err(|error| value_error(key, &label(raw), raw.span(), format!("{}: {error}", label(raw))))
+}
+
+/// The nominal area \[m^2\] that a force presses on; none where pressures are given.
+pub(super) fn nominal_area_m2(raw: &Spanned<RawLoads>) -> Result<Option<f64>, SceneError> {
+    let area: Option<Area> = optional("loads.nominal_area", raw.get_ref().nominal_area.as_ref())?;
+    Ok(area.map(|area| area.m2))
 }
 
 fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneError> {

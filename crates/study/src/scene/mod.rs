@@ -8,6 +8,7 @@ mod error;
 mod figures;
 pub mod file_names;
 mod from_toml;
+mod interface;
 mod judge;
 mod known;
 mod loads;
@@ -32,6 +33,7 @@ pub use uncertainty::UncertaintyChoices;
 use crate::bodies::Bodies;
 use crate::choices_in_words;
 use crate::figure::Figure;
+use crate::interface::Asked;
 use crate::material::Material;
 use crate::material_spreads::MaterialSpreads;
 use crate::plan::{CurveModel, Needs, Plan, Sampling};
@@ -64,6 +66,8 @@ pub struct Scene {
     pub judge: Option<JudgeChoices>,
     /// How sure its areas are to be told; absent where the scene has no section on it.
     pub uncertainty: Option<UncertaintyChoices>,
+    /// What is asked of the interface besides its area; absent where nothing is.
+    pub interface: Option<Asked>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
 }

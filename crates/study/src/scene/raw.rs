@@ -37,6 +37,8 @@ pub(super) struct RawScene {
     pub options: RawOptions,
     pub judge: Option<RawJudge>,
     pub uncertainty: Option<RawUncertainty>,
+    pub interface: Option<RawInterface>,
+    pub seal: Option<Spanned<RawSeal>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -216,6 +218,25 @@ pub(super) struct RawUncertainty {
     pub shares_draws: Option<Spanned<i64>>,
     #[serde(default)]
     pub off: bool,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawInterface {
+    pub gamma: Option<Spanned<f64>>,
+    pub shear_strength: Option<RawQuantity>,
+    pub work_of_adhesion: Option<RawQuantity>,
+    pub range_of_attraction: Option<RawQuantity>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawSeal {
+    pub percolation_threshold: Option<Spanned<f64>>,
+    pub pressure_drop: Option<RawQuantity>,
+    pub viscosity: Option<RawQuantity>,
+    pub breadth: Option<RawQuantity>,
+    pub length: Option<RawQuantity>,
 }
 
 impl<'de> Deserialize<'de> for RawScan {

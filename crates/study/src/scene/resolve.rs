@@ -11,8 +11,9 @@ use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
+use super::interface::resolve_interface;
 use super::judge::{JudgeChoices, resolve_judge};
-use super::loads::resolve_loads;
+use super::loads::{nominal_area_m2, resolve_loads};
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
 use super::uncertainty::{UncertaintyChoices, resolve_uncertainty};
@@ -100,6 +101,13 @@ pub(super) fn resolve(
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
     let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
     let uncertainty = raw.uncertainty.as_ref().map(resolve_uncertainty).transpose()?;
+    let area_m2 = raw.loads.as_ref().map(nominal_area_m2).transpose()?.flatten();
+    let interface = resolve_interface(raw, material.as_ref(), &bodies, area_m2)?;
+    if interface.is_some() && (material.is_none() || loads.is_empty()) {
+        return Err(SceneError::anywhere(
+            "[interface] and [seal] need a [material] and [loads]: gap and stiffness are those under a load",
+        ));
+    }
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
@@ -117,7 +125,8 @@ pub(super) fn resolve(
             cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),
         },
         needs: Needs {
-            moments: (any_with_moments || shows(&[Shows::Moments])).then_some(normalisation),
+            moments: (any_with_moments || interface.is_some() || shows(&[Shows::Moments]))
+                .then_some(normalisation),
             amplitudes: (any_with_amplitudes || shows(&[Shows::Amplitude, Shows::AspectRatio]))
                 .then_some(amplitude),
             curves,
@@ -135,6 +144,7 @@ pub(super) fn resolve(
             true => Some(UncertaintyChoices::OFF),
             false => uncertainty,
         },
+        interface,
         notes: Vec::new(),
     })
 }

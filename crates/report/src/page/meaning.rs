@@ -1,0 +1,87 @@
+//! What it means: gap, stiffness, heat, current, leaks, friction, adhesion, as far as their inputs are given.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::{SceneReport, Section, table};
+use crate::interface_figure::gap_against_load;
+use crate::{interface_words, plot};
+use study::interface::{InterfaceStates, Slot};
+use units::display::typeset;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let several = scenes.len() > 1;
+    let parts: Vec<(&str, Markup)> =
+        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, of(scene, at)?))).collect();
+    let body = html! {
+        @for (label, part) in &parts {
+            @if several { h3 { (label) } }
+            (part)
+        }
+    };
+    (!parts.is_empty()).then_some(Section { id: "meaning", title: "What it means", body })
+}
+
+fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
+    if report.scene.needs.curves.is_empty() {
+        return None;
+    }
+    let found = InterfaceStates::of_scene(report.scene, report.results);
+    let further = interface_words::further_keys(report.scene);
+    Some(html! {
+        @if let Some(states) = &found {
+            @for note in interface_words::notes(states, report.scene) { p { (typeset(&super::answer::sentence(&note))) } }
+            (quantities(report, states))
+            (gap(report, states, &format!("scene-{at}-gap")))
+        }
+        @if let Some(further) = further { p { (typeset(&further)) } }
+    })
+}
+
+fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
+    let head = html! {
+        tr {
+            th scope="col" { "nominal pressure" } th scope="col" { "quantity" } th scope="col" { "value" }
+        }
+    };
+    let told: Vec<(Slot, f64)> = states
+        .slots()
+        .into_iter()
+        .filter_map(|slot| Some((slot, states.value(slot).ok().flatten()?)))
+        .collect();
+    let body = html! {
+        tbody {
+            @for (slot, value) in &told {
+                tr {
+                    th scope="row" { @match slot.load { Some(load) => (report.load(load)), None => "any" } }
+                    td {
+                        (slot.quantity.words())
+                        @if let Some(curve) = slot.curve { " by " span.curve { (report.curve(curve)) } }
+                    }
+                    td { (typeset(&interface_words::with_interval(*slot, *value, report.trust.uncertainty))) }
+                }
+            }
+        }
+    };
+    table(
+        "What the interface does besides touching. Gap and stiffness are those of Persson’s elastic theory; conductances follow from \
+         the stiffness by Barber’s analogy; friction from the areas of curves.",
+        &head,
+        &body,
+    )
+}
+
+fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
+    let Some(figure) = gap_against_load(states, report.scene, report.trust.uncertainty) else {
+        return html! {};
+    };
+    let words = format!("{} against {}", figure.y_label, figure.x_label);
+    html! {
+        figure {
+            div.panels { div { (PreEscaped(plot::element(&figure, &[&figure], id, &words))) } }
+            figcaption {
+                strong { "Mean gap against load." } " The whole theory, and the law u" sub { "0" } " ln(p" sub { "00" }
+                "/p) that light loads follow; the loads of the scene with their intervals."
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! What a scene wants to know of its interface.
+
+use interface::conductance::{Conductivities, Resistivities};
+use interface::leak::SealedJoint;
+use persson::sealing::PercolationThreshold;
+
+use super::quantity::{Quantity, Slot};
+
+/// What is wanted of an interface besides its area: gap and stiffness always, and whatever has the inputs that it takes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asked {
+    /// The elastic energy factor gamma of Persson's theory, above 0 and at most 1.
+    pub energy_factor: f64,
+    /// Thermal conductivities of both bodies.
+    pub conductivities: Option<Conductivities>,
+    /// Resistivities of both.
+    pub resistivities: Option<Resistivities>,
+    /// The nominal area \[m^2\] that a force was given with.
+    pub nominal_area_m2: Option<f64>,
+    /// What is to be sealed.
+    pub seal: Option<Seal>,
+    /// The shear strength of what touches \[Pa\].
+    pub shear_strength_pa: Option<f64>,
+    /// What acts across the gap.
+    pub adhesion: Option<Adhesion>,
+}
+
+/// A contact as a seal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seal {
+    /// The share in contact at which channels close.
+    pub threshold: PercolationThreshold,
+    /// The nominal contact, its fluid and what presses on that; without it there is no rate.
+    pub joint: Option<SealedJoint>,
+}
+
+/// What acts across a gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Adhesion {
+    /// The work of adhesion w \[J/m^2\].
+    pub work_j_per_m2: f64,
+    /// The range of the attraction \[m\].
+    pub range_m: Option<f64>,
+}
+
+impl Asked {
+    /// Everything asked for, under every load and of every curve, whether or not it will have a value.
+    #[must_use]
+    pub fn slots(&self, loads: usize, curves: usize, has_hardness: bool) -> Vec<Slot> {
+        let mut slots: Vec<Slot> = self
+            .of_all_loads()
+            .into_iter()
+            .map(|quantity| Slot { quantity, load: None, curve: None })
+            .collect();
+        for load in 0..loads {
+            let of_load = self.of_each_load(has_hardness).into_iter();
+            slots.extend(of_load.map(|quantity| Slot { quantity, load: Some(load), curve: None }));
+            if self.shear_strength_pa.is_some() {
+                slots.extend((0..curves).flat_map(|curve| {
+                    [Quantity::FrictionStress, Quantity::FrictionCoefficient].map(|quantity| Slot {
+                        quantity,
+                        load: Some(load),
+                        curve: Some(curve),
+                    })
+                }));
+            }
+        }
+        slots
+    }
+
+    fn of_all_loads(&self) -> Vec<Quantity> {
+        let tight = self.seal.is_some().then_some(Quantity::TightPressure);
+        let fuller_tabor = self.adhesion.is_some().then_some(Quantity::FullerTabor);
+        let has_range = self.adhesion.is_some_and(|adhesion| adhesion.range_m.is_some());
+        let pastewka_robbins = has_range.then_some(Quantity::PastewkaRobbins);
+        [tight, fuller_tabor, pastewka_robbins].into_iter().flatten().collect()
+    }
+
+    fn of_each_load(&self, has_hardness: bool) -> Vec<Quantity> {
+        let has_area = self.nominal_area_m2.is_some();
+        let mut quantities = vec![Quantity::MeanGap, Quantity::Stiffness];
+        if self.conductivities.is_some() {
+            quantities.push(Quantity::ThermalConductance);
+            quantities.extend(has_area.then_some(Quantity::ThermalResistance));
+            if has_hardness {
+                quantities
+                    .extend([Quantity::YovanovichConductance, Quantity::CooperMikicYovanovichConductance]);
+            }
+        }
+        if self.resistivities.is_some() {
+            quantities.push(Quantity::ElectricalConductance);
+            quantities.extend(has_area.then_some(Quantity::ElectricalResistance));
+        }
+        if let Some(seal) = &self.seal {
+            quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight]);
+            quantities.extend(seal.joint.map(|_| Quantity::LeakRate));
+        }
+        quantities
+    }
+}
