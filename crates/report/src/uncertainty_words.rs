@@ -90,10 +90,19 @@ fn what_was_drawn(uncertainty: &Uncertainty) -> String {
         let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
         (!names.is_empty()).then(|| format!("{kind}: {}", listed(&names)))
     };
-    let kinds = [
-        told("type A", of(|group| *group == Group::Scans)),
-        told("type B", of(|group| *group != Group::Scans)),
-    ];
+    // Errors of what was assumed of a spectrum are no statistics.
+    let errors = &uncertainty.spectrum_errors;
+    let is_assumed = uncertainty.instruments.is_empty()
+        && !errors.is_empty()
+        && errors.iter().all(|errors| errors.are_assumed);
+    let kinds = if is_assumed {
+        [None, told("type B", of(|_| true))]
+    } else {
+        [
+            told("type A", of(|group| *group == Group::Scans)),
+            told("type B", of(|group| *group != Group::Scans)),
+        ]
+    };
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
     format!(
         "{} coverage intervals from {}; {}.",
@@ -179,8 +188,9 @@ pub(crate) fn is_as_expected(overlap: &OverlapMisfit) -> bool {
 fn errors_of_spectrum(errors: &SpectrumErrors) -> String {
     let others =
         if errors.samples < errors.of { ", the others are taken to have their neighbours'" } else { "" };
+    let of = if errors.are_assumed { " of what was assumed" } else { "" };
     format!(
-        "{}: {} of {} have a standard error{others}; errors are taken to go together over {} decades of wavelength.",
+        "{}: {} of {} have a standard error{of}{others}; errors are taken to go together over {} decades of wavelength.",
         errors.name,
         errors.samples,
         counted(errors.of, "sample"),

@@ -226,8 +226,13 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
     (drawn.draws, drawn.ended_early) = (312, true);
     drawn.guesses =
         vec![Guess::FewDraws { draws: 312 }, Guess::SpectrumWithoutErrors { name: "s.csv".to_owned() }];
-    drawn.spectrum_errors =
-        vec![SpectrumErrors { name: "t.csv".to_owned(), samples: 90, of: 94, correlation_decades: 0.5 }];
+    drawn.spectrum_errors = vec![SpectrumErrors {
+        name: "t.csv".to_owned(),
+        samples: 90,
+        of: 94,
+        correlation_decades: 0.5,
+        are_assumed: false,
+    }];
     let words = study.words(&drawn);
     for said in [
         "The draws were ended after 312 of 1000: intervals rest on these, and there is no advice.",

@@ -167,6 +167,8 @@ pub struct SpectrumErrors {
     pub of: usize,
     /// Decades of wavelength over which errors are taken to go together.
     pub correlation_decades: f64,
+    /// Whether they are of what was assumed to make the spectrum of roughness parameters, and no statistics.
+    pub are_assumed: bool,
 }
 
 /// Why an interval is a guess.

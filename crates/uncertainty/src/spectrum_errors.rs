@@ -41,9 +41,15 @@ impl ErrorsOfSpectrum {
             samples: known.iter().filter(|sd| **sd > 0.0).count(),
             of: sd.len(),
             correlation_decades: CORRELATION_DECADES,
+            are_assumed: false,
         };
         let with_last = std::iter::once(0.0).chain(steps).collect();
         (told.samples > 0).then(|| ErrorsOfSpectrum { psd: psd.clone(), sd, with_last, told })
+    }
+
+    /// The same of a spectrum whose errors are of what was assumed of it.
+    pub fn of_assumptions(self) -> Self {
+        ErrorsOfSpectrum { told: SpectrumErrors { are_assumed: true, ..self.told }, ..self }
     }
 
     /// The deviations of ln C in a draw: a normal process along ln q, each step correlated with the last.

@@ -60,6 +60,9 @@ impl SurfaceScatter {
         match &surface.made_from {
             Some(scans) => SurfaceScatter::Scans(Box::new(ScanScatter::of(scans))),
             None => match ErrorsOfSpectrum::of(&surface.psd, &surface.name) {
+                Some(errors) if surface.roughness.is_some() => {
+                    SurfaceScatter::Errors(errors.of_assumptions())
+                }
                 Some(errors) => SurfaceScatter::Errors(errors),
                 None => SurfaceScatter::Certain(surface.psd.clone(), surface.name.clone()),
             },
