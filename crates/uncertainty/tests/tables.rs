@@ -62,6 +62,7 @@ fn found() -> Uncertainty {
             area(0, vec![indices(0.7, 0.02), indices(0.25, 0.03)]),
             area(1, vec![indices(0.7, 0.02), indices(0.4, 0.2)]),
         ],
+        quantities: Vec::new(),
         bands: Vec::new(),
         advice: vec![Advice {
             curve: 0,
