@@ -50,6 +50,7 @@ const LAYERS: &[Layer] = &[
     ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
     ("truearea-persson", &["truearea-units", "truearea-numerics"]),
     ("truearea-interface", &["truearea-units"]),
+    ("truearea-contact-law", &["truearea-units"]),
     ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
     (
         "truearea-study",

@@ -1,0 +1,143 @@
+//! Laws in the words of codes.
+
+use units::{named, number};
+
+use crate::error::ContactLawError;
+use crate::fields::field;
+use crate::{ContactLaw, ExponentialLaw, Heading, UnitSystem};
+
+/// Who is to read a law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Dialect {
+    /// Abaqus: keywords, and a row a line.
+    Abaqus,
+    /// CalculiX: the same keywords, with bounds of its own.
+    Calculix,
+    /// Comma-separated values under a header.
+    Csv,
+}
+
+named!(Dialect, "dialect", { Abaqus => "abaqus", Calculix => "calculix", Csv => "csv" });
+
+/// A quantity of every point beside those of the law, which only a plain table has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Its name, with its unit.
+    pub name: String,
+    /// Its values, one for each of [`ContactLaw::points`]; none where it has none.
+    pub values: Vec<Option<f64>>,
+}
+
+impl Dialect {
+    /// Rows of a table that CalculiX has room for: its node-to-surface contact takes that many at one temperature.
+    pub const MOST_CALCULIX_ROWS: usize = 200;
+    /// Overclosures that differ by less, in units of length, CalculiX moves apart.
+    pub const LEAST_CALCULIX_STEP: f64 = 1e-10;
+
+    /// A law as a table, comment in front.
+    ///
+    /// # Errors
+    /// [`ContactLawError`] where the code has no room for the table, or none for columns.
+    pub fn table(
+        self,
+        law: &ContactLaw,
+        units: UnitSystem,
+        heading: &Heading,
+        columns: &[Column],
+    ) -> Result<String, ContactLawError> {
+        if self == Dialect::Csv {
+            return csv(law, units, heading, columns);
+        }
+        if !columns.is_empty() {
+            return Err(ContactLawError::NoColumns(self.name()));
+        }
+        let mut text = self.commented(&heading.of_table(law, units, self));
+        text += &interaction(heading, "TABULAR");
+        let mut before: Option<f64> = None;
+        for ((pressure, overclosure), point) in law.rows(units).zip(law.points()) {
+            let row = [field(pressure), field(overclosure)];
+            // What is read is what is written.
+            let overclosure = row[1].parse().unwrap_or(overclosure);
+            let step = before.map_or(f64::INFINITY, |before| overclosure - before);
+            if step <= 0.0 || (self == Dialect::Calculix && step < Self::LEAST_CALCULIX_STEP) {
+                return Err(ContactLawError::TooClose {
+                    code: self.name(),
+                    pressure_pa: point.pressure_pa,
+                    step_m: step * units.length_m(),
+                    least: if self == Dialect::Calculix { Self::LEAST_CALCULIX_STEP } else { 0.0 },
+                    unit: units.length_symbol(),
+                });
+            }
+            before = Some(overclosure);
+            text += &format!("{}, {}\n", row[0], row[1]);
+        }
+        let rows = law.points().len();
+        if self == Dialect::Calculix && rows > Self::MOST_CALCULIX_ROWS {
+            let most = Self::MOST_CALCULIX_ROWS;
+            return Err(ContactLawError::TooManyRows { code: self.name(), rows, most });
+        }
+        Ok(text)
+    }
+
+    /// The law of light loads as two numbers, comment in front.
+    ///
+    /// # Errors
+    /// [`ContactLawError::NoExponential`] of a code that does not have this form.
+    pub fn exponential(
+        self,
+        law: &ExponentialLaw,
+        units: UnitSystem,
+        heading: &Heading,
+    ) -> Result<String, ContactLawError> {
+        if self != Dialect::Calculix {
+            return Err(ContactLawError::NoExponential(self.name()));
+        }
+        let mut text = self.commented(&heading.of_exponential(law, units));
+        text += &interaction(heading, "EXPONENTIAL");
+        let [clearance, pressure] = law.calculix(units).map(field);
+        Ok(text + &format!("{clearance}, {pressure}\n"))
+    }
+
+    fn commented(self, lines: &[String]) -> String {
+        let sign = match self {
+            Dialect::Abaqus | Dialect::Calculix => "**",
+            Dialect::Csv => "#",
+        };
+        lines.iter().map(|line| format!("{sign} {line}\n")).collect()
+    }
+}
+
+/// The keywords in front of the numbers.
+fn interaction(heading: &Heading, form: &str) -> String {
+    let name = &heading.name;
+    format!("*SURFACE INTERACTION, NAME={name}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={form}\n")
+}
+
+/// Pressure, overclosure, mean gap, area fraction, and what else is given; numbers with all their digits.
+fn csv(
+    law: &ContactLaw,
+    units: UnitSystem,
+    heading: &Heading,
+    columns: &[Column],
+) -> Result<String, ContactLawError> {
+    let rows = law.points().len();
+    if let Some(column) = columns.iter().find(|column| column.values.len() != rows) {
+        let (name, values) = (column.name.clone(), column.values.len());
+        return Err(ContactLawError::ColumnLength { name, values, rows });
+    }
+    let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
+    let mut text = Dialect::Csv.commented(&heading.of_table(law, units, Dialect::Csv));
+    text += &format!("pressure_{pressure},overclosure_{length},mean_gap_{length},area_fraction");
+    columns.iter().for_each(|column| text += &format!(",{}", column.name));
+    text.push('\n');
+    for (at, ((pressure, overclosure), point)) in law.rows(units).zip(law.points()).enumerate() {
+        let cells = [pressure, overclosure, units.length(point.mean_gap_m), point.area_fraction];
+        text += &cells.map(number).join(",");
+        for column in columns {
+            text.push(',');
+            text += &column.values[at].map(number).unwrap_or_default();
+        }
+        text.push('\n');
+    }
+    Ok(text)
+}

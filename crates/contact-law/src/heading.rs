@@ -1,0 +1,124 @@
+//! What stands in front of the numbers.
+
+use crate::{ContactLaw, Dialect, ExponentialLaw, UnitSystem};
+use units::display::three_digits;
+use units::number;
+
+/// Longest line of words; Abaqus reads 256 characters.
+const WIDTH: usize = 100;
+
+/// What the caller says of a law, before what the law says of itself.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Heading {
+    /// Where the law comes from, a line each.
+    pub provenance: Vec<String>,
+    /// The name of the surface interaction.
+    pub name: String,
+}
+
+impl Heading {
+    /// The name of the surface interaction where none is given.
+    pub const NAME: &'static str = "ROUGH";
+
+    /// All lines of comment in front of a table, without the signs that begin a comment.
+    pub(crate) fn of_table(&self, law: &ContactLaw, units: UnitSystem, dialect: Dialect) -> Vec<String> {
+        let [first, last] = [1, law.points().len() - 1].map(|at| law.points()[at].pressure_pa);
+        let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
+        let cut = law.cut();
+        let mut sentences = vec![
+            format!(
+                "Pressure against overclosure of a rough surface from {} {pressure} to {} {pressure}: {} rows, and straight \
+                 lines between them, which are off by at most {} % of the pressure.",
+                number(units.pressure(first)),
+                number(units.pressure(last)),
+                law.points().len(),
+                number(100.0 * law.tolerance())
+            ),
+            self.of_units(units),
+            NOMINAL.to_owned(),
+            EXCESS.to_owned(),
+            format!(
+                "The overclosure is u_ref - u: u is the mean gap, and u_ref = {} {length} the one at {} {pressure}. There the \
+                 law is cut off, the pressure is set to 0, and at larger gaps there is none.",
+                number(units.length(cut.mean_gap_m)),
+                number(units.pressure(cut.pressure_pa))
+            ),
+        ];
+        sentences.extend(of_code(dialect, last, units));
+        self.wrapped(&sentences)
+    }
+
+    /// The same in front of CalculiX' exponential form.
+    pub(crate) fn of_exponential(&self, law: &ExponentialLaw, units: UnitSystem) -> Vec<String> {
+        let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
+        let sentences = [
+            format!(
+                "Pressure against mean gap of a rough surface at light loads, p = p00 exp(-u/u0): u0 = {} {length}, p00 = {} \
+                 {pressure}. CalculiX takes c0 = ln(100) u0 and p0 = p00, and the clearance of the mesh for the gap u.",
+                number(units.length(law.decay_length_m)),
+                number(units.pressure(law.reference_pressure_pa))
+            ),
+            format!(
+                "Up to {} {pressure} it is within {} % of the pressure of the whole law.",
+                three_digits(units.pressure(law.holds_up_to_pa)),
+                number(100.0 * law.share)
+            ),
+            self.of_units(units),
+            NOMINAL.to_owned(),
+            EXCESS.to_owned(),
+            format!(
+                "CalculiX makes contact below the clearance c0 alone, that is above {} {pressure}: smaller pressures are cut \
+                 off. Without a clearance in the mesh the pressure is p00. For smaller pressures take p0 = p00 exp(-s/u0) and \
+                 a mesh whose clearance is u - s: that is the same law.",
+                three_digits(units.pressure(0.01 * law.reference_pressure_pa))
+            ),
+            NODE_TO_SURFACE_EXPONENTIAL.to_owned(),
+        ];
+        self.wrapped(&sentences)
+    }
+
+    fn of_units(&self, units: UnitSystem) -> String {
+        format!(
+            "Units {units}: forces in {}, lengths in {}, pressures in {}; the model has to have the same.",
+            units.force_symbol(),
+            units.length_symbol(),
+            units.pressure_symbol()
+        )
+    }
+
+    fn wrapped(&self, sentences: &[String]) -> Vec<String> {
+        let lines = self.provenance.iter().flat_map(|line| line.lines());
+        let paragraphs = lines.chain(sentences.iter().map(String::as_str));
+        paragraphs
+            .flat_map(|paragraph| textwrap::wrap(paragraph, WIDTH))
+            .map(std::borrow::Cow::into_owned)
+            .collect()
+    }
+}
+
+const NOMINAL: &str = "Pressures are nominal: force over the area that seems to touch.";
+
+const EXCESS: &str = "The law is the compliance of the roughness, in excess of smooth bodies: those of the model deform \
+                      beside it, and no half-space is in it, so that none counts twice.";
+
+const NODE_TO_SURFACE: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE: in face-to-face contact CalculiX 2.20 finds \
+                               no pressure in a table, and says nothing of it.";
+
+const NODE_TO_SURFACE_EXPONENTIAL: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE: in face-to-face contact CalculiX \
+                                           2.20 makes no contact at a clearance.";
+
+/// What a code makes of the table.
+fn of_code(dialect: Dialect, last_pa: f64, units: UnitSystem) -> Vec<String> {
+    let last = format!("{} {}", number(units.pressure(last_pa)), units.pressure_symbol());
+    match dialect {
+        Dialect::Csv => Vec::new(),
+        Dialect::Abaqus => vec![format!("Beyond {last} Abaqus goes on along the last line.")],
+        Dialect::Calculix => vec![
+            NODE_TO_SURFACE.to_owned(),
+            format!("Beyond the last row CalculiX holds the pressure at {last}: no more load is carried."),
+            "CalculiX looks at a table below a clearance of 1e-3 of the root of the slave area alone; this one has no \
+             pressure at a clearance."
+                .to_owned(),
+        ],
+    }
+}

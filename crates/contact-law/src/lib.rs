@@ -1,0 +1,23 @@
+#![doc = include_str!("../README.md")]
+//!
+//! * [`ContactLaw`]: pressures and gaps as close together as straight lines between them need, [`LawPoint`] by point.
+//! * [`ExponentialLaw`]: the law of light loads, which one code takes as two numbers.
+//! * [`UnitSystem`]: the units of a finite element model.
+//! * [`Dialect`]: the words of a code, and [`Heading`], what is said in front of the numbers.
+#![deny(missing_docs)]
+
+mod dialect;
+mod error;
+mod exponential;
+mod fields;
+mod heading;
+mod law;
+mod sampling;
+mod unit_system;
+
+pub use dialect::{Column, Dialect};
+pub use error::{ContactLawError, SamplingError};
+pub use exponential::ExponentialLaw;
+pub use heading::Heading;
+pub use law::{ContactLaw, LawPoint};
+pub use unit_system::UnitSystem;
