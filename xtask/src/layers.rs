@@ -55,6 +55,7 @@ const LAYERS: &[Layer] = &[
     (
         "truearea-study",
         &[
+            "truearea-contact-law",
             "truearea-features",
             "truearea-interface",
             "truearea-persson",

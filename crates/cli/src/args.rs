@@ -1,13 +1,15 @@
 //! What may be typed on the command line.
 
 mod bem;
+mod gap;
 mod groups;
 mod misplaced;
 mod parsers;
 mod persson;
 mod scans;
 
-pub(crate) use bem::BemArgs;
+pub(crate) use bem::{BemArgs, RandomArgs};
+pub(crate) use gap::{GapArgs, GapChoiceArgs, GapModel, LawArgs, LawForm};
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
     ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
@@ -146,6 +148,42 @@ Examples:
       --indentation-hardness 5.4GPa
   truearea persson --input rows.csv --output rows.csv")]
     Persson(PerssonArgs),
+    /// Mean gap and stiffness of a rough surface under loads, with its whole spectrum
+    #[command(after_help = "\
+Columns: nominal_pressure_pa, area_fraction, mean_gap_m, stiffness_pa_per_m,
+u0_m, p00_pa; a row per load in the order given. The mean gap is the distance of
+the flat from the mean plane of the rough surface, the stiffness how much more
+nominal pressure it takes to close it by a metre, in excess of smooth bodies. At
+light loads Persson's theory has u = u0 ln(p00/p) and K = p/u0; other models
+have neither, and their cells are empty. What the table leaves open is said on
+standard error.
+
+Examples:
+  truearea gap psd.csv --model persson --pressures 1kPa:100MPa:11 \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea gap psd.csv --model hertz --pressure 1MPa --youngs-modulus 463GPa \\
+      --poisson-ratio 0.2
+  truearea gap psd.csv --model bem --shortest 500nm --grid 128 --realisations 2 \\
+      --pressure 10MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
+    Gap(Box<GapArgs>),
+    /// Pressure against overclosure of a rough surface, as finite element codes read it
+    #[command(after_help = "\
+Writes *SURFACE INTERACTION and *SURFACE BEHAVIOR for Abaqus or CalculiX, or a
+plain table (csv), in the units of the model. The overclosure is u_ref - u, u
+the mean gap of `truearea gap`, u_ref the one at 1/e of the least pressure:
+there the pressure is set to 0. There are as many rows as keep the pressure on
+the straight lines between them within --error from the least pressure on. What
+has to be known for it to be used stands in comment lines.
+
+Examples:
+  truearea law psd.csv --model persson --dialect abaqus --units N-mm \\
+      --pressure-range 10kPa:100MPa --youngs-modulus 463GPa --poisson-ratio 0.2 \\
+      --output rough.inp
+  truearea law psd.csv --model hertz --dialect calculix --units N-mm \\
+      --pressure-range 10kPa:100MPa --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea law psd.csv --model persson --dialect calculix --form exponential \\
+      --pressure-range 1kPa:1MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
+    Law(Box<LawArgs>),
     /// Contact area by boundary elements: of a map as scanned, or of random surfaces of a spectrum
     #[command(after_help = "\
 Columns: nominal_pressure_pa, area_fraction (share of the points in contact),

@@ -17,6 +17,8 @@ fn every_command_shows_an_example() {
         &["statistical"],
         &["bem"],
         &["persson"],
+        &["gap"],
+        &["law"],
         &["completions"],
         &["man"],
         &["asperity"],
@@ -57,7 +59,7 @@ fn a_closed_pipe_ends_quietly() {
 }
 
 /// The commands that `--help` lists.
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 14] = [
     "asperity",
     "moments",
     "amplitude",
@@ -65,6 +67,8 @@ const COMMANDS: [&str; 12] = [
     "persson",
     "statistical",
     "bem",
+    "gap",
+    "law",
     "fit",
     "run",
     "scene",

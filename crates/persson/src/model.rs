@@ -46,6 +46,21 @@ pub struct Cut {
     pub stiffness_pa_per_m: Option<f64>,
 }
 
+impl Cut {
+    fn of(place: &Place, areas: ContactAreas, separation: Separation, pressure_pa: f64) -> Self {
+        let elastic = areas.plastic <= MOST_PLASTIC * areas.contact();
+        let if_elastic = |value: f64| Some(value).filter(|value| elastic && value.is_finite());
+        Cut {
+            wavelength_m: place.wavelength_m,
+            areas,
+            real_pressure_pa: pressure_pa / areas.contact(),
+            rms_gradient: place.rms_gradient(),
+            mean_gap_m: if_elastic(separation.mean_gap_m),
+            stiffness_pa_per_m: if_elastic(separation.stiffness_pa_per_m),
+        }
+    }
+}
+
 /// The share of the contact that may be plastic where the elastic separation still says something.
 const MOST_PLASTIC: f64 = 0.03;
 
@@ -63,19 +78,25 @@ impl PerssonModel {
     ) -> Result<Vec<Cut>, HardnessError> {
         let areas = self.areas(roughness, pressure_pa)?;
         let separations = separation.along(pressure_pa);
-        let cut = |((place, areas), separation): ((&Place, ContactAreas), Separation)| {
-            let elastic = areas.plastic <= MOST_PLASTIC * areas.contact();
-            let if_elastic = |value: f64| Some(value).filter(|value| elastic && value.is_finite());
-            Cut {
-                wavelength_m: place.wavelength_m,
-                areas,
-                real_pressure_pa: pressure_pa / areas.contact(),
-                rms_gradient: place.rms_gradient(),
-                mean_gap_m: if_elastic(separation.mean_gap_m),
-                stiffness_pa_per_m: if_elastic(separation.stiffness_pa_per_m),
-            }
-        };
-        Ok(roughness.places().iter().zip(areas).zip(separations).map(cut).collect())
+        let places = roughness.places().iter().zip(areas).zip(separations);
+        Ok(places
+            .map(|((place, areas), separation)| Cut::of(place, areas, separation, pressure_pa))
+            .collect())
+    }
+
+    /// The last of them alone, with the whole spectrum; `None` where that has no places.
+    ///
+    /// # Errors
+    /// Those of [`areas`](Self::areas).
+    pub fn at_last(
+        &self,
+        roughness: &Roughness,
+        separation: &SeparationLaw,
+        pressure_pa: f64,
+    ) -> Result<Option<Cut>, HardnessError> {
+        let areas = self.areas(roughness, pressure_pa)?;
+        let last = roughness.places().last().zip(areas.last());
+        Ok(last.map(|(place, areas)| Cut::of(place, *areas, separation.whole(pressure_pa), pressure_pa)))
     }
 
     /// The contact modulus E* \[Pa\].
@@ -196,6 +217,10 @@ mod tests {
             assert!((cut.real_pressure_pa * cut.areas.contact() / 0.01 - 1.0).abs() < 1e-15);
         }
         assert!(yielding.last().unwrap().mean_gap_m.is_none() && yielding[1].mean_gap_m.is_some());
+        let model = PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: None };
+        let separation = model.separation(&roughness(), 0.45);
+        let last = model.at_last(&roughness(), &separation, 0.01).unwrap();
+        assert_eq!(last.as_ref(), elastic.last());
     }
 
     #[test]

@@ -11,6 +11,7 @@ pub mod elements_figure;
 pub mod elements_words;
 pub mod explain;
 pub mod field_picture;
+pub mod gap_words;
 pub mod heights_picture;
 mod interface_figure;
 mod interface_table;

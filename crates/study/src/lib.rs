@@ -3,6 +3,7 @@
 pub mod bodies;
 pub mod choices_in_words;
 pub mod figure;
+pub mod gap_law;
 pub mod given_roughness;
 pub mod hardness_and_strength;
 pub mod interface;

@@ -1,10 +1,12 @@
 //! Results as the tables that others script against.
 
 use persson::Cut;
+use persson::separation::LightLoads;
 use spectrum::AsperityParameters;
 use stacked_contact::Level;
 use stat_contact::ContactState;
 
+use crate::gap_law::GapState;
 use crate::plan::{CurveResult, CutoffState, Load, Results};
 use tables::Table;
 
@@ -119,6 +121,19 @@ fn persson(curve: &[Vec<Cut>], pressures_pa: &[f64], several: bool) -> Table {
         .with_numbers("rms_gradient", column(|cut| cut.rms_gradient))
         .with_numbers("mean_gap_m", optional(|cut| cut.mean_gap_m))
         .with_numbers("stiffness_pa_per_m", optional(|cut| cut.stiffness_pa_per_m))
+}
+
+/// A surface under loads: a row a load. The law of light loads is the same in every row, where the model has one.
+pub fn gaps(states: &[GapState], light: Option<&LightLoads>) -> Table {
+    let column = |of: fn(&GapState) -> Option<f64>| states.iter().map(of);
+    let of_light = |of: fn(&LightLoads) -> f64| states.iter().map(move |_| light.map(of));
+    Table::default()
+        .with_numbers("nominal_pressure_pa", column(|state| Some(state.nominal_pressure_pa)))
+        .with_numbers("area_fraction", column(|state| Some(state.area_fraction)))
+        .with_numbers("mean_gap_m", column(|state| state.mean_gap_m))
+        .with_numbers("stiffness_pa_per_m", column(|state| state.stiffness_pa_per_m))
+        .with_numbers("u0_m", of_light(|light| light.decay_length_m))
+        .with_numbers("p00_pa", of_light(|light| light.reference_pressure_pa))
 }
 
 /// A table that tells which load a row belongs to, where there are several.

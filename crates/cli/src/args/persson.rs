@@ -115,7 +115,7 @@ fn parse_growth(text: &str) -> Result<GrowthArg, String> {
     }
 }
 
-fn parse_gamma(text: &str) -> Result<f64, String> {
+pub(super) fn parse_gamma(text: &str) -> Result<f64, String> {
     let gamma = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
     let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
     bound.check("the elastic energy factor", gamma).map_err(|error| error.to_string())

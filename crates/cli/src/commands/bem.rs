@@ -17,7 +17,7 @@ use topography::Recipe;
 
 use super::material_options::{loads, material};
 use super::{Context, psd, reading_options, say_notes, say_surface};
-use crate::args::BemArgs;
+use crate::args::{BemArgs, RandomArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::output::{publish, stage};
@@ -130,7 +130,7 @@ fn load(
         Measured::Spectrum(surface) => {
             refuse_foreign(Kind::Spectrum, args.map.given(), &args.reading)?;
             say_surface(&surface);
-            let random = random_surfaces(&surface, args, pressing)?;
+            let random = random_surfaces(&surface, &args.random, pressing)?;
             comments.extend(report::provenance::of_surface(&surface));
             comments.push(elements_words::random_surfaces(&random));
             Ok((Surfaces::Random(random), comments))
@@ -169,9 +169,9 @@ fn relief(map: MapOfFile, boundary: Option<Boundary>) -> Relief {
 }
 
 /// Surfaces that have a spectrum in the band that the grid holds.
-fn random_surfaces(
+pub(super) fn random_surfaces(
     surface: &Surface,
-    args: &BemArgs,
+    random: &RandomArgs,
     pressing: &Pressing,
 ) -> Result<RandomSurfaces, Failure> {
     let named = |error: gaussian_surfaces::SurfaceError| Failure::Input(format!("{}: {error}", surface.name));
@@ -181,7 +181,6 @@ fn random_surfaces(
         None => AreaSpectrum::of_profile(&surface.psd),
     };
     let area = area.map_err(named)?;
-    let random = &args.random;
     let points = random.grid.unwrap_or(GRID) as usize;
     let [longest_m, shortest_m, side_m] =
         [random.longest, random.shortest, random.side].map(|length| length.map(|length| length.m));

@@ -2,6 +2,8 @@
 
 mod bem;
 mod completions;
+mod gap;
+mod law;
 mod man_pages;
 mod material_options;
 mod one_asperity;
@@ -55,6 +57,8 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
         Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
         Command::Bem(args) => bem::run(&args, &context),
+        Command::Gap(args) => gap::run(&args, &context),
+        Command::Law(args) => law::run(&args, &context),
         Command::Scan(args) => scan::run(&args, &context),
         Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),

@@ -20,12 +20,11 @@ use report::provenance::provenance;
 use report::summary::CurveCounts;
 use rows::Flattened;
 use staging::StagedFiles;
+use study::gap_law;
 use study::material::{Material, MaterialError, NeededFor};
 use study::models::{self, CurveModel, Framework, ModelOptions};
-use study::persson_law;
 use study::plan::{Curve, CurveResult, Cutoffs, Needs, NominalPressure, Plan, Results};
 use study::result_tables;
-use study::surface::Surface;
 use units::Bound;
 
 pub(super) fn run(args: &PerssonArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -65,7 +64,7 @@ fn over_cutoffs(
     timings.lap("reading");
     let mut plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
     let mut results = compute(&plan)?;
-    let roughness = roughness(&results, &surface, &plan, args);
+    let roughness = gap_law::roughness(&plan, &results, args.band.unwrap_or_default());
     let pressures_pa: Vec<f64> = plan.needs.pressures().map(NominalPressure::pa).collect();
     let rows = CurveResult::Persson(blocks(&model, &roughness, &pressures_pa, args.gamma)?);
     timings.lap("computing");
@@ -183,18 +182,6 @@ fn named(deformation: Deformation, material: &Material) -> Result<CurveModel, Fa
         return named(Deformation::Elastic, material);
     }
     Ok(entry.build(material, &ModelOptions::default())?)
-}
-
-fn roughness(results: &Results, surface: &Surface, plan: &Plan<'_>, args: &PerssonArgs) -> Roughness {
-    let whole = plan.sampling.scales_per_decade.map(|density| surface.psd.resampled(density));
-    persson_law::roughness(
-        &results.psd,
-        results.moments.iter().map(|(moments, _)| moments),
-        spectrum::Normalisation::Parseval,
-        &results.scales,
-        whole.as_ref().unwrap_or(&surface.psd),
-        args.band.unwrap_or_default(),
-    )
 }
 
 fn blocks(

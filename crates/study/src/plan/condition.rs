@@ -56,7 +56,7 @@ impl Asperities {
 }
 
 /// The contact of what a law makes of a roughness, where its numbers are within what the law takes.
-pub(super) fn contact_of(
+pub(crate) fn contact_of(
     pair: &MaterialPair,
     law: &StatisticalLaw,
     roughness: &Roughness,
@@ -77,7 +77,7 @@ pub(super) fn contact_of(
 }
 
 /// What there is to press.
-pub(super) enum Pressed {
+pub(crate) enum Pressed {
     /// Asperities, or the summits of a surface.
     Contact(StatisticalContact),
     /// A spectrum narrower than that of any surface, of this alpha: it has no summits.

@@ -33,7 +33,7 @@ pub(super) struct Cutoff {
 
 /// Moments, and the asperities that they make.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Roughness {
+pub(crate) struct Roughness {
     pub moments: Moments,
     pub asperities: AsperityParameters,
 }

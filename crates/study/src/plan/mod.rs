@@ -24,8 +24,10 @@ mod tolerance;
 mod work;
 
 pub use crate::models::CurveModel;
+pub(crate) use condition::{Pressed, contact_of};
 pub use error::PlanError;
 pub use ground::Ground;
+pub(crate) use ground::Roughness;
 pub use load::{Load, LoadRange, NominalPressure};
 pub use needs::{Curve, Cutoffs, LoadSweep, Needs, Sampling};
 pub use results::{CurveResult, CutoffState, Results, SweepResult};

@@ -1,0 +1,157 @@
+//! Options of `gap` and `law`.
+
+use clap::Args as ClapArgs;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
+use stat_contact::InterferenceLaw;
+use study::models::{self, Framework, ModelEntry};
+use study::persson_law::PerssonLaw;
+use study::plan::Tolerance;
+use units::{Pressure, PressureRange, named};
+
+use super::bem::RandomArgs;
+use super::parsers::{one_of, parse_labelled_pressure, parse_tolerance};
+use super::persson::parse_gamma;
+use super::{HardnessArg, MaterialArgs, NormalisationArg, ReadingArgs, SamplingArgs};
+
+/// What makes the gap.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum GapModel {
+    /// A model of asperities, or Persson's theory.
+    Curve(&'static ModelEntry),
+    /// Boundary elements.
+    Elements,
+}
+
+/// The name of boundary elements among models.
+const ELEMENTS: &str = "bem";
+
+/// The models that know a distance between the surfaces.
+fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
+    models::of_framework(Framework::Persson).chain(models::of_framework(Framework::Statistical))
+}
+
+fn entry(name: &str) -> Result<&'static ModelEntry, &'static str> {
+    with_gaps().find(|entry| entry.name == name).ok_or("an unknown model")
+}
+
+fn gap_model() -> impl TypedValueParser<Value = GapModel> {
+    let names = with_gaps().map(|entry| entry.name).chain([ELEMENTS]);
+    PossibleValuesParser::new(names).try_map(|name| match name.as_str() {
+        ELEMENTS => Ok(GapModel::Elements),
+        name => entry(name).map(GapModel::Curve),
+    })
+}
+
+fn law_model() -> impl TypedValueParser<Value = &'static ModelEntry> {
+    PossibleValuesParser::new(with_gaps().map(|entry| entry.name)).try_map(|name| entry(&name))
+}
+
+/// Options of the models that both commands have.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct GapChoiceArgs {
+    /// Elastic energy factor of Persson's theory, in (0, 1]; 0.45 where not given
+    #[arg(long, value_name = "G", value_parser = parse_gamma, allow_hyphen_values = true)]
+    pub gamma: Option<f64>,
+    /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
+    /// boundary-element solutions
+    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
+    pub interference_law: Option<InterferenceLaw>,
+    #[command(flatten)]
+    pub hardness: HardnessArg,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub material: MaterialArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+}
+
+impl GapChoiceArgs {
+    /// The elastic energy factor.
+    pub fn energy_factor(&self) -> f64 {
+        self.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR)
+    }
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
+pub(crate) struct GapArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    pub psd: String,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// What makes the gap: Persson's theory, a law of asperities, or boundary elements
+    #[arg(long, value_parser = gap_model())]
+    pub model: GapModel,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub choices: GapChoiceArgs,
+    /// Relative tolerance of statistical states, in (0, 0.01]; a looser one costs less
+    #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
+    pub tolerance: Tolerance,
+    #[command(flatten)]
+    pub random: RandomArgs,
+}
+
+/// How CalculiX is given a law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum LawForm {
+    Table,
+    Exponential,
+}
+
+named!(LawForm, "form of the law", { Table => "table", Exponential => "exponential" });
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct LawArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    pub psd: String,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// What makes the law: Persson's theory, or a law of asperities
+    #[arg(long, value_parser = law_model())]
+    pub model: &'static ModelEntry,
+    /// Who is to read it
+    #[arg(long, value_parser = one_of::<Dialect, _>(Dialect::ALL))]
+    pub dialect: Dialect,
+    /// The units of the finite element model
+    #[arg(long, value_parser = one_of::<UnitSystem, _>(UnitSystem::ALL), default_value = "SI")]
+    pub units: UnitSystem,
+    /// The least and the largest nominal pressure of interest
+    #[arg(long, value_name = "FROM:TO", value_parser = parse_range, allow_hyphen_values = true)]
+    pub pressure_range: [Pressure; 2],
+    /// The largest relative error of the pressure on the straight lines between the rows
+    #[arg(long, value_name = "E", default_value_t = ContactLaw::TOLERANCE)]
+    pub error: f64,
+    /// How calculix is given the law: as a table, or as the exponential law of light loads that Persson's theory has
+    #[arg(long, value_parser = one_of::<LawForm, _>(LawForm::ALL), default_value = "table")]
+    pub form: LawForm,
+    /// The name of the surface interaction
+    #[arg(long, value_name = "NAME", default_value = Heading::NAME, value_parser = parse_name)]
+    pub name: String,
+    #[command(flatten)]
+    pub choices: GapChoiceArgs,
+}
+
+fn parse_range(text: &str) -> Result<[Pressure; 2], String> {
+    let (from, to) = text
+        .split_once(':')
+        .ok_or_else(|| format!("'{text}' is no range of pressures; one reads FROM:TO, as in '1kPa:1GPa'"))?;
+    let end = |text: &str| text.trim().parse::<Pressure>().map_err(|error| error.to_string());
+    Ok([end(from)?, end(to)?])
+}
+
+fn parse_name(text: &str) -> Result<String, String> {
+    let fits = !text.is_empty() && text.len() <= 80;
+    let plain = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+    if fits && plain && text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return Ok(text.to_owned());
+    }
+    Err("a name begins with a letter and has at most 80 letters, digits, _ and -".to_owned())
+}
