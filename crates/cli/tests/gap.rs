@@ -105,7 +105,7 @@ fn asperities_are_as_far_from_the_mean_plane_as_from_their_own_and_its_offset() 
     let psd = "builtin:uncd-reconstructed";
     let loads = ["--pressures", "10kPa:100MPa:4"];
     let moments = bench.run(&["moments", psd]).ok();
-    let offset_m = *numbers(&moments, "offset_m")[..].last().unwrap();
+    let offset_m: f64 = column(&moments, "offset_m").last().unwrap().parse().unwrap();
     let curve = bench.run(&[&["statistical", psd, "--model", "hertz"], &loads[..], &DIAMOND].concat()).ok();
     let cutoffs = numbers(&moments, "wavelength_m").len();
     let table = gap(&bench, psd, &[&["--model", "hertz"], &loads, &DIAMOND]).ok();
