@@ -51,7 +51,7 @@ impl Dialect {
         if !columns.is_empty() {
             return Err(ContactLawError::NoColumns(self.name()));
         }
-        let mut text = self.commented(&heading.of_table(law, units, self));
+        let mut text = self.commented(&heading.of_table(law, units, of_code(self, law, units)));
         text += &interaction(heading, "TABULAR");
         let mut before: Option<f64> = None;
         for ((pressure, overclosure), point) in law.rows(units).zip(law.points()) {
@@ -126,7 +126,7 @@ fn csv(
         return Err(ContactLawError::ColumnLength { name, values, rows });
     }
     let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
-    let mut text = Dialect::Csv.commented(&heading.of_table(law, units, Dialect::Csv));
+    let mut text = Dialect::Csv.commented(&heading.of_table(law, units, Vec::new()));
     text += &format!("pressure_{pressure},overclosure_{length},mean_gap_{length},area_fraction");
     columns.iter().for_each(|column| text += &format!(",{}", column.name));
     text.push('\n');
@@ -140,4 +140,24 @@ fn csv(
         text.push('\n');
     }
     Ok(text)
+}
+
+const NODE_TO_SURFACE: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE: in face-to-face contact CalculiX 2.20 finds \
+                               no pressure in a table, and says nothing of it.";
+
+/// What a code makes of the table.
+fn of_code(dialect: Dialect, law: &ContactLaw, units: UnitSystem) -> Vec<String> {
+    let last_pa = law.points().last().map_or(0.0, |point| point.pressure_pa);
+    let last = format!("{} {}", number(units.pressure(last_pa)), units.pressure_symbol());
+    match dialect {
+        Dialect::Csv => Vec::new(),
+        Dialect::Abaqus => vec![format!("Beyond {last} Abaqus goes on along the last line.")],
+        Dialect::Calculix => vec![
+            NODE_TO_SURFACE.to_owned(),
+            format!("Beyond the last row CalculiX holds the pressure at {last}: no more load is carried."),
+            "CalculiX looks at a table below a clearance of 1e-3 of the root of the slave area alone; this one has no \
+             pressure at a clearance."
+                .to_owned(),
+        ],
+    }
 }

@@ -1,6 +1,6 @@
 //! What stands in front of the numbers.
 
-use crate::{ContactLaw, Dialect, ExponentialLaw, UnitSystem};
+use crate::{ContactLaw, ExponentialLaw, UnitSystem};
 use units::display::three_digits;
 use units::number;
 
@@ -20,8 +20,9 @@ impl Heading {
     /// The name of the surface interaction where none is given.
     pub const NAME: &'static str = "ROUGH";
 
-    /// All lines of comment in front of a table, without the signs that begin a comment.
-    pub(crate) fn of_table(&self, law: &ContactLaw, units: UnitSystem, dialect: Dialect) -> Vec<String> {
+    /// All lines of comment in front of a table, without the signs that begin a comment; `of_code` is what its reader makes
+    /// of it.
+    pub(crate) fn of_table(&self, law: &ContactLaw, units: UnitSystem, of_code: Vec<String>) -> Vec<String> {
         let [first, last] = [1, law.points().len() - 1].map(|at| law.points()[at].pressure_pa);
         let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
         let cut = law.cut();
@@ -44,7 +45,7 @@ impl Heading {
                 number(units.pressure(cut.pressure_pa))
             ),
         ];
-        sentences.extend(of_code(dialect, last, units));
+        sentences.extend(of_code);
         self.wrapped(&sentences)
     }
 
@@ -101,24 +102,5 @@ const NOMINAL: &str = "Pressures are nominal: force over the area that seems to 
 const EXCESS: &str = "The law is the compliance of the roughness, in excess of smooth bodies: those of the model deform \
                       beside it, and no half-space is in it, so that none counts twice.";
 
-const NODE_TO_SURFACE: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE: in face-to-face contact CalculiX 2.20 finds \
-                               no pressure in a table, and says nothing of it.";
-
 const NODE_TO_SURFACE_EXPONENTIAL: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE: in face-to-face contact CalculiX \
                                            2.20 makes no contact at a clearance.";
-
-/// What a code makes of the table.
-fn of_code(dialect: Dialect, last_pa: f64, units: UnitSystem) -> Vec<String> {
-    let last = format!("{} {}", number(units.pressure(last_pa)), units.pressure_symbol());
-    match dialect {
-        Dialect::Csv => Vec::new(),
-        Dialect::Abaqus => vec![format!("Beyond {last} Abaqus goes on along the last line.")],
-        Dialect::Calculix => vec![
-            NODE_TO_SURFACE.to_owned(),
-            format!("Beyond the last row CalculiX holds the pressure at {last}: no more load is carried."),
-            "CalculiX looks at a table below a clearance of 1e-3 of the root of the slave area alone; this one has no \
-             pressure at a clearance."
-                .to_owned(),
-        ],
-    }
-}
