@@ -39,7 +39,7 @@ pub struct ContactState {
 
 impl ContactState {
     /// The stiffness K = -dp/dd over the nominal area \[Pa/m\]. The separation enters the integral over the heights by their
-    /// density alone, g'(z) = -z g(z)/sigma_s^2, so that K = p <z>/sigma_s^2, <z> being the mean height of what meets the
+    /// density alone, g'(z) = -z g(z)/sigma_s^2, so that K = p z/sigma_s^2, z being the mean height of what meets the
     /// flat, weighted by its load. No force is differentiated: kinks cost nothing, and where a force steps, K holds the
     /// asperities on the step. Below 0 where the pressure falls as the surfaces approach.
     ///
