@@ -11,6 +11,9 @@ use crate::uncertainty_words::group_in_words;
 /// A ratio this close to 1 is none.
 const SAME: f64 = 0.005;
 
+/// A standard error this small beside its value is that of arithmetic.
+const NO_ERROR: f64 = 1e-9;
+
 /// `Greenwood-Williamson (Hertz) at 5 MPa`: what the advice is for.
 pub(crate) fn subject(advice: &Advice, scene: &Scene) -> String {
     format!("{} at {}", in_full(&scene.needs.curves[advice.curve]), scene.needs.loads[advice.load].label)
@@ -73,10 +76,13 @@ pub(crate) fn step_in_words(uncertainty: &Uncertainty, kind: &StepKind) -> Strin
 /// Whether more of the spectrum would settle the area.
 pub(crate) fn settling(advice: &Advice) -> String {
     let falls = |slope: f64, standard_error: f64| {
+        // That of a spectrum that was made as a power law is rounding.
+        let is_known = standard_error > NO_ERROR * slope.abs();
+        let error = is_known.then(|| format!(" (standard error {})", three_digits(standard_error)));
+        let slope = three_digits(slope);
         format!(
-            "at its short end the spectrum goes as wavevector to the power {} (standard error {})",
-            three_digits(slope),
-            three_digits(standard_error)
+            "at its short end the spectrum goes as wavevector to the power {slope}{}",
+            error.unwrap_or_default()
         )
     };
     match advice.settling {

@@ -32,7 +32,13 @@ pub(crate) fn gap_against_load(
             .map(|&pressure_pa| (pressure_pa, gap_m(pressure_pa)))
             .filter(|(_, gap_m)| *gap_m > least_m)
             .collect();
-        Series { curve: column.to_owned(), dash, ..Series::under(column, 0, points) }
+        Series {
+            curve: column.to_owned(),
+            condition: String::new(),
+            condition_in_full: String::new(),
+            dash,
+            ..Series::under(column, 0, points)
+        }
     };
     let whole = line("mean gap", 0, &|pressure_pa| states.separation_under(pressure_pa).mean_gap_m);
     let law = line("law of light loads", 1, &|pressure_pa| {

@@ -7,8 +7,7 @@ use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 
 use crate::coverage::level;
-use crate::curve_names::in_full;
-use crate::listing::{capital, listed};
+use crate::listing::listed;
 use crate::persson_words;
 
 /// More loads than this are left to the table.
@@ -26,47 +25,61 @@ pub(crate) fn value(quantity: Quantity, value: f64) -> String {
 
 /// `2.31 um (95 %: 2.1 um to 2.5 um)`.
 pub(crate) fn with_interval(slot: Slot, found: f64, uncertainty: Option<&Uncertainty>) -> String {
-    let own = value(slot.quantity, found);
-    let interval = uncertainty.and_then(|uncertainty| {
-        let interval = uncertainty.quantity(slot).filter(|interval| interval.low < interval.high)?;
-        let [low, high] = [interval.low, interval.high].map(|end| value(slot.quantity, end));
-        Some(format!(" ({}: {low} to {high})", level(uncertainty)))
-    });
-    own + &interval.unwrap_or_default()
+    let interval = uncertainty.and_then(|found| Some(format!(" ({}: {})", level(found), ends(slot, found)?)));
+    value(slot.quantity, found) + &interval.unwrap_or_default()
 }
 
-/// What is told in short: a sentence for what all loads share, and one for each of the first loads.
-pub(crate) fn sentences(
+/// `2.1 um to 2.5 um`, both ends of an interval; none where nothing that is uncertain moves it.
+pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
+    let found = uncertainty.quantity(slot).filter(|interval| interval.low < interval.high)?;
+    let unit = slot.quantity.unit();
+    Some(match unit {
+        "m" | "Pa" => {
+            format!("{} to {}", value(slot.quantity, found.low), value(slot.quantity, found.high))
+        }
+        _ => format!("{} to {} {unit}", three_digits(found.low), three_digits(found.high))
+            .trim_end()
+            .to_owned(),
+    })
+}
+
+/// What is told under a heading: names and values.
+pub(crate) struct Told {
+    /// Under which load.
+    pub heading: String,
+    /// Every quantity with its value.
+    pub lines: Vec<(String, String)>,
+}
+
+/// What is told of every load, of the first alone where there are many; what all of them share comes first.
+pub(crate) fn told(
     states: &InterfaceStates<'_>,
     scene: &Scene,
     uncertainty: Option<&Uncertainty>,
-) -> Vec<String> {
+) -> Vec<Told> {
     let slots = states.slots();
-    let told = |slot: &Slot| {
+    let line = |slot: &Slot| {
         let found = states.value(*slot).ok().flatten()?;
-        let of_curve = slot
-            .curve
-            .map_or_else(String::new, |curve| format!(" by {}", in_full(&scene.needs.curves[curve])));
-        Some(format!("{}{of_curve} {}", slot.quantity.words(), with_interval(*slot, found, uncertainty)))
+        let of_curve =
+            slot.curve.map_or_else(String::new, |curve| format!(", {}", scene.needs.curves[curve].name));
+        let name = format!("{}{of_curve}", slot.quantity.words());
+        Some((name, with_interval(*slot, found, uncertainty)))
     };
-    let of = |load: Option<usize>| -> Vec<String> {
-        slots.iter().filter(|slot| slot.load == load).filter_map(told).collect()
+    let of = |load: Option<usize>| -> Vec<(String, String)> {
+        slots.iter().filter(|slot| slot.load == load).filter_map(line).collect()
     };
+    let all = Told { heading: "What it means under any load".to_owned(), lines: of(None) };
     let loads = &scene.needs.loads;
-    let mut sentences: Vec<String> = (0..loads.len().min(LOADS_TOLD))
-        .map(|load| {
-            let tight = is_tight(states, &slots, load).then(|| "no channel is open: tight".to_owned());
-            let parts: Vec<String> = of(Some(load)).into_iter().chain(tight).collect();
-            format!("What it means at {}: {}.", loads[load].label, parts.join("; "))
-        })
-        .collect();
-    if loads.len() > LOADS_TOLD {
-        let more = counted(loads.len() - LOADS_TOLD, "load");
-        sentences.push(format!("{} more in report-interface.", capital(&more)));
-    }
-    let of_all = of(None);
-    sentences.extend((!of_all.is_empty()).then(|| format!("{}.", capital(&of_all.join("; ")))));
-    sentences
+    let of_load = |load: usize| {
+        let more = (load + 1 == LOADS_TOLD && loads.len() > LOADS_TOLD)
+            .then(|| format!(" ({} more in report-interface)", counted(loads.len() - LOADS_TOLD, "load")));
+        let tight = is_tight(states, &slots, load)
+            .then(|| ("last channel".to_owned(), "none is open: tight".to_owned()));
+        let heading = format!("What it means at {}{}", loads[load].label, more.unwrap_or_default());
+        Told { heading, lines: of(Some(load)).into_iter().chain(tight).collect() }
+    };
+    let of_loads = (0..loads.len().min(LOADS_TOLD)).map(of_load);
+    Some(all).filter(|all| !all.lines.is_empty()).into_iter().chain(of_loads).collect()
 }
 
 fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {

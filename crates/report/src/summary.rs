@@ -56,8 +56,12 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
         text.push('\n');
     }
     if let Some(states) = InterfaceStates::of_scene(scene, results) {
-        for line in interface_words::sentences(&states, scene, trust.uncertainty) {
-            let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
+        for told in interface_words::told(&states, scene, trust.uncertainty) {
+            let _ = writeln!(text, "{}", told.heading);
+            let width = told.lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+            for (name, value) in &told.lines {
+                let _ = writeln!(text, "  {name:<width$}  {value}");
+            }
         }
         for note in interface_words::notes(&states, scene) {
             let _ = writeln!(text, "note: {note}");

@@ -3,7 +3,9 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::{SceneReport, Section, table};
+use crate::coverage::level;
 use crate::interface_figure::gap_against_load;
+use crate::listing::capital;
 use crate::{interface_words, plot};
 use study::interface::{InterfaceStates, Slot};
 use units::display::typeset;
@@ -29,7 +31,7 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
     let further = interface_words::further_keys(report.scene);
     Some(html! {
         @if let Some(states) = &found {
-            @for note in interface_words::notes(states, report.scene) { p { (typeset(&super::answer::sentence(&note))) } }
+            @for note in interface_words::notes(states, report.scene) { p { (typeset(&capital(&note))) "." } }
             (quantities(report, states))
             (gap(report, states, &format!("scene-{at}-gap")))
         }
@@ -38,9 +40,11 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
 }
 
 fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
+    let uncertainty = report.trust.uncertainty;
     let head = html! {
         tr {
             th scope="col" { "nominal pressure" } th scope="col" { "quantity" } th scope="col" { "value" }
+            @if let Some(uncertainty) = uncertainty { th scope="col" { (level(uncertainty)) } }
         }
     };
     let told: Vec<(Slot, f64)> = states
@@ -49,15 +53,24 @@ fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup 
         .filter_map(|slot| Some((slot, states.value(slot).ok().flatten()?)))
         .collect();
     let body = html! {
-        tbody {
-            @for (slot, value) in &told {
-                tr {
-                    th scope="row" { @match slot.load { Some(load) => (report.load(load)), None => "any" } }
-                    td {
-                        (slot.quantity.words())
-                        @if let Some(curve) = slot.curve { " by " span.curve { (report.curve(curve)) } }
+        @for of_load in told.chunk_by(|(one, _), (other, _)| one.load == other.load) {
+            tbody {
+                @for (place, (slot, value)) in of_load.iter().enumerate() {
+                    tr {
+                        @if place == 0 {
+                            th scope="rowgroup" rowspan=(of_load.len()) {
+                                @match slot.load { Some(load) => (report.load(load)), None => "any" }
+                            }
+                        }
+                        td {
+                            (slot.quantity.words())
+                            @if let Some(curve) = slot.curve { ", " span.curve { (report.curve(curve)) } }
+                        }
+                        td { (typeset(&interface_words::value(slot.quantity, *value))) }
+                        @if let Some(uncertainty) = uncertainty {
+                            td { (typeset(&interface_words::ends(*slot, uncertainty).unwrap_or_default())) }
+                        }
                     }
-                    td { (typeset(&interface_words::with_interval(*slot, *value, report.trust.uncertainty))) }
                 }
             }
         }
