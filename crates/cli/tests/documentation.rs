@@ -27,6 +27,20 @@ fn calls(page: &str) -> Vec<String> {
     lines.filter(|line| line.starts_with("truearea ")).map(str::to_owned).collect()
 }
 
+/// The scenes that pages tell step by step, by the name of their page.
+fn scenes() -> [(&'static str, String); 3] {
+    ["gasket", "electrical-contact", "bolted-joint"]
+        .map(|name| (name, std::fs::read_to_string(top().join(format!("data/scenes/{name}.toml"))).unwrap()))
+}
+
+#[test]
+fn pages_show_the_scenes_that_they_run() {
+    for (name, scene) in scenes() {
+        let page = std::fs::read_to_string(top().join(format!("docs/{name}.md"))).unwrap();
+        assert!(page.contains(&format!("```toml\n{scene}```")), "docs/{name}.md and data/scenes/{name}.toml");
+    }
+}
+
 #[test]
 fn every_call_shown_succeeds() {
     let bench = Bench::new();
@@ -39,6 +53,10 @@ fn every_call_shown_succeeds() {
         "pressures.csv",
         "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth\n54e6,5.4e9,5.4e9,0.5\n",
     );
+    std::fs::create_dir_all(bench.path("data/scenes")).unwrap();
+    for (name, scene) in scenes() {
+        bench.write(&format!("data/scenes/{name}.toml"), scene);
+    }
     let folder = Path::new(env!("CARGO_BIN_EXE_truearea")).parent().unwrap();
     let path = std::env::join_paths(
         std::iter::once(folder.to_owned()).chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),
