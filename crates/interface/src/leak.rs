@@ -48,6 +48,12 @@ impl SealedJoint {
         })
     }
 
+    /// The pressure drop dp \[Pa\].
+    #[must_use]
+    pub fn pressure_drop_pa(&self) -> f64 {
+        self.pressure_drop_pa
+    }
+
     /// Q = (L_y/L_x) u_c^3 dp/(12 eta).
     #[must_use]
     pub fn leak_rate(&self, constriction: Constriction) -> LeakRate {

@@ -1,7 +1,7 @@
 //! What the interface does besides touching, in plain words.
 
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
-use study::interface::{InterfaceStates, Quantity, Slot};
+use study::interface::{InterfaceStates, Quantity, Seal, Slot};
 use study::scene::Scene;
 use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
@@ -9,6 +9,9 @@ use units::display::{counted, length, pressure, three_digits};
 use crate::coverage::level;
 use crate::listing::listed;
 use crate::persson_words;
+
+/// What is nearer than this is in touch \[m\].
+const ATOM_M: f64 = 0.3e-9;
 
 /// More loads than this are left to the table.
 const LOADS_TOLD: usize = 3;
@@ -73,13 +76,24 @@ pub(crate) fn told(
     let of_load = |load: usize| {
         let more = (load + 1 == LOADS_TOLD && loads.len() > LOADS_TOLD)
             .then(|| format!(" ({} more in report-interface)", counted(loads.len() - LOADS_TOLD, "load")));
-        let tight = is_tight(states, &slots, load)
-            .then(|| ("last channel".to_owned(), "none is open: tight".to_owned()));
-        let heading = format!("What it means at {}{}", loads[load].label, more.unwrap_or_default());
+        let tight = is_tight(states, &slots, load).then(|| {
+            let in_draws = uncertainty.and_then(|found| found.share_open(load)).filter(|share| *share > 0.0);
+            let in_draws = in_draws.map(|share| format!(", but in {} of the draws one is", percent(share)));
+            ("last channel".to_owned(), format!("none is open: tight{}", in_draws.unwrap_or_default()))
+        });
+        let heading = format!(
+            "What it means at {}, gap and stiffness by Persson’s elastic theory{}",
+            loads[load].label,
+            more.unwrap_or_default()
+        );
         Told { heading, lines: of(Some(load)).into_iter().chain(tight).collect() }
     };
     let of_loads = (0..loads.len().min(LOADS_TOLD)).map(of_load);
     Some(all).filter(|all| !all.lines.is_empty()).into_iter().chain(of_loads).collect()
+}
+
+fn percent(share: f64) -> String {
+    format!("{} %", three_digits((1000.0 * share).round() / 10.0))
 }
 
 fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {
@@ -88,26 +102,13 @@ fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {
 }
 
 /// What the numbers leave out or go beyond.
-pub(crate) fn notes(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
-    let loads = &scene.needs.loads;
-    let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
-    let mut notes = match states.light_loads() {
-        Some(light) => persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa),
-        None => Vec::new(),
-    };
-    let at = |is_meant: &dyn Fn(usize) -> bool| -> Vec<&str> {
-        (0..loads.len()).filter(|load| is_meant(*load)).map(|load| loads[load].label.as_str()).collect()
-    };
-    let plastic = at(&|load| states.plastic_share(load).is_some_and(|share| share > MOST_PLASTIC_SHARE));
-    if !plastic.is_empty() {
-        notes.push(format!(
-            "at {} more than {} % of the contact has flowed: gap, stiffness and what follows from them are those of the elastic \
-             theory, and say less the more has flowed",
-            listed(&plastic),
-            100.0 * MOST_PLASTIC_SHARE
-        ));
-    }
+pub(crate) fn notes(
+    states: &InterfaceStates<'_>,
+    scene: &Scene,
+    uncertainty: Option<&Uncertainty>,
+) -> Vec<String> {
     let asked = states.asked();
+    let mut notes = of_the_gap(states, scene);
     if asked.conductivities.is_some() || asked.resistivities.is_some() {
         notes.push(format!(
             "conductances take both bodies to be clean (films are not considered) and spots to be wider than the mean free path of \
@@ -116,38 +117,145 @@ pub(crate) fn notes(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> 
         ));
     }
     if asked.conductivities.is_some() && scene.hardness_pa().is_some() {
-        notes.extend(states.mean_absolute_slope().ok().map(|slope| {
-            format!(
-                "the correlations for flowed peaks take the mean absolute slope at {}, {}: it grows with every shorter wavelength, \
-                 and so do they; Barber’s analogy does not",
-                length(states.pressed().results.psd.shortest_wavelength_m()),
-                three_digits(slope)
-            )
-        }));
-        let outside = at(&|load| {
-            states.pressure_ratio(load).ok().flatten().is_some_and(|ratio| !ratio.range().is_within())
-        });
-        let [least, most] = PressureRatio::FITTED;
-        if !outside.is_empty() {
-            notes.push(format!(
-                "at {} the pressure over the hardness is outside {least} to {most}, for which these correlations stand",
-                listed(&outside)
-            ));
-        }
+        notes.extend(of_flowed_peaks(states, scene));
     }
     if let Some(seal) = &asked.seal {
+        notes.extend(of_the_seal(states, scene, seal, uncertainty));
+    }
+    let softer_pa = scene.material.as_ref().and_then(|material| material.yield_strength_pa());
+    if let (Some(shear_pa), Some(yield_pa)) = (asked.shear_strength_pa, softer_pa)
+        && shear_pa > yield_pa / 3f64.sqrt()
+    {
         notes.push(format!(
-            "channels close where {} of the nominal area touches; contact areas of the seal are those of a form fitted to boundary \
-             elements, and a leak rate is an order of magnitude",
-            seal.threshold.area_fraction()
+            "the shear strength of {} is above that of the softer body itself, S₀/√3 = {}, which would shear instead",
+            pressure(shear_pa),
+            pressure(yield_pa / 3f64.sqrt())
         ));
     }
     if asked.adhesion.is_some() {
         notes.push(
-            "the parameters of adhesion are indicators at the shortest wavelength; no area follows from them"
+            "the parameters of adhesion are indicators at the shortest wavelength, and need not agree; no area follows from them"
                 .to_owned(),
         );
     }
+    notes
+}
+
+/// The labels of the loads that something holds for, each with what is told of it.
+fn loads_where(scene: &Scene, told: impl Fn(usize) -> Option<String>) -> Option<String> {
+    let label = |load: usize| Some(format!("{}{}", scene.needs.loads[load].label, told(load)?));
+    let labels: Vec<String> = (0..scene.needs.loads.len()).filter_map(label).collect();
+    (!labels.is_empty()).then(|| listed(&labels.iter().map(String::as_str).collect::<Vec<_>>()))
+}
+
+/// Nothing to tell beside the label.
+fn alone(holds: bool) -> Option<String> {
+    holds.then(String::new)
+}
+
+/// Where gap and stiffness say little: what flows, few asperities, less than an atom.
+fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
+    let loads = &scene.needs.loads;
+    let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
+    let light = states.light_loads();
+    let mut notes = light.map_or_else(Vec::new, |light| {
+        persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa)
+    });
+    let plastic = loads_where(scene, |load| {
+        let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
+        Some(format!(" ({})", percent(share)))
+    });
+    notes.extend(plastic.map(|loads| {
+        format!(
+            "part of the contact has flowed at {loads}: gap, stiffness and what follows from them are those of the elastic theory, and \
+             say less the more has flowed"
+        )
+    }));
+    let below_atoms = loads_where(scene, |load| {
+        let slot = Slot { quantity: Quantity::MeanGap, load: Some(load), curve: None };
+        alone(states.value(slot).ok().flatten().is_none_or(|gap_m| gap_m < ATOM_M))
+    });
+    notes.extend(below_atoms.map(|loads| {
+        format!("at {loads} the mean gap is below the size of an atom, {}: read it as closed", length(ATOM_M))
+    }));
+    notes
+}
+
+/// At which cutoff the correlations for flowed peaks stand, and for which loads they were not made.
+fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
+    let slope = states.mean_absolute_slope().ok().map(|slope| {
+        format!(
+            "the correlations for flowed peaks take the mean absolute slope at {}, {}: it grows with every shorter wavelength, and \
+             so do they; Barber’s analogy does not",
+            length(states.pressed().results.psd.shortest_wavelength_m()),
+            three_digits(slope)
+        )
+    });
+    let outside = loads_where(scene, |load| {
+        let ratio = states.pressure_ratio(load).ok().flatten()?;
+        alone(!ratio.range().is_within())
+    });
+    let [least, most] = PressureRatio::FITTED;
+    let outside = outside.map(|loads| {
+        format!(
+            "at {loads} the pressure over the hardness is outside {least:e} to {most}, for which these correlations stand"
+        )
+    });
+    slope.into_iter().chain(outside).collect()
+}
+
+/// What a seal takes for granted.
+fn of_the_seal(
+    states: &InterfaceStates<'_>,
+    scene: &Scene,
+    seal: &Seal,
+    uncertainty: Option<&Uncertainty>,
+) -> Vec<String> {
+    let threshold = seal.threshold.area_fraction();
+    let mut notes = vec![format!(
+        "channels close where {threshold} of the nominal area touches; contact areas of the seal are those of a form fitted to boundary \
+         elements, not those of the curves, and a leak rate is an order of magnitude"
+    )];
+    let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
+    let tight_pa = states.value(tight).ok().flatten();
+    let flows_pa = scene.hardness_pa().map(|hardness_pa| threshold * hardness_pa);
+    if let (Some(tight_pa), Some(flows_pa)) = (tight_pa, flows_pa)
+        && flows_pa < tight_pa
+    {
+        notes.push(format!(
+            "the seal is elastic: by the flow of the softer body {threshold} of the area touches from about {} on, {threshold} times its \
+             hardness, and the seal is tight then",
+            pressure(flows_pa)
+        ));
+    }
+    let sometimes = loads_where(scene, |load| {
+        let share = uncertainty?.share_open(load).filter(|share| *share > 0.0 && *share < 1.0)?;
+        Some(format!(" ({})", percent(share)))
+    });
+    notes.extend(sometimes.map(|loads| {
+        format!(
+            "a channel is open in part of the draws at {loads}; its intervals are those of these draws, and are left out where they are \
+             less than nine in ten"
+        )
+    }));
+    let longest_m = states.pressed().results.psd.longest_wavelength_m();
+    let at_the_end = loads_where(scene, |load| {
+        let slot = Slot { quantity: Quantity::ChannelWavelength, load: Some(load), curve: None };
+        alone(states.value(slot).ok().flatten()? > 0.5 * longest_m)
+    });
+    notes.extend(at_the_end.map(|loads| {
+        format!(
+            "at {loads} the last channel is as wide as the longest wave of the spectrum, {}: wider ones may decide",
+            length(longest_m)
+        )
+    }));
+    let parted = loads_where(scene, |load| {
+        let drop_pa = seal.joint?.pressure_drop_pa();
+        alone(drop_pa >= scene.needs.loads[load].nominal_pressure_pa())
+    });
+    notes.extend(parted.map(|loads| {
+        format!("at {loads} the fluid presses as much as the bodies do, or more, and would part them")
+    }));
     notes
 }
 

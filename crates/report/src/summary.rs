@@ -63,7 +63,7 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
                 let _ = writeln!(text, "  {name:<width$}  {value}");
             }
         }
-        for note in interface_words::notes(&states, scene) {
+        for note in interface_words::notes(&states, scene, trust.uncertainty) {
             let _ = writeln!(text, "note: {note}");
         }
         text.push('\n');

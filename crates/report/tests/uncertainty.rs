@@ -117,6 +117,7 @@ impl Study {
             guesses: vec![Guess::FewScans { instrument: 0, scans: 2 }],
             areas,
             quantities: Vec::new(),
+            open_channels: Vec::new(),
             bands,
             advice: places.map(|(curve, load)| advice(curve, load)).collect(),
             work: Work::default(),

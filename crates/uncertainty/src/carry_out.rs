@@ -8,11 +8,11 @@ use crate::advice::{Adviser, TELLING_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
 use crate::draws::{self, Along, Drawn};
-use crate::found::{AreaBand, AreaInterval, Guess, QuantityInterval, Uncertainty};
+use crate::found::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::group::Indices;
 use crate::inputs::Inputs;
 use crate::quantiles::{interval, interval_about};
-use crate::quantities::Quantities;
+use crate::quantities::{Quantities, QuantityDraws};
 use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
@@ -121,12 +121,14 @@ impl<'p> UncertaintyPlan<'p> {
             guesses: Vec::new(),
             areas,
             quantities: Vec::new(),
+            open_channels: Vec::new(),
             bands,
             advice,
             work,
             plans,
         };
-        found.quantities = self.quantities_of(draws, &found.areas, progress);
+        let QuantityDraws { intervals, open_channels } = self.quantities_of(draws, &found.areas, progress);
+        (found.quantities, found.open_channels) = (intervals, open_channels);
         self.tell_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
         let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > LOOSE);
@@ -170,16 +172,11 @@ impl<'p> UncertaintyPlan<'p> {
         ((0..self.areas.count()).filter_map(interval).collect(), best.work)
     }
 
-    fn quantities_of(
-        &self,
-        draws: usize,
-        areas: &[AreaInterval],
-        progress: &dyn Progress,
-    ) -> Vec<QuantityInterval> {
+    fn quantities_of(&self, draws: usize, areas: &[AreaInterval], progress: &dyn Progress) -> QuantityDraws {
         let level = self.settings.level;
         let intervals =
             |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);
-        self.quantities.as_ref().map_or_else(Vec::new, intervals)
+        self.quantities.as_ref().map(intervals).unwrap_or_default()
     }
 
     fn design(&self) -> Design {

@@ -30,6 +30,8 @@ pub struct Uncertainty {
     pub areas: Vec<AreaInterval>,
     /// An interval for everything that the scene asks of its interface and that has a value.
     pub quantities: Vec<QuantityInterval>,
+    /// In how many draws a seal lets a channel through, load by load.
+    pub open_channels: Vec<OpenChannel>,
     /// Intervals along the cutoff, for every followed curve and load.
     pub bands: Vec<AreaBand>,
     /// What to measure next; absent where nothing of the spectrum scatters or draws were ended.
@@ -82,6 +84,15 @@ pub struct QuantityInterval {
     pub high: f64,
     /// One standard error of ln(high/low) as a share of it.
     pub monte_carlo_error: f64,
+}
+
+/// How often a seal is not tight.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct OpenChannel {
+    /// The load, by index.
+    pub load: usize,
+    /// The share of draws in which a channel is open.
+    pub share: f64,
 }
 
 /// How an instrument's scans came to their instrument.

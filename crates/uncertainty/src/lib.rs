@@ -31,7 +31,8 @@ mod tables;
 pub use carry_out::UncertaintyPlan;
 pub use found::{
     Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
-    OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
+    OpenChannel, OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind,
+    Uncertainty,
 };
 pub use group::{Group, Index, Indices};
 pub use inputs::scattering_groups;

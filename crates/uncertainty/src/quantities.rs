@@ -1,13 +1,13 @@
 //! Draws of what the interface does besides touching.
 
 use study::Progress;
-use study::interface::{InterfaceStates, Pressed, Slot};
+use study::interface::{InterfaceStates, Pressed, Quantity, Slot};
 use study::plan::{Needs, Plan, Results};
 use study::scene::Scene;
 
 use spectrum::ProfilePsd;
 
-use crate::found::{AreaInterval, QuantityInterval};
+use crate::found::{AreaInterval, OpenChannel, QuantityInterval};
 use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
 use crate::quantiles::{Interval, interval, interval_about};
@@ -23,6 +23,13 @@ pub(crate) struct Quantities<'p> {
 
 /// The share of draws that have to have a value for an interval of them.
 const LEAST_WITH_VALUE: f64 = 0.9;
+
+/// What draws say of the interface.
+#[derive(Debug, Default)]
+pub(crate) struct QuantityDraws {
+    pub intervals: Vec<QuantityInterval>,
+    pub open_channels: Vec<OpenChannel>,
+}
 
 impl<'p> Quantities<'p> {
     /// Those of a scene; none where it asks for none.
@@ -40,7 +47,7 @@ impl<'p> Quantities<'p> {
         level: f64,
         areas: &[AreaInterval],
         progress: &dyn Progress,
-    ) -> Vec<QuantityInterval> {
+    ) -> QuantityDraws {
         let numbers: Vec<u64> = (0..draws as u64).collect();
         let of_draw = |&number: &u64| {
             if progress.is_cancelled() {
@@ -51,11 +58,13 @@ impl<'p> Quantities<'p> {
             found
         };
         let drawn: Vec<Vec<Option<f64>>> = parallel::map(&numbers, of_draw).into_iter().flatten().collect();
-        if progress.is_cancelled() {
-            return Vec::new();
+        if progress.is_cancelled() || drawn.is_empty() {
+            return QuantityDraws::default();
         }
         let best = inputs.surface_scatters().then(|| self.best(inputs)).flatten();
-        let Some(plain) = InterfaceStates::of_scene(self.scene, self.results) else { return Vec::new() };
+        let Some(plain) = InterfaceStates::of_scene(self.scene, self.results) else {
+            return QuantityDraws::default();
+        };
         let of_slot = |(at, slot): (usize, &Slot)| {
             let value = plain.value(*slot).ok().flatten()?;
             if let Some(curve) = slot.curve {
@@ -73,7 +82,17 @@ impl<'p> Quantities<'p> {
             let is_told = ln_values.len() as f64 >= LEAST_WITH_VALUE * draws as f64;
             found.filter(|_| is_told).map(|found| QuantityInterval::of(*slot, value, &found))
         };
-        self.slots.iter().enumerate().filter_map(of_slot).collect()
+        let open = |(at, slot): (usize, &Slot)| {
+            let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
+            let is_channel = slot.quantity == Quantity::ChannelWavelength;
+            let load = slot.load.filter(|_| is_channel)?;
+            let share = drawn.iter().filter(is_open).count() as f64 / drawn.len() as f64;
+            Some(OpenChannel { load, share })
+        };
+        QuantityDraws {
+            intervals: self.slots.iter().enumerate().filter_map(of_slot).collect(),
+            open_channels: self.slots.iter().enumerate().filter_map(open).collect(),
+        }
     }
 
     /// ln of every value in a draw; none where the draw has left the range of spectra.

@@ -31,6 +31,12 @@ impl Uncertainty {
         self.quantities.iter().find(|interval| interval.slot == slot)
     }
 
+    /// The share of draws in which a seal is open under a load; `None` where nothing is sealed.
+    #[must_use]
+    pub fn share_open(&self, load: usize) -> Option<f64> {
+        self.open_channels.iter().find(|channel| channel.load == load).map(|channel| channel.share)
+    }
+
     /// What to measure next for a curve under a load.
     #[must_use]
     pub fn advice_for(&self, curve: usize, load: usize) -> Option<&Advice> {

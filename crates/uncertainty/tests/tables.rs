@@ -63,6 +63,7 @@ fn found() -> Uncertainty {
             area(1, vec![indices(0.7, 0.02), indices(0.4, 0.2)]),
         ],
         quantities: Vec::new(),
+        open_channels: Vec::new(),
         bands: Vec::new(),
         advice: vec![Advice {
             curve: 0,

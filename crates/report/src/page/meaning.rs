@@ -24,14 +24,14 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
-    if report.scene.needs.curves.is_empty() {
+    if report.scene.needs.curves.is_empty() && report.scene.interface.is_none() {
         return None;
     }
     let found = InterfaceStates::of_scene(report.scene, report.results);
     let further = interface_words::further_keys(report.scene);
     Some(html! {
         @if let Some(states) = &found {
-            @for note in interface_words::notes(states, report.scene) { p { (typeset(&capital(&note))) "." } }
+            @for note in interface_words::notes(states, report.scene, report.trust.uncertainty) { p { (typeset(&capital(&note))) "." } }
             (quantities(report, states))
             (gap(report, states, &format!("scene-{at}-gap")))
         }

@@ -87,7 +87,7 @@ fn curves(keys: &mut Keys<'_>, scene: &Scene) {
 
 fn loads(keys: &mut Keys<'_>, scene: &Scene) {
     let Some(table) = keys.section("loads") else { return };
-    if scene.needs.curves.is_empty() {
+    if scene.needs.curves.is_empty() && scene.interface.is_none() {
         for key in ["pressures", "force", "nominal_area"] {
             keys.note("loads", table, key, Idle::NoCurveUsesIt);
         }

@@ -91,9 +91,6 @@ pub(super) fn resolve(
     };
     let (figures, sweeps) = resolve_figures(&raw.figure, &curves, material.as_ref())?;
     file_names::check(raw, &curves, &figures)?;
-    if curves.is_empty() && figures.is_empty() {
-        return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
-    }
     let any_with_moments = curves.iter().any(|curve| curve.model.needs_moments());
     let any_with_amplitudes = curves.iter().any(|curve| curve.model.needs_amplitudes());
     let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
@@ -107,6 +104,9 @@ pub(super) fn resolve(
         return Err(SceneError::anywhere(
             "[interface] and [seal] need a [material] and [loads]: gap and stiffness are those under a load",
         ));
+    }
+    if curves.is_empty() && figures.is_empty() && interface.is_none() {
+        return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
     }
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {

@@ -9,17 +9,32 @@ pub enum Template {
     UncdMeasured,
     /// UNCD, the reconstructed spectrum from centimetres to Angstroms: every figure of the paper.
     UncdReconstructed,
+    /// A gasket: when it is tight, and what leaks before.
+    Gasket,
+    /// An electrical contact under a force: its resistance.
+    ElectricalContact,
+    /// A bolted joint: its stiffness and the heat that crosses it.
+    BoltedJoint,
 }
 
 units::named!(Template, "scene", {
     New => "new",
     UncdMeasured => "uncd-measured",
     UncdReconstructed => "uncd-reconstructed",
+    Gasket => "gasket",
+    ElectricalContact => "electrical-contact",
+    BoltedJoint => "bolted-joint",
 });
 
 impl Template {
     /// The scenes that can be run as they are.
-    pub const RUNNABLE: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
+    pub const RUNNABLE: [Template; 5] = [
+        Template::UncdMeasured,
+        Template::UncdReconstructed,
+        Template::Gasket,
+        Template::ElectricalContact,
+        Template::BoltedJoint,
+    ];
 
     /// The scene file.
     pub fn text(self) -> &'static str {
@@ -27,6 +42,9 @@ impl Template {
             Template::New => include_str!("../../../../data/scenes/new.toml"),
             Template::UncdMeasured => include_str!("../../../../data/scenes/uncd-measured.toml"),
             Template::UncdReconstructed => include_str!("../../../../data/scenes/uncd-reconstructed.toml"),
+            Template::Gasket => include_str!("../../../../data/scenes/gasket.toml"),
+            Template::ElectricalContact => include_str!("../../../../data/scenes/electrical-contact.toml"),
+            Template::BoltedJoint => include_str!("../../../../data/scenes/bolted-joint.toml"),
         }
     }
 }
