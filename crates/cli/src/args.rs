@@ -190,9 +190,11 @@ Columns: nominal_pressure_pa, area_fraction (share of the points in contact),
 area_fraction_corrected (less the staircase around each spot),
 area_fraction_extrapolated (what a finer grid would show), standard_error,
 plastic_area_fraction, mean_gap_m, mean_plastic_depth_m, largest_pressure_pa,
-stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected; a
-row per load, the mean of all surfaces. With --per-realisation a row for each
-surface, and the column realisation behind the first.
+stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected,
+open_along_x and open_along_y (share of the surfaces that points not in contact
+lead across, from edge to edge); a row per load, the mean of all surfaces. With
+--per-realisation a row for each surface, and the column realisation behind the
+first.
 
 A map is pressed as scanned, less the trend that `psd` subtracts. Of a spectrum
 as many surfaces are made as --realisations asks for, the same ones for a seed

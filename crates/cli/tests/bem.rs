@@ -65,6 +65,21 @@ fn waves_touch_as_westergaard_says() {
 }
 
 #[test]
+fn ridges_leave_channels_beside_them_until_they_touch_throughout() {
+    let bench = with_waves(32, 8);
+    let of = |loads: &[&'static str]| bench.run(&call(&[&WAVES, loads]));
+    // Contact is complete from 314 MPa on.
+    let light = of(&["--pressure", "100MPa"]);
+    let told = "contact shuts ways from edge to edge: at 100 MPa only those along y are open";
+    assert!(light.stderr.contains(told), "{}", light.stderr);
+    let both = of(&["--pressure", "100MPa", "--pressure", "1GPa"]);
+    assert!(both.stderr.contains(&format!("{told}; at 1 GPa none is open")), "{}", both.stderr);
+    let table = both.ok();
+    assert_eq!(column(&table, "open_along_x"), ["0", "0"]);
+    assert_eq!(column(&table, "open_along_y"), ["1", "0"]);
+}
+
+#[test]
 fn the_table_has_a_row_for_each_load_and_with_realisations_one_for_each_surface() {
     let bench = with_spectrum();
     let loads = ["--pressure", "1MPa", "--pressure", "200kPa", "--realisations", "2"];
@@ -72,7 +87,8 @@ fn the_table_has_a_row_for_each_load_and_with_realisations_one_for_each_surface(
     let means = of(&[]);
     assert!(means.starts_with(
         "nominal_pressure_pa,area_fraction,area_fraction_corrected,area_fraction_extrapolated,standard_error,\
-         plastic_area_fraction,mean_gap_m,mean_plastic_depth_m,largest_pressure_pa,stiffness_pa_per_m,iterations,residual,"
+         plastic_area_fraction,mean_gap_m,mean_plastic_depth_m,largest_pressure_pa,stiffness_pa_per_m,iterations,residual,\
+         plastic_area_fraction_corrected,open_along_x,open_along_y\n"
     ));
     assert_eq!(column(&means, "nominal_pressure_pa"), ["1000000", "200000"]);
     let single = of(&["--per-realisation"]);

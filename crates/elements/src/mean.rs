@@ -39,6 +39,10 @@ pub struct Mean {
     pub largest_pressure_pa: f64,
     /// Mean stiffness \[Pa/m\], where every surface has one.
     pub stiffness_pa_per_m: Option<f64>,
+    /// Share of the surfaces that an open way crosses from the first column to the last.
+    pub open_along_x: f64,
+    /// Share of the surfaces that an open way crosses from the first row to the last.
+    pub open_along_y: f64,
     /// The most steps that a surface took.
     pub iterations: usize,
     /// Displacements computed from pressures, on all surfaces.
@@ -65,6 +69,8 @@ impl PressedLoad {
             mean_plastic_depth_m: mean(|state| state.mean_plastic_depth_m),
             largest_pressure_pa: largest(|state| state.largest_pressure_pa),
             stiffness_pa_per_m: self.mean_of_all(|state| state.stiffness_pa_per_m),
+            open_along_x: mean(|state| share(state.open.along_x)),
+            open_along_y: mean(|state| share(state.open.along_y)),
             iterations: self.states.iter().map(|state| state.iterations).max().unwrap_or_default(),
             operators: self.states.iter().map(|state| state.operators).sum(),
             residual: largest(|state| state.residual),
@@ -110,6 +116,11 @@ impl PressedLoad {
         let values: Vec<f64> = self.states.iter().map(of).collect::<Option<_>>()?;
         Some(values.iter().sum::<f64>() / values.len() as f64)
     }
+}
+
+/// What one surface adds to a share of surfaces.
+pub(crate) fn share(is_so: bool) -> f64 {
+    if is_so { 1.0 } else { 0.0 }
 }
 
 impl Mean {

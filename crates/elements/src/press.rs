@@ -73,7 +73,8 @@ fn press_once<E: From<ElementsError>>(
         pressures_pa: &contact.pressures_pa,
         gaps_m: &contact.gaps_m,
     })?;
-    Ok(PressedState::of(&contact, stiffness_pa_per_m, coarser.as_ref()))
+    let open = relief.open_paths(&contact).map_err(ElementsError::from)?;
+    Ok(PressedState::of(&contact, stiffness_pa_per_m, open, coarser.as_ref()))
 }
 
 /// Work that may be ended and of whose steps nobody is told, as there are few of them.

@@ -1,6 +1,8 @@
 //! Heights as they are pressed.
 
-use half_space::{Contact, FreeElements, Grid, HalfSpaceError, Loading, PeriodicElements};
+use half_space::{
+    Contact, FreeElements, Grid, HalfSpaceError, Loading, OpenPaths, PeriodicElements, Sides, open_paths,
+};
 use parallel::Progress;
 use serde::{Deserialize, Serialize};
 use units::named;
@@ -83,6 +85,15 @@ impl Relief {
                 (contact, stiffness_pa_per_m)
             }
         })
+    }
+
+    /// Where what is not in contact crosses it. Beside a map that is not repeated nobody knows of a way, and none is taken.
+    pub(crate) fn open_paths(&self, contact: &Contact) -> Result<OpenPaths, HalfSpaceError> {
+        let sides = match self.boundary {
+            Boundary::Periodic => Sides::Periodic,
+            Boundary::Free => Sides::Walls,
+        };
+        open_paths(&self.grid()?, sides, &contact.touching())
     }
 
     fn grid(&self) -> Result<Grid, HalfSpaceError> {

@@ -1,6 +1,6 @@
 //! One surface under one load.
 
-use half_space::{Contact, Ending};
+use half_space::{Contact, Ending, OpenPaths};
 
 /// What one surface answers to one load.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub struct PressedState {
     pub largest_pressure_pa: f64,
     /// How much more pressure it takes to press the bodies nearer \[Pa/m\]; `None` where no gap is left, or nobody asked.
     pub stiffness_pa_per_m: Option<f64>,
+    /// Where what is not in contact crosses the surface; ways are as narrow as a point of the grid.
+    pub open: OpenPaths,
     /// Steps of the solver.
     pub iterations: usize,
     /// How often displacements were computed from pressures.
@@ -35,8 +37,14 @@ pub struct PressedState {
 }
 
 impl PressedState {
-    /// A solved contact, its stiffness where asked for, and the contact on every second point where there is one.
-    pub(crate) fn of(contact: &Contact, stiffness_pa_per_m: Option<f64>, coarser: Option<&Contact>) -> Self {
+    /// A solved contact, its stiffness where asked for, the ways across, and the contact on every second point where there
+    /// is one.
+    pub(crate) fn of(
+        contact: &Contact,
+        stiffness_pa_per_m: Option<f64>,
+        open: OpenPaths,
+        coarser: Option<&Contact>,
+    ) -> Self {
         PressedState {
             area_fraction: contact.area_fraction,
             area_fraction_corrected: contact.area_fraction_corrected,
@@ -47,6 +55,7 @@ impl PressedState {
             mean_plastic_depth_m: contact.mean_plastic_depth_m,
             largest_pressure_pa: contact.largest_pressure_pa,
             stiffness_pa_per_m,
+            open,
             iterations: contact.iterations,
             operators: contact.operators,
             residual: contact.residual,

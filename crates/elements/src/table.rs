@@ -2,12 +2,12 @@
 
 use tables::Table;
 
-use crate::mean::{Mean, PressedLoad};
+use crate::mean::{Mean, PressedLoad, share};
 use crate::state::PressedState;
 
 /// A row a load, the mean of all surfaces: `nominal_pressure_pa, area_fraction, area_fraction_corrected,
 /// area_fraction_extrapolated, standard_error, plastic_area_fraction, mean_gap_m, mean_plastic_depth_m, largest_pressure_pa,
-/// stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected`.
+/// stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected, open_along_x, open_along_y`.
 #[must_use]
 pub fn means_table(loads: &[PressedLoad]) -> Table {
     let means: Vec<Mean> = loads.iter().map(PressedLoad::mean).collect();
@@ -29,10 +29,12 @@ pub fn means_table(loads: &[PressedLoad]) -> Table {
             "plastic_area_fraction_corrected",
             column(|mean| Some(mean.plastic_area_fraction_corrected)),
         )
+        .with_numbers("open_along_x", column(|mean| Some(mean.open_along_x)))
+        .with_numbers("open_along_y", column(|mean| Some(mean.open_along_y)))
 }
 
 /// A row a surface under a load, in blocks of loads: the columns of [`means_table`] with `realisation`, from 1 on, for the
-/// second; a single surface has no standard error.
+/// second; a single surface has no standard error, and is open, 1, or not, 0.
 #[must_use]
 pub fn states_table(loads: &[PressedLoad]) -> Table {
     let rows: Vec<(&PressedLoad, usize, &PressedState)> = loads
@@ -59,4 +61,6 @@ pub fn states_table(loads: &[PressedLoad]) -> Table {
             "plastic_area_fraction_corrected",
             column(|state| Some(state.plastic_area_fraction_corrected)),
         )
+        .with_numbers("open_along_x", column(|state| Some(share(state.open.along_x))))
+        .with_numbers("open_along_y", column(|state| Some(share(state.open.along_y))))
 }

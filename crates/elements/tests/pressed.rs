@@ -7,6 +7,7 @@ use elements::{
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use half_space::HalfSpaceError;
 use parallel::{Progress, Unobserved};
+use std::f64::consts::TAU;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -124,6 +125,37 @@ fn a_ball_under_a_free_boundary_is_that_of_hertz() {
     // dF/d(approach) = 2 E* a.
     assert_relative_eq!(state.stiffness_pa_per_m.unwrap(), 0.5, max_relative = 0.02);
     assert_eq!(pressed[0].mean().standard_error, None);
+}
+
+#[test]
+fn waves_along_one_direction_shut_the_other_one() {
+    // Ridges along y, as many columns as rows.
+    let ridges = |boundary: Boundary| Relief {
+        rows: 32,
+        columns: 32,
+        length_x_m: 1.0,
+        length_y_m: 1.0,
+        heights_m: (0..32 * 32).map(|at| 0.01 * (TAU * f64::from(at % 32) / 16.0).cos()).collect(),
+        boundary,
+    };
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        let pressed =
+            press(&Surfaces::Map(ridges(boundary)), &elastic(&[0.01, 10.0]), unseen, &Unobserved).unwrap();
+        let [light, complete] = [&pressed[0], &pressed[1]].map(|load| load.mean());
+        assert_eq!([light.open_along_x, light.open_along_y], [0.0, 1.0], "{boundary}");
+        assert_eq!([complete.open_along_x, complete.open_along_y], [0.0, 0.0], "{boundary}");
+    }
+}
+
+#[test]
+fn shares_of_open_surfaces_fall_with_the_load() {
+    let surfaces = random([2.0, 2.0, 8.0], 0.8, 64, 8);
+    let pressed = press(&surfaces, &elastic(&[0.02, 0.2, 2.0]), unseen, &Unobserved).unwrap();
+    let shares: Vec<f64> = pressed.iter().map(|load| load.mean().open_along_x).collect();
+    assert_eq!([shares[0], shares[2]], [1.0, 0.0]);
+    assert!(0.0 < shares[1] && shares[1] < 1.0, "{shares:?}");
+    let open = pressed[1].states.iter().filter(|state| state.open.along_x).count();
+    assert_relative_eq!(shares[1], open as f64 / 8.0);
 }
 
 #[test]

@@ -118,7 +118,34 @@ pub fn of_results(loads: &[PressedLoad]) -> Vec<String> {
     if !rounded.is_empty() {
         words.push(format!("at {} rounding kept the residual above the tolerance", all(rounded)));
     }
+    words.extend(ways_shut(loads));
     words
+}
+
+/// At which loads contact shuts ways from edge to edge; nothing where every surface is open in both directions.
+fn ways_shut(loads: &[PressedLoad]) -> Option<String> {
+    let (mut clauses, mut shut) = (Vec::new(), Vec::new());
+    for load in loads {
+        let count = load.states.len();
+        let along_x = load.states.iter().filter(|state| state.open.along_x).count();
+        let along_y = load.states.iter().filter(|state| state.open.along_y).count();
+        let pressure = pressure(load.nominal_pressure_pa);
+        if along_x + along_y == 0 {
+            shut.push(pressure);
+        } else if along_x + along_y < 2 * count {
+            clauses.push(match (count, along_x) {
+                (1, 1) => format!("at {pressure} only those along x are open"),
+                (1, _) => format!("at {pressure} only those along y are open"),
+                _ => format!(
+                    "at {pressure} {along_x} of {count} surfaces are open along x and {along_y} along y"
+                ),
+            });
+        }
+    }
+    if !shut.is_empty() {
+        clauses.push(format!("at {} none is open", shut.join(", ")));
+    }
+    (!clauses.is_empty()).then(|| format!("contact shuts ways from edge to edge: {}", clauses.join("; ")))
 }
 
 /// Why a load is refused that is not below the saturation, which `option` gives.
