@@ -1,6 +1,7 @@
 //! What the interface does besides touching, in plain words.
 
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
+use persson::variance::Band;
 use study::interface::{InterfaceStates, Quantity, Seal, Slot};
 use study::scene::Scene;
 use uncertainty::Uncertainty;
@@ -161,6 +162,13 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let mut notes = light.map_or_else(Vec::new, |light| {
         persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa)
     });
+    if states.asked().band == Band::Profile {
+        notes.push(
+            "gap and stiffness take the waves of profiles, which makes the stiffness of a surface with a roll-off 23 to 40 % lower than \
+             boundary elements have it; interface.band = \"2d\" takes those of the surface"
+                .to_owned(),
+        );
+    }
     let plastic = loads_where(scene, |load| {
         let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
         Some(format!(" ({})", percent(share)))

@@ -3,6 +3,7 @@
 use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
+use persson::variance::Band;
 use stat_contact::InterferenceLaw;
 use study::models::{self, Framework, ModelEntry};
 use study::persson_law::PerssonLaw;
@@ -53,6 +54,10 @@ pub(crate) struct GapChoiceArgs {
     /// Elastic energy factor of Persson's theory, in (0, 1]; 0.45 where not given
     #[arg(long, value_name = "G", value_parser = parse_gamma, allow_hyphen_values = true)]
     pub gamma: Option<f64>,
+    /// What is cut off at a wavelength in Persson's theory: 1d, the spectrum of profiles, which is the default, or 2d, that of the
+    /// surface, which agrees with boundary elements where the spectrum rolls off
+    #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]
+    pub band: Option<Band>,
     /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
     /// boundary-element solutions
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]

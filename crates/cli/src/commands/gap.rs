@@ -1,7 +1,6 @@
 //! `gap`: mean gap and stiffness of a surface under loads.
 
 use elements::{Pressing, Surfaces};
-use persson::variance::Band;
 use report::provenance::provenance;
 use report::{elements_words, gap_words};
 use staging::StagedFiles;
@@ -108,7 +107,8 @@ pub(super) fn law(
     };
     let plan = Plan { psd: &surface.psd, sampling: choices.sampling.sampling(), needs };
     let results = compute(&plan)?;
-    let choices = GapChoices { energy_factor: choices.energy_factor(), band: Band::Profile, tolerance };
+    let band = choices.band.unwrap_or_default();
+    let choices = GapChoices { energy_factor: choices.energy_factor(), band, tolerance };
     Ok(GapLaw::of(&model, &plan, &results, &choices)?)
 }
 
@@ -117,6 +117,7 @@ pub(super) fn refuse_idle_options(choices: &GapChoiceArgs, entry: &ModelEntry) -
     let persson = entry.framework == Framework::Persson;
     let idle = [
         ("--gamma", choices.gamma.is_some() && !persson),
+        ("--band", choices.band.is_some() && !persson),
         ("--normalisation", choices.normalisation.normalisation.is_some() && persson),
         ("--hardness", choices.hardness.hardness.is_some() && !entry.has(Choice::Hardness)),
         ("--interference-law", choices.interference_law.is_some() && !entry.has(Choice::Interference)),

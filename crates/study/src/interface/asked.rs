@@ -3,6 +3,7 @@
 use interface::conductance::{Conductivities, Resistivities};
 use interface::leak::SealedJoint;
 use persson::sealing::PercolationThreshold;
+use persson::variance::Band;
 
 use super::quantity::{Quantity, Slot};
 
@@ -11,6 +12,8 @@ use super::quantity::{Quantity, Slot};
 pub struct Asked {
     /// The elastic energy factor gamma of Persson's theory, above 0 and at most 1.
     pub energy_factor: f64,
+    /// What a cutoff lets through in that theory: the waves of profiles, or those of the surface.
+    pub band: Band,
     /// Thermal conductivities of both bodies.
     pub conductivities: Option<Conductivities>,
     /// Resistivities of both.

@@ -11,7 +11,6 @@ use interface::leak::Constriction;
 use persson::corrections::Correction;
 use persson::sealing::{SealingLaw, Seen};
 use persson::separation::{LightLoads, Separation, SeparationKnot, SeparationLaw};
-use persson::variance::Band;
 use persson::{Roughness, constant_hardness};
 use spectrum::{AsperityParameters, Moments, Normalisation};
 
@@ -66,7 +65,7 @@ impl<'a> InterfaceStates<'a> {
         let whole = by_parseval(last, pressed.normalisation);
         let moments = results.moments.iter().map(|(moments, _)| moments);
         let psd = &results.psd;
-        let roughness = persson_law::roughness(psd, moments, pressed.normalisation, &[], psd, Band::Profile);
+        let roughness = persson_law::roughness(psd, moments, pressed.normalisation, &[], psd, asked.band);
         let modulus_pa = pressed.pair.composite_modulus_pa();
         let knots = SeparationKnot::along(&roughness, modulus_pa);
         let separation = SeparationLaw::new(&knots, modulus_pa, asked.energy_factor);

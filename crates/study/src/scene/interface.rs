@@ -9,7 +9,7 @@ use units::{Bound, Length, Viscosity, WorkOfAdhesion};
 use super::error::SceneError;
 use super::loads::nominal_pressure;
 use super::raw::{RawInterface, RawScene, RawSeal};
-use super::values::{optional, value_error};
+use super::values::{optional, parsed, value_error};
 use crate::bodies::{Bodies, Transport};
 use crate::interface::{Adhesion, Asked, Seal};
 use crate::material::Material;
@@ -50,6 +50,7 @@ pub(super) fn resolve_interface(
         .transpose()?;
     Ok(Some(Asked {
         energy_factor: gamma.transpose()?.unwrap_or(PerssonLaw::ENERGY_FACTOR),
+        band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
         conductivities,
         resistivities,
         nominal_area_m2,

@@ -224,6 +224,7 @@ pub(super) struct RawUncertainty {
 #[serde(deny_unknown_fields)]
 pub(super) struct RawInterface {
     pub gamma: Option<Spanned<f64>>,
+    pub band: Option<Spanned<String>>,
     pub shear_strength: Option<RawQuantity>,
     pub work_of_adhesion: Option<RawQuantity>,
     pub range_of_attraction: Option<RawQuantity>,
