@@ -38,7 +38,7 @@ pub fn curves() -> Vec<GoldenCurve> {
             .into_iter()
             .flat_map(move |figure| curves_of(&format!("{}__{}", template.name(), figure.name), &figure))
     };
-    Template::RUNNABLE.into_iter().flat_map(of_scene).collect()
+    Template::OF_THE_PAPER.into_iter().flat_map(of_scene).collect()
 }
 
 fn curves_of(prefix: &str, figure: &FigureData) -> Vec<GoldenCurve> {

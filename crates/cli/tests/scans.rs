@@ -179,7 +179,7 @@ fn options_that_say_nothing_about_scans_are_refused() {
     assert_eq!(
         refused(&["--cutoff", "1um"]),
         "error: --cutoff has no bearing on `psd`: it is an option of `moments`, `amplitude`, `stacked`, `statistical`, `persson`, \
-         `fit` and `run`; leave it out\n"
+         `gap`, `law`, `fit` and `run`; leave it out\n"
     );
     assert_eq!(
         refused(&["--out", "a.csv", "--output", "b.csv"]),

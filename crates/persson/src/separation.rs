@@ -14,32 +14,8 @@ use std::f64::consts::PI;
 
 use numerics::{GaussLegendre, zero_in_bracket};
 
-use crate::roughness::{Place, Roughness};
+pub use crate::stretch::SeparationKnot;
 use crate::stretch::Stretch;
-
-/// A place along the spectrum.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeparationKnot {
-    /// Wavevector q > 0 \[rad/m\].
-    pub wavevector_rad_per_m: f64,
-    /// Variance V >= 0 of the flattening pressure up to there \[Pa^2\].
-    pub variance_pa2: f64,
-    /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
-    pub variance_exponent: f64,
-}
-
-impl SeparationKnot {
-    /// The knots of a roughness under a contact modulus E* > 0 \[Pa\].
-    #[must_use]
-    pub fn along(roughness: &Roughness, contact_modulus_pa: f64) -> Vec<Self> {
-        let knot = |place: &Place| SeparationKnot {
-            wavevector_rad_per_m: place.wavevector_rad_per_m,
-            variance_pa2: place.variance_pa2(contact_modulus_pa),
-            variance_exponent: place.variance_exponent,
-        };
-        roughness.places().iter().map(knot).collect()
-    }
-}
 
 /// What is known of the gap under a load with the spectrum cut off somewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]

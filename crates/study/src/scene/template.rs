@@ -36,6 +36,9 @@ impl Template {
         Template::BoltedJoint,
     ];
 
+    /// Those of the paper: every figure of it.
+    pub const OF_THE_PAPER: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
+
     /// The scene file.
     pub fn text(self) -> &'static str {
         match self {
