@@ -19,6 +19,7 @@ pub mod elastic;
 pub mod growing_hardness;
 pub mod hardness_laws;
 mod hardness_path;
+mod knot;
 mod model;
 mod roughness;
 pub mod sealing;

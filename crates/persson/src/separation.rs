@@ -14,8 +14,23 @@ use std::f64::consts::PI;
 
 use numerics::{GaussLegendre, zero_in_bracket};
 
-pub use crate::stretch::SeparationKnot;
+use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
+
+pub use crate::knot::SeparationKnot;
+
+impl SeparationKnot {
+    /// The knots of a roughness under a contact modulus E* > 0 \[Pa\].
+    #[must_use]
+    pub fn along(roughness: &Roughness, contact_modulus_pa: f64) -> Vec<Self> {
+        let knot = |place: &Place| SeparationKnot {
+            wavevector_rad_per_m: place.wavevector_rad_per_m,
+            variance_pa2: place.variance_pa2(contact_modulus_pa),
+            variance_exponent: place.variance_exponent,
+        };
+        roughness.places().iter().map(knot).collect()
+    }
+}
 
 /// What is known of the gap under a load with the spectrum cut off somewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,30 +1,6 @@
 //! The spectrum between two of its samples: how the variance of the flattening pressure grows with the wavevector.
 
-use crate::roughness::{Place, Roughness};
-
-/// A place along the spectrum.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeparationKnot {
-    /// Wavevector q > 0 \[rad/m\].
-    pub wavevector_rad_per_m: f64,
-    /// Variance V >= 0 of the flattening pressure up to there \[Pa^2\].
-    pub variance_pa2: f64,
-    /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
-    pub variance_exponent: f64,
-}
-
-impl SeparationKnot {
-    /// The knots of a roughness under a contact modulus E* > 0 \[Pa\].
-    #[must_use]
-    pub fn along(roughness: &Roughness, contact_modulus_pa: f64) -> Vec<Self> {
-        let knot = |place: &Place| SeparationKnot {
-            wavevector_rad_per_m: place.wavevector_rad_per_m,
-            variance_pa2: place.variance_pa2(contact_modulus_pa),
-            variance_exponent: place.variance_exponent,
-        };
-        roughness.places().iter().map(knot).collect()
-    }
-}
+use crate::knot::SeparationKnot;
 
 /// One interval of the spectrum: q = q_i \[1 + k (V - V_i)\]^(1/e).
 #[derive(Debug, Clone, Copy)]
