@@ -1,6 +1,7 @@
 //! What mean gaps leave open, in words.
 
 use elements::PressedLoad;
+use persson::variance::Band;
 use study::gap_law::{GapLaw, GapState};
 use units::display::{pressure, three_digits};
 
@@ -32,6 +33,9 @@ pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
 pub fn of_law(law: &GapLaw, least_pa: f64) -> Vec<String> {
     let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
     let mut notes = persson_words::separation(&light, roughness, law.rms_height_m(), least_pa);
+    if law.band() == Some(Band::Profile) {
+        notes.push(persson_words::by_profiles("--band 2d"));
+    }
     notes.extend(law.light_loads_hold_up_to_pa(LIGHT_LOADS_SHARE).map(|most_pa| {
         format!(
             "below {} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {} % of the pressure",

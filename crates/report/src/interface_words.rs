@@ -163,11 +163,7 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
         persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa)
     });
     if states.asked().band == Band::Profile {
-        notes.push(
-            "gap and stiffness take the waves of profiles, which makes the stiffness of a surface with a roll-off 23 to 40 % lower than \
-             boundary elements have it; interface.band = \"2d\" takes those of the surface"
-                .to_owned(),
-        );
+        notes.push(persson_words::by_profiles("interface.band = \"2d\""));
     }
     let plastic = loads_where(scene, |load| {
         let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;

@@ -78,7 +78,7 @@ pub struct GapLaw {
 
 #[derive(Debug)]
 enum PressedBy {
-    Persson { model: PerssonModel, roughness: Roughness, separation: SeparationLaw },
+    Persson { model: PerssonModel, roughness: Roughness, separation: SeparationLaw, band: Band },
     Asperities { contact: StatisticalContact, mean_height_m: f64, tolerance: f64 },
 }
 
@@ -104,7 +104,7 @@ impl GapLaw {
                 let model = law.model(pair)?;
                 let roughness = roughness(plan, results, choices.band);
                 let separation = model.separation(&roughness, choices.energy_factor);
-                PressedBy::Persson { model, roughness, separation }
+                PressedBy::Persson { model, roughness, separation, band: choices.band }
             }
             CurveModel::Statistical { pair, law } => {
                 let asperities = AsperityParameters::from_moments(moments).ok_or(GapError::NoRoughness)?;
@@ -126,7 +126,7 @@ impl GapLaw {
     /// [`GapError::Hardness`] and [`GapError::Value`] for a pressure that cannot be carried.
     pub fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
         match &self.pressed {
-            PressedBy::Persson { model, roughness, separation } => {
+            PressedBy::Persson { model, roughness, separation, .. } => {
                 let last = model.at_last(roughness, separation, pressure_pa)?;
                 let last = last.ok_or(GapError::NoRoughness)?;
                 Ok(GapState {
@@ -145,6 +145,15 @@ impl GapLaw {
                     stiffness_pa_per_m: state.stiffness_pa_per_m(),
                 })
             }
+        }
+    }
+
+    /// What a cutoff lets through, where the model is Persson's theory.
+    #[must_use]
+    pub fn band(&self) -> Option<Band> {
+        match self.pressed {
+            PressedBy::Persson { band, .. } => Some(band),
+            PressedBy::Asperities { .. } => None,
         }
     }
 
