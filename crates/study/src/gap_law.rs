@@ -74,11 +74,13 @@ pub enum GapError {
 pub struct GapLaw {
     pressed: PressedBy,
     rms_height_m: f64,
+    /// Of Persson's theory.
+    band: Band,
 }
 
 #[derive(Debug)]
 enum PressedBy {
-    Persson { model: PerssonModel, roughness: Roughness, separation: SeparationLaw, band: Band },
+    Persson { model: PerssonModel, roughness: Roughness, separation: SeparationLaw },
     Asperities { contact: StatisticalContact, mean_height_m: f64, tolerance: f64 },
 }
 
@@ -104,7 +106,7 @@ impl GapLaw {
                 let model = law.model(pair)?;
                 let roughness = roughness(plan, results, choices.band);
                 let separation = model.separation(&roughness, choices.energy_factor);
-                PressedBy::Persson { model, roughness, separation, band: choices.band }
+                PressedBy::Persson { model, roughness, separation }
             }
             CurveModel::Statistical { pair, law } => {
                 let asperities = AsperityParameters::from_moments(moments).ok_or(GapError::NoRoughness)?;
@@ -117,7 +119,7 @@ impl GapLaw {
                 PressedBy::Asperities { contact, mean_height_m, tolerance: choices.tolerance.value() }
             }
         };
-        Ok(GapLaw { pressed, rms_height_m })
+        Ok(GapLaw { pressed, rms_height_m, band: choices.band })
     }
 
     /// The surface under a nominal pressure > 0 \[Pa\].
@@ -126,7 +128,7 @@ impl GapLaw {
     /// [`GapError::Hardness`] and [`GapError::Value`] for a pressure that cannot be carried.
     pub fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
         match &self.pressed {
-            PressedBy::Persson { model, roughness, separation, .. } => {
+            PressedBy::Persson { model, roughness, separation } => {
                 let last = model.at_last(roughness, separation, pressure_pa)?;
                 let last = last.ok_or(GapError::NoRoughness)?;
                 Ok(GapState {
@@ -151,10 +153,7 @@ impl GapLaw {
     /// What a cutoff lets through, where the model is Persson's theory.
     #[must_use]
     pub fn band(&self) -> Option<Band> {
-        match self.pressed {
-            PressedBy::Persson { band, .. } => Some(band),
-            PressedBy::Asperities { .. } => None,
-        }
+        self.roughness().map(|_| self.band)
     }
 
     /// The law of light loads, where the model is Persson's theory.
