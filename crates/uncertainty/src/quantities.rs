@@ -99,17 +99,22 @@ impl<'p> Quantities<'p> {
     fn draw(&self, inputs: &Inputs, of: DrawOf) -> Option<Vec<Option<f64>>> {
         let material = inputs.material(of);
         match inputs.psd(of)? {
-            None => self.ln_values(self.results, material),
-            Some(psd) => self.ln_values(&self.moments_of(&psd)?, material),
+            None => self.ln_values(&self.scene.plan(), self.results, material),
+            Some(psd) => self.of_spectrum(&psd, material),
         }
     }
 
     /// Those of the best estimates.
     fn best(&self, inputs: &Inputs) -> Option<Vec<Option<f64>>> {
-        self.ln_values(&self.moments_of(&inputs.best_psd()??)?, None)
+        self.of_spectrum(&inputs.best_psd()??, None)
     }
 
-    fn ln_values(&self, results: &Results, drawn: Option<DrawnMaterial>) -> Option<Vec<Option<f64>>> {
+    fn ln_values(
+        &self,
+        plan: &Plan<'_>,
+        results: &Results,
+        drawn: Option<DrawnMaterial>,
+    ) -> Option<Vec<Option<f64>>> {
         let scene = self.scene;
         let material = scene.material.as_ref()?;
         let over_centre = drawn.map_or(1.0, |drawn| drawn.strength_over_centre);
@@ -120,7 +125,7 @@ impl<'p> Quantities<'p> {
             hardness_pa: material.hardness_pa().map(|hardness_pa| over_centre * hardness_pa),
             pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
         };
-        let states = InterfaceStates::of(scene.interface.as_ref()?, pressed)?;
+        let states = InterfaceStates::of(scene.interface.as_ref()?, plan, pressed)?;
         let ln_value = |slot: &Slot| match slot.curve {
             Some(_) => None,
             None => states.value(*slot).ok().flatten().map(f64::ln),
@@ -128,9 +133,10 @@ impl<'p> Quantities<'p> {
         Some(self.slots.iter().map(ln_value).collect())
     }
 
-    fn moments_of(&self, psd: &ProfilePsd) -> Option<Results> {
+    fn of_spectrum(&self, psd: &ProfilePsd, drawn: Option<DrawnMaterial>) -> Option<Vec<Option<f64>>> {
         let needs = Needs { moments: self.scene.needs.moments, ..Needs::default() };
-        Plan { psd, sampling: self.scene.sampling, needs }.compute().ok()
+        let plan = Plan { psd, sampling: self.scene.sampling, needs };
+        self.ln_values(&plan, &plan.compute().ok()?, drawn)
     }
 }
 

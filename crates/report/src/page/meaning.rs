@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, table};
+use super::{SceneReport, Section, per_numbered_scene, table};
 use crate::coverage::level;
 use crate::interface_figure::gap_against_load;
 use crate::listing::capital;
@@ -11,16 +11,8 @@ use study::interface::{InterfaceStates, Slot};
 use units::display::typeset;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
-    let several = scenes.len() > 1;
-    let parts: Vec<(&str, Markup)> =
-        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, of(scene, at)?))).collect();
-    let body = html! {
-        @for (label, part) in &parts {
-            @if several { h3 { (label) } }
-            (part)
-        }
-    };
-    (!parts.is_empty()).then_some(Section { id: "meaning", title: "What it means", body })
+    let body = per_numbered_scene(scenes, of)?;
+    Some(Section { id: "meaning", title: "What it means", body })
 }
 
 fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {

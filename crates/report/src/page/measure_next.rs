@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, table};
+use super::{SceneReport, Section, per_numbered_scene, table};
 use crate::advice_words::{in_a_line, narrows, settling, step_in_words, subject};
 use crate::plot;
 use uncertainty::{Advice, DecadeOfVariance, Uncertainty};
@@ -14,16 +14,8 @@ const STEPS_TOLD: usize = 5;
 const SHARE: &str = "share of variance (%)";
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
-    let several = scenes.len() > 1;
-    let parts: Vec<(&str, Markup)> =
-        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, of(scene, at)?))).collect();
-    let body = html! {
-        @for (label, part) in &parts {
-            @if several { h3 { (label) } }
-            (part)
-        }
-    };
-    (!parts.is_empty()).then_some(Section { id: "measure-next", title: "What to measure next", body })
+    let body = per_numbered_scene(scenes, of)?;
+    Some(Section { id: "measure-next", title: "What to measure next", body })
 }
 
 fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {

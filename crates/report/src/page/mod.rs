@@ -132,8 +132,16 @@ fn per_scene(
     scenes: &[SceneReport<'_>],
     part: impl Fn(&SceneReport<'_>) -> Option<Markup>,
 ) -> Option<Markup> {
+    per_numbered_scene(scenes, |scene, _| part(scene))
+}
+
+/// The same, of a scene and its number, by which elements of a page are told apart.
+fn per_numbered_scene(
+    scenes: &[SceneReport<'_>],
+    part: impl Fn(&SceneReport<'_>, usize) -> Option<Markup>,
+) -> Option<Markup> {
     let parts: Vec<(&str, Markup)> =
-        scenes.iter().filter_map(|scene| part(scene).map(|part| (scene.label, part))).collect();
+        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, part(scene, at)?))).collect();
     let several = scenes.len() > 1;
     (!parts.is_empty()).then(|| {
         html! {

@@ -16,8 +16,8 @@ use spectrum::{AsperityParameters, Moments, Normalisation};
 
 use super::asked::{Adhesion, Asked};
 use super::quantity::{Quantity, Slot};
-use crate::persson_law;
-use crate::plan::{NominalPressure, Results};
+use crate::gap_law;
+use crate::plan::{NominalPressure, Plan, Results};
 use crate::scene::Scene;
 
 /// A value beyond what a quantity takes.
@@ -57,15 +57,13 @@ pub struct InterfaceStates<'a> {
 const CORRECTION_OF_SEALS: Correction = Correction::AlgebraicNayak;
 
 impl<'a> InterfaceStates<'a> {
-    /// What is asked for of what is pressed; `None` where its spectrum has no moments.
+    /// What is asked for of what is pressed, the results of this plan; `None` where its spectrum has no moments.
     #[must_use]
-    pub fn of(asked: &'a Asked, pressed: Pressed<'a>) -> Option<Self> {
+    pub fn of(asked: &'a Asked, plan: &Plan<'_>, pressed: Pressed<'a>) -> Option<Self> {
         let results = pressed.results;
         let (last, _) = results.moments.last()?;
         let whole = by_parseval(last, pressed.normalisation);
-        let moments = results.moments.iter().map(|(moments, _)| moments);
-        let psd = &results.psd;
-        let roughness = persson_law::roughness(psd, moments, pressed.normalisation, &[], psd, asked.band);
+        let roughness = gap_law::roughness(plan, results, asked.band);
         let modulus_pa = pressed.pair.composite_modulus_pa();
         let knots = SeparationKnot::along(&roughness, modulus_pa);
         let separation = SeparationLaw::new(&knots, modulus_pa, asked.energy_factor);
@@ -98,7 +96,7 @@ impl<'a> InterfaceStates<'a> {
             hardness_pa: material.hardness_pa(),
             pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
         };
-        Self::of(asked, pressed)
+        Self::of(asked, &scene.plan(), pressed)
     }
 
     /// Everything that is asked for.
