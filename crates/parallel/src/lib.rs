@@ -1,7 +1,11 @@
 #![doc = include_str!("../README.md")]
 
+mod blocks;
+mod one_thread;
 mod progress;
 
+pub use blocks::fill_blocks;
+pub use one_thread::on_this_thread;
 pub use progress::{Progress, Unobserved};
 
 #[cfg(feature = "threads")]
@@ -10,17 +14,19 @@ use rayon::prelude::*;
 /// What `of` makes of every item, in their order.
 pub fn map<T: Sync, U: Send>(items: &[T], of: impl Fn(&T) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    return items.par_iter().map(&of).collect();
-    #[cfg(not(feature = "threads"))]
-    return items.iter().map(of).collect();
+    if !one_thread::is_asked_for() {
+        return items.par_iter().map(&of).collect();
+    }
+    items.iter().map(of).collect()
 }
 
 /// What `of` makes of every number below `count`, in their order.
 pub fn map_indices<U: Send>(count: usize, of: impl Fn(usize) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    return (0..count).into_par_iter().map(&of).collect();
-    #[cfg(not(feature = "threads"))]
-    return (0..count).map(of).collect();
+    if !one_thread::is_asked_for() {
+        return (0..count).into_par_iter().map(&of).collect();
+    }
+    (0..count).map(of).collect()
 }
 
 /// What `of` makes of every item, in their order.

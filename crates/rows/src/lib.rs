@@ -2,16 +2,20 @@
 
 mod asperities;
 pub mod asperity_table;
+mod contact_states;
 mod flattened;
 mod narrow_spectra;
 mod populations;
+mod pressed;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
+pub use contact_states::{AskedState, At, ContactStates, StateColumns, StatesError, StatesFound};
 pub use flattened::Flattened;
 pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
+pub use pressed::Roughness;
 pub use state_counts::StateCounts;
 
 use asperity::AsperityError;

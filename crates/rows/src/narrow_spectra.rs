@@ -18,6 +18,14 @@ impl NarrowSpectra {
     }
 }
 
+impl std::ops::AddAssign for NarrowSpectra {
+    fn add_assign(&mut self, other: Self) {
+        let both = self.alphas.into_iter().chain(other.alphas);
+        self.alphas = both.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        self.count += other.count;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

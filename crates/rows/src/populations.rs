@@ -2,15 +2,17 @@
 
 use asperity::{Bound, ElasticBody};
 use parallel::Progress;
-use stat_contact::{ContactState, NayakSummits, Population, StatisticalContact, Sweep};
+use stat_contact::{ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
+use super::contact_states::At;
+use super::pressed::{Pressed, Roughness};
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
-use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions, StatisticalLaw};
+use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
@@ -55,27 +57,6 @@ struct Asked {
     /// Whether its yield strength was not given, and a third of the hardness is taken.
     strength_is_assumed: bool,
 }
-
-/// What there is to press.
-enum Pressed {
-    Contact(StatisticalContact),
-    /// Nothing: no surface has a spectrum of this alpha.
-    TooNarrow {
-        alpha: f64,
-    },
-}
-
-#[derive(Clone, Copy)]
-enum At {
-    Separation(f64),
-    Pressure(f64),
-}
-
-/// The columns of McCool's parameters, empty together where a spectrum has no asperities yet.
-const ASPERITY_COLUMNS: [&str; 3] = ["radius_m", "density_per_m2", "sigma_s_m"];
-
-/// The columns of the moments, which a model of the summits takes in their place; empty together likewise.
-const MOMENT_COLUMNS: [&str; 3] = ["m0_m2", "m2", "m4_per_m2"];
 
 const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
 
@@ -125,25 +106,13 @@ impl Populations {
         let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
             unreachable!("the model is one of the statistical ones");
         };
-        let columns = roughness_columns(entry);
+        let columns = Roughness::columns(entry);
         if columns.iter().all(|column| row.text(column).trim().is_empty()) {
             return Ok(None);
         }
         let [first, second, third] = columns.map(|column| row.number(column, Bound::Magnitude));
-        let (first, second, third) = (first?, second?, third?);
-        match law {
-            StatisticalLaw::Asperities(law) => {
-                let population = Population::new(first, second, third).map_err(|error| error.to_string())?;
-                Ok(Some(Pressed::Contact(StatisticalContact::new(&pair, &population, &law))))
-            }
-            StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
-                Ok(summits) => Ok(Some(Pressed::Contact(StatisticalContact::of_summits(&pair, &summits)))),
-                Err(error) if error.bound == NayakSummits::ALPHA => {
-                    Ok(Some(Pressed::TooNarrow { alpha: error.value }))
-                }
-                Err(error) => Err(error.to_string()),
-            },
-        }
+        let roughness = Roughness([first?, second?, third?]);
+        Pressed::of(&pair, &law, roughness).map(Some).map_err(|error| error.to_string())
     }
 
     /// The material of a row; its strength is not looked at where the model has none.
@@ -279,14 +248,9 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
     let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(ModelEntry::takes_moments);
     let any_moments = models.iter().any(takes_moments);
     let any_asperities = models.is_empty() || !models.iter().all(takes_moments);
-    let asperities = any_asperities.then_some(ASPERITY_COLUMNS);
-    let moments = any_moments.then_some(MOMENT_COLUMNS);
+    let asperities = any_asperities.then_some(Roughness::ASPERITIES);
+    let moments = any_moments.then_some(Roughness::MOMENTS);
     Ok(REQUIRED_COLUMNS.into_iter().chain([asperities, moments].into_iter().flatten().flatten()).collect())
-}
-
-/// The columns in which a model finds what it presses.
-fn roughness_columns(entry: &ModelEntry) -> [&'static str; 3] {
-    if entry.takes_moments() { MOMENT_COLUMNS } else { ASPERITY_COLUMNS }
 }
 
 /// What the material of a row lacks, told by its column.

@@ -26,3 +26,12 @@ impl StateCounts {
         }
     }
 }
+
+impl std::ops::AddAssign for StateCounts {
+    fn add_assign(&mut self, other: Self) {
+        self.all += other.all;
+        self.incomplete += other.incomplete;
+        self.clamped += other.clamped;
+        self.out_of_range += other.out_of_range;
+    }
+}

@@ -125,24 +125,36 @@ impl Surface {
                 Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
                 None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
             })?;
-        let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
-        let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.to_owned(), error })?;
+        let mut surface = Self::of_psd(name.to_owned(), psd)?;
+        surface.remarks = comments;
         let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
         if name == RECONSTRUCTION {
             notes.push(Note::Reconstruction);
         }
+        surface.notes.splice(..0, notes);
+        surface.sources =
+            vec![SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) }];
+        Ok(surface)
+    }
+
+    /// A spectrum under a name, from no file.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Conversion`] where its convention cannot become that of a profile.
+    pub fn of_psd(name: String, psd: Psd) -> Result<Self, SurfaceError> {
+        let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
+        let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let holes = psd.holes();
-        notes.extend((!holes.is_empty()).then(|| Note::Holes(holes.clone())));
-        let source = SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) };
+        let notes = (!holes.is_empty()).then(|| Note::Holes(holes.clone())).into_iter().collect();
         Ok(Surface {
-            name: name.to_owned(),
+            name,
             psd,
             of_area,
-            remarks: comments,
+            remarks: Vec::new(),
             notes,
             made_from: None,
             roughness: None,
-            sources: vec![source],
+            sources: Vec::new(),
             parts: None,
             holes,
         })

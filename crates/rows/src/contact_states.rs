@@ -1,0 +1,240 @@
+//! Populations pressed to many separations or pressures, with all that is given and found as columns of numbers.
+
+use std::sync::{Mutex, PoisonError};
+
+use asperity::AsperityError;
+use parallel::{Progress, fill_blocks};
+use stat_contact::{ContactState, Sweep};
+use study::material::{Material, MaterialError};
+use study::models::{CurveModel, ModelEntry, ModelOptions};
+use study::plan::Tolerance;
+
+use crate::pressed::{Pressed, Roughness};
+use crate::{NarrowSpectra, StateCounts};
+
+/// States that are computed one after the other, and share what they can.
+const BLOCK: usize = 1024;
+
+/// A statistical model with what it leaves to choose, for rows of any material and population.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactStates {
+    /// The model.
+    pub entry: &'static ModelEntry,
+    /// What it leaves to choose.
+    pub options: ModelOptions,
+    /// Relative tolerance of the states.
+    pub tolerance: Tolerance,
+}
+
+/// What one row asks.
+#[derive(Debug, Clone, Copy)]
+pub struct AskedState {
+    /// The bodies in contact.
+    pub material: Material,
+    /// What is pressed.
+    pub roughness: Roughness,
+    /// To where, or by what.
+    pub at: At,
+}
+
+/// What a state is asked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum At {
+    /// A separation \[m\] from the mean of the asperity heights.
+    Separation(f64),
+    /// A pressure \[Pa\] over the nominal area.
+    Pressure(f64),
+}
+
+/// What is found of every row, of one length. NaN is how a column of doubles says that there is none: a separation beyond
+/// complete contact, or a state of a spectrum that is narrower than that of any surface.
+#[derive(Debug)]
+pub struct StateColumns<'c> {
+    /// Separations \[m\].
+    pub separation_m: &'c mut [f64],
+    /// Pressures over the nominal area \[Pa\].
+    pub pressure_pa: &'c mut [f64],
+    /// Real over nominal area, in \[0, 1\].
+    pub area_fraction: &'c mut [f64],
+    /// Natural logarithms of the pressures in Pa.
+    pub ln_pressure: &'c mut [f64],
+    /// Natural logarithms of the area fractions.
+    pub ln_area_fraction: &'c mut [f64],
+    /// Stiffnesses over the nominal area \[Pa/m\].
+    pub stiffness_pa_per_m: &'c mut [f64],
+    /// Estimates of the relative numerical error of pressure and area.
+    pub error_estimate: &'c mut [f64],
+    /// Shares of the load on asperities outside the range of their law.
+    pub out_of_range_load_share: &'c mut [f64],
+}
+
+/// What there is to say of all rows together.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct StatesFound {
+    /// States at a bound, or outside the range of their law.
+    pub counts: StateCounts,
+    /// Rows that have no summits to press.
+    pub narrow: NarrowSpectra,
+    /// Rows for which a third of the hardness was taken as the strength.
+    pub assumed_strengths: usize,
+}
+
+/// Why states are not found.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StatesError {
+    /// What a row asks cannot be had.
+    #[error("row {row}: {problem}")]
+    Row {
+        /// Which, from 0 on.
+        row: usize,
+        /// What is wrong with it.
+        problem: MaterialError,
+    },
+    /// Whoever watches has ended it.
+    #[error("ended before all rows were computed")]
+    Cancelled,
+}
+
+impl ContactStates {
+    /// Sets the columns from what each row asks. Rows behind one another of one material and population share what they can;
+    /// no digit depends on who stands beside whom, nor on the number of threads. A step of `progress` is a row.
+    ///
+    /// # Errors
+    /// [`StatesError`] of the first bad row, or where `progress` is cancelled.
+    ///
+    /// # Panics
+    /// Where the columns are not of one length.
+    pub fn fill_in(
+        &self,
+        columns: StateColumns<'_>,
+        asked: impl Fn(usize) -> Result<AskedState, MaterialError> + Sync,
+        progress: &dyn Progress,
+    ) -> Result<StatesFound, StatesError> {
+        let found = Mutex::new(StatesFound::default());
+        fill_blocks(columns.into_array(), BLOCK, |first, columns| {
+            if progress.is_cancelled() {
+                return Err(StatesError::Cancelled);
+            }
+            let rows = columns[0].len();
+            let of_block = self.fill_block(first, columns, &asked)?;
+            found.lock().unwrap_or_else(PoisonError::into_inner).add(&of_block);
+            progress.advance(rows);
+            Ok(())
+        })?;
+        Ok(found.into_inner().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn fill_block(
+        &self,
+        first: usize,
+        mut columns: [&mut [f64]; 8],
+        asked: &impl Fn(usize) -> Result<AskedState, MaterialError>,
+    ) -> Result<StatesFound, StatesError> {
+        let rows = columns[0].len();
+        let mut found = StatesFound::default();
+        let mut row = 0;
+        while row < rows {
+            let blame = |row: usize| move |problem| StatesError::Row { row: first + row, problem };
+            let of_run = asked(first + row).map_err(blame(row))?;
+            let pressed = self.pressed(&of_run).map_err(blame(row))?;
+            let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
+            let mut sweep = match &pressed {
+                Pressed::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
+                Pressed::TooNarrow { .. } => None,
+            };
+            let mut next = of_run;
+            loop {
+                found.assumed_strengths += assumes;
+                match (&mut sweep, &pressed) {
+                    (Some(sweep), _) => {
+                        let state = next.at.state(sweep).map_err(|error| blame(row)(error.into()))?;
+                        found.counts.add([&state]);
+                        set(&mut columns, row, Some(&state));
+                    }
+                    (None, Pressed::TooNarrow { alpha }) => {
+                        found.narrow.add(*alpha);
+                        set(&mut columns, row, None);
+                    }
+                    (None, Pressed::Contact(_)) => unreachable!("a contact has its sweep"),
+                }
+                row += 1;
+                if row == rows {
+                    break;
+                }
+                next = asked(first + row).map_err(blame(row))?;
+                if next.material != of_run.material || next.roughness != of_run.roughness {
+                    break;
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// What a row presses.
+    fn pressed(&self, asked: &AskedState) -> Result<Pressed, MaterialError> {
+        let CurveModel::Statistical { pair, law } = self.entry.build(&asked.material, &self.options)? else {
+            unreachable!("populations are pressed by statistical models");
+        };
+        Ok(Pressed::of(&pair, &law, asked.roughness)?)
+    }
+}
+
+impl At {
+    fn state(self, sweep: &mut Sweep<'_>) -> Result<ContactState, AsperityError> {
+        match self {
+            At::Separation(separation_m) => sweep.at_separation(separation_m),
+            At::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
+        }
+    }
+}
+
+impl<'c> StateColumns<'c> {
+    fn into_array(self) -> [&'c mut [f64]; 8] {
+        let StateColumns {
+            separation_m,
+            pressure_pa,
+            area_fraction,
+            ln_pressure,
+            ln_area_fraction,
+            stiffness_pa_per_m,
+            error_estimate,
+            out_of_range_load_share,
+        } = self;
+        [
+            separation_m,
+            pressure_pa,
+            area_fraction,
+            ln_pressure,
+            ln_area_fraction,
+            stiffness_pa_per_m,
+            error_estimate,
+            out_of_range_load_share,
+        ]
+    }
+}
+
+/// Sets a row of the columns, in the order of [`StateColumns`].
+fn set(columns: &mut [&mut [f64]; 8], row: usize, state: Option<&ContactState>) {
+    let values = state.map_or([f64::NAN; 8], |state| {
+        [
+            state.separation_m.unwrap_or(f64::NAN),
+            state.pressure_pa,
+            state.area_fraction,
+            state.ln_pressure_pa,
+            state.ln_area_fraction,
+            state.stiffness_pa_per_m().unwrap_or(f64::NAN),
+            state.error_estimate,
+            state.out_of_range_load_share,
+        ]
+    });
+    columns.iter_mut().zip(values).for_each(|(column, value)| column[row] = value);
+}
+
+impl StatesFound {
+    fn add(&mut self, other: &StatesFound) {
+        self.counts += other.counts;
+        self.narrow += other.narrow;
+        self.assumed_strengths += other.assumed_strengths;
+    }
+}

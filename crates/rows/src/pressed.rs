@@ -1,0 +1,55 @@
+//! What a row presses: asperities of one curvature, or the summits of a surface.
+
+use asperity::{AsperityError, MaterialPair};
+use stat_contact::{NayakSummits, Population, StatisticalContact};
+use study::models::{ModelEntry, StatisticalLaw};
+
+/// The three numbers that a row gives of its roughness, in the order of [`Roughness::columns`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness(pub [f64; 3]);
+
+impl Roughness {
+    /// McCool's parameters, which most models take.
+    pub const ASPERITIES: [&'static str; 3] = ["radius_m", "density_per_m2", "sigma_s_m"];
+
+    /// The moments of profiles, which a model of the summits takes in their place.
+    pub const MOMENTS: [&'static str; 3] = ["m0_m2", "m2", "m4_per_m2"];
+
+    /// The columns in which a model finds what it presses.
+    #[must_use]
+    pub fn columns(entry: &ModelEntry) -> [&'static str; 3] {
+        if entry.takes_moments() { Self::MOMENTS } else { Self::ASPERITIES }
+    }
+}
+
+/// What there is to press.
+pub(crate) enum Pressed {
+    Contact(StatisticalContact),
+    /// Nothing: no surface has a spectrum of this alpha.
+    TooNarrow {
+        alpha: f64,
+    },
+}
+
+impl Pressed {
+    pub fn of(
+        pair: &MaterialPair,
+        law: &StatisticalLaw,
+        roughness: Roughness,
+    ) -> Result<Self, AsperityError> {
+        let [first, second, third] = roughness.0;
+        match law {
+            StatisticalLaw::Asperities(law) => {
+                let population = Population::new(first, second, third)?;
+                Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
+            }
+            StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
+                Ok(summits) => Ok(Pressed::Contact(StatisticalContact::of_summits(pair, &summits))),
+                Err(error) if error.bound == NayakSummits::ALPHA => {
+                    Ok(Pressed::TooNarrow { alpha: error.value })
+                }
+                Err(error) => Err(error),
+            },
+        }
+    }
+}

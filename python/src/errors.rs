@@ -1,0 +1,23 @@
+//! What is wrong with what was given, as Python's exceptions.
+
+use std::fmt::Display;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::{PyErr, create_exception};
+
+create_exception!(
+    truearea,
+    InputError,
+    PyValueError,
+    "What was given cannot be used; the message names the argument, its value, and the bound that it breaks."
+);
+
+/// An error of what was given, in its own words.
+pub fn input(error: impl Display) -> PyErr {
+    InputError::new_err(error.to_string())
+}
+
+/// The same of one argument.
+pub fn of_argument(argument: &str, error: impl Display) -> PyErr {
+    input(format!("{argument}: {error}"))
+}

@@ -1,0 +1,34 @@
+//! The core of truearea for Python: arguments become the core's types, and its tables arrays. What a call means, and what it
+//! yields, is told in the Python modules beside this crate.
+
+mod columns;
+mod contact;
+mod curves;
+mod errors;
+mod material;
+mod quantities;
+mod surface;
+mod tables;
+mod threads;
+mod work;
+
+/// The functions and types that the Python modules stand on.
+#[pyo3::pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::contact::contact_states;
+    #[pymodule_export]
+    use super::curves::curve;
+    #[pymodule_export]
+    use super::errors::InputError;
+    #[pymodule_export]
+    use super::material::PyMaterial;
+    #[pymodule_export]
+    use super::surface::PySurface;
+    #[pymodule_export]
+    use super::threads::{set_threads, threads};
+
+    /// The version of the program.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,34 @@
+"""How much of two rough surfaces really touches, and which scales of roughness decide it.
+
+Arrays in, tables out: see the functions and classes that are listed in ``truearea.__all__``. Numbers are in SI units; where a
+quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
+"""
+
+from truearea._contact import ContactStates, contact
+from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
+from truearea._material import Material
+from truearea._native import VERSION as __version__
+from truearea._native import InputError, set_threads, threads
+from truearea._results import Result, Table
+from truearea._spectrum import Amplitudes, Fit, Moments, Spectrum, read_psd
+
+__all__ = [
+    "Amplitudes",
+    "ContactStates",
+    "Fit",
+    "InputError",
+    "Material",
+    "Moments",
+    "Result",
+    "Spectrum",
+    "StackedCurve",
+    "StatisticalCurve",
+    "Table",
+    "__version__",
+    "contact",
+    "read_psd",
+    "set_threads",
+    "stacked",
+    "statistical",
+    "threads",
+]

@@ -1,0 +1,236 @@
+"""Contact against cutoff, of the models that take a spectrum."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from truearea import _native
+from truearea._material import Material, Quantity
+from truearea._results import AnyArray, FloatArray, Result
+from truearea._spectrum import Spectrum
+
+Pressures = Quantity | npt.ArrayLike
+"""One pressure or several, in Pa or as text."""
+
+
+class Curve(Result):
+    """Contact along the cutoff, under each of some loads: arrays of shape (loads, cutoffs)."""
+
+    _title = "contact against cutoff"
+    __slots__ = ()
+    nominal_pressure_pa: FloatArray
+    wavelength_m: FloatArray
+    area_fraction: FloatArray
+
+    @classmethod
+    def _of_blocks(
+        cls,
+        columns: dict[str, Any],
+        loads: dict[str, FloatArray],
+        notes: list[str],
+        shared: tuple[str, ...],
+    ) -> Curve:
+        """Columns that came block after block; what is the same under every load has the axis of cutoffs alone."""
+        blocks = len(next(iter(loads.values())))
+        arrays: dict[str, AnyArray] = dict(loads)
+        axes: dict[str, tuple[str, ...]] = {name: ("load",) for name in loads}
+        for name, values in columns.items():
+            array = np.asarray(values).reshape(blocks, -1)
+            arrays[name] = array[0] if name in shared else array
+            axes[name] = ("cutoff",) if name in shared else ("load", "cutoff")
+        return cls(arrays, axes, tuple(notes))
+
+
+class StackedCurve(Curve):
+    """Archard's stack along the cutoff."""
+
+    _title = "stacked model against cutoff"
+    __slots__ = ()
+    amplitude_m: FloatArray
+    real_pressure_pa: FloatArray
+    pressure_in_pa: FloatArray
+    yield_strength_pa: FloatArray
+    regime: AnyArray
+
+
+class StatisticalCurve(Curve):
+    """A statistical model along the cutoff. The longest wavelength has no asperities yet, and no numbers."""
+
+    _title = "statistical model against cutoff"
+    __slots__ = ()
+    radius_m: FloatArray
+    density_per_m2: FloatArray
+    sigma_s_m: FloatArray
+    separation_m: FloatArray
+    pressure_pa: FloatArray
+    error_estimate: FloatArray
+    evaluations: FloatArray
+    out_of_range_load_share: FloatArray
+    ln_pressure_pa: FloatArray
+    ln_area_fraction: FloatArray
+
+
+def stacked(
+    spectrum: Spectrum,
+    material: Material,
+    *,
+    pressure: Pressures,
+    model: str = "elastic-plastic",
+    strain_gradient: bool = False,
+    amplitude: str = "eq5",
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+) -> StackedCurve:
+    """Contact area against cutoff by Archard's stack of scales (Jackson & Streator 2006; Jackson & Jacobs).
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        The roughness.
+    material : Material
+        The bodies in contact.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    model : {"elastic-plastic", "elastic"}
+        Whether scales yield.
+    strain_gradient : bool, default False
+        Let the strength grow at small depths, with the material's ``strain_gradient_length``.
+    amplitude : str, optional
+        How the amplitude of a scale is made from the spectrum (Eq. 5 by default).
+    cutoff : float or str, optional
+        The shortest wavelength that takes part.
+    scales_per_decade : int, optional
+        Resample to so many wavelengths a decade; the area depends on it.
+
+    Returns
+    -------
+    StackedCurve
+        ``nominal_pressure_pa`` (loads,); ``wavelength_m`` and ``amplitude_m`` (cutoffs,); ``area_fraction``,
+        ``real_pressure_pa``, ``regime`` and others (loads, cutoffs).
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> uncd = ta.read_psd("builtin:uncd-measured")
+    >>> diamond = ta.Material("444.5 GPa", 0.2, indentation_hardness="54 GPa")
+    >>> curve = ta.stacked(uncd, diamond, pressure=["1e-4 H", "1e-3 H"], model="elastic-plastic")
+    >>> curve.area_fraction.shape == (2, curve.wavelength_m.size)
+    True
+    """
+    columns, pressures_pa, notes = _native.curve(
+        "stacked",
+        model,
+        spectrum._native,
+        material._native,
+        pressure,
+        None,
+        strain_gradient,
+        None,
+        None,
+        "parseval",
+        amplitude,
+        1e-12,
+        cutoff,
+        scales_per_decade,
+    )
+    loads = {"nominal_pressure_pa": np.asarray(pressures_pa)}
+    curve = StackedCurve._of_blocks(columns, loads, notes, ("wavelength_m", "amplitude_m"))
+    assert isinstance(curve, StackedCurve)
+    return curve
+
+
+def statistical(
+    spectrum: Spectrum,
+    material: Material,
+    *,
+    model: str,
+    pressure: Pressures | None = None,
+    separation: Pressures | None = None,
+    strain_gradient: bool = False,
+    hardness: str | None = None,
+    interference_law: str | None = None,
+    normalisation: str = "parseval",
+    tolerance: float = 1e-12,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+) -> StatisticalCurve:
+    """Contact against cutoff of the asperities that each cutoff leaves (Greenwood & Williamson 1966; McCool 1987).
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        The roughness.
+    material : Material
+        The bodies in contact.
+    model : {"hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"}
+        How an asperity answers.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    separation : float, str, or sequence of them
+        Separations, in m or as text, besides pressures or in place of them.
+    strain_gradient : bool, default False
+        Let the strength grow at small depths, with the material's ``strain_gradient_length``.
+    hardness : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield.
+    interference_law : str, optional
+        What ties pressure to interference of elastic sinusoids.
+    normalisation : {"parseval", "as-printed"}
+        The factor of the moments.
+    tolerance : float, default 1e-12
+        Relative tolerance of the states.
+    cutoff : float or str, optional
+        The shortest wavelength that takes part.
+    scales_per_decade : int, optional
+        Resample to so many wavelengths a decade.
+
+    Returns
+    -------
+    StatisticalCurve
+        ``nominal_pressure_pa`` (loads,), NaN for separations; ``wavelength_m``, ``radius_m``, ``density_per_m2``, ``sigma_s_m``
+        (cutoffs,); ``area_fraction``, ``pressure_pa``, ``separation_m`` and others (loads, cutoffs).
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> uncd = ta.read_psd("builtin:uncd-measured")
+    >>> diamond = ta.Material("444.5 GPa", 0.2, indentation_hardness="54 GPa")
+    >>> curve = ta.statistical(uncd, diamond, pressure="1e-3 H", model="ep-sphere")
+    >>> 0.0 < curve.area_fraction[0, -1] < 1.0
+    True
+    """
+    columns, pressures_pa, notes = _native.curve(
+        "statistical",
+        model,
+        spectrum._native,
+        material._native,
+        pressure,
+        separation,
+        strain_gradient,
+        hardness,
+        interference_law,
+        normalisation,
+        "eq5",
+        tolerance,
+        cutoff,
+        scales_per_decade,
+    )
+    blocks = len(columns["wavelength_m"]) // len(np.unique(columns["wavelength_m"]))
+    nominal_pa = np.full(blocks, np.nan)
+    nominal_pa[: len(pressures_pa)] = pressures_pa
+    shared = ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m")
+    curve = StatisticalCurve._of_blocks(columns, {"nominal_pressure_pa": nominal_pa}, notes, shared)
+    assert isinstance(curve, StatisticalCurve)
+    return curve

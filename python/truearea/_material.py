@@ -1,0 +1,151 @@
+"""The bodies in contact."""
+
+from __future__ import annotations
+
+from typing import Any, Union
+
+from truearea import _native
+
+Quantity = Union[float, str]
+"""A number in SI units, or text with a unit, such as ``"210 GPa"``."""
+
+
+class Material:
+    """The rough body, and what presses on it.
+
+    Parameters
+    ----------
+    youngs_modulus : float or str
+        E of the rough body, in Pa or as text such as ``"210 GPa"``.
+    poisson_ratio : float
+        Its Poisson's ratio, above -1 and at most 0.5.
+    yield_strength : float or str, optional
+        S0 in Pa, for models that yield; a third of the hardness where only that is given.
+    indentation_hardness : float or str, optional
+        H in Pa, or a number of a scale such as ``"300 HV"``; three times the yield strength where only that is given.
+    strain_gradient_length : float or str, optional
+        h* in m, with which the strength grows at small depths (Nix & Gao 1998; Jackson & Jacobs, Eq. 8).
+    strength_cap : float or str, optional
+        The most that the strength grows to, in Pa or as a multiple of the hardness, such as ``"1 H"``.
+    counterface : Material, optional
+        What presses on the rough body; rigid where left out. Its elastic constants alone count.
+
+    Raises
+    ------
+    InputError
+        For a value that is out of its bound, or a hardness that is not three times the strength within 1 %.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> steel = ta.Material(youngs_modulus="210 GPa", poisson_ratio=0.3, yield_strength="1 GPa")
+    >>> round(steel.composite_modulus_pa / 1e9, 1)
+    230.8
+    >>> steel
+    Material(E = 2.1e11 Pa, nu = 0.3, E* = 2.307692307692308e11 Pa, S0 = 1e9 Pa)
+    """
+
+    __slots__ = ("_given", "_native")
+
+    def __init__(
+        self,
+        youngs_modulus: Quantity,
+        poisson_ratio: float,
+        *,
+        yield_strength: Quantity | None = None,
+        indentation_hardness: Quantity | None = None,
+        strain_gradient_length: Quantity | None = None,
+        strength_cap: Quantity | None = None,
+        counterface: Material | None = None,
+    ) -> None:
+        self._given: dict[str, Any] = {
+            "youngs_modulus": youngs_modulus,
+            "poisson_ratio": poisson_ratio,
+            "yield_strength": yield_strength,
+            "indentation_hardness": indentation_hardness,
+            "strain_gradient_length": strain_gradient_length,
+            "strength_cap": strength_cap,
+            "counterface": counterface,
+        }
+        if counterface is not None and not isinstance(counterface, Material):
+            raise _native.InputError(
+                f"counterface: a Material is needed, and this is of type {type(counterface).__name__}"
+            )
+        other = None if counterface is None else (counterface.youngs_modulus, counterface.poisson_ratio)
+        self._native = _native.Material(
+            youngs_modulus,
+            poisson_ratio,
+            yield_strength,
+            indentation_hardness,
+            strain_gradient_length,
+            strength_cap,
+            other,
+        )
+
+    @property
+    def youngs_modulus(self) -> Quantity:
+        """E of the rough body, as given."""
+        modulus: Quantity = self._given["youngs_modulus"]
+        return modulus
+
+    @property
+    def poisson_ratio(self) -> float:
+        """Poisson's ratio of the rough body."""
+        ratio: float = self._given["poisson_ratio"]
+        return ratio
+
+    @property
+    def counterface(self) -> Material | None:
+        """What presses on the rough body; None where it is rigid."""
+        other: Material | None = self._given["counterface"]
+        return other
+
+    @property
+    def composite_modulus_pa(self) -> float:
+        """E* = 1 / ((1 - nu1²)/E1 + (1 - nu2²)/E2) [Pa]."""
+        return self._native.composite_modulus_pa
+
+    @property
+    def indentation_hardness_pa(self) -> float | None:
+        """H [Pa], where it or the strength is known."""
+        return self._native.indentation_hardness_pa
+
+    @property
+    def yield_strength_pa(self) -> float | None:
+        """S0 [Pa], where it or the hardness is known."""
+        return self._native.yield_strength_pa
+
+    def replace(self, **changes: Any) -> Material:
+        """The same material with some of its arguments changed.
+
+        Examples
+        --------
+        >>> import truearea as ta
+        >>> steel = ta.Material("210 GPa", 0.3)
+        >>> steel.replace(poisson_ratio=0.5).composite_modulus_pa
+        280000000000.0
+        """
+        return Material(**{**self._given, **changes})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_material, (self._given,))
+
+    def __eq__(self, other: object) -> bool:
+        return self._given == other._given if isinstance(other, Material) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(tuple(self._given.values()))
+
+    def __repr__(self) -> str:
+        return f"Material({self._native.describe()})"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{name}</th><td>{value}</td></tr>"
+            for name, value in self._native.properties()
+        )
+        return f"<table>{rows}</table>"
+
+
+def _material(given: dict[str, Any]) -> Material:
+    return Material(**given)

@@ -1,0 +1,220 @@
+"""What calls yield: named arrays with their axes, units and notes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+    from typing_extensions import Self
+
+FloatArray = npt.NDArray[np.float64]
+"""Doubles."""
+
+AnyArray = npt.NDArray[Any]
+"""Doubles or text."""
+
+# The ends of names and the units that they stand for, the longest first.
+_UNITS = {
+    "_pa_per_m": "Pa/m",
+    "_w_per_m2_k": "W/(m² K)",
+    "_rad_per_m": "rad/m",
+    "_per_m2": "1/m²",
+    "_m_per_pa": "m/Pa",
+    "_j_per_m2": "J/m²",
+    "_ohm_m2": "Ω m²",
+    "_pa": "Pa",
+    "_m4": "m⁴",
+    "_m3": "m³",
+    "_m2": "m²",
+    "_n": "N",
+    "_m": "m",
+}
+
+
+def unit_of(name: str) -> str:
+    """The unit that the end of a name tells; nothing of a name without one."""
+    ends = (end for end in _UNITS if name.endswith(end))
+    return next((_UNITS[end] for end in ends), "")
+
+
+class Result(Mapping[str, AnyArray]):
+    """Named arrays, each along some of a few axes.
+
+    A result is a mapping from names to arrays, and each array is an attribute as well. Names end in the unit: ``pressure_pa``,
+    ``density_per_m2``. Where there is no number, there is NaN, as in data frames.
+
+    Attributes
+    ----------
+    notes : tuple of str
+        What was assumed, left out, or is doubtful.
+    """
+
+    _title = "result"
+    _shown = 8
+
+    __slots__ = ("_arrays", "_axes", "notes")
+
+    def __init__(
+        self,
+        arrays: Mapping[str, AnyArray],
+        axes: Mapping[str, tuple[str, ...]],
+        notes: tuple[str, ...] = (),
+    ) -> None:
+        self._arrays = dict(arrays)
+        self._axes = dict(axes)
+        self.notes: tuple[str, ...] = tuple(notes)
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return object.__getattribute__(self, "_arrays")[name]
+        except (KeyError, AttributeError):
+            raise AttributeError(f"a {type(self).__name__} has no {name}") from None
+
+    def __getitem__(self, name: str) -> AnyArray:
+        return self._arrays[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arrays)
+
+    def __len__(self) -> int:
+        return len(self._arrays)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._arrays]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (self._arrays, self._axes, self.notes))
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return (
+            list(self) == list(other)
+            and self._axes == other._axes
+            and all(_same(self[name], other[name]) for name in self)
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        head = f"{type(self).__name__} ({', '.join(f'{axis}: {size}' for axis, size in self.sizes.items())})"
+        width = max((len(name) for name in self), default=0)
+        lines = [f"  {name:<{width}}  {_in_short(name, array)}" for name, array in self.items()]
+        notes = [f"  note: {note}" for note in self.notes]
+        return "\n".join([head, *lines, *notes])
+
+    def _repr_html_(self) -> str:
+        sizes = ", ".join(f"{axis}: {size}" for axis, size in self.sizes.items())
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{escape(name)}</th><td>{' × '.join(self._axes[name])}</td>"
+            f"<td>{escape(unit_of(name))}</td><td style='text-align:left'>{escape(_values(array))}</td></tr>"
+            for name, array in self.items()
+        )
+        notes = "".join(f"<li>{escape(note)}</li>" for note in self.notes)
+        return (
+            f"<div><b>{escape(self._title)}</b> ({escape(sizes)})"
+            "<table><thead><tr><th>array</th><th>axes</th><th>unit</th><th>values</th></tr></thead>"
+            f"<tbody>{rows}</tbody></table>{f'<ul>{notes}</ul>' if notes else ''}</div>"
+        )
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """The axes and how long they are."""
+        return {
+            axis: length
+            for name, array in self._arrays.items()
+            for axis, length in zip(self._axes[name], np.shape(array))
+        }
+
+    def axes(self, name: str) -> tuple[str, ...]:
+        """The axes of an array, in order."""
+        return self._axes[name]
+
+    def to_pandas(self) -> pd.DataFrame:
+        """One row for each combination of the axes, one column for each array.
+
+        Returns
+        -------
+        pandas.DataFrame
+            With the notes in ``attrs["notes"]``.
+        """
+        import pandas as pd
+
+        sizes = self.sizes
+        shape = tuple(sizes.values())
+        columns = {name: _spread(array, self._axes[name], sizes).reshape(-1) for name, array in self.items()}
+        frame = pd.DataFrame(columns, index=None if shape else [0])
+        frame.attrs["notes"] = list(self.notes)
+        return frame
+
+    def to_xarray(self) -> xr.Dataset:
+        """The arrays with their axes; those that number an axis become its coordinates, and units are attributes.
+
+        Returns
+        -------
+        xarray.Dataset
+            With the notes in ``attrs["notes"]``.
+        """
+        import xarray as xr
+
+        variables = {name: (self._axes[name], array, {"units": unit_of(name)}) for name, array in self.items()}
+        coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
+        data = xr.Dataset(variables, attrs={"notes": list(self.notes)})
+        return data.set_coords(coordinates)
+
+    def _is_coordinate(self, name: str) -> bool:
+        return len(self.sizes) > 1
+
+
+def _same(one: AnyArray, other: AnyArray) -> bool:
+    is_number = np.issubdtype(np.asarray(one).dtype, np.floating)
+    return bool(np.array_equal(one, other, equal_nan=is_number))
+
+
+def _values(array: AnyArray) -> str:
+    flat = np.asarray(array).reshape(-1)
+    if flat.size == 0:
+        return "none"
+    if not np.issubdtype(flat.dtype, np.floating):
+        return _listed([str(value) for value in flat[:3]], flat.size)
+    if flat.size <= 3:
+        return ", ".join(f"{value:.4g}" for value in flat)
+    numbers = flat[~np.isnan(flat)]
+    return f"{numbers.min():.4g} to {numbers.max():.4g}" if numbers.size else "none"
+
+
+def _listed(words: list[str], size: int) -> str:
+    return ", ".join(words) + (", …" if size > len(words) else "")
+
+
+def _in_short(name: str, array: AnyArray) -> str:
+    unit = unit_of(name)
+    return f"{_values(array)} {unit}".rstrip()
+
+
+def _spread(array: AnyArray, axes: tuple[str, ...], sizes: Mapping[str, int]) -> AnyArray:
+    """An array along all axes, repeated along those that it does not have."""
+    order = [axis for axis in sizes if axis in axes]
+    turned = np.transpose(np.asarray(array), [axes.index(axis) for axis in order])
+    shape = tuple(sizes[axis] if axis in axes else 1 for axis in sizes)
+    return np.broadcast_to(turned.reshape(shape), tuple(sizes.values()))
+
+
+class Table(Result):
+    """Columns of one length, row by row along the axis ``row``."""
+
+    _title = "table"
+    __slots__ = ()
+
+    @classmethod
+    def _of(cls, columns: Mapping[str, Any], notes: tuple[str, ...] = (), axis: str = "row") -> Self:
+        arrays = {name: np.asarray(values) for name, values in columns.items()}
+        return cls(arrays, {name: (axis,) for name in arrays}, notes)

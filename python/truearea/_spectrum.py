@@ -1,0 +1,294 @@
+"""Power spectra of rough surfaces."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from truearea import _native
+from truearea._arrays import doubles
+from truearea._material import Quantity
+from truearea._native import InputError
+from truearea._results import FloatArray, Table
+
+
+class Moments(Table):
+    """Spectral moments and McCool's asperities, from the longest wavelength down to each cutoff.
+
+    The first row has no interval yet, and no numbers.
+    """
+
+    _title = "spectral moments"
+    __slots__ = ()
+    wavelength_m: FloatArray
+    m0_m2: FloatArray
+    m2: FloatArray
+    m4_per_m2: FloatArray
+    radius_m: FloatArray
+    density_per_m2: FloatArray
+    sigma_s_m: FloatArray
+    offset_m: FloatArray
+    nayak_alpha: FloatArray
+
+
+class Amplitudes(Table):
+    """Amplitude and aspect ratio of every scale."""
+
+    _title = "amplitudes"
+    __slots__ = ()
+    wavelength_m: FloatArray
+    amplitude_m: FloatArray
+    aspect_ratio: FloatArray
+
+
+class Fit(Table):
+    """A self-affine fit, in one row."""
+
+    _title = "self-affine fit"
+    __slots__ = ()
+    hurst_exponent: FloatArray
+    hurst_exponent_se: FloatArray
+    rolloff_wavelength_m: FloatArray
+    rolloff_wavelength_se_m: FloatArray
+    plateau_m3: FloatArray
+    plateau_se_m3: FloatArray
+    rms_log10_residual: FloatArray
+    points: FloatArray
+
+
+class Spectrum:
+    """The power spectrum of a rough surface along a line, a power law between its samples.
+
+    Parameters
+    ----------
+    wavevectors : array_like of float, shape (samples,)
+        q in rad/m, in any order, each above 0.
+    c1d : array_like of float, shape (samples,)
+        C1D in m³, above 0, with rms height² = (1/pi) Int C1D dq.
+    c1d_se : array_like of float, shape (samples,), optional
+        Standard errors of C1D in m³, NaN where one is not known.
+    convention : str, default "c1d"
+        What the values are: ``"c1d"``, ``"w1"``, ``"frequency"`` (m³), ``"ciso"`` or ``"persson"`` (m⁴).
+    name : str, default "spectrum"
+        What it is called in messages and figures.
+
+    Raises
+    ------
+    InputError
+        For columns of different lengths, or a number that is not finite and above 0.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import truearea as ta
+    >>> q = np.geomspace(1e5, 1e9, 40)
+    >>> spectrum = ta.Spectrum(wavevectors=q, c1d=1e-22 * (q / 1e5) ** -2.6)
+    >>> spectrum.moments().m2[-1]
+    0.0001...
+    """
+
+    __slots__ = ("_native", "_recipe")
+
+    def __init__(
+        self,
+        wavevectors: npt.ArrayLike,
+        c1d: npt.ArrayLike,
+        c1d_se: npt.ArrayLike | None = None,
+        *,
+        convention: str = "c1d",
+        name: str = "spectrum",
+    ) -> None:
+        q = _column("wavevectors", wavevectors)
+        if bad := [value for value in q if not (np.isfinite(value) and value > 0.0)]:
+            raise InputError(f"wavevectors: {bad[0]} is one of them; they must be finite and greater than 0")
+        c = _column("c1d", c1d)
+        errors = None if c1d_se is None else _column("c1d_se", c1d_se)
+        native = _native.Surface.of_samples(name, 2.0 * np.pi / q, c, errors, convention)
+        self._set(native, (Spectrum, (q, c, errors), {"convention": convention, "name": name}))
+
+    def _set(self, native: _native.Surface, recipe: tuple[Any, tuple[Any, ...], dict[str, Any]]) -> None:
+        self._native = native
+        # A spectrum is pickled as what it was made from, so that it comes back bit for bit.
+        self._recipe = recipe
+
+    @classmethod
+    def _of(cls, native: _native.Surface, maker: Any, *given: Any, **options: Any) -> Spectrum:
+        spectrum = cls.__new__(cls)
+        spectrum._set(native, (maker, given, options))
+        return spectrum
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self._native.name
+
+    @property
+    def wavelengths_m(self) -> FloatArray:
+        """Wavelengths [m], from long to short."""
+        return self._native.wavelengths_m
+
+    @property
+    def wavevectors_rad_per_m(self) -> FloatArray:
+        """Wavevectors q = 2 pi/wavelength [rad/m], from small to large."""
+        return 2.0 * np.pi / self._native.wavelengths_m
+
+    @property
+    def c1d_m3(self) -> FloatArray:
+        """C1D [m³], one value for each wavelength."""
+        return self._native.c1d_m3
+
+    @property
+    def c1d_se_m3(self) -> FloatArray | None:
+        """Standard errors of C1D [m³], NaN where one is not known; None where none is."""
+        return self._native.standard_errors_m3
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What reading took for granted, and what is doubtful."""
+        return tuple(self._native.notes)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """The comments of its file: origin, licence; or the scans that it is made of."""
+        return tuple(self._native.remarks)
+
+    def moments(
+        self,
+        *,
+        normalisation: str = "parseval",
+        cutoff: Quantity | None = None,
+        scales_per_decade: int | None = None,
+    ) -> Moments:
+        """Spectral moments and McCool's asperity parameters for every cutoff (Jackson & Jacobs, Eqs. 1, 3, 4).
+
+        Parameters
+        ----------
+        normalisation : {"parseval", "as-printed"}
+            The factor of the integrals: 1/pi, with which m0 is the mean square height; or 1, as the paper prints it.
+        cutoff : float or str, optional
+            The shortest wavelength that takes part, in m or as text such as ``"5 nm"``.
+        scales_per_decade : int, optional
+            Resample to so many wavelengths a decade; as sampled where left out.
+
+        Returns
+        -------
+        Moments
+            ``wavelength_m``, ``m0_m2``, ``m2``, ``m4_per_m2``, ``radius_m``, ``density_per_m2``, ``sigma_s_m``, ``offset_m``,
+            ``nayak_alpha``: a row for each wavelength.
+
+        Examples
+        --------
+        >>> import truearea as ta
+        >>> moments = ta.read_psd("builtin:uncd-measured").moments()
+        >>> float(moments.m2[-1]) ** 0.5
+        0.6...
+        """
+        columns = self._native.moments(normalisation, cutoff, scales_per_decade)
+        return Moments._of(columns, self.notes)
+
+    def amplitudes(
+        self,
+        *,
+        definition: str = "eq5",
+        cutoff: Quantity | None = None,
+        scales_per_decade: int | None = None,
+    ) -> Amplitudes:
+        """Amplitude [m] and aspect ratio of every scale (Jackson & Jacobs, Eq. 5)."""
+        return Amplitudes._of(self._native.amplitudes(definition, cutoff, scales_per_decade), self.notes)
+
+    def fit(self, *, longest: Quantity | None = None, shortest: Quantity | None = None) -> Fit:
+        """Hurst exponent and roll-off of the spectrum between two wavelengths, by least squares in logarithms."""
+        return Fit._of(self._native.fit(longest, shortest), self.notes)
+
+    def against(self, other: Spectrum) -> Spectrum:
+        """The sum of two surfaces that know nothing of each other."""
+        return Spectrum._of(self._native.against(other._native), Spectrum.against, self, other)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_made_again, self._recipe)
+
+    def __len__(self) -> int:
+        return len(self._native.wavelengths_m)
+
+    def __repr__(self) -> str:
+        wavelengths = self._native.wavelengths_m
+        return (
+            f"Spectrum({self.name!r}, {len(wavelengths)} samples from {wavelengths[0]:.4g} m "
+            f"to {wavelengths[-1]:.4g} m)"
+        )
+
+    def _repr_html_(self) -> str:
+        return self._native.svg()
+
+
+def _made_again(maker: Any, given: tuple[Any, ...], options: dict[str, Any]) -> Spectrum:
+    spectrum: Spectrum = maker(*given, **options)
+    return spectrum
+
+
+def read_psd(
+    path: str | os.PathLike[str],
+    *,
+    column: str | None = None,
+    convention: str | None = None,
+    x: str | None = None,
+    series: str | None = None,
+    subject: str | None = None,
+    x_unit: str | None = None,
+    psd_unit: str | None = None,
+) -> Spectrum:
+    """Read the power spectrum in a file: text, JSON or a workbook, of contact.engineering, Gwyddion, and others.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The file, or one of the built-in spectra, ``"builtin:uncd-measured"`` and ``"builtin:uncd-reconstructed"``.
+    column, convention, x, series, subject, x_unit, psd_unit : str, optional
+        What the file does not say itself: the column of the values, their convention (``"c1d"``, ``"w1"``, ``"frequency"``, ``"ciso"``, ``"persson"``), what the first
+        column is (``"wavelength"``, ``"wavevector"``, ``"frequency"``), which of several series, and units.
+
+    Returns
+    -------
+    Spectrum
+
+    Raises
+    ------
+    FileNotFoundError
+        Where there is no such file.
+    InputError
+        With file, line, column and value for what cannot be read, and the argument that mends it.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> ta.read_psd("builtin:uncd-measured")
+    Spectrum('builtin:uncd-measured', ... samples from ... m to ... m)
+    """
+    name = os.fspath(path)
+    options = {
+        "column": column,
+        "convention": convention,
+        "x": x,
+        "series": series,
+        "subject": subject,
+        "x_unit": x_unit,
+        "psd_unit": psd_unit,
+    }
+    content = None if name.startswith("builtin:") else Path(name).read_bytes()
+    return _spectrum_of_file(name, content, options)
+
+
+def _spectrum_of_file(name: str, content: bytes | None, options: dict[str, str | None]) -> Spectrum:
+    native = _native.Surface.of_file(name, content, options)
+    return Spectrum._of(native, _spectrum_of_file, name, content, options)
+
+
+def _column(argument: str, given: Any) -> FloatArray:
+    array = np.ascontiguousarray(doubles(argument, given))
+    if array.ndim != 1:
+        raise InputError(f"{argument}: an array of one axis is needed, and this has {array.ndim}")
+    return array
