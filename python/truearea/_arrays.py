@@ -17,7 +17,7 @@ def doubles(argument: str, given: Any) -> FloatArray:
     else is no number are refused, and so are masked arrays with gaps.
     """
     if np.ma.is_masked(given):
-        raise InputError(f"{argument}: {int(np.ma.count_masked(given))} of {np.size(given)} numbers are masked; fill them")
+        raise InputError(f"{argument}: {np.count_nonzero(np.ma.getmaskarray(given))} of {np.size(given)} numbers are masked; fill them")
     try:
         array = np.asarray(given)
     except ValueError as error:

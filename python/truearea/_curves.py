@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,10 @@ from truearea._material import Material, Quantity
 from truearea._results import AnyArray, FloatArray, Result
 from truearea._spectrum import Spectrum
 
-Pressures = Quantity | npt.ArrayLike
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+Pressures = Union[Quantity, npt.ArrayLike]
 """One pressure or several, in Pa or as text."""
 
 
@@ -32,7 +35,7 @@ class Curve(Result):
         loads: dict[str, FloatArray],
         notes: list[str],
         shared: tuple[str, ...],
-    ) -> Curve:
+    ) -> Self:
         """Columns that came block after block; what is the same under every load has the axis of cutoffs alone."""
         blocks = len(next(iter(loads.values())))
         arrays: dict[str, AnyArray] = dict(loads)
@@ -142,9 +145,7 @@ def stacked(
         scales_per_decade,
     )
     loads = {"nominal_pressure_pa": np.asarray(pressures_pa)}
-    curve = StackedCurve._of_blocks(columns, loads, notes, ("wavelength_m", "amplitude_m"))
-    assert isinstance(curve, StackedCurve)
-    return curve
+    return StackedCurve._of_blocks(columns, loads, notes, ("wavelength_m", "amplitude_m"))
 
 
 def statistical(
@@ -231,6 +232,4 @@ def statistical(
     nominal_pa = np.full(blocks, np.nan)
     nominal_pa[: len(pressures_pa)] = pressures_pa
     shared = ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m")
-    curve = StatisticalCurve._of_blocks(columns, {"nominal_pressure_pa": nominal_pa}, notes, shared)
-    assert isinstance(curve, StatisticalCurve)
-    return curve
+    return StatisticalCurve._of_blocks(columns, {"nominal_pressure_pa": nominal_pa}, notes, shared)

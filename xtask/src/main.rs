@@ -1,5 +1,5 @@
 //! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `stress`,
-//! `coverage`, `bench`, `judge`.
+//! `coverage`, `bench`, `judge`, `python`.
 
 mod bench;
 mod docs;
@@ -8,6 +8,7 @@ mod in_release;
 mod instructions;
 mod judge;
 mod layers;
+mod python;
 mod reproduce;
 mod shared;
 
@@ -33,6 +34,8 @@ cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S
 cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
 cargo xtask judge [--anew]       every model held against boundary elements: rewrites the tables and figures of
                                docs/which-model.md; presses what has not been pressed, --anew everything (minutes)
+cargo xtask python [--anew]    builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
+                               (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again
 ";
 
 enum Task {
@@ -46,6 +49,7 @@ enum Task {
     Coverage { arguments: Vec<OsString> },
     Bench,
     Judge { anew: bool },
+    Python { anew: bool },
 }
 
 fn main() -> ExitCode {
@@ -60,6 +64,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Coverage { arguments })) => in_release::run("coverage-study", &arguments),
         Ok(Some(Task::Bench)) => bench::run(),
         Ok(Some(Task::Judge { anew })) => judge::run(anew),
+        Ok(Some(Task::Python { anew })) => python::run(anew),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -94,7 +99,8 @@ fn parse() -> Result<Option<Task>, lexopt::Error> {
             }
             (Value(name), None) if name == "bench" => task = Some(Task::Bench),
             (Value(name), None) if name == "judge" => task = Some(Task::Judge { anew: false }),
-            (Long("anew"), Some(Task::Judge { anew })) => *anew = true,
+            (Value(name), None) if name == "python" => task = Some(Task::Python { anew: false }),
+            (Long("anew"), Some(Task::Judge { anew } | Task::Python { anew })) => *anew = true,
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),

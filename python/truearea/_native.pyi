@@ -1,0 +1,114 @@
+"""The core, as the Python modules beside it call it. What arguments mean is told there."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Final, final
+
+import numpy as np
+import numpy.typing as npt
+
+_Floats = npt.NDArray[np.float64]
+_Columns = dict[str, Any]
+
+__all__ = [
+    "VERSION",
+    "InputError",
+    "Material",
+    "Surface",
+    "contact_states",
+    "curve",
+    "set_threads",
+    "threads",
+]
+
+VERSION: Final[str]
+
+class InputError(ValueError): ...
+
+def set_threads(count: int) -> None:
+    """Let work take so many threads from now on; 1 keeps it on the thread that calls."""
+
+def threads() -> int:
+    """How many threads work takes."""
+
+def contact_states(
+    model: str,
+    roughness: Sequence[_Floats],
+    materials: Sequence[Material],
+    pressure_pa: _Floats | None,
+    separation_m: _Floats | None,
+    tolerance: float,
+    strain_gradient: bool,
+    hardness: str | None,
+    interference_law: str | None,
+) -> tuple[list[tuple[str, _Floats]], list[str]]: ...
+def curve(
+    framework: str,
+    model: str,
+    surface: Surface,
+    material: Material,
+    pressure: Any | None,
+    separation: Any | None,
+    strain_gradient: bool,
+    hardness: str | None,
+    interference_law: str | None,
+    normalisation: str,
+    amplitude: str,
+    tolerance: float,
+    cutoff: float | str | None,
+    scales_per_decade: int | None,
+) -> tuple[_Columns, list[float], list[str]]: ...
+@final
+class Material:
+    def __new__(
+        cls,
+        youngs_modulus: Any,
+        poisson_ratio: Any,
+        yield_strength: Any | None,
+        indentation_hardness: Any | None,
+        strain_gradient_length: Any | None,
+        strength_cap: Any | None,
+        counterface: tuple[Any, Any] | None,
+    ) -> Material: ...
+    @property
+    def composite_modulus_pa(self) -> float: ...
+    @property
+    def indentation_hardness_pa(self) -> float | None: ...
+    @property
+    def yield_strength_pa(self) -> float | None: ...
+    def pressure_pa(self, argument: str, pressure: Any) -> float: ...
+    def describe(self) -> str: ...
+    def properties(self) -> list[tuple[str, str]]: ...
+
+@final
+class Surface:
+    @staticmethod
+    def of_samples(
+        name: str,
+        wavelengths_m: _Floats,
+        values: _Floats,
+        standard_errors: _Floats | None,
+        convention: str,
+    ) -> Surface: ...
+    @staticmethod
+    def of_file(name: str, bytes: bytes | None, options: Mapping[str, str | None]) -> Surface: ...
+    def against(self, other: Surface) -> Surface: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def wavelengths_m(self) -> _Floats: ...
+    @property
+    def c1d_m3(self) -> _Floats: ...
+    @property
+    def standard_errors_m3(self) -> _Floats | None: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def remarks(self) -> list[str]: ...
+    def moments(
+        self, normalisation: str, cutoff: float | str | None, scales_per_decade: int | None
+    ) -> _Columns: ...
+    def amplitudes(
+        self, definition: str, cutoff: float | str | None, scales_per_decade: int | None
+    ) -> _Columns: ...
+    def fit(self, longest: float | str | None, shortest: float | str | None) -> _Columns: ...
+    def svg(self) -> str: ...

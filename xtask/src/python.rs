@@ -1,0 +1,111 @@
+//! The Python package: its wheel, built and tried in a virtual environment of its own.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+/// More bytes than this a wheel may not have.
+const LARGEST_WHEEL: u64 = 8_000_000;
+
+/// Builds the wheel, installs it with everything that its tests need, and runs them: tests and examples, notebooks, and
+/// types by three checkers.
+pub(crate) fn run(anew: bool) -> ExitCode {
+    match carry_out(anew) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("error: {problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn carry_out(anew: bool) -> Result<(), String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
+    let place = Place { package: root.join("python"), built: root.join("target/python") };
+    std::fs::create_dir_all(&place.built)
+        .map_err(|error| format!("making {}: {error}", place.built.display()))?;
+    if anew && place.environment().exists() {
+        std::fs::remove_dir_all(place.environment())
+            .map_err(|error| format!("removing the old environment: {error}"))?;
+    }
+    if !place.in_environment("python").exists() {
+        let python = std::env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
+        place.call(&python, &["-m".as_ref(), "venv".as_ref(), place.environment().as_os_str()])?;
+    }
+    let wheel = place.wheel()?;
+    // What an earlier wheel of the same version left there is replaced; what the new one needs is added.
+    place.python(&["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", &wheel])?;
+    place.python(&["-m", "pip", "install", "--quiet", &format!("{wheel}[tests,notebooks]")])?;
+    let config = place.package.join("pyproject.toml").display().to_string();
+    let [tests, examples] =
+        ["tests", "examples"].map(|folder| place.package.join(folder).display().to_string());
+    let pytest = ["--quiet", "--config-file", &config, "--import-mode=importlib"];
+    place.run("pytest", &[&pytest[..], &[&tests]].concat())?;
+    place.run("pytest", &[&pytest[..], &["--doctest-modules", "--pyargs", "truearea"]].concat())?;
+    place.run("mypy", &["--strict", "--package", "truearea"])?;
+    place.run("stubtest", &["truearea"])?;
+    let python = place.in_environment("python").display().to_string();
+    place.run("pyright", &["--pythonpath", &python, &tests, &examples])
+}
+
+/// Where the package stands, and where what is made of it goes.
+struct Place {
+    package: PathBuf,
+    built: PathBuf,
+}
+
+impl Place {
+    fn environment(&self) -> PathBuf {
+        self.built.join("environment")
+    }
+
+    fn in_environment(&self, program: &str) -> PathBuf {
+        let programs = if cfg!(windows) { "Scripts" } else { "bin" };
+        self.environment().join(programs).join(program)
+    }
+
+    /// Builds the wheel, and looks at its size.
+    fn wheel(&self) -> Result<String, String> {
+        let wheels = self.built.join("wheels");
+        if wheels.exists() {
+            std::fs::remove_dir_all(&wheels).map_err(|error| format!("removing old wheels: {error}"))?;
+        }
+        let folder = wheels.display().to_string();
+        let package = self.package.display().to_string();
+        self.python(&["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", &folder, &package])?;
+        let mut files = std::fs::read_dir(&wheels).map_err(|error| format!("reading {folder}: {error}"))?;
+        let wheel = files.next().ok_or("no wheel was built")?.map_err(|error| error.to_string())?;
+        let bytes = wheel.metadata().map_err(|error| error.to_string())?.len();
+        let name = wheel.file_name().display().to_string();
+        println!("{name}: {:.1} MB", bytes as f64 / 1e6);
+        if bytes > LARGEST_WHEEL {
+            return Err(format!("{name} has {bytes} bytes; a wheel may have {LARGEST_WHEEL}"));
+        }
+        Ok(wheel.path().display().to_string())
+    }
+
+    fn python(&self, arguments: &[&str]) -> Result<(), String> {
+        self.run("python", arguments)
+    }
+
+    /// Runs a program of the environment, away from the sources, so that what is imported is what was installed.
+    fn run(&self, program: &str, arguments: &[&str]) -> Result<(), String> {
+        let arguments: Vec<&OsStr> = arguments.iter().map(OsStr::new).collect();
+        self.call(self.in_environment(program).as_os_str(), &arguments)
+    }
+
+    fn call(&self, program: &OsStr, arguments: &[&OsStr]) -> Result<(), String> {
+        let typed =
+            arguments.iter().map(|argument| argument.display().to_string()).collect::<Vec<_>>().join(" ");
+        let name = Path::new(program).file_name().unwrap_or(program).display();
+        println!("\n-- {name} {typed}");
+        let status = Command::new(program)
+            .args(arguments)
+            .current_dir(&self.built)
+            .env("CARGO_TARGET_DIR", &self.built)
+            .env("PIP_DISABLE_PIP_VERSION_CHECK", "1")
+            .status()
+            .map_err(|error| format!("running {}: {error}", program.display()))?;
+        if status.success() { Ok(()) } else { Err(format!("{name} {typed} has failed ({status})")) }
+    }
+}
