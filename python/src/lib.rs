@@ -5,6 +5,7 @@ mod columns;
 mod contact;
 mod curves;
 mod errors;
+mod lengths;
 mod material;
 mod quantities;
 mod surface;
@@ -21,6 +22,8 @@ mod _native {
     use super::curves::curve;
     #[pymodule_export]
     use super::errors::InputError;
+    #[pymodule_export]
+    use super::lengths::in_metres;
     #[pymodule_export]
     use super::material::PyMaterial;
     #[pymodule_export]
