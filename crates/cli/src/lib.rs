@@ -12,7 +12,6 @@ mod material_errors;
 pub mod output;
 mod picture;
 mod progress;
-mod scene_errors;
 mod stderr;
 mod targets;
 mod timings;

@@ -59,19 +59,30 @@ impl Drop for Progress {
 }
 
 /// The same of work that may be ended early.
-pub struct UntilEnded<'a> {
+pub struct UntilEnded {
     /// What is shown.
     pub progress: Progress,
     /// What may end it.
-    pub early_end: &'a EarlyEnd,
+    pub early_end: EarlyEnd,
 }
 
-impl study::Progress for UntilEnded<'_> {
+impl study::Progress for UntilEnded {
     fn advance(&self, steps: usize) {
         self.progress.advance(steps);
     }
 
     fn is_cancelled(&self) -> bool {
         self.early_end.is_asked_for() || self.progress.is_cancelled()
+    }
+}
+
+/// Work whose length is not known beforehand is not shown, and may be ended as any other.
+pub struct Unseen;
+
+impl study::Progress for Unseen {
+    fn advance(&self, _: usize) {}
+
+    fn is_cancelled(&self) -> bool {
+        interruption::is_asked_for()
     }
 }

@@ -28,6 +28,7 @@ pub mod products;
 pub mod provenance;
 pub mod reasons;
 pub mod row_notes;
+pub mod run;
 pub mod scan_words;
 pub mod scans_table;
 pub mod scene_note_words;

@@ -14,13 +14,13 @@ use crate::trust::Trust;
 use answer::Answer;
 use judge::Judgement;
 use sensitivity::{Sensitivity, counted_sensitivities};
-use study::Unobserved;
 use study::figure::{Figure, FigureData, Shows, over_scans};
 use study::interface::InterfaceStates;
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::scene::Scene;
 use study::scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
+use study::{Progress, Unobserved};
 use tables::{Format, Table};
 use uncertainty::Uncertainty;
 
@@ -146,8 +146,16 @@ impl Findings {
     /// # Errors
     /// [`PlanError`], as of the scene itself.
     pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
+        Self::of_observed(scene, results, &Unobserved)
+    }
+
+    /// The same, watched by `progress`, which may end it.
+    ///
+    /// # Errors
+    /// [`PlanError`], as of the scene itself.
+    pub fn of_observed(scene: &Scene, results: &Results, progress: &dyn Progress) -> Result<Self, PlanError> {
         let answer = Answer::of(scene, results);
-        let (sensitivities, work) = counted_sensitivities(scene, results, &Unobserved)?;
+        let (sensitivities, work) = counted_sensitivities(scene, results, progress)?;
         Ok(Findings { answer, sensitivities, work, occasion: Occasion::default() })
     }
 
@@ -239,9 +247,7 @@ pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
 /// What puts the bytes of one file anywhere.
 pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
 
-/// Hands every file of a scene to `file`, by name, and yields their names. The report and its tables are left out where there
-/// are no findings, those of the judge and of draws where these were not asked. A table is made when its turn comes, so that
-/// only one of them is held.
+/// Hands every file of a scene to `file`, by name, and yields their names.
 ///
 /// # Errors
 /// Those of `file`.
@@ -254,38 +260,96 @@ pub fn each_file<E>(
     mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
 ) -> Result<Vec<String>, E> {
     let mut names = Vec::new();
-    let mut table_file = |name: &str, what: &str, table: &Table| {
-        names.push(format!("{name}.{}", format.extension()));
-        let comments = origin(scene, &format!("{what} {name}"));
-        file(&names[names.len() - 1], &|out| table.write(format, &comments, out))
+    each_product(scene, results, findings, trust, |name, product| {
+        let name = product.file_name(name, format);
+        let written = file(&name, &|out| product.write(format, out));
+        names.push(name);
+        written
+    })?;
+    Ok(names)
+}
+
+/// Something that is made of a scene.
+#[derive(Debug, Clone, Copy)]
+pub enum Product<'p> {
+    /// A table, and the lines that tell where it comes from.
+    Table {
+        /// The table.
+        table: &'p Table,
+        /// The lines.
+        origin: &'p [String],
+    },
+    /// A figure as an SVG document.
+    Figure(&'p str),
+    /// The report as an HTML page.
+    Report(&'p str),
+}
+
+impl Product<'_> {
+    /// The name of the file that it goes to.
+    #[must_use]
+    pub fn file_name(&self, name: &str, format: Format) -> String {
+        match self {
+            Product::Table { .. } => format!("{name}.{}", format.extension()),
+            Product::Figure(_) => format!("{name}.svg"),
+            Product::Report(_) => REPORT.to_owned(),
+        }
+    }
+
+    /// Writes what is in that file.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Product::Table { table, origin } => table.write(format, origin, out),
+            Product::Figure(text) | Product::Report(text) => out.write_all(text.as_bytes()),
+        }
+    }
+}
+
+/// Hands everything that is made of a scene to `take`, by name. The report and its tables are left out where there are no
+/// findings, those of the judge and of draws where these were not asked. A table is made when its turn comes, so that only one
+/// of them is held.
+///
+/// # Errors
+/// Those of `take`.
+pub fn each_product<E>(
+    scene: &Scene,
+    results: &Results,
+    findings: Option<&Findings>,
+    trust: Trust<'_>,
+    mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut take_table = |name: &str, what: &str, table: &Table| {
+        let origin = origin(scene, &format!("{what} {name}"));
+        take(name, Product::Table { table, origin: &origin })
     };
     for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
-        table_file(&curve.name, "curve", &result_tables::curve(result, &scene.needs.loads, true))?;
+        take_table(&curve.name, "curve", &result_tables::curve(result, &scene.needs.loads, true))?;
     }
     let reported = findings.map(|findings| findings.tables(scene));
     for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
-        table_file(name, "table", table)?;
+        take_table(name, "table", table)?;
     }
     let judged = trust.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
     let drawn_from = trust.uncertainty.into_iter();
     let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
     for (name, table) in judged.chain(of_draws) {
         if table.rows() > 0 {
-            table_file(name, "table", &table)?;
+            take_table(name, "table", &table)?;
         }
     }
     if let Some(states) = InterfaceStates::of_scene(scene, results) {
-        table_file(INTERFACE_TABLE, "table", &interface_table::of(&states, scene, trust.uncertainty))?;
+        take_table(INTERFACE_TABLE, "table", &interface_table::of(&states, scene, trust.uncertainty))?;
     }
     let figures: Vec<FigureData> =
         scene.figures.iter().map(|figure| data(scene, results, figure, trust.uncertainty)).collect();
     for figure in &figures {
-        table_file(&figure.name, "figure", &figure.table())?;
+        take_table(&figure.name, "figure", &figure.table())?;
     }
     for figure in &figures {
-        names.push(format!("{}.svg", figure.name));
-        let svg = drawn(scene, figure);
-        file(&names[names.len() - 1], &|out| out.write_all(svg.as_bytes()))?;
+        take(&figure.name, Product::Figure(&drawn(scene, figure)))?;
     }
     if let Some(findings) = findings {
         let report = Report {
@@ -295,9 +359,7 @@ pub fn each_file<E>(
             repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
             occasion: &findings.occasion,
         };
-        names.push(REPORT.to_owned());
-        let html = report.html();
-        file(REPORT, &|out| out.write_all(html.as_bytes()))?;
+        take(REPORT, Product::Report(&report.html()))?;
     }
-    Ok(names)
+    Ok(())
 }

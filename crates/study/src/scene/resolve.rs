@@ -21,7 +21,7 @@ use super::values::{count, optional, tolerance};
 use crate::bodies::Bodies;
 use crate::figure::Shows;
 use crate::material_spreads::MaterialSpreads;
-use crate::models::ModelOptions;
+use crate::models::{Choice, CurveModel, ModelOptions};
 use crate::plan::{Needs, Sampling};
 use measurements::Files;
 use units::{Length, Pressure};
@@ -47,6 +47,30 @@ pub struct Overrides {
     pub no_judge: bool,
     /// Whether nothing is to be drawn to tell how sure areas are.
     pub no_uncertainty: bool,
+}
+
+impl Overrides {
+    /// The name of the first that nothing in a scene depends on, where there is one; of cutoff and counterface nothing is told.
+    #[must_use]
+    pub fn without_bearing(&self, scene: &Scene) -> Option<&'static str> {
+        let any_curve =
+            |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
+        let idle = [
+            ("normalisation", self.normalisation.is_some(), scene.needs.moments.is_some()),
+            ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some()),
+            ("hardness", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
+            ("strength_cap", self.strength_cap.is_some(), any_curve(has_growing_strength)),
+        ];
+        idle.into_iter().find(|(_, given, used)| *given && !used).map(|(name, ..)| name)
+    }
+}
+
+fn has_spheres_that_yield(model: &CurveModel) -> bool {
+    model.entry().has(Choice::Hardness)
+}
+
+fn has_growing_strength(model: &CurveModel) -> bool {
+    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
 }
 
 pub(super) fn resolve(

@@ -1,4 +1,4 @@
-//! What is wrong in a scene, drawn like a compiler's message.
+#![doc = include_str!("../README.md")]
 
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use report::{scan_words, spectrum_words};
@@ -8,6 +8,7 @@ use study::scene::{SceneError, SceneProblem};
 use study::surface::SurfaceError;
 
 /// The message with file, line, and the line itself; that it is an error is said where it is reported.
+#[must_use]
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
     let message = format!("{error}{}", mended(error));
     let title = Level::ERROR.primary_title(&message);
