@@ -1,21 +1,21 @@
 //! Numbers of an argument for every row: views of arrays as they lie, without a copy.
 
 use numpy::ndarray::ArrayViewD;
-use numpy::{PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{Element, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 
 /// An array of the broadcast shape of a call, row by row in C order.
-pub enum Column<'a> {
+pub enum Column<'a, T = f64> {
     /// The same for every row.
-    Constant(f64),
+    Constant(T),
     /// A number after the other.
-    Slice(&'a [f64]),
+    Slice(&'a [T]),
     /// A number somewhere in memory.
-    Strided(ArrayViewD<'a, f64>),
+    Strided(ArrayViewD<'a, T>),
 }
 
-impl<'a> Column<'a> {
-    /// The column of an array; `rows` are as many as it has elements.
-    pub fn of(array: &'a PyReadonlyArrayDyn<'_, f64>) -> Self {
+impl<'a, T: Element + Copy> Column<'a, T> {
+    /// The column of an array.
+    pub fn of(array: &'a PyReadonlyArrayDyn<'_, T>) -> Self {
         let view = array.as_array();
         if view.len() > 1
             && array.strides().iter().zip(array.shape()).all(|(stride, len)| *stride == 0 || *len == 1)
@@ -30,7 +30,7 @@ impl<'a> Column<'a> {
 
     /// The number of a row.
     #[inline]
-    pub fn at(&self, row: usize) -> f64 {
+    pub fn at(&self, row: usize) -> T {
         match self {
             Column::Constant(value) => *value,
             Column::Slice(values) => values[row],
@@ -39,7 +39,7 @@ impl<'a> Column<'a> {
     }
 }
 
-fn strided(view: &ArrayViewD<'_, f64>, row: usize) -> f64 {
+fn strided<T: Copy>(view: &ArrayViewD<'_, T>, row: usize) -> T {
     let mut index = view.raw_dim();
     let mut rest = row;
     for axis in (0..view.ndim()).rev() {

@@ -3,6 +3,7 @@
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use report::row_notes;
+use report::summary::notes_of_states;
 use rows::{AskedState, At, ContactStates, Roughness, RowsNote, StateColumns, StatesError, StatesFound};
 use study::material::Material;
 use study::models::{self, Framework};
@@ -32,8 +33,8 @@ const COLUMNS: [&str; 8] = [
 /// A column under its name.
 type Named<'py> = (&'static str, Bound<'py, PyArray1<f64>>);
 
-/// States of a model for rows of roughness, material and condition, all of the same shape. `materials` has one for all rows, or
-/// one for each.
+/// States of a model for rows of roughness and condition, all of the same shape. The material of a row is that at its index among
+/// the `materials`, or the one that there is.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "the arguments of a call from Python, by name")]
 pub fn contact_states<'py>(
@@ -41,6 +42,7 @@ pub fn contact_states<'py>(
     model: &str,
     roughness: [PyReadonlyArrayDyn<'py, f64>; 3],
     materials: Vec<Py<PyMaterial>>,
+    material_index: Option<PyReadonlyArrayDyn<'py, i64>>,
     pressure_pa: Option<PyReadonlyArrayDyn<'py, f64>>,
     separation_m: Option<PyReadonlyArrayDyn<'py, f64>>,
     tolerance: f64,
@@ -63,9 +65,17 @@ pub fn contact_states<'py>(
         (None, None) => return Err(input("pressure or separation is needed; give one of them")),
     };
     let materials: Vec<Material> = materials.iter().map(|material| material.get().material).collect();
+    let of_material = material_index.as_ref().map(Column::of);
+    let material_of = |row: usize| match &of_material {
+        None => materials.first(),
+        Some(index) => usize::try_from(index.at(row)).ok().and_then(|at| materials.get(at)),
+    };
+    if rows > 0 && materials.is_empty() {
+        return Err(input("material: it is empty; give at least one"));
+    }
     let asked = |row: usize| {
         Ok(AskedState {
-            material: if materials.len() == 1 { materials[0] } else { materials[row] },
+            material: *material_of(row).unwrap_or(&materials[0]),
             roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
             at: match is_pressure {
                 true => At::Pressure(of_condition.at(row)),
@@ -115,6 +125,6 @@ fn notes(found: &StatesFound, all: usize) -> Vec<String> {
     let (rows, narrow) = (found.assumed_strengths, found.narrow);
     let assumed = (rows > 0).then_some(RowsNote::AssumedStrengths { rows, all });
     let narrow = (narrow.count > 0).then_some(RowsNote::NarrowSpectra { narrow, all });
-    let notes = assumed.into_iter().chain(narrow).chain([RowsNote::States(found.counts)]);
-    notes.flat_map(|note| row_notes::told(&note)).collect()
+    let notes = assumed.into_iter().chain(narrow).flat_map(|note| row_notes::told(&note));
+    notes.chain(notes_of_states(&found.counts)).collect()
 }

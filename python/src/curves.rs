@@ -1,7 +1,5 @@
 //! Contact against cutoff, of a spectrum: the stacked and the statistical models.
 
-use std::num::NonZeroU32;
-
 use answer::doubts::{Doubt, RealPressures};
 use asperity::Hardness;
 use pyo3::prelude::*;
@@ -45,7 +43,7 @@ pub fn curve<'py>(
     amplitude: &str,
     tolerance: f64,
     cutoff: Option<&Given<'py>>,
-    scales_per_decade: Option<NonZeroU32>,
+    scales_per_decade: Option<i64>,
 ) -> PyResult<Found<'py>> {
     let framework = match framework {
         "stacked" => Framework::Stacked,

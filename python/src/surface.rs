@@ -113,7 +113,7 @@ impl PySurface {
         py: Python<'py>,
         normalisation: &str,
         cutoff: Option<&Given<'py>>,
-        scales_per_decade: Option<NonZeroU32>,
+        scales_per_decade: Option<i64>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let moments = Some(named::<Normalisation>("normalisation", normalisation)?);
         let needs = Needs { moments, asperities: true, ..Needs::default() };
@@ -125,7 +125,7 @@ impl PySurface {
         py: Python<'py>,
         definition: &str,
         cutoff: Option<&Given<'py>>,
-        scales_per_decade: Option<NonZeroU32>,
+        scales_per_decade: Option<i64>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let amplitudes = Some(named::<AmplitudeDefinition>("definition", definition)?);
         let needs = Needs { amplitudes, ..Needs::default() };
@@ -179,7 +179,7 @@ impl PySurface {
 pub fn sampling(
     surface: &Surface,
     cutoff: Option<&Given<'_>>,
-    scales_per_decade: Option<NonZeroU32>,
+    scales_per_decade: Option<i64>,
 ) -> PyResult<Sampling> {
     let cutoff: Option<Length> = optional("cutoff", cutoff)?;
     let shortest_m = surface.psd.shortest_wavelength_m();
@@ -190,6 +190,14 @@ pub fn sampling(
             cutoff.m, surface.name
         )));
     }
+    let scales_per_decade = scales_per_decade
+        .map(|count| {
+            let given = u32::try_from(count).ok().and_then(NonZeroU32::new);
+            given.ok_or_else(|| {
+                input(format!("scales_per_decade is {count}; it must be from 1 to {}", u32::MAX))
+            })
+        })
+        .transpose()?;
     Ok(Sampling { scales_per_decade, cutoff_m: cutoff.map(|cutoff| cutoff.m) })
 }
 

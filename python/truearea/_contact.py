@@ -124,11 +124,12 @@ def contact(
         told = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
         raise InputError(f"the shapes do not broadcast against each other: {told}") from None
     rows = {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
-    of_rows = np.broadcast_to(materials, shape).reshape(-1) if materials.ndim else materials.reshape(-1)
+    which = np.arange(materials.size).reshape(materials.shape)
     found, notes = _native.contact_states(
         model,
         tuple(rows[name] for name in names),
-        [one._native for one in of_rows],
+        [one._native for one in materials.reshape(-1)],
+        np.broadcast_to(which, shape) if materials.ndim else None,
         rows[condition] if condition == "pressure" else None,
         rows[condition] if condition == "separation" else None,
         tolerance,
@@ -158,7 +159,10 @@ def _materials(given: Any) -> npt.NDArray[np.object_]:
 
 
 def _pressures(given: Any, materials: npt.NDArray[np.object_]) -> FloatArray:
-    texts = np.asarray(given) if not isinstance(given, np.ndarray) else given
+    try:
+        texts = np.asarray(given)
+    except ValueError:
+        return doubles("pressure", given)
     if texts.dtype.kind not in "UT":
         return doubles("pressure", given)
     if materials.size != 1:

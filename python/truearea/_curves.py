@@ -209,8 +209,8 @@ def statistical(
     >>> uncd = ta.read_psd("builtin:uncd-measured")
     >>> diamond = ta.Material("444.5 GPa", 0.2, indentation_hardness="54 GPa")
     >>> curve = ta.statistical(uncd, diamond, pressure="1e-3 H", model="ep-sphere")
-    >>> 0.0 < curve.area_fraction[0, -1] < 1.0
-    True
+    >>> curve.area_fraction[0, -1]
+    np.float64(0.00049...)
     """
     columns, pressures_pa, notes = _native.curve(
         "statistical",

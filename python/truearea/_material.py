@@ -42,7 +42,7 @@ class Material:
     >>> round(steel.composite_modulus_pa / 1e9, 1)
     230.8
     >>> steel
-    Material(E = 2.1e11 Pa, nu = 0.3, E* = 2.307692307692308e11 Pa, S0 = 1e9 Pa)
+    Material(E = 210000000000 Pa, nu = 0.3, E* = 230769230769.2308 Pa, S0 = 1000000000 Pa)
     """
 
     __slots__ = ("_given", "_native")

@@ -16,6 +16,7 @@ __all__ = [
     "Surface",
     "contact_states",
     "curve",
+    "in_metres",
     "set_threads",
     "threads",
 ]
@@ -30,10 +31,14 @@ def set_threads(count: int) -> None:
 def threads() -> int:
     """How many threads work takes."""
 
+def in_metres(argument: str, unit: str, lengths: _Floats) -> _Floats:
+    """Lengths in m, of lengths in a unit."""
+
 def contact_states(
     model: str,
     roughness: Sequence[_Floats],
     materials: Sequence[Material],
+    material_index: npt.NDArray[np.int64] | None,
     pressure_pa: _Floats | None,
     separation_m: _Floats | None,
     tolerance: float,

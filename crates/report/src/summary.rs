@@ -249,7 +249,7 @@ impl CurveCounts {
     pub fn notes(&self) -> Vec<String> {
         let all = counted(self.states.all + self.narrow.count, "row");
         let narrow = narrow_spectra(&self.narrow, &all);
-        let of_states = notes_of_curve(&self.states).into_iter().chain(narrow);
+        let of_states = notes_of_states(&self.states).into_iter().chain(narrow);
         of_states.chain(self.levels.note()).chain(self.cuts.notes()).collect()
     }
 }
@@ -265,7 +265,8 @@ pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String>
     ))
 }
 
-fn notes_of_curve(counts: &StateCounts) -> Vec<String> {
+/// What there is to say of states together, with those that are beyond complete contact.
+pub fn notes_of_states(counts: &StateCounts) -> Vec<String> {
     let what = "beyond complete contact of every asperity, area fraction 1, no separation";
     of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
 }

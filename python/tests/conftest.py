@@ -1,0 +1,30 @@
+"""What tests hold results against: the committed reference tables, and the command line of the same checkout."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable
+
+import pytest
+
+from support import REFERENCE, ROOT, Columns, columns_of
+
+
+@pytest.fixture(scope="session")
+def command_line() -> Callable[..., Columns]:
+    """Runs the command line of this checkout; its tables are printed with all digits."""
+    program = os.environ.get("TRUEAREA_PROGRAM")
+    call = [program] if program else ["cargo", "run", "--quiet", "--bin", "truearea", "--"]
+
+    def run(*arguments: str) -> Columns:
+        done = subprocess.run([*call, *arguments], cwd=ROOT, check=True, capture_output=True, text=True)
+        return columns_of(done.stdout)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def reference() -> Callable[[str], Columns]:
+    """A committed table of high-precision values, by name."""
+    return lambda name: columns_of((REFERENCE / name).read_text(encoding="utf-8"))

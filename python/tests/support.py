@@ -1,0 +1,45 @@
+"""Where the checkout stands, and how tables are read."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+from typing import Union
+
+import numpy as np
+import numpy.typing as npt
+
+ROOT = Path(__file__).resolve().parents[2]
+REFERENCE = ROOT / "tests" / "reference"
+
+Floats = npt.NDArray[np.float64]
+Columns = dict[str, Union[Floats, list[str]]]
+
+
+def columns_of(text: str) -> Columns:
+    """The columns of a table, numbers as doubles, NaN where a cell is empty."""
+    lines = [line for line in text.splitlines() if not line.startswith("#")]
+    rows = list(csv.DictReader(io.StringIO("\n".join(lines))))
+    columns: Columns = {}
+    for name in rows[0]:
+        cells = [row[name] for row in rows]
+        try:
+            columns[name] = np.array([float(cell) if cell else np.nan for cell in cells])
+        except ValueError:
+            columns[name] = cells
+    return columns
+
+
+def numbers(columns: Columns, name: str) -> Floats:
+    """A column of numbers."""
+    column = columns[name]
+    assert isinstance(column, np.ndarray)
+    return column
+
+
+def words(columns: Columns, name: str) -> list[str]:
+    """A column of text."""
+    column = columns[name]
+    assert isinstance(column, list)
+    return column

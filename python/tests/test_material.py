@@ -1,0 +1,52 @@
+"""Materials: numbers and text, what goes together, and what is refused."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+import truearea as ta
+
+
+def test_numbers_and_text_are_the_same() -> None:
+    by_text = ta.Material("210 GPa", 0.3, yield_strength="1 GPa", counterface=ta.Material("70 GPa", 0.33))
+    by_number = ta.Material(210e9, np.float64(0.3), yield_strength=np.int64(10**9), counterface=ta.Material(70e9, 0.33))
+    assert by_text.composite_modulus_pa == by_number.composite_modulus_pa
+    assert by_text.composite_modulus_pa == pytest.approx(1.0 / ((1 - 0.09) / 210e9 + (1 - 0.33**2) / 70e9), rel=1e-15)
+    assert by_text.indentation_hardness_pa == 3e9 and by_text.yield_strength_pa == 1e9
+    assert ta.Material(1e9, 0.5, indentation_hardness="300 HV").yield_strength_pa is not None
+    assert ta.Material(1e9, 0.5).yield_strength_pa is None
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"youngs_modulus": "210"}, "youngs_modulus: '210' has no unit; a modulus needs one of Pa"),
+        ({"youngs_modulus": "210 nm"}, "youngs_modulus: '210 nm' has the unit 'nm'"),
+        ({"youngs_modulus": 0}, "youngs_modulus is 0; it must be finite and greater than 0"),
+        ({"youngs_modulus": -1.0}, "youngs_modulus is -1"),
+        ({"youngs_modulus": float("nan")}, "youngs_modulus is NaN"),
+        ({"youngs_modulus": 1e40}, "youngs_modulus is 1000"),
+        ({"youngs_modulus": None}, "youngs_modulus: a number in Pa is needed, or text such as '210 GPa'"),
+        ({"youngs_modulus": True}, "youngs_modulus: a number in Pa is needed"),
+        ({"youngs_modulus": [1e9, 2e9]}, "youngs_modulus: a number in Pa is needed.* of type list"),
+        ({"poisson_ratio": 0.7}, "poisson_ratio is 0.7; it must be greater than -1 and at most 0.5"),
+        ({"poisson_ratio": "0.3"}, "poisson_ratio: a number is needed, and this is of type str"),
+        ({"yield_strength": "1 GPa", "indentation_hardness": "1 GPa"}, "must be 3 times it within 1 %"),
+        ({"counterface": "steel"}, "counterface: a Material is needed, and this is of type str"),
+        ({"strain_gradient_length": "5 Pa"}, "strain_gradient_length: '5 Pa' has the unit 'Pa'"),
+    ],
+)
+def test_what_cannot_be_used_is_refused(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(ta.InputError, match=told):
+        ta.Material(**{"youngs_modulus": 1e9, "poisson_ratio": 0.3, **given})
+
+
+def test_materials_are_values() -> None:
+    steel = ta.Material("210 GPa", 0.3, yield_strength="1 GPa")
+    assert pickle.loads(pickle.dumps(steel)) == steel and hash(steel) == hash(steel.replace())
+    assert steel.replace(yield_strength="2 GPa") != steel
+    assert "E = 210000000000 Pa" in repr(steel) and "<table>" in steel._repr_html_()
