@@ -37,6 +37,12 @@ struct Row {
 }
 
 impl Channels {
+    /// That of a scan that is in memory.
+    #[must_use]
+    pub fn of_scan(request: &ScanRequest, file: &ScanFile) -> Self {
+        Channels { rows: vec![Row::of(request, file)], unreadable: Vec::new() }
+    }
+
     /// `file, format, channel, points_x, points_y, size_x_m, size_y_m, rms_height_m, peak_to_valley_m, gaps, rms_slope_x,
     /// rms_slope_y, note`. A line has one point along y and no size there; lengths of channels that measure none stand in the
     /// note, with their unit.

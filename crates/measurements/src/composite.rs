@@ -35,6 +35,15 @@ pub struct MapPatch {
     pub is_periodic: bool,
 }
 
+/// What a composite is to be made of.
+#[derive(Debug, Clone)]
+pub enum AskedScan {
+    /// The scans of a file, which is yet to be read.
+    File(ScanRequest),
+    /// Scans that are in memory, and what is known of them besides; what the request says of reading a file does not count.
+    InMemory(ScanRequest, Loaded),
+}
+
 /// A file is read, and what is in it transformed.
 pub const STEPS_PER_FILE: usize = 2;
 
@@ -87,7 +96,21 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let of_files = parallel::map(requests, |request| of_file(request, files, recipe, progress));
+        let asked = requests.iter().cloned().map(AskedScan::File).collect();
+        Self::of_scans(asked, files, recipe, progress)
+    }
+
+    /// The same of scans some of which are in memory already; their heights are taken and not copied.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read).
+    pub fn of_scans(
+        asked: Vec<AskedScan>,
+        files: &dyn Files,
+        recipe: &Recipe,
+        progress: &dyn Progress,
+    ) -> Result<Self, TopographyError> {
+        let of_files = parallel::map_taken(asked, |asked| of_asked(asked, files, recipe, progress));
         let (mut scans, mut maps) = (Vec::new(), Vec::new());
         let mut sources: Vec<Source> = Vec::new();
         let mut request_of = Vec::new();
@@ -143,14 +166,21 @@ struct OfFile {
     maps: Vec<MapPatch>,
 }
 
-/// Reads a file, and transforms every scan in it.
-fn of_file(
-    request: &ScanRequest,
+/// Reads a file, where one is asked for, and transforms every scan in it.
+fn of_asked(
+    asked: AskedScan,
     files: &dyn Files,
     recipe: &Recipe,
     progress: &dyn Progress,
 ) -> Result<OfFile, TopographyError> {
-    let Loaded { scans, sha256 } = load(request, files)?;
+    let (request, Loaded { scans, sha256 }) = match asked {
+        AskedScan::File(request) => {
+            let loaded = load(&request, files)?;
+            (request, loaded)
+        }
+        AskedScan::InMemory(request, loaded) => (request, loaded),
+    };
+    let request = &request;
     progress.advance(1);
     let recipe = request.recipe(recipe);
     let mut found = OfFile { scans: Vec::new(), sources: Vec::new(), maps: Vec::new() };

@@ -18,11 +18,13 @@ mod tables;
 pub use areal::{AreaSpectrum, areal_spectrum};
 pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
 pub use channels::{Channels, read_channels};
-pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
+pub use composite::{AskedScan, CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use files::{Files, NoFiles};
 pub use instrument::InstrumentOfScan;
 pub use list::{ListError, requests_of_list};
-pub use load::holds_a_spectrum;
+#[cfg(feature = "formats")]
+pub use load::METADATA_FILES;
+pub use load::{Loaded, holds_a_spectrum};
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};

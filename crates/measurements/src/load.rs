@@ -10,13 +10,33 @@ use crate::request::ScanRequest;
 
 /// Files that describe the scans beside them.
 #[cfg(feature = "formats")]
-const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
+pub const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
 
-/// The scans of one file.
-pub(crate) struct Loaded {
+/// Scans whose heights are in memory: those of one file, or heights that were in none.
+#[derive(Debug, Clone)]
+pub struct Loaded {
+    /// The scans.
     pub scans: Vec<ScanFile>,
-    /// SHA-256 of the file, in hexadecimal digits.
+    /// SHA-256, in hexadecimal digits: of the file, or of the heights \[m\] row after row as little-endian doubles, gaps as 0.
     pub sha256: String,
+}
+
+impl Loaded {
+    /// Reads the scans in a file.
+    ///
+    /// # Errors
+    /// [`TopographyError`] that names the file, and place, value and bound where they are to blame.
+    pub fn read(request: &ScanRequest, files: &dyn Files) -> Result<Self, TopographyError> {
+        load(request, files)
+    }
+
+    /// Heights that were in no file.
+    #[must_use]
+    pub fn of_heights(scan: ScanFile) -> Self {
+        let mut hash = Sha256::new();
+        scan.scan.heights_m().for_each(|height_m| hash.update(height_m.unwrap_or(0.0).to_le_bytes()));
+        Loaded { sha256: format!("{:x}", hash.finalize()), scans: vec![scan] }
+    }
 }
 
 /// Reads the scans in a file.
@@ -65,6 +85,7 @@ pub(crate) fn load_heights(
 pub(crate) fn options(request: &ScanRequest, files: &dyn Files) -> Result<ScanOptions, TopographyError> {
     Ok(ScanOptions {
         channel: request.channel.clone(),
+        measurement: request.measurement.clone(),
         metadata: metadata_beside(&request.path, files)?,
         fallback_unit: request.unit,
         fallback_size: request.size_m.map(|x_m| ScanSize { x_m, y_m: None }),

@@ -16,6 +16,8 @@ pub struct ScanRequest {
     pub unit: Option<LengthUnit>,
     /// The channel, where the file has several; its first one of heights where absent.
     pub channel: Option<String>,
+    /// The measurement, by its name, of containers that have several; all of them where absent.
+    pub measurement: Option<String>,
     /// Size along the scan lines \[m\], where the file gives none.
     pub size_m: Option<f64>,
     /// Radius of the tip, which limits the wavelengths that are trusted.

@@ -20,6 +20,15 @@ pub fn map<T: Sync, U: Send>(items: &[T], of: impl Fn(&T) -> U + Sync) -> Vec<U>
     items.iter().map(of).collect()
 }
 
+/// What `of` makes of every item, which it takes, in their order.
+pub fn map_taken<T: Send, U: Send>(items: Vec<T>, of: impl Fn(T) -> U + Sync) -> Vec<U> {
+    #[cfg(feature = "threads")]
+    if !one_thread::is_asked_for() {
+        return items.into_par_iter().map(&of).collect();
+    }
+    items.into_iter().map(of).collect()
+}
+
 /// What `of` makes of every number below `count`, in their order.
 pub fn map_indices<U: Send>(count: usize, of: impl Fn(usize) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]

@@ -8,6 +8,8 @@ use std::fmt;
 pub enum ScanFormat {
     /// Columns or a matrix of numbers.
     Text,
+    /// No file at all: heights that are in memory.
+    Memory,
     /// Nanoscope and Dimension atomic force microscopes: `.001`, `.di`, `.spm`.
     Nanoscope,
     /// NetCDF classic, in the layout of contact.engineering.
@@ -78,6 +80,7 @@ impl fmt::Display for ScanFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Text => "text",
+            Self::Memory => "memory",
             Self::Nanoscope => "Nanoscope",
             Self::NetCdf => "NetCDF",
             Self::X3p => "X3P",

@@ -152,6 +152,7 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         path: raw.file.clone(),
         unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
         channel: raw.channel.clone(),
+        measurement: None,
         size_m: length("size", raw.size.as_ref())?,
         tip_radius: optional(&format!("{key}.scans.tip_radius"), raw.tip_radius.as_ref())?,
         gaps: raw.gaps,
