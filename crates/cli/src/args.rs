@@ -15,7 +15,7 @@ pub(crate) use groups::{
     ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
-pub(crate) use persson::{Deformation, GrowthArg, PerssonArgs};
+pub(crate) use persson::{GrowthArg, PerssonArgs};
 pub(crate) use scans::{ScanArgs, ScansArgs};
 
 use std::path::PathBuf;

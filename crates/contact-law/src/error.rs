@@ -81,6 +81,12 @@ pub enum ContactLawError {
         "the exponential form is one of calculix alone, and Abaqus' own is another curve; take the table for {0}"
     )]
     NoExponential(&'static str),
+    /// A name that not every code takes.
+    #[error("a name begins with a letter and has at most {most} letters, digits, _ and -")]
+    Name {
+        /// How many letters it may have.
+        most: usize,
+    },
     /// Columns that only a plain table has.
     #[error("{0} has no room for further columns; take csv")]
     NoColumns(&'static str),

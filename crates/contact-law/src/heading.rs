@@ -1,11 +1,13 @@
 //! What stands in front of the numbers.
 
-use crate::{ContactLaw, ExponentialLaw, UnitSystem};
+use crate::{ContactLaw, ContactLawError, ExponentialLaw, UnitSystem};
 use units::display::three_digits;
 use units::number;
 
 /// Longest line of words; Abaqus reads 256 characters.
 const WIDTH: usize = 100;
+/// Letters of a name that Abaqus reads.
+const LONGEST_NAME: usize = 80;
 
 /// What the caller says of a law, before what the law says of itself.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -19,6 +21,16 @@ pub struct Heading {
 impl Heading {
     /// The name of the surface interaction where none is given.
     pub const NAME: &'static str = "ROUGH";
+
+    /// A name that every code takes.
+    ///
+    /// # Errors
+    /// [`ContactLawError::Name`] for any other.
+    pub fn checked_name(name: &str) -> Result<&str, ContactLawError> {
+        let fits = name.len() <= LONGEST_NAME && name.starts_with(|c: char| c.is_ascii_alphabetic());
+        let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+        if fits && is_plain { Ok(name) } else { Err(ContactLawError::Name { most: LONGEST_NAME }) }
+    }
 
     /// All lines of comment in front of a table, without the signs that begin a comment; `of_code` is what its reader makes
     /// of it.

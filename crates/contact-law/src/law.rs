@@ -74,7 +74,7 @@ impl ContactLaw {
     }
 
     /// Pressure and overclosure of every point in these units: both 0 at first.
-    pub(crate) fn rows(&self, units: UnitSystem) -> impl Iterator<Item = (f64, f64)> {
+    pub fn rows(&self, units: UnitSystem) -> impl Iterator<Item = (f64, f64)> {
         let cut = std::iter::once((0.0, 0.0));
         cut.chain(self.points.iter().skip(1).map(move |point| {
             (units.pressure(point.pressure_pa), units.length(self.overclosure_m(point.mean_gap_m)))

@@ -1,7 +1,8 @@
 #![doc = include_str!("../README.md")]
 //!
 //! The nouns:
-//! * [`Surfaces`]: what is pressed, a [`Relief`] as measured or [`RandomSurfaces`] of a band of a spectrum;
+//! * [`Surfaces`]: what is pressed, a [`Relief`] as measured or [`RandomSurfaces`] of a band of a spectrum,
+//!   by [`RandomChoices`];
 //! * [`Pressing`]: material, loads and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
 //! * [`Field`]: pressures and gaps of one surface under one load, as NetCDF where asked for.
@@ -12,6 +13,7 @@ mod mean;
 mod netcdf_classic;
 mod press;
 mod pressing;
+mod random_choices;
 mod relief;
 mod state;
 mod surfaces;
@@ -22,6 +24,7 @@ pub use field::Field;
 pub use mean::{Mean, PressedLoad};
 pub use press::{press, progress_steps};
 pub use pressing::Pressing;
+pub use random_choices::RandomChoices;
 pub use relief::{Boundary, Relief};
 pub use state::PressedState;
 pub use surfaces::{RandomSurfaces, Surfaces};

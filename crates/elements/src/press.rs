@@ -1,6 +1,6 @@
 //! Every surface under every load.
 
-use half_space::PROGRESS_STEPS;
+use half_space::{HalfSpaceError, PROGRESS_STEPS};
 use parallel::Progress;
 
 use crate::error::ElementsError;
@@ -54,6 +54,10 @@ fn press_once<E: From<ElementsError>>(
     see: &impl Fn(&Field<'_>) -> Result<(), E>,
     progress: &dyn Progress,
 ) -> Result<PressedState, E> {
+    // No surface is made for work that has been ended.
+    if progress.is_cancelled() {
+        return Err(ElementsError::from(HalfSpaceError::Cancelled).into());
+    }
     let loading = pressing.loading(load);
     let relief = surfaces.relief(surface).map_err(ElementsError::from)?;
     let coarser = surfaces.coarser(&relief);

@@ -28,13 +28,14 @@ pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
     loads.iter().map(state).collect()
 }
 
-/// Where gap and stiffness of a law mean little, and where the law of light loads holds; `least_pa` is the least load.
+/// Where gap and stiffness of a law mean little, and where the law of light loads holds; `least_pa` is the least load, and
+/// `by_surface` what makes the law take the waves of the surface.
 #[must_use]
-pub fn of_law(law: &GapLaw, least_pa: f64) -> Vec<String> {
+pub fn of_law(law: &GapLaw, least_pa: f64, by_surface: &str) -> Vec<String> {
     let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
     let mut notes = persson_words::separation(&light, roughness, law.rms_height_m(), least_pa);
     if law.band() == Some(Band::Profile) {
-        notes.push(persson_words::by_profiles("--band 2d"));
+        notes.push(persson_words::by_profiles(by_surface));
     }
     notes.extend(law.light_loads_hold_up_to_pa(LIGHT_LOADS_SHARE).map(|most_pa| {
         format!(

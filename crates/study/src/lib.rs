@@ -6,6 +6,7 @@ pub mod figure;
 pub mod gap_law;
 pub mod given_roughness;
 pub mod hardness_and_strength;
+pub mod hardness_growth;
 pub mod interface;
 pub mod linear_laws;
 pub mod material;

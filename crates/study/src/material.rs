@@ -145,6 +145,18 @@ impl Material {
         self.hardness_and_strength.hardness_pa()
     }
 
+    /// The cap \[Pa\] of the strength's growth, where there is one.
+    #[must_use]
+    pub fn strength_cap_pa(&self) -> Option<f64> {
+        self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()))
+    }
+
+    /// The strain-gradient length h* \[m\], where there is one.
+    #[must_use]
+    pub fn strain_gradient_length_m(&self) -> Option<f64> {
+        self.strain_gradient_length_m
+    }
+
     /// The material in a line, in SI units, for the record; what presses on the body shows in E*.
     pub fn describe(&self) -> String {
         let body = self.pair.body();
@@ -164,7 +176,7 @@ impl Material {
             assumed => add("S0 = H/3", assumed, "Pa"),
         }
         add("H", self.hardness_and_strength.given_hardness_pa(), "Pa");
-        add("strength cap", self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa())), "Pa");
+        add("strength cap", self.strength_cap_pa(), "Pa");
         add("h*", self.strain_gradient_length_m, "m");
         text
     }
@@ -185,7 +197,7 @@ impl Material {
         }
         properties
             .push(("composite modulus E*, with the counterface", pressure(self.pair.composite_modulus_pa())));
-        let cap_pa = self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()));
+        let cap_pa = self.strength_cap_pa();
         let strength = match self.assumed_yield_strength_pa() {
             None => "yield strength S₀",
             Some(_) => "yield strength S₀, none given and H/3 assumed",
@@ -229,7 +241,7 @@ impl Material {
             (true, Some(length_m)) => Some(length_m),
             (true, None) => return Err(MaterialError::Missing(NeededFor::StrainGradient)),
         };
-        let cap_pa = self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()));
+        let cap_pa = self.strength_cap_pa();
         Ok(strength(strength_pa, length_m, cap_pa)?)
     }
 }

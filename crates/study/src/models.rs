@@ -228,6 +228,11 @@ pub fn of_framework(framework: Framework) -> impl Iterator<Item = &'static Model
     MODELS.iter().filter(move |entry| entry.framework == framework)
 }
 
+/// The models that know a distance between the surfaces.
+pub fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
+    of_framework(Framework::Persson).chain(of_framework(Framework::Statistical))
+}
+
 /// The model of a name in a framework.
 ///
 /// # Errors

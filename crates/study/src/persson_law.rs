@@ -7,6 +7,17 @@ use persson::{PerssonModel, Roughness, RoughnessSample};
 use spectrum::{Moments, Normalisation, ProfilePsd};
 use stacked_contact::Scale;
 
+/// Whether the surface flows, as it is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Deformation {
+    /// It does not.
+    Elastic,
+    /// It does at a hardness.
+    ElasticPlastic,
+}
+
+units::named!(Deformation, "model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
+
 /// How the surface deforms in Persson's theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PerssonLaw {

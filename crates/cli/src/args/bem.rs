@@ -1,10 +1,11 @@
 //! What `bem` may be asked.
 
 use std::num::NonZeroU32;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use elements::Boundary;
+use elements::{Boundary, RandomChoices};
 use gaussian_surfaces::Phases;
 use measurements::ScanRequest;
 use study::measured::Kind;
@@ -122,12 +123,17 @@ impl MapArgs {
     }
 }
 
+/// Points along a side, as the parser of numbers takes them.
+fn points() -> RangeInclusive<i64> {
+    i64::from(*RandomChoices::POINTS.start())..=i64::from(*RandomChoices::POINTS.end())
+}
+
 /// Options of random surfaces.
 #[derive(Debug, ClapArgs)]
 #[command(next_help_heading = "Options for spectra")]
 pub(crate) struct RandomArgs {
     /// Points along each side of a surface; 512 where not given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(16..=16384))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(points()))]
     pub grid: Option<u32>,
     /// How many surfaces are made of the spectrum; 8 where not given
     #[arg(long, value_name = "R", value_parser = parse_count)]

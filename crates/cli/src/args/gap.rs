@@ -5,7 +5,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::variance::Band;
 use stat_contact::InterferenceLaw;
-use study::models::{self, Framework, ModelEntry};
+use study::models::{self, ModelEntry};
 use study::persson_law::PerssonLaw;
 use study::plan::Tolerance;
 use units::{Pressure, PressureRange, named};
@@ -27,17 +27,12 @@ pub(crate) enum GapModel {
 /// The name of boundary elements among models.
 const ELEMENTS: &str = "bem";
 
-/// The models that know a distance between the surfaces.
-fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
-    models::of_framework(Framework::Persson).chain(models::of_framework(Framework::Statistical))
-}
-
 fn entry(name: &str) -> Result<&'static ModelEntry, &'static str> {
-    with_gaps().find(|entry| entry.name == name).ok_or("an unknown model")
+    models::with_gaps().find(|entry| entry.name == name).ok_or("an unknown model")
 }
 
 fn gap_model() -> impl TypedValueParser<Value = GapModel> {
-    let names = with_gaps().map(|entry| entry.name).chain([ELEMENTS]);
+    let names = models::with_gaps().map(|entry| entry.name).chain([ELEMENTS]);
     PossibleValuesParser::new(names).try_map(|name| match name.as_str() {
         ELEMENTS => Ok(GapModel::Elements),
         name => entry(name).map(GapModel::Curve),
@@ -45,7 +40,7 @@ fn gap_model() -> impl TypedValueParser<Value = GapModel> {
 }
 
 fn law_model() -> impl TypedValueParser<Value = &'static ModelEntry> {
-    PossibleValuesParser::new(with_gaps().map(|entry| entry.name)).try_map(|name| entry(&name))
+    PossibleValuesParser::new(models::with_gaps().map(|entry| entry.name)).try_map(|name| entry(&name))
 }
 
 /// Options of the models that both commands have.
@@ -153,10 +148,5 @@ fn parse_range(text: &str) -> Result<[Pressure; 2], String> {
 }
 
 fn parse_name(text: &str) -> Result<String, String> {
-    let fits = !text.is_empty() && text.len() <= 80;
-    let plain = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
-    if fits && plain && text.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        return Ok(text.to_owned());
-    }
-    Err("a name begins with a letter and has at most 80 letters, digits, _ and -".to_owned())
+    Heading::checked_name(text).map(str::to_owned).map_err(|error| error.to_string())
 }

@@ -5,29 +5,19 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use persson::corrections::Correction;
 use persson::variance::Band;
-use study::persson_law::PerssonLaw;
+use study::hardness_growth::GrowthLaw;
+use study::persson_law::{Deformation, PerssonLaw};
 use units::{Bound, Pressure, PressureRange};
 
 use super::parsers::{one_of, parse_labelled_pressure, parse_place};
 use super::{AmplitudeArg, FigureArg, MaterialArgs, ReadingArgs, SamplingArgs};
 use crate::output::Place;
 
-/// How the surface deforms.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Deformation {
-    Elastic,
-    ElasticPlastic,
-}
-
-units::named!(Deformation, "model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
-
 /// How a hardness grows towards short wavelengths.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum GrowthArg {
-    /// As a power of the wavevector.
-    Power(f64),
-    /// With the amplitudes of scales.
-    NixGao,
+    /// By a law.
+    Law(GrowthLaw),
     /// As a file says.
     Table(PathBuf),
 }
@@ -104,14 +94,11 @@ pub(crate) struct PerssonArgs {
 
 fn parse_growth(text: &str) -> Result<GrowthArg, String> {
     match text.split_once(':') {
-        None if text == "nix-gao" => Ok(GrowthArg::NixGao),
-        Some(("power", exponent)) => {
-            let exponent = exponent.parse().map_err(|_| format!("'{exponent}' is not a number"))?;
-            let checked = Bound::AtLeast(0.0).check("the exponent of the hardness", exponent);
-            checked.map(GrowthArg::Power).map_err(|error| error.to_string())
-        }
         Some(("table", path)) if !path.is_empty() => Ok(GrowthArg::Table(path.into())),
-        _ => Err(format!("'{text}' is none of power:N, nix-gao, table:FILE")),
+        _ => match GrowthLaw::named(text)? {
+            Some(law) => Ok(GrowthArg::Law(law)),
+            None => Err(format!("'{text}' is none of power:N, nix-gao, table:FILE")),
+        },
     }
 }
 

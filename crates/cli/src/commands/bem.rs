@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use elements::{Boundary, ElementsError, Field, Pressing, RandomSurfaces, Relief, Surfaces};
-use gaussian_surfaces::{AreaSpectrum, GridBand, Synthesis};
+use elements::{Boundary, ElementsError, Field, Pressing, RandomChoices, RandomSurfaces, Relief, Surfaces};
+use gaussian_surfaces::AreaSpectrum;
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
 use report::provenance::program;
@@ -24,10 +24,6 @@ use crate::output::{publish, stage};
 use crate::picture::png_of_field;
 use crate::progress::Progress;
 use crate::timings::Timings;
-
-const GRID: u32 = 512;
-const REALISATIONS: u32 = 8;
-const SEED: u64 = 1;
 
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
     let pressing = pressing(args)?;
@@ -181,16 +177,19 @@ pub(super) fn random_surfaces(
         None => AreaSpectrum::of_profile(&surface.psd),
     };
     let area = area.map_err(named)?;
-    let points = random.grid.unwrap_or(GRID) as usize;
+    let usual = RandomChoices::default();
     let [longest_m, shortest_m, side_m] =
         [random.longest, random.shortest, random.side].map(|length| length.map(|length| length.m));
-    let grid = GridBand::in_spectrum(&area, points, longest_m, shortest_m, side_m).map_err(named)?;
-    let band = area.cut(grid.longest_m, grid.shortest_m).map_err(named)?;
-    let seed = random.seed.unwrap_or(SEED);
-    let phases = random.phases.unwrap_or_default();
-    let synthesis = Synthesis::square(points, grid.length_m, seed, phases);
-    let realisations = random.realisations.map_or(REALISATIONS, |count| count.get()) as usize;
-    let random = RandomSurfaces { band, synthesis, realisations };
+    let choices = RandomChoices {
+        points: random.grid.map_or(usual.points, |points| points as usize),
+        realisations: random.realisations.map_or(usual.realisations, |count| count.get() as usize),
+        seed: random.seed.unwrap_or(usual.seed),
+        longest_m,
+        shortest_m,
+        side_m,
+        phases: random.phases.unwrap_or_default(),
+    };
+    let (random, grid) = choices.surfaces(&area).map_err(named)?;
     say_notes(elements_words::of_surfaces(&area, &random, &grid, pressing.contact_modulus_pa));
     Ok(random)
 }

@@ -20,6 +20,9 @@ use crate::progress::Progress;
 use crate::timings::Timings;
 use answer::doubts::Doubt;
 
+/// What makes a law take the waves of the surface.
+pub(super) const BY_SURFACE: &str = "--band 2d";
+
 pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> {
     match args.model {
         GapModel::Curve(entry) => refuse_idle_options(&args.choices, entry)?,
@@ -45,7 +48,7 @@ pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> 
             let state = |&pressure_pa: &f64| law.at(pressure_pa);
             let states = parallel::try_map(&pressures_pa, state)?;
             let least_pa = pressures_pa.iter().copied().fold(f64::INFINITY, f64::min);
-            say_notes(gap_words::of_law(&law, least_pa));
+            say_notes(gap_words::of_law(&law, least_pa, BY_SURFACE));
             let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
             say_notes(gap_words::of_states(&states, rms_height_m));
             (states, law.light_loads())

@@ -37,7 +37,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("reading");
     say_surface(&surface);
     let law = gap::law(args.model, &args.choices, Tolerance::default(), &material, &surface)?;
-    say_notes(gap_words::of_law(&law, range_pa[0]));
+    say_notes(gap_words::of_law(&law, range_pa[0], gap::BY_SURFACE));
     let mut origin = provenance(context.typed, &surface, args.choices.sampling.sampling());
     origin.push(format!("{}: {}", args.model.full_name, args.model.citation));
     let heading = Heading { provenance: origin, name: args.name.clone() };

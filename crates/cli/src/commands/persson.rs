@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use persson::hardness_laws::{Hardness, HardnessError, HardnessGrowth, HardnessTable};
+use persson::hardness_laws::{HardnessError, HardnessTable};
 use persson::separation::LightLoads;
 use persson::{Cut, PerssonModel, Roughness};
 
 use super::material_options::{loads, material};
 use super::row_by_row::{self, Constants};
 use super::{Context, Drawn, Spectrum, compute, say_doubts, say_notes, say_surface};
-use crate::args::{Deformation, GrowthArg, PerssonArgs};
+use crate::args::{GrowthArg, PerssonArgs};
 use crate::failure::Failure;
 use crate::files::open_table;
 use crate::output::{Place, publish};
@@ -21,8 +21,10 @@ use report::summary::CurveCounts;
 use rows::Flattened;
 use staging::StagedFiles;
 use study::gap_law;
-use study::material::{Material, MaterialError, NeededFor};
+use study::hardness_growth::{GrowthError, GrowthLaw, hardness_of};
+use study::material::Material;
 use study::models::{self, CurveModel, Framework, ModelOptions};
+use study::persson_law::Deformation;
 use study::plan::{Curve, CurveResult, Cutoffs, Needs, NominalPressure, Plan, Results};
 use study::result_tables;
 use units::Bound;
@@ -122,7 +124,10 @@ fn refuse_idle_options(args: &PerssonArgs, deformation: Deformation) -> Result<(
         ),
         Deformation::ElasticPlastic
             if material.strain_gradient_length.is_some()
-                && args.hardness_law.as_ref().is_some_and(|law| *law != GrowthArg::NixGao) =>
+                && args
+                    .hardness_law
+                    .as_ref()
+                    .is_some_and(|law| *law != GrowthArg::Law(GrowthLaw::NixGao)) =>
         {
             idle("--strain-gradient-length", " with a --hardness-law other than nix-gao")
         }
@@ -136,28 +141,15 @@ fn model(args: &PerssonArgs, deformation: Deformation, material: &Material) -> R
     if deformation == Deformation::Elastic {
         return Ok(PerssonModel::Elastic { contact_modulus_pa, correction: args.correction });
     }
-    let hardness_pa = || material.hardness_pa().ok_or(MaterialError::Missing(NeededFor::Yielding));
-    let length_m = args.material.strain_gradient_length.map(|length| length.m);
-    let nix_gao = || {
-        let length_m = length_m.ok_or(MaterialError::Missing(NeededFor::StrainGradient))?;
-        Ok::<_, MaterialError>(HardnessGrowth::NixGao { hardness_pa: hardness_pa()?, length_m })
+    let law = match &args.hardness_law {
+        None => args.material.strain_gradient_length.map(|_| GrowthLaw::NixGao),
+        Some(GrowthArg::Law(law)) => Some(law.clone()),
+        Some(GrowthArg::Table(path)) => Some(GrowthLaw::Table(table_of_hardnesses(path)?)),
     };
-    let growth = match &args.hardness_law {
-        None if length_m.is_none() => HardnessGrowth::Constant { hardness_pa: hardness_pa()? },
-        None | Some(GrowthArg::NixGao) => nix_gao()?,
-        Some(GrowthArg::Power(exponent)) => {
-            HardnessGrowth::Power { hardness_pa: hardness_pa()?, exponent: *exponent }
-        }
-        Some(GrowthArg::Table(path)) => HardnessGrowth::Table(table_of_hardnesses(path)?),
-    };
-    // The cap is one of the yield strength, a third of the hardness.
-    let of_hardness = match (material.hardness_pa(), material.yield_strength_pa()) {
-        (Some(hardness_pa), Some(strength_pa)) => hardness_pa / strength_pa,
-        _ => study::hardness_and_strength::HARDNESS_OVER_STRENGTH,
-    };
-    let cap_pa = args.material.strength_cap.strength_cap.and_then(|cap| cap.pascals(material.hardness_pa()));
-    let hardness =
-        Hardness::new(growth, cap_pa.map(|cap_pa| of_hardness * cap_pa)).map_err(Failure::input)?;
+    let hardness = hardness_of(material, law.as_ref()).map_err(|error| match error {
+        GrowthError::Material(error) => error.into(),
+        GrowthError::Hardness(error) => Failure::input(error),
+    })?;
     Ok(PerssonModel::ElasticPlastic { contact_modulus_pa, hardness })
 }
 
