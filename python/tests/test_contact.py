@@ -123,6 +123,14 @@ def test_numbers_of_any_kind_and_layout_are_taken(pressure: Any) -> None:
     assert np.array_equal(hertz(pressure=pressure).area_fraction, hertz(pressure=[1e6, 2e6, 3e6]).area_fraction)
 
 
+def test_a_pressure_in_hardnesses_is_another_one_for_each_material() -> None:
+    materials = [STEEL, STEEL.replace(yield_strength="2 GPa")]
+    assert np.array_equal(hertz(material=materials, pressure="1e-3 H").pressure_pa, [3e6, 6e6])
+    assert np.array_equal(hertz(material=materials, pressure=["1 MPa", "2 MPa"]).pressure_pa, [1e6, 2e6])
+    with pytest.raises(ta.InputError, match="several pressures in H and several materials"):
+        hertz(material=materials, pressure=["1e-3 H", "1e-2 H"])
+
+
 @pytest.mark.parametrize(
     ("changes", "told"),
     [

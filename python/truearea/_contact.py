@@ -165,11 +165,12 @@ def _pressures(given: Any, materials: npt.NDArray[np.object_]) -> FloatArray:
         return doubles("pressure", given)
     if texts.dtype.kind not in "UT":
         return doubles("pressure", given)
-    if materials.size != 1:
-        raise InputError("pressure: text is read for one material; give numbers in Pa for several")
+    if texts.ndim == 0:
+        # In units of the hardness it is another pressure for each material.
+        of_each = [one._native.pressure_pa("pressure", str(texts)) for one in materials.reshape(-1)]
+        return np.asarray(of_each).reshape(materials.shape)
+    if materials.size != 1 and any(str(text).rstrip().endswith("H") for text in texts.reshape(-1)):
+        raise InputError("pressure: several pressures in H and several materials; give one of the two, or numbers in Pa")
     one = materials.reshape(-1)[0]._native
-    read = [
-        one.pressure_pa("pressure" if texts.ndim == 0 else f"pressure[{at}]", str(text))
-        for at, text in enumerate(texts.reshape(-1))
-    ]
+    read = [one.pressure_pa(f"pressure[{at}]", str(text)) for at, text in enumerate(texts.reshape(-1))]
     return np.asarray(read).reshape(texts.shape)
