@@ -160,7 +160,7 @@ pub fn model_options(
     })
 }
 
-fn form_of_hardness(name: &str) -> PyResult<Hardness> {
+pub fn form_of_hardness(name: &str) -> PyResult<Hardness> {
     let found = Hardness::ALL.into_iter().find(|hardness| hardness.name() == name);
     found.ok_or_else(|| {
         let names = Hardness::ALL.map(Hardness::name).join(", ");

@@ -8,6 +8,7 @@ mod errors;
 mod lengths;
 mod material;
 mod quantities;
+mod scene;
 mod surface;
 mod tables;
 mod threads;
@@ -26,6 +27,8 @@ mod _native {
     use super::lengths::in_metres;
     #[pymodule_export]
     use super::material::PyMaterial;
+    #[pymodule_export]
+    use super::scene::{PyScene, scene_template, scene_with_keys, write_files};
     #[pymodule_export]
     use super::surface::PySurface;
     #[pymodule_export]

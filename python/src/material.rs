@@ -85,7 +85,7 @@ impl PyMaterial {
 }
 
 /// A body of a modulus and a Poisson's ratio.
-fn elastic_body(
+pub fn elastic_body(
     of_modulus: &str,
     modulus: &Given<'_>,
     of_ratio: &str,

@@ -190,15 +190,14 @@ pub fn sampling(
             cutoff.m, surface.name
         )));
     }
-    let scales_per_decade = scales_per_decade
-        .map(|count| {
-            let given = u32::try_from(count).ok().and_then(NonZeroU32::new);
-            given.ok_or_else(|| {
-                input(format!("scales_per_decade is {count}; it must be from 1 to {}", u32::MAX))
-            })
-        })
-        .transpose()?;
+    let scales_per_decade = scales_per_decade.map(per_decade).transpose()?;
     Ok(Sampling { scales_per_decade, cutoff_m: cutoff.map(|cutoff| cutoff.m) })
+}
+
+/// How many scales a decade.
+pub fn per_decade(count: i64) -> PyResult<NonZeroU32> {
+    let whole = u32::try_from(count).ok().and_then(NonZeroU32::new);
+    whole.ok_or_else(|| input(format!("scales_per_decade is {count}; it must be from 1 to {}", u32::MAX)))
 }
 
 /// One of the choices that have names.

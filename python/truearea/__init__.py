@@ -10,6 +10,7 @@ from truearea._material import Material
 from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads, threads
 from truearea._results import Result, Table
+from truearea._scene import Scene, SceneResults, SceneTable
 from truearea._spectrum import Amplitudes, Fit, Moments, Spectrum, read_psd
 
 __all__ = [
@@ -20,6 +21,9 @@ __all__ = [
     "Material",
     "Moments",
     "Result",
+    "Scene",
+    "SceneResults",
+    "SceneTable",
     "Spectrum",
     "StackedCurve",
     "StatisticalCurve",

@@ -13,12 +13,16 @@ __all__ = [
     "VERSION",
     "InputError",
     "Material",
+    "Scene",
     "Surface",
     "contact_states",
     "curve",
     "in_metres",
+    "scene_template",
+    "scene_with_keys",
     "set_threads",
     "threads",
+    "write_files",
 ]
 
 VERSION: Final[str]
@@ -117,3 +121,33 @@ class Surface:
     ) -> _Columns: ...
     def fit(self, longest: float | str | None, shortest: float | str | None) -> _Columns: ...
     def svg(self) -> str: ...
+
+def scene_template(name: str) -> str: ...
+def scene_with_keys(text: str, name: str, changes: Mapping[str, Any]) -> str: ...
+def write_files(folder: str, files: Mapping[str, bytes]) -> None: ...
+@final
+class Scene:
+    def __new__(
+        cls,
+        text: str,
+        name: str,
+        folder: str | None,
+        files: Mapping[str, bytes],
+        overrides: Mapping[str, Any],
+    ) -> Scene: ...
+    @property
+    def title(self) -> str: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def files(self) -> dict[str, bytes]: ...
+    def explain(self) -> str: ...
+    def run(
+        self,
+        report: bool,
+        judge: bool | None,
+        uncertainty: bool | None,
+        occasion: tuple[str | None, str | None],
+        observer: Callable[[str, int, int | None], None] | None,
+    ) -> tuple[str, dict[str, tuple[_Columns, list[str]]], dict[str, bytes]]: ...
+    def scales(self) -> _Columns: ...

@@ -2,7 +2,7 @@
 
 use gaussian_surfaces::{Phases, Synthesis};
 use half_space::{Grid, Loading, PeriodicElements};
-use parallel::Progress;
+use parallel::{Progress, WithinAStep};
 
 use crate::JudgeError;
 use crate::layout::{Layout, Press};
@@ -112,7 +112,7 @@ fn pressed(
                 saturation_pa: press.saturation_pa,
                 tolerance: TOLERANCE,
             },
-            progress,
+            &WithinAStep(progress),
         )?;
         outcome.operators += contact.operators;
         // Where everything in contact flows, the load alone decides, whatever the perimeter.

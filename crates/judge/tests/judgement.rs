@@ -1,5 +1,7 @@
 //! Scenes before the judge.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use judge::{JudgePlan, Judgement, Reason, RestsOn, Settings, Verdict};
 use study::plan::Results;
 use study::scene::{Overrides, Scene};
@@ -24,6 +26,15 @@ impl Files for SelfAffine {
 
     fn read_beside(&self, _: &str, _: &str) -> std::io::Result<Option<Vec<u8>>> {
         Ok(None)
+    }
+}
+
+#[derive(Default)]
+struct Counted(AtomicUsize);
+
+impl Progress for Counted {
+    fn advance(&self, steps: usize) {
+        self.0.fetch_add(steps, Ordering::Relaxed);
     }
 }
 
@@ -152,6 +163,17 @@ fn the_budget_fixes_the_work_and_what_is_cancelled_is_not_judged() {
     assert!(cancelled.curves.iter().all(|curve| curve.verdict == Verdict::NotJudged));
     assert!(cancelled.windows.iter().any(|on| on.reason == Reason::Cancelled));
     assert!(matches!(cancelled.headline(0).unwrap().rests_on, RestsOn::RangeOfModels { .. }));
+}
+
+#[test]
+fn a_step_of_progress_is_a_surface_under_one_pressure() {
+    let scene = scene(0.9, "", "\"100 MPa\", \"200 MPa\"", &["model = \"persson\""]);
+    let results = scene.plan().compute().unwrap();
+    let plan = JudgePlan::of(&scene, &results, &coarse(64, 4));
+    let counted = Counted::default();
+    plan.carry_out(&counted).unwrap();
+    assert_eq!(counted.0.into_inner(), plan.solutions());
+    assert!(plan.solutions() > 0);
 }
 
 #[test]

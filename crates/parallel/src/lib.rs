@@ -6,7 +6,7 @@ mod progress;
 
 pub use blocks::fill_blocks;
 pub use one_thread::on_this_thread;
-pub use progress::{Progress, Unobserved};
+pub use progress::{Progress, Unobserved, WithinAStep};
 
 #[cfg(feature = "threads")]
 use rayon::prelude::*;

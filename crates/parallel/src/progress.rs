@@ -18,3 +18,15 @@ pub struct Unobserved;
 impl Progress for Unobserved {
     fn advance(&self, _: usize) {}
 }
+
+/// Work within a step of other work: its own steps are not told, and it ends with the other.
+#[derive(Clone, Copy)]
+pub struct WithinAStep<'p>(pub &'p dyn Progress);
+
+impl Progress for WithinAStep<'_> {
+    fn advance(&self, _: usize) {}
+
+    fn is_cancelled(&self) -> bool {
+        self.0.is_cancelled()
+    }
+}

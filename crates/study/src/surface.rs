@@ -71,6 +71,19 @@ pub enum SurfaceError {
     Scans(#[from] TopographyError),
 }
 
+impl SurfaceError {
+    /// Whether a file is not there.
+    #[must_use]
+    pub fn is_missing_file(&self) -> bool {
+        let error = match self {
+            SurfaceError::Reading { error, .. } => error,
+            SurfaceError::Scans(TopographyError { problem: ScanProblem::Reading(error), .. }) => error,
+            _ => return false,
+        };
+        error.kind() == io::ErrorKind::NotFound
+    }
+}
+
 /// A file that a surface was read from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SourceFile {

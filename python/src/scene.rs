@@ -1,0 +1,409 @@
+//! Scenes: what is typed in one, what it reads, and everything that is made of it.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use answer::Answer;
+use asperity::ElasticBody;
+use parallel::Progress;
+use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
+use pyo3::prelude::*;
+use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
+use report::explain::explain;
+use report::occasion::Occasion;
+use report::products::{Product, each_product};
+use report::run::{Asked, Phase, RunError, Watch, carry_out as carry_out_scene};
+use report::scene_note_words;
+use report::summary::summary;
+use spectrum::{AmplitudeDefinition, Normalisation};
+use staging::StagedFiles;
+use study::Files;
+use study::scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
+use tables::{Format, Table};
+use toml::Value;
+
+use crate::curves::form_of_hardness;
+use crate::errors::{input, of_argument};
+use crate::material::elastic_body;
+use crate::quantities::{Given, optional, type_name};
+use crate::surface::{named, notes, per_decade};
+use crate::tables::columns;
+use crate::work::{carry_out, light};
+
+/// A scene as the core has it, and the files that it read.
+#[pyclass(frozen, name = "Scene", module = "truearea._native")]
+pub struct PyScene {
+    scene: Scene,
+    name: String,
+    files: Read,
+}
+
+/// Bytes of files by their names in a scene.
+type Read = BTreeMap<String, Vec<u8>>;
+
+/// Files below a folder, each read once and kept, so that the scene can be made again where the folder is not.
+struct Remembering {
+    folder: Option<PathBuf>,
+    read: Mutex<Read>,
+}
+
+impl Remembering {
+    fn kept(
+        &self,
+        name: &str,
+        read: impl FnOnce(&Path) -> io::Result<Option<Vec<u8>>>,
+    ) -> io::Result<Option<Vec<u8>>> {
+        if let Some(bytes) = self.read.lock().unwrap_or_else(PoisonError::into_inner).get(name) {
+            return Ok(Some(bytes.clone()));
+        }
+        let Some(folder) = &self.folder else { return Ok(None) };
+        let bytes = read(&folder.join(name))?;
+        if let Some(bytes) = &bytes {
+            self.read.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_owned(), bytes.clone());
+        }
+        Ok(bytes)
+    }
+}
+
+impl Files for Remembering {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        let bytes = self.kept(name, |path| std::fs::read(path).map(Some))?;
+        bytes.ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+    }
+
+    fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
+        let folder = name.rfind('/').map_or("", |end| &name[..=end]);
+        self.kept(&format!("{folder}{sibling}"), |path| match path.is_file() {
+            true => std::fs::read(path).map(Some),
+            false => Ok(None),
+        })
+    }
+}
+
+#[pymethods]
+impl PyScene {
+    /// The scene of a text. Files come from those given, or else from below the folder.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        text: &str,
+        name: String,
+        folder: Option<PathBuf>,
+        files: Read,
+        overrides: &Bound<'_, PyDict>,
+    ) -> PyResult<Self> {
+        let overrides = read_overrides(overrides)?;
+        let files = Remembering { folder, read: Mutex::new(files) };
+        let scene = light(py, || Scene::parse(text, &files, &overrides));
+        let scene = scene.map_err(|error| refused(&error, text, &name))?;
+        refuse_idle(&overrides, &scene, &name)?;
+        Ok(PyScene { scene, name, files: files.read.into_inner().unwrap_or_else(PoisonError::into_inner) })
+    }
+
+    /// What it is about.
+    #[getter]
+    fn title(&self) -> &str {
+        &self.scene.title
+    }
+
+    /// What there is to say of its surface, and the keys that have no effect.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        said(&self.scene)
+    }
+
+    /// The files that it read.
+    #[getter]
+    fn files(&self) -> Read {
+        self.files.clone()
+    }
+
+    /// What it needs, shares and skips.
+    fn explain(&self, py: Python<'_>) -> String {
+        light(py, || explain(&self.scene))
+    }
+
+    /// Everything that is made of it: the answer in words, tables with the lines that tell where they come from, and the bytes of
+    /// files by name. `observer` is told what the steps at hand are, how many are done, and of how many where that is known.
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        report: bool,
+        judge: Option<bool>,
+        uncertainty: Option<bool>,
+        occasion: (Option<String>, Option<String>),
+        observer: Option<Py<PyAny>>,
+    ) -> PyResult<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+        let asked = Asked { report, judge, uncertainty };
+        let (date, typed) = occasion;
+        let occasion = Occasion { date, asked: typed };
+        let state = Arc::new(Mutex::new(AtHand::default()));
+        let observer = observer.map(|observer| told_of(py, observer, state.clone())).transpose()?;
+        let made = carry_out(py, observer.as_ref().map(|observer| observer.as_any()), |watch| {
+            let watching = Watching { watch, state: &state };
+            Made::of(&self.scene, asked, occasion, &watching)
+        })?;
+        let made = made.map_err(|error| input(format!("{}: {error}", self.name)))?;
+        let tables = PyDict::new(py);
+        for (name, table, origin) in &made.tables {
+            tables.set_item(name, (columns(py, table)?, origin))?;
+        }
+        let files = PyDict::new(py);
+        for (name, bytes) in made.files {
+            files.set_item(name, bytes)?;
+        }
+        Ok((made.answer, tables, files))
+    }
+
+    /// The final areas of every curve under every load, and nothing else: `curve`, `nominal_pressure_pa`, `area_fraction`, and
+    /// what else the table `report-scales` has.
+    fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let table = carry_out(py, None, |progress| {
+            let results = self.scene.plan().compute_observed(progress)?;
+            Ok(Answer::of(&self.scene, &results).scales_table(&self.scene.needs))
+        })?;
+        let table =
+            table.map_err(|error: study::plan::PlanError| input(format!("{}: {error}", self.name)))?;
+        columns(py, &table)
+    }
+}
+
+/// The text of a scene that comes with the program.
+#[pyfunction]
+pub fn scene_template(name: &str) -> PyResult<&'static str> {
+    named::<Template>("name", name).map(Template::text)
+}
+
+/// The text of a scene with keys set anew.
+#[pyfunction]
+pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> PyResult<String> {
+    let mut typed = Vec::new();
+    for (key, value) in changes {
+        let key: String = key.extract()?;
+        let value = value_of(&key, &value)?;
+        typed.push((key, value));
+    }
+    let changes = typed.iter().map(|(key, value)| (key.as_str(), value.clone()));
+    with_keys(text, changes).map_err(|error| match error {
+        study::scene::ReplaceError::Scene(error) => refused(&error, text, name),
+        error => input(error),
+    })
+}
+
+/// Writes files into a folder, all of them or none.
+#[pyfunction]
+pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()> {
+    py.detach(|| {
+        let failed = |path: &Path, error: &dyn std::fmt::Display| {
+            PyOSError::new_err(format!("writing {}: {error}", path.display()))
+        };
+        std::fs::create_dir_all(&folder).map_err(|error| failed(&folder, &error))?;
+        let mut staged = StagedFiles::default();
+        for (name, bytes) in &files {
+            let path = folder.join(name);
+            let written: io::Result<()> = staged.stage(&path, |out| out.write_all(bytes));
+            written.map_err(|error| failed(&path, &error))?;
+        }
+        staged.publish().map_err(|error| PyOSError::new_err(error.to_string()))
+    })
+}
+
+/// What was made of a scene.
+struct Made {
+    answer: String,
+    tables: Vec<(String, Table, Vec<String>)>,
+    files: Vec<(String, Vec<u8>)>,
+}
+
+impl Made {
+    fn of(scene: &Scene, asked: Asked, occasion: Occasion, watch: &Watching<'_>) -> Result<Self, RunError> {
+        let mut carried = carry_out_scene(scene, asked, watch)?;
+        carried.findings = carried.findings.map(|findings| findings.on(occasion));
+        let (results, trust) = (&carried.results, carried.trust());
+        let (mut tables, mut files) = (Vec::new(), Vec::new());
+        let Ok(()) = each_product(scene, results, carried.findings.as_ref(), trust, |name, product| {
+            let mut bytes = Vec::new();
+            product.write(Format::Csv, &mut bytes).expect("memory takes everything");
+            files.push((product.file_name(name, Format::Csv), bytes));
+            if let Product::Table { table, origin } = product {
+                tables.push((name.to_owned(), table.clone(), origin.to_vec()));
+            }
+            Ok::<(), std::convert::Infallible>(())
+        });
+        let answer = match &carried.findings {
+            Some(findings) => summary(scene, results, &findings.answer, trust),
+            None => summary(scene, results, &Answer::of(scene, results), trust),
+        };
+        Ok(Made { answer, tables, files })
+    }
+}
+
+/// What is being done.
+#[derive(Debug, Clone, Copy, Default)]
+struct AtHand {
+    phase: Option<Phase>,
+    done: usize,
+    of: usize,
+}
+
+/// Tells what is being done, and ends the work when it is to end.
+struct Watching<'w> {
+    watch: &'w dyn Progress,
+    state: &'w Mutex<AtHand>,
+}
+
+impl Watch for Watching<'_> {
+    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
+        *self.state.lock().unwrap_or_else(PoisonError::into_inner) =
+            AtHand { phase: Some(phase), done: 0, of: steps };
+        Box::new(Steps { watching: self, done: AtomicUsize::new(0) })
+    }
+}
+
+/// The steps of a phase.
+struct Steps<'w> {
+    watching: &'w Watching<'w>,
+    done: AtomicUsize,
+}
+
+impl Progress for Steps<'_> {
+    fn advance(&self, steps: usize) {
+        let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
+        // Whoever looks at it right now need not see this step.
+        if let Ok(mut state) = self.watching.state.try_lock() {
+            state.done = state.done.max(done);
+        }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.watching.watch.is_cancelled()
+    }
+}
+
+/// A callable that tells an observer what is being done.
+fn told_of<'py>(
+    py: Python<'py>,
+    observer: Py<PyAny>,
+    state: Arc<Mutex<AtHand>>,
+) -> PyResult<Bound<'py, PyCFunction>> {
+    let tell = move |arguments: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| -> PyResult<()> {
+        let AtHand { phase, done, of } = *state.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(phase) = phase else { return Ok(()) };
+        let of = (of > 0).then_some(of);
+        observer.call1(arguments.py(), (phase.steps(), done, of)).map(drop)
+    };
+    PyCFunction::new_closure(py, None, None, tell)
+}
+
+/// What there is to say of a scene before anything of it is computed.
+fn said(scene: &Scene) -> Vec<String> {
+    let mut said = notes(&scene.surface);
+    said.extend(scene.notes.iter().map(scene_note_words::line));
+    said
+}
+
+/// What is wrong in a scene, drawn; a missing file is missing.
+fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
+    let drawn = scene_errors::drawn(error, text, name);
+    match &error.problem {
+        SceneProblem::Surface(surface) if surface.is_missing_file() => PyFileNotFoundError::new_err(drawn),
+        _ => input(drawn),
+    }
+}
+
+fn read_overrides(given: &Bound<'_, PyDict>) -> PyResult<Overrides> {
+    let text = |key: &str| -> PyResult<Option<String>> {
+        let Some(value) = given.get_item(key)?.filter(|value| !value.is_none()) else { return Ok(None) };
+        let text = value.cast::<PyString>();
+        let text = text
+            .map_err(|_| of_argument(key, format!("a name is needed, and this is {}", type_name(&value))))?;
+        Ok(Some(text.to_str()?.to_owned()))
+    };
+    let value = |key: &str| -> PyResult<Option<Given<'_>>> {
+        Ok(given.get_item(key)?.filter(|value| !value.is_none()))
+    };
+    let counterface: Option<ElasticBody> = match value("counterface")? {
+        None => None,
+        Some(pair) => {
+            let (modulus, ratio): (Given<'_>, Given<'_>) = pair.extract()?;
+            Some(elastic_body("counterface.youngs_modulus", &modulus, "counterface.poisson_ratio", &ratio)?)
+        }
+    };
+    Ok(Overrides {
+        normalisation: text("normalisation")?
+            .map(|name| named::<Normalisation>("normalisation", &name))
+            .transpose()?,
+        amplitude: text("amplitude")?
+            .map(|name| named::<AmplitudeDefinition>("amplitude", &name))
+            .transpose()?,
+        scales_per_decade: value("scales_per_decade")?
+            .map(|count| match count.extract() {
+                Ok(count) => per_decade(count),
+                Err(_) => {
+                    let what = type_name(&count);
+                    Err(of_argument(
+                        "scales_per_decade",
+                        format!("a whole number is needed, and this is {what}"),
+                    ))
+                }
+            })
+            .transpose()?,
+        hardness: text("hardness")?.map(|name| form_of_hardness(&name)).transpose()?,
+        strength_cap: optional("strength_cap", value("strength_cap")?.as_ref())?,
+        cutoff: optional("cutoff", value("cutoff")?.as_ref())?,
+        counterface,
+        ..Overrides::default()
+    })
+}
+
+/// Refuses arguments that nothing in the scene has a use for.
+fn refuse_idle(overrides: &Overrides, scene: &Scene, name: &str) -> PyResult<()> {
+    let shortest_m = scene.surface.psd.shortest_wavelength_m();
+    if let Some(cutoff) = overrides.cutoff.filter(|cutoff| cutoff.m < shortest_m) {
+        return Err(input(format!(
+            "cutoff is {} m and leaves nothing out: the shortest wavelength of {} is {shortest_m} m; leave it out, or choose \
+             a longer one",
+            cutoff.m, scene.surface.name
+        )));
+    }
+    match overrides.without_bearing(scene) {
+        None => Ok(()),
+        Some(argument) => Err(input(format!(
+            "{argument} has no bearing on {name}: none of its curves and figures depends on it; leave it out"
+        ))),
+    }
+}
+
+/// A value as it is typed in a scene.
+fn value_of(key: &str, given: &Given<'_>) -> PyResult<Value> {
+    if let Ok(text) = given.cast::<PyString>() {
+        return Ok(Value::String(text.to_str()?.to_owned()));
+    }
+    if let Ok(truth) = given.extract::<bool>() {
+        return Ok(Value::Boolean(truth));
+    }
+    if let Ok(number) = given.extract::<i64>() {
+        return Ok(Value::Integer(number));
+    }
+    if let Ok(number) = given.extract::<f64>() {
+        return Ok(Value::Float(number));
+    }
+    if let Ok(list) = given.cast::<PyList>() {
+        return list.iter().map(|value| value_of(key, &value)).collect::<PyResult<_>>().map(Value::Array);
+    }
+    if let Ok(table) = given.cast::<PyDict>() {
+        let keys =
+            table.iter().map(|(inner, value)| Ok((inner.extract::<String>()?, value_of(key, &value)?)));
+        return keys.collect::<PyResult<_>>().map(Value::Table);
+    }
+    Err(of_argument(
+        key,
+        format!(
+            "text, a number, true or false, or a list or dictionary of them is needed, and this is {}",
+            type_name(given)
+        ),
+    ))
+}

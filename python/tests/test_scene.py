@@ -1,0 +1,308 @@
+"""Scenes: the same files as the command line writes, what is refused and where, and keys set anew."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import subprocess
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import truearea as ta
+from support import ROOT, columns_of, numbers, words
+
+SCENE = """# Two lines of its own.
+title = "Steel on glass"
+
+[surface]
+psd = "spectrum.csv"
+
+[material]
+youngs_modulus = "210 GPa"   # from a book
+poisson_ratio = 0.3
+yield_strength = "1 GPa"
+
+[loads]
+pressures = ["1 MPa", "1e-2 H"]
+
+[[curve]]
+model = "elastic"
+
+[[curve]]
+model = "ep-sphere"
+
+[[figure]]
+name = "areas"
+shows = "area"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A scene and the spectrum that it names."""
+    q = np.geomspace(1e5, 1e9, 30)
+    rows = "".join(f"{wavevector!r},{c1d!r}\n" for wavevector, c1d in zip(q.tolist(), (1e-22 * (q / 1e5) ** -2.6).tolist()))
+    (tmp_path / "spectrum.csv").write_text("Wavevector (1/m),C1D_m3\n" + rows)
+    (tmp_path / "scene.toml").write_text(SCENE)
+    return tmp_path
+
+
+def quick(scene: ta.Scene) -> ta.SceneResults:
+    return scene.run(judge=False, uncertainty=False)
+
+
+def test_files_are_those_of_the_command_line(folder: Path) -> None:
+    program = os.environ.get("TRUEAREA_PROGRAM")
+    call = [program] if program else ["cargo", "run", "--quiet", "--manifest-path", str(ROOT / "Cargo.toml"), "--bin", "truearea", "--"]
+    out = folder / "out"
+    done = subprocess.run(
+        [*call, "run", str(folder / "scene.toml"), "--no-judge", "--no-uncertainty", "--out", str(out)],
+        check=True, capture_output=True, text=True,
+    )  # fmt: skip
+    results = quick(ta.Scene.from_toml(folder / "scene.toml"))
+    assert done.stdout.startswith(results.answer)
+    written = {path.name: path.read_bytes() for path in out.iterdir()}
+    assert sorted(written) == sorted(results.files)
+    assert len(written) == 8
+    for name, content in written.items():
+        if name == "report.html":
+            assert results.report_html is not None
+            assert abs(len(content) - len(results.report_html.encode())) < 1000
+        else:
+            assert results.files[name] == content, name
+
+
+@pytest.mark.parametrize("name", ["uncd-measured", "uncd-reconstructed"])
+def test_figures_are_the_committed_ones(name: str) -> None:
+    results = ta.Scene.template(name).run(report=False, judge=False, uncertainty=False)
+    compared = 0
+    for path in (ROOT / "tests" / "golden").glob(f"{name}__*.snap"):
+        committed = columns_of(path.read_text(encoding="utf-8").split("---\n", 2)[2])
+        table = results.tables[path.stem.split("__")[1]]
+        for column, expected in committed.items():
+            if column in table and isinstance(expected, np.ndarray) and len(expected) == len(table[column]):
+                np.testing.assert_allclose(table[column], expected, rtol=1e-11)
+                compared += 1
+    assert compared >= 40
+
+
+def test_tables_hold_what_the_files_hold(folder: Path) -> None:
+    results = quick(ta.Scene.from_toml(folder / "scene.toml"))
+    assert set(results.tables) == {"elastic", "ep-sphere", "report-scales", "report-decades", "report-sensitivity", "areas"}
+    for name, table in results.tables.items():
+        columns = columns_of(results.files[f"{name}.csv"].decode())
+        assert list(columns) == list(table)
+        for column, array in table.items():
+            if array.dtype.kind == "f":
+                np.testing.assert_array_equal(array, numbers(columns, column))
+            else:
+                assert array.tolist() == words(columns, column)
+    assert any("Steel on glass" in note for note in results.tables["elastic"].notes)
+    frame = results.tables["report-scales"].to_pandas()
+    assert frame["curve"].tolist() == ["elastic", "elastic", "ep-sphere", "ep-sphere"]
+    assert results.tables["elastic"].to_xarray().sizes["row"] == 60
+    assert list(results.figures) == ["areas"] and results.figures["areas"].lstrip().startswith("<svg")
+    assert results.report_html is not None and "Steel on glass" in results.report_html
+    assert "<iframe" in results._repr_html_() and "&lt;html" in results._repr_html_()
+    assert repr(results).startswith("SceneResults('Steel on glass', tables: elastic, ep-sphere, ")
+
+
+def test_without_a_report(folder: Path) -> None:
+    results = ta.Scene.from_toml(folder / "scene.toml").run(report=False)
+    assert sorted(results.files) == ["areas.csv", "areas.svg", "elastic.csv", "ep-sphere.csv"]
+    assert results.report_html is None
+    assert "<svg" in results._repr_html_() and "Steel on glass" in results._repr_html_()
+
+
+def test_the_judge_and_draws_where_they_are_asked(folder: Path) -> None:
+    text = SCENE.replace('"210 GPa"', '"210 GPa +- 5 GPa"') + "[judge]\ngrid = 64\nrealisations = 2\n[uncertainty]\ndraws = 100\n"
+    scene = ta.Scene.from_toml(text, folder=folder)
+    told: list[tuple[int, int | None]] = []
+    results = scene.run(report=False, progress=lambda done, total: told.append((done, total)))
+    assert {"report-models", "report-judge", "report-uncertainty"} <= set(results.tables)
+    assert told and all(total is None or done <= total for done, total in told)
+    neither = scene.run(report=False, judge=False, uncertainty=False)
+    assert not {"report-models", "report-uncertainty"} & set(neither.tables)
+    assert "between" in results.answer and "between" not in neither.answer
+
+
+def test_progress_is_a_line_that_goes(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = SCENE + "[judge]\ngrid = 64\nrealisations = 2\n"
+    ta.Scene.from_toml(text, folder=folder).run(progress=True, uncertainty=False)
+    line = capsys.readouterr().err
+    assert "surfaces pressed" in line and line.endswith("\r") and "\n" not in line
+    with pytest.raises(TypeError, match="progress: True, False or a callable is needed, and this is of type str"):
+        ta.Scene.from_toml(text, folder=folder).run(progress="yes")  # type: ignore[arg-type]
+
+
+def test_what_an_observer_raises_ends_the_run() -> None:
+    def stop(done: int, total: int | None) -> None:
+        raise RuntimeError(f"enough at {done} of {total}")
+
+    with pytest.raises(RuntimeError, match="enough at"):
+        ta.Scene.template("gasket").run(progress=stop)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
+@pytest.mark.parametrize("phase", ["surfaces pressed", "draws"])
+def test_ctrl_c_ends_judge_and_draws(phase: str) -> None:
+    changes = {"judge.grid": 256, "judge.realisations": 5000, "judge.budget": 1e14} if phase == "surfaces pressed" else {"uncertainty.draws": 100000}
+    scene = ta.Scene.template("gasket").replace(**changes)
+    begun: list[float] = []
+
+    def interrupt(done: int, total: int | None) -> None:
+        if done > 0 and not begun:
+            begun.append(time.monotonic())
+            threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT)).start()
+
+    with pytest.raises(KeyboardInterrupt):
+        scene.run(report=False, judge=phase != "draws", uncertainty=phase == "draws", progress=interrupt)
+    assert time.monotonic() - begun[0] < 5.0
+
+
+def test_results_and_scenes_are_pickled(folder: Path) -> None:
+    scene = ta.Scene.from_toml(folder / "scene.toml", cutoff="50 nm")
+    results = quick(scene)
+    again = pickle.loads(pickle.dumps(results))
+    assert again == results and again.tables["elastic"] == results.tables["elastic"]
+    pickled = pickle.dumps(scene)
+    (folder / "spectrum.csv").unlink()
+    there = pickle.loads(pickled)
+    assert there == scene and there.title == "Steel on glass"
+    assert there.scales() == scene.scales()
+    assert there.scales().area_fraction[0] > ta.Scene.from_toml(there.text, folder=_with(folder, scene)).scales().area_fraction[0]
+
+
+def _with(folder: Path, scene: ta.Scene) -> Path:
+    (folder / "spectrum.csv").write_bytes(scene._recipe[3]["spectrum.csv"])
+    return folder
+
+
+def test_files_are_written_all_or_none(folder: Path) -> None:
+    results = ta.Scene.from_toml(folder / "scene.toml").run(report=False)
+    out = folder / "new" / "out"
+    assert sorted(results.write(out)) == sorted(path.name for path in out.iterdir())
+    assert (out / "elastic.csv").read_bytes() == results.files["elastic.csv"]
+    with pytest.raises(OSError, match="scene.toml"):
+        results.write(folder / "scene.toml")
+    assert (folder / "scene.toml").read_text() == SCENE
+
+
+def test_paths_and_texts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    by_path = ta.Scene.from_toml(folder / "scene.toml")
+    assert by_path.text == SCENE and by_path.title == "Steel on glass" and by_path.notes == ()
+    assert ta.Scene.from_toml(str(folder / "scene.toml")).scales() == by_path.scales()
+    assert ta.Scene.from_toml(SCENE, folder=folder).scales() == by_path.scales()
+    monkeypatch.chdir(folder)
+    assert ta.Scene.from_toml(SCENE).scales() == by_path.scales()
+    (folder / "scene").write_bytes(b"\xef\xbb\xbf" + SCENE.encode())
+    assert ta.Scene.from_toml("scene") == ta.Scene.from_toml("scene")
+    assert "needed" in by_path.explain() and "statistical curve ep-sphere at 2 loads" in by_path.explain()
+    assert "Steel on glass" in by_path._repr_html_() and repr(by_path) == "Scene('Steel on glass')"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("youngs_modulus", "young", r"unknown key `young`.* did you mean `youngs_modulus`\?(.|\n)*--> scene:8:1"),
+        ('"210 GPa"', '"210 GPA"', r"key material.youngs_modulus: '210 GPA' has the unit 'GPA'(.|\n)*scene:8:18(.|\n)*\^\^\^"),
+        ("poisson_ratio = 0.3", "poisson_ratio = 0.7", "poisson_ratio.*at most 0.5(.|\n)*scene:9"),
+        ('"1 MPa"', '"-1 MPa"', "pressures.*'-1 MPa'"),
+        ('"elastic"', '"plastic"', r"`plastic`(.|\n)*scene:16"),
+        ("[loads]", "[loads", "(.|\n)*scene:12"),
+        ("yield_strength = ", "# ", "add yield_strength or indentation_hardness in .material."),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_drawn_with_its_line(folder: Path, old: str, new: str, told: str) -> None:
+    with pytest.raises(ta.InputError, match=told):
+        ta.Scene.from_toml(SCENE.replace(old, new), folder=folder)
+
+
+def test_missing_files_and_wrong_bytes(folder: Path) -> None:
+    for missing in ("nowhere.toml", folder / "nowhere", "nowhere"):
+        with pytest.raises(FileNotFoundError, match="nowhere"):
+            ta.Scene.from_toml(missing)
+    with pytest.raises(FileNotFoundError, match=r"spectrum.csv(.|\n)*scene:5:7"):
+        ta.Scene.from_toml(SCENE, folder=folder / "elsewhere")
+    (folder / "spectrum.csv").write_text("nothing")
+    with pytest.raises(ta.InputError, match="spectrum.csv"):
+        ta.Scene.from_toml(folder / "scene.toml")
+    (folder / "latin.toml").write_bytes(SCENE.replace("glass", "gl\xe4ss").encode("latin-1"))
+    with pytest.raises(ta.InputError, match="latin.toml, line 2: not UTF-8 text; save the scene as UTF-8"):
+        ta.Scene.from_toml(folder / "latin.toml")
+    with pytest.raises(ta.InputError, match="'nothing' is none of new, uncd-measured"):
+        ta.Scene.template("nothing")
+    with pytest.raises(FileNotFoundError, match="my_psd.csv"):
+        ta.Scene.template("new")
+    with pytest.raises(TypeError, match="Scene.from_toml"):
+        ta.Scene()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ({"normalisation": "none"}, "normalisation: .*'none' is none of"),
+        ({"amplitude": 5}, "amplitude: a name is needed, and this is of type int"),
+        ({"hardness": "2006"}, "hardness: '2006' is none of"),
+        ({"strength_cap": "1 H"}, "strength_cap has no bearing on scene"),
+        ({"cutoff": "1 pm"}, "cutoff is 0.000000000001 m and leaves nothing out: the shortest wavelength of spectrum.csv"),
+        ({"cutoff": -1.0}, "cutoff is -1; it must be"),
+        ({"scales_per_decade": 0}, "scales_per_decade is 0; it must be from 1 to"),
+        ({"scales_per_decade": "ten"}, "scales_per_decade: a whole number is needed, and this is of type str"),
+        ({"counterface": "glass"}, "counterface: a Material is needed, and this is of type str"),
+    ],
+)  # fmt: skip
+def test_arguments_that_cannot_be_used(folder: Path, arguments: dict[str, object], told: str) -> None:
+    with pytest.raises(ta.InputError, match=told):
+        ta.Scene.from_toml(SCENE, folder=folder, **arguments)  # type: ignore[arg-type]
+
+
+def test_arguments_count_more_than_the_scene(folder: Path) -> None:
+    plain = ta.Scene.from_toml(SCENE, folder=folder)
+    glass = ta.Material("70 GPa", 0.2)
+    soft = ta.Scene.from_toml(SCENE, folder=folder, counterface=glass, cutoff=1e-7, scales_per_decade=20, normalisation="as-printed")
+    assert np.all(soft.scales().area_fraction != plain.scales().area_fraction)
+    typed = SCENE + '[counterface]\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.2\n'
+    assert ta.Scene.from_toml(typed, folder=folder).scales() == ta.Scene.from_toml(SCENE, folder=folder, counterface=glass).scales()
+
+
+def test_keys_are_set_anew(folder: Path) -> None:
+    scene = ta.Scene.from_toml(folder / "scene.toml")
+    changed = scene.replace(youngs_modulus="200 GPa", cutoff="50 nm", **{"material.poisson_ratio": np.float64(0.25)})
+    assert "# Two lines of its own.\n" in changed.text
+    assert 'youngs_modulus = "200 GPa"   # from a book\npoisson_ratio = 0.25\n' in changed.text
+    assert changed.text.endswith('\n[cutoffs]\nshortest_wavelength = "50 nm"\n')
+    assert scene.text == SCENE
+    assert scene.replace(youngs_modulus=2e11, cutoff=5e-8, poisson_ratio=0.25).scales() == changed.scales()
+    several = scene.replace(pressure=np.array([1e6, 2e6, 3e6]))
+    assert several.scales().nominal_pressure_pa.tolist() == [1e6, 2e6, 3e6] * 2
+    assert scene.replace(pressures="1e-3 H").scales().nominal_pressure_pa.tolist() == [3e6] * 2
+    assert scene.replace(**{"curve.1.model": "hertz"}).scales().curve.tolist() == ["elastic"] * 2 + ["hertz"] * 2
+    uniform = {"distribution": "uniform", "from": 1e11, "to": 2e11}
+    assert "200000000000 Pa" in scene.replace(youngs_modulus=uniform).text
+    (folder / "other.csv").write_bytes((folder / "spectrum.csv").read_bytes().replace(b"e-2", b"e-3"))
+    assert scene.replace(psd="other.csv").scales().area_fraction[0] > scene.scales().area_fraction[0]
+    assert scene.replace() == scene
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"modulus": 1e9}, "modulus: a scene has no such key.* it may be psd, "),
+        ({"material.colour": 1}, "material.colour: a scene has no such key.* material.youngs_modulus"),
+        ({"off": True}, "off may be judge.off or uncertainty.off; name the one that is meant"),
+        ({"curve.2.model": "hertz"}, "curve.2.model: the scene has 2 such sections, and they are counted from 0"),
+        ({"youngs_modulus": "1 m"}, r"key material.youngs_modulus: '1 m' has the unit 'm'(.|\n)*scene.toml:8"),
+        ({"youngs_modulus": -1.0}, "key material.youngs_modulus: .*-1 Pa"),
+        ({"poisson_ratio": float("nan")}, "poisson_ratio"),
+        ({"youngs_modulus": None}, "youngs_modulus: text, a number, .* is needed, and this is of type NoneType"),
+    ],
+)  # fmt: skip
+def test_keys_that_cannot_be_set(folder: Path, changes: dict[str, object], told: str) -> None:
+    with pytest.raises(ta.InputError, match=told):
+        ta.Scene.from_toml(folder / "scene.toml").replace(**changes)

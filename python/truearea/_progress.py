@@ -1,0 +1,57 @@
+"""How long work is watched: a line that is written anew, or a callable."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from typing import Union
+
+Watcher = Callable[[int, "int | None"], object]
+"""What is told how many steps are done, and of how many; None where that is not known."""
+
+Progress = Union[bool, Watcher]
+"""True for a line on stderr, False for nothing, or a callable."""
+
+Observer = Callable[[str, int, "int | None"], None]
+
+
+class Line:
+    """A line on stderr, written anew at most ten times a second, and gone in the end."""
+
+    def __init__(self) -> None:
+        self._width = 0
+        self._shown = 0.0
+
+    def __call__(self, steps: str, done: int, total: int | None) -> None:
+        now = time.monotonic()
+        if now - self._shown < 0.1:
+            return
+        self._shown = now
+        self._write(f"{done} {steps}" if total is None else f"{done} of {total} {steps}")
+
+    def _write(self, text: str) -> None:
+        print(f"\r{text:<{self._width}}", end="", file=sys.stderr, flush=True)
+        self._width = len(text)
+
+    def end(self) -> None:
+        """Wipes the line."""
+        if self._width:
+            self._write("")
+            print("\r", end="", file=sys.stderr, flush=True)
+
+
+def observer_of(progress: Progress, line: Line) -> Observer | None:
+    """What tells steps to whoever is to be told; the line where it is asked for."""
+    if progress is True:
+        return line
+    if progress is False or progress is None:
+        return None
+    if not callable(progress):
+        raise TypeError(f"progress: True, False or a callable is needed, and this is of type {type(progress).__name__}")
+    watcher = progress
+
+    def tell(_: str, done: int, total: int | None) -> None:
+        watcher(done, total)
+
+    return tell
