@@ -34,7 +34,8 @@ pub(crate) fn narrows(step: &Step) -> bool {
 }
 
 /// A step and what it does: `three more AFM scans at other places narrow the interval to 74 % of its width`.
-pub(crate) fn in_a_line(uncertainty: &Uncertainty, step: &Step) -> String {
+#[must_use]
+pub fn in_a_line(uncertainty: &Uncertainty, step: &Step) -> String {
     let percent = three_digits((100.0 * step.width_ratio).round());
     let width = if narrows(step) {
         format!("the interval narrows to {percent} % of its width")

@@ -1,6 +1,6 @@
 #![doc = include_str!("../README.md")]
 
-mod advice_words;
+pub mod advice_words;
 mod answer_words;
 mod coverage;
 pub mod curve_names;

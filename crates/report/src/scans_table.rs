@@ -1,5 +1,6 @@
 //! The scans of a composite in a table for people.
 
+use tables::Table;
 use topography::{CompositeSpectrum, ScanSpectrum};
 use units::display::{length, three_digits};
 
@@ -16,6 +17,20 @@ pub fn scans_table(found: &CompositeSpectrum) -> String {
     aligned(&rows)
 }
 
+/// The same as columns: `scan, used_from_m, used_to_m, limit, slope_along, slope_across, verdict`. A line has no slope across.
+#[must_use]
+pub fn scans_columns(found: &CompositeSpectrum) -> Table {
+    let number = |of: fn(&ScanSpectrum) -> f64| found.scans.iter().map(of);
+    Table::default()
+        .with_text("scan", found.series_names())
+        .with_numbers("used_from_m", number(|scan| scan.reliable.longest_wavelength_m()))
+        .with_numbers("used_to_m", number(|scan| scan.reliable.shortest_wavelength_m()))
+        .with_text("limit", found.scans.iter().map(|scan| band_end(&scan.band_end)))
+        .with_numbers("slope_along", number(|scan| scan.checks.real_slope))
+        .with_numbers("slope_across", found.scans.iter().map(|scan| scan.checks.slope_across))
+        .with_words("verdict", found.scans.iter().map(verdict))
+}
+
 fn row(scan: &ScanSpectrum, name: String) -> Vec<String> {
     vec![
         name,
@@ -24,6 +39,10 @@ fn row(scan: &ScanSpectrum, name: String) -> Vec<String> {
         band_end(&scan.band_end),
         three_digits(scan.checks.real_slope),
         scan.checks.slope_across.map_or("-".to_owned(), three_digits),
-        if scan.is_doubtful() { "doubtful" } else { "ok" }.to_owned(),
+        verdict(scan).to_owned(),
     ]
+}
+
+fn verdict(scan: &ScanSpectrum) -> &'static str {
+    if scan.is_doubtful() { "doubtful" } else { "ok" }
 }

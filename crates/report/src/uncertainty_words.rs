@@ -63,7 +63,8 @@ pub(crate) fn of_curves(uncertainty: &Uncertainty, scene: &Scene) -> Vec<String>
 }
 
 /// What the intervals rest on: where they are guesses, what instruments say of each other, what was assumed.
-pub(crate) fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
+#[must_use]
+pub fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
     let mut sentences = vec![what_was_drawn(uncertainty)];
     if uncertainty.ended_early {
         sentences.push(format!("{}.", capital(&ended_early(uncertainty))));

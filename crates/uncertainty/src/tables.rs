@@ -4,7 +4,9 @@ use study::interface::Slot;
 use study::plan::Needs;
 use tables::Table;
 
-use crate::found::{Advice, AreaInterval, QuantityInterval, Step, StepKind, Uncertainty};
+use crate::found::{
+    Advice, AreaBand, AreaInterval, BandPoint, QuantityInterval, Step, StepKind, Uncertainty,
+};
 use crate::group::{Group, Index, Indices};
 
 /// The largest standard error of a share that is told: one known worse says nothing of who carries what.
@@ -111,6 +113,18 @@ impl Uncertainty {
             .with_numbers("first_order_error", found(|indices| indices.first_order.standard_error))
             .with_numbers("total", found(|indices| indices.total.value))
             .with_numbers("total_error", found(|indices| indices.total.standard_error))
+    }
+
+    /// A row per followed curve, load and cutoff, from long to short: `curve, nominal_pressure_pa, wavelength_m, low, high`.
+    #[must_use]
+    pub fn bands_table(&self, needs: &Needs) -> Table {
+        let rows: Vec<(&AreaBand, &BandPoint)> =
+            self.bands.iter().flat_map(|band| band.points.iter().map(move |point| (band, point))).collect();
+        let found = |of: fn(&BandPoint) -> f64| rows.iter().map(move |(_, point)| of(point));
+        of_loads(needs, rows.iter().map(|(band, _)| (band.curve, band.load)))
+            .with_numbers("wavelength_m", found(|point| point.wavelength_m))
+            .with_numbers("low", found(|point| point.low))
+            .with_numbers("high", found(|point| point.high))
     }
 
     /// A row per curve, load and step, the best first: `curve, nominal_pressure_pa, rank, step, instrument, added_scans,

@@ -5,8 +5,8 @@ use study::plan::Work;
 use study::scene::{Overrides, Scene};
 use tables::{Format, Table};
 use uncertainty::{
-    Advice, AreaInterval, Group, Index, Indices, InstrumentInput, InstrumentName, Resampled, Settings,
-    Settling, Step, StepKind, Uncertainty,
+    Advice, AreaBand, AreaInterval, BandPoint, Group, Index, Indices, InstrumentInput, InstrumentName,
+    Resampled, Settings, Settling, Step, StepKind, Uncertainty,
 };
 
 const SCENE: &str = r#"
@@ -126,6 +126,19 @@ fn every_index_stands_beside_its_error() {
     assert_eq!(lines.next(), Some("elastic,1000000,scans,0.7,0.02,0.71,0.02"));
     assert_eq!(lines.nth(2), Some("elastic,5000000,material,0.4,0.2,0.41000000000000003,0.2"));
     assert_eq!(lines.next(), None);
+}
+
+#[test]
+fn bands_have_a_row_for_each_cutoff() {
+    let mut found = found();
+    let point = |wavelength_m: f64| BandPoint { wavelength_m, low: 0.1, high: 0.2 };
+    found.bands = vec![AreaBand { curve: 0, load: 1, points: vec![point(1e-6), point(1e-7)] }];
+    assert_eq!(
+        text(&found.bands_table(&scene().needs)),
+        "curve,nominal_pressure_pa,wavelength_m,low,high\n\
+         elastic,5000000,1e-6,0.1,0.2\n\
+         elastic,5000000,1e-7,0.1,0.2\n"
+    );
 }
 
 #[test]

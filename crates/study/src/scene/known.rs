@@ -86,6 +86,39 @@ impl Property for Length {
     }
 }
 
+/// A property of a material that may be uncertain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UncertainProperty {
+    /// Young's modulus.
+    YoungsModulus,
+    /// Poisson's ratio.
+    PoissonRatio,
+    /// The yield strength.
+    YieldStrength,
+    /// The indentation hardness.
+    IndentationHardness,
+    /// The strain-gradient length.
+    StrainGradientLength,
+}
+
+impl UncertainProperty {
+    /// How it scatters about a value with a standard uncertainty, both as typed on either side of `+-` in a scene; none where that
+    /// is nothing.
+    ///
+    /// # Errors
+    /// What is wrong with either.
+    pub fn spread(self, value: &str, uncertainty: &str) -> Result<Option<Spread>, String> {
+        let typed = TypedSpread::PlusMinus { value: value.trim(), uncertainty: uncertainty.trim() };
+        match self {
+            Self::YoungsModulus => with_unit::<Modulus>(typed).map(|known| known.spread),
+            Self::PoissonRatio => without_unit(typed).map(|known| known.spread),
+            Self::YieldStrength => with_unit::<Pressure>(typed).map(|known| known.spread),
+            Self::IndentationHardness => with_unit::<IndentationHardness>(typed).map(|known| known.spread),
+            Self::StrainGradientLength => with_unit::<Length>(typed).map(|known| known.spread),
+        }
+    }
+}
+
 /// A property with a unit, under its key.
 pub(super) fn property<T: Property>(key: &str, raw: &Spanned<RawProperty>) -> Result<Known<T>, SceneError> {
     match raw.get_ref() {
@@ -280,4 +313,25 @@ fn of_table<T>(
         }
     };
     Ok(Known { value: (reading.of_si)(centre), spread })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_beside_a_value_is_what_stands_behind_it_in_a_scene() {
+        let modulus = |uncertainty| UncertainProperty::YoungsModulus.spread("210 GPa", uncertainty);
+        assert_eq!(modulus("5 GPa"), Ok(Spread::log_normal(210e9, 5e9).unwrap()));
+        assert_eq!(modulus(" 5 % "), Ok(Spread::log_normal(210e9, 0.05 * 210e9).unwrap()));
+        assert_eq!(modulus("0 GPa"), Ok(None));
+        assert!(modulus("5").unwrap_err().contains("unit"), "{:?}", modulus("5"));
+        let ratio = UncertainProperty::PoissonRatio.spread("0.3", "0.02");
+        assert_eq!(ratio, Ok(Spread::poisson_ratio(0.3, 0.02).unwrap()));
+        let hardness = UncertainProperty::IndentationHardness.spread("300 HV", "10 HV").unwrap().unwrap();
+        assert!((hardness.standard_uncertainty() / hardness.centre() - 1.0 / 30.0).abs() < 1e-12);
+        let strength = UncertainProperty::YieldStrength.spread("0.3 H", "10 %");
+        assert!(strength.unwrap_err().contains("cannot be given in H"));
+        assert!(UncertainProperty::StrainGradientLength.spread("1 um", "0.1 um").unwrap().is_some());
+    }
 }

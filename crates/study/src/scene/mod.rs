@@ -26,6 +26,7 @@ mod values;
 
 pub use error::{SceneError, SceneProblem};
 pub use judge::JudgeChoices;
+pub use known::UncertainProperty;
 pub use notes::{Idle, SceneNote};
 pub use replace::{ReplaceError, with_keys};
 pub use resolve::Overrides;

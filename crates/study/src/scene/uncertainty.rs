@@ -7,16 +7,6 @@ use super::error::SceneError;
 use super::raw::RawUncertainty;
 use super::values::{value_error, whole_number};
 
-/// The probability that an interval covers: of 0 it is a point, of 1 it has no ends.
-const LEVEL: Bound = Bound::Between { above: 0.0, below: 1.0 };
-
-/// Draws that intervals rest on: below, no end of an interval of 95 % is among them; above, their own error is far below what
-/// few scans leave.
-const DRAWS: Bound = Bound::Within { at_least: 20.0, at_most: 1_000_000.0 };
-
-/// Draws of the design that shares of variance are taken from: below, a share is lost in its own error.
-const SHARES_DRAWS: Bound = Bound::Within { at_least: 64.0, at_most: 1_000_000.0 };
-
 /// What a scene says of its draws; what is left out is for whoever draws to choose.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct UncertaintyChoices {
@@ -33,6 +23,16 @@ pub struct UncertaintyChoices {
 }
 
 impl UncertaintyChoices {
+    /// The probability that an interval covers: of 0 it is a point, of 1 it has no ends.
+    pub const LEVEL: Bound = Bound::Between { above: 0.0, below: 1.0 };
+
+    /// Draws that intervals rest on: below, no end of an interval of 95 % is among them; above, their own error is far below
+    /// what few scans leave.
+    pub const DRAWS: Bound = Bound::Within { at_least: 20.0, at_most: 1_000_000.0 };
+
+    /// Draws of the design that shares of variance are taken from: below, a share is lost in its own error.
+    pub const SHARES_DRAWS: Bound = Bound::Within { at_least: 64.0, at_most: 1_000_000.0 };
+
     /// No draws, whatever the scene says.
     pub(super) const OFF: Self =
         UncertaintyChoices { level: None, draws: None, seed: None, shares_draws: None, off: true };
@@ -42,13 +42,17 @@ pub(super) fn resolve_uncertainty(raw: &RawUncertainty) -> Result<UncertaintyCho
     let whole = |key, quantity, raw: &Option<Spanned<i64>>, bound| {
         raw.as_ref().map(|raw| whole_number(key, quantity, raw, bound)).transpose()
     };
-    let draws = whole("uncertainty.draws", "the number of draws", &raw.draws, DRAWS)?;
+    let draws = whole("uncertainty.draws", "the number of draws", &raw.draws, UncertaintyChoices::DRAWS)?;
     let seed = whole("uncertainty.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
-    let shares_draws =
-        whole("uncertainty.shares_draws", "the number of draws for shares", &raw.shares_draws, SHARES_DRAWS)?;
+    let shares_draws = whole(
+        "uncertainty.shares_draws",
+        "the number of draws for shares",
+        &raw.shares_draws,
+        UncertaintyChoices::SHARES_DRAWS,
+    )?;
     let level = raw.level.as_ref().map(|raw| {
         let value = *raw.get_ref();
-        let checked = LEVEL.check("the probability that an interval covers", value);
+        let checked = UncertaintyChoices::LEVEL.check("the probability that an interval covers", value);
         checked.map_err(|error| value_error("uncertainty.level", &value.to_string(), raw.span(), error))
     });
     Ok(UncertaintyChoices {
