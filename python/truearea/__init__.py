@@ -4,22 +4,30 @@ Arrays in, tables out: see the functions and classes that are listed in ``truear
 quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
 """
 
+from truearea._boundary_elements import Pressed, boundary_elements
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
+from truearea._gap import Gaps, gap
+from truearea._law import ContactLaw, law
 from truearea._material import Material
 from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads, threads
+from truearea._persson import PerssonCurve, persson
 from truearea._results import Result, Table
 from truearea._scene import Scene, SceneResults, SceneTable
 from truearea._spectrum import Amplitudes, Fit, Moments, Spectrum, read_psd
 
 __all__ = [
     "Amplitudes",
+    "ContactLaw",
     "ContactStates",
     "Fit",
+    "Gaps",
     "InputError",
     "Material",
     "Moments",
+    "PerssonCurve",
+    "Pressed",
     "Result",
     "Scene",
     "SceneResults",
@@ -29,7 +37,11 @@ __all__ = [
     "StatisticalCurve",
     "Table",
     "__version__",
+    "boundary_elements",
     "contact",
+    "gap",
+    "law",
+    "persson",
     "read_psd",
     "set_threads",
     "stacked",

@@ -66,6 +66,71 @@ def curve(
     cutoff: float | str | None,
     scales_per_decade: int | None,
 ) -> tuple[_Columns, list[float], list[str]]: ...
+def press_heights(
+    heights_m: _Floats,
+    size: Sequence[Any],
+    periodic: bool,
+    detrend: str | None,
+    material: Material,
+    pressure: Any,
+    saturation: Any | None,
+    tolerance: float,
+    fields: bool,
+) -> tuple[_Columns, tuple[_Floats, _Floats, _Floats] | None, list[str]]: ...
+def press_spectrum(
+    surface: Surface,
+    random: Mapping[str, Any],
+    material: Material,
+    pressure: Any,
+    saturation: Any | None,
+    tolerance: float,
+    per_realisation: bool,
+    fields: bool,
+) -> tuple[_Columns, tuple[_Floats, _Floats, _Floats] | None, list[str]]: ...
+def gaps(
+    surface: Surface,
+    material: Material,
+    pressure: Any,
+    model: str,
+    choices: Mapping[str, Any],
+    tolerance: float,
+    random: Mapping[str, Any],
+) -> tuple[_Columns, list[str]]: ...
+def persson_curve(
+    surface: Surface,
+    material: Material,
+    pressure: Any,
+    model: str,
+    correction: str | None,
+    gamma: Any,
+    band: str,
+    hardness_law: str | None,
+    hardness_table: tuple[_Floats, _Floats] | None,
+    strain_gradient: bool,
+    amplitude: str,
+    cutoff: float | str | None,
+    scales_per_decade: int | None,
+) -> tuple[_Columns, list[float], tuple[float, float] | None, list[str]]: ...
+@final
+class ContactLaw:
+    def __new__(
+        cls,
+        surface: Surface,
+        material: Material,
+        pressure: Any,
+        model: str,
+        choices: Mapping[str, Any],
+        tolerance: float,
+    ) -> ContactLaw: ...
+    @property
+    def cut_pressure_pa(self) -> float: ...
+    @property
+    def interpolation_error(self) -> float: ...
+    @property
+    def notes(self) -> list[str]: ...
+    def columns(self) -> _Columns: ...
+    def to_text(self, dialect: str, units: str, name: str, form: str) -> str: ...
+
 @final
 class Material:
     def __new__(

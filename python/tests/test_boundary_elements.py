@@ -1,0 +1,294 @@
+"""Boundary elements: another solver's answers, shapes, what is refused, and Ctrl-C."""
+
+from __future__ import annotations
+
+import _thread
+import pickle
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+import truearea as ta
+from support import REFERENCE, Columns, numbers, words
+
+UNCD = "builtin:uncd-reconstructed"
+GLASS = ta.Material("100 GPa", 0.0, indentation_hardness="3 GPa")
+UM = 1e-6
+# The references are in units of the modulus.
+UNIT = ta.Material("70 GPa", 0.0)
+E_STAR = 70e9
+
+
+def wave(rows: int = 32, columns: int = 32) -> npt.NDArray[np.float64]:
+    """An egg box."""
+    y, x = (2.0 * np.pi * np.arange(points) / points for points in (rows, columns))
+    return 1e-8 * np.cos(y)[:, None] * np.cos(x)
+
+
+def reference_map(name: str) -> tuple[npt.NDArray[Any], tuple[float, float]]:
+    """Heights (rows, columns) in m, in the byte order of the file, and (lx, ly)."""
+    netcdf = pytest.importorskip("scipy.io").netcdf_file
+    with netcdf(REFERENCE / f"bem_{name}.nc", mmap=False) as file:
+        heights, x, y = (file.variables[key] for key in ("heights", "x", "y"))
+        assert heights.dimensions == ("x", "y")
+        scaled: npt.NDArray[Any] = (heights.data.T * UM).astype(">f8")
+        return scaled, (float(x.length) * UM, float(y.length) * UM)
+
+
+@pytest.mark.parametrize("name", ["a", "b"])
+def test_maps_are_pressed_as_another_solver_presses_them(name: str, reference: Callable[[str], Columns]) -> None:
+    table = reference("boundary_elements.csv")
+    heights_m, size = reference_map(name)
+    assert heights_m.dtype.byteorder == ">" and not heights_m.flags.c_contiguous
+    points = heights_m.size
+    saturations = numbers(table, "saturation_over_e_star")
+    of_map = np.array(words(table, "map")) == name
+    for saturation in np.unique(saturations[of_map]):
+        at = of_map & (np.isnan(saturations) if np.isnan(saturation) else saturations == saturation)
+        exact = {column: numbers(table, column)[at] for column in table if column != "map"}
+        pressed = ta.boundary_elements(
+            heights_m,
+            size,
+            pressure=exact["pressure_over_e_star"] * E_STAR,
+            material=UNIT,
+            saturation=None if np.isnan(saturation) else saturation * E_STAR,
+            periodic=True,
+            tolerance=1e-10,
+            fields=True,
+        )
+        within = 3.0 / points + np.finfo(float).eps
+        assert np.all(np.abs(pressed.area_fraction - exact["area_fraction"]) <= within)
+        plastic = np.nan_to_num(exact["plastic_area_fraction"])
+        assert np.all(np.abs(pressed.plastic_area_fraction - plastic) <= within)
+        largest_gap_m = pressed.gap_m.max(axis=(1, 2))
+        for found, column in ((pressed.mean_gap_m, "mean_gap_um"), (pressed.mean_plastic_depth_m, "mean_plastic_depth_um")):
+            bar_m = np.maximum(1e-5 * np.maximum(exact[column] * UM, 1e-3 * largest_gap_m), 1e-15)
+            assert np.all(np.abs(found - exact[column] * UM) <= bar_m), column
+        largest = pressed.largest_pressure_pa / E_STAR
+        assert np.allclose(largest, exact["largest_pressure_over_e_star"], rtol=1e-6, atol=0.0)
+
+
+def test_fields_carry_the_load_and_lie_as_the_heights_do() -> None:
+    # A ridge along x, at row 5: axis 0 is y.
+    heights_m = np.zeros((16, 24))
+    heights_m[5] = 1e-7
+    pressed = ta.boundary_elements(
+        heights_m, (1.5e-6, 1e-6), pressure=[1e7, 1e8], material=GLASS, periodic=True, fields=True
+    )
+    assert pressed.pressure_pa.shape == pressed.gap_m.shape == (2, 16, 24)
+    assert pressed.axes("pressure_pa") == ("load", "row", "column") and pressed.axes("height_m") == ("row", "column")
+    assert np.allclose(pressed.pressure_pa.mean(axis=(1, 2)), [1e7, 1e8], rtol=1e-9)
+    assert np.all(pressed.pressure_pa[0].sum(axis=1)[[row for row in range(16) if row != 5]] == 0.0)
+    assert np.allclose(pressed.height_m, heights_m - heights_m.mean(), atol=1e-20)
+    assert np.allclose(np.maximum(pressed.gap_m, 0.0).mean(axis=(1, 2)), pressed.mean_gap_m, rtol=1e-9)
+    # Contact along x shuts the ways along y alone.
+    assert pressed.open_along_x[0] == 1.0 and pressed.open_along_y[0] == 0.0
+
+
+def test_arrays_of_any_kind_are_the_same_surface() -> None:
+    rng = np.random.default_rng(1)
+    whole = rng.integers(-5, 5, size=(16, 16))
+
+    def area(h: Any) -> ta.Pressed:
+        return ta.boundary_elements(h, "16 m", pressure="1 GPa", material=GLASS, periodic=True)
+
+    once = area(whole.astype(np.float64))
+    for h in (whole, whole.astype(np.int8), whole.astype(np.float32), whole.astype(">i4"), whole.tolist()):
+        assert area(h) == once
+    strided = np.zeros((32, 48))
+    strided[::2, ::3] = whole
+    assert area(strided[::2, ::3]) == once
+    assert area(np.asfortranarray(whole.astype(float))) == once
+    assert area(np.ma.masked_array(whole, mask=False)) == once
+
+
+def test_edges_are_free_unless_said_otherwise_and_a_plane_is_subtracted() -> None:
+    tilted = wave() + np.linspace(0.0, 1e-7, 32)
+    options: dict[str, Any] = {"pressure": "100 MPa", "material": GLASS}
+    free = ta.boundary_elements(tilted, "1 um", **options)
+    assert np.allclose(free.area_fraction, ta.boundary_elements(wave(), "1 um", **options).area_fraction, atol=2 / 1024)
+    lying = ta.boundary_elements(tilted, "1 um", detrend="mean", **options)
+    assert lying.area_fraction[0] < free.area_fraction[0]
+    assert ta.boundary_elements(wave(), "1 um", periodic=True, **options) != ta.boundary_elements(wave(), "1 um", **options)
+
+
+class Topography:
+    """As those of SurfaceTopography: heights by (x, y), with a size, a unit, and whether it repeats itself."""
+
+    unit = "um"
+    physical_sizes = (1.5, 1.0)
+    is_periodic = True
+
+    def heights(self) -> npt.NDArray[np.float64]:
+        return wave(16, 24).T * 1e6
+
+
+def test_topographies_know_their_size_and_edges() -> None:
+    options: dict[str, Any] = {"pressure": "100 MPa", "material": GLASS, "fields": True}
+    given = ta.boundary_elements(Topography(), **options)
+    assert given.pressure_pa.shape == (1, 16, 24)
+    by_hand = ta.boundary_elements(wave(16, 24), ("1.5 um", "1 um"), periodic=True, **options)
+    assert np.allclose(given.pressure_pa, by_hand.pressure_pa, rtol=1e-6, atol=1.0)
+    free = ta.boundary_elements(Topography(), periodic=False, **options)
+    assert free.area_fraction != given.area_fraction
+    with pytest.raises(ta.InputError, match="size has no bearing on a topography"):
+        ta.boundary_elements(Topography(), 1e-6, **options)
+
+
+RANDOM: dict[str, Any] = {"grid": 32, "realisations": 3, "shortest": "1 um", "seed": 5}
+TYPED = "--grid 32 --realisations 3 --shortest 1um --seed 5 --youngs-modulus 100GPa --poisson-ratio 0".split()
+
+
+@pytest.mark.parametrize("each", [False, True])
+def test_random_surfaces_are_those_of_the_command_line_bit_for_bit(each: bool, command_line: Callable[..., Columns]) -> None:
+    loads = ["--pressure", "10MPa", "--pressure", "300MPa", "--saturation", "1GPa"]
+    crates = command_line("bem", UNCD, *TYPED, *loads, *(["--per-realisation"] if each else []))
+    pressed = ta.boundary_elements(
+        ta.read_psd(UNCD), pressure=["10 MPa", "300 MPa"], material=GLASS, saturation="1 GPa", per_realisation=each, **RANDOM
+    )
+    assert set(crates) - set(pressed) == ({"realisation", "standard_error"} if each else set())
+    for name in pressed:
+        array = np.broadcast_to(pressed[name][:, None], (2, 3)) if each and name == "nominal_pressure_pa" else pressed[name]
+        assert np.array_equal(array.reshape(-1), numbers(crates, name), equal_nan=True), name
+    assert pressed.axes("area_fraction") == (("load", "surface") if each else ("load",))
+
+
+def test_means_and_standard_errors_are_those_of_the_surfaces() -> None:
+    options: dict[str, Any] = {"pressure": [1e8, 1e9], "material": GLASS, "fields": True} | RANDOM
+    spectrum = ta.read_psd(UNCD)
+    each = ta.boundary_elements(spectrum, per_realisation=True, **options)
+    mean = ta.boundary_elements(spectrum, **options)
+    assert np.allclose(mean.area_fraction, each.area_fraction.mean(axis=1), rtol=1e-14)
+    best = each.area_fraction_extrapolated
+    assert np.allclose(mean.standard_error, best.std(axis=1, ddof=1) / np.sqrt(3.0), rtol=1e-10)
+    assert mean.pressure_pa.shape == (2, 3, 32, 32) and mean.height_m.shape == (3, 32, 32)
+    assert np.array_equal(mean.pressure_pa, each.pressure_pa)
+    assert np.allclose(mean.pressure_pa.mean(axis=(2, 3)), [[1e8] * 3, [1e9] * 3], rtol=1e-9)
+    touching = (mean.pressure_pa > 1e-10 * np.array([1e8, 1e9])[:, None, None, None]).mean(axis=(2, 3))
+    assert np.allclose(touching, each.area_fraction, atol=1e-15)
+    assert any("3 surfaces of 32 x 32 points" in note for note in mean.notes)
+
+
+def test_no_digit_depends_on_threads() -> None:
+    before = ta.threads()
+    options: dict[str, Any] = {"pressure": [1e8, 1e9], "material": GLASS} | RANDOM
+    try:
+        ta.set_threads(1)
+        one = ta.boundary_elements(ta.read_psd(UNCD), **options)
+        ta.set_threads(4)
+        assert ta.boundary_elements(ta.read_psd(UNCD), **options) == one
+    finally:
+        ta.set_threads(before)
+
+
+def test_results_are_pickled_and_framed() -> None:
+    pytest.importorskip("xarray")
+    pressed = ta.boundary_elements(
+        wave(), "1 um", pressure=[1e7, 1e8], material=GLASS, periodic=True, fields=True
+    )
+    assert pickle.loads(pickle.dumps(pressed)) == pressed
+    data = pressed.to_xarray()
+    assert data.pressure_pa.dims == ("load", "row", "column") and data.gap_m.attrs["units"] == "m"
+    assert set(data.coords) == {"nominal_pressure_pa"}
+    table = ta.boundary_elements(wave(), "1 um", pressure=[1e7, 1e8], material=GLASS).to_pandas()
+    assert len(table) == 2 and table["standard_error"].isna().all()
+
+
+@pytest.mark.parametrize(
+    ("h", "size", "changes", "told"),
+    [
+        (np.ma.masked_array(wave(), wave() > 0.9e-8), 1e-6, {}, "h: 42 of 1024 heights are masked; fill them"),
+        (np.where(wave() > 0.9e-8, np.nan, wave()), 1e-6, {}, "h: 42 of 1024 heights are NaN or infinite; fill them"),
+        (np.full((4, 4), np.inf), 1e-6, {}, "h: 16 of 16 heights are NaN or infinite"),
+        (wave()[0], 1e-6, {}, "h: a map of rows and columns is needed, and this has 1 axes"),
+        (wave()[None], 1e-6, {}, "h: a map of rows and columns is needed, and this has 3 axes"),
+        (3.0, 1e-6, {}, "h: a map of rows and columns is needed, and this has 0 axes"),
+        ([["1", "2"], ["3", "4"]], 1e-6, {}, "h: numbers are needed, and these are of type"),
+        ([[1.0, 2.0], [3.0]], 1e-6, {}, "h: no array can be made of it"),
+        (wave().astype(complex), 1e-6, {}, "h: numbers are needed, and these are of type complex128"),
+        (np.empty((0, 0)), 1e-6, {}, "h: .*columns"),
+        (wave()[:1], (1e-6, 1e-6), {}, "h: .*rows"),
+        (1e40 * wave(), 1e-6, {}, "height"),
+        (wave(), None, {}, r"size is needed: the lengths \(lx, ly\)"),
+        (wave(16, 32), 1e-6, {}, "size is one length, and h has 16 rows and 32 columns; give two"),
+        (wave(), (1e-6, 1e-6, 1e-6), {}, r"size: two lengths \(lx, ly\) are needed, and these are 3"),
+        (wave(), (1e-6, -1e-6), {}, r"size\[1\] is -0.000001; it must be finite and greater than 0"),
+        (wave(), "1 kg", {}, r"size\[0\]: "),
+        (wave(), (None, 1e-6), {}, r"size\[0\]: a number in m is needed, or text such as '5 um', and this is of type NoneType"),
+        (wave(), 1e-6, {"pressure": -1.0}, "pressure is -1; it must be finite and greater than 0"),
+        (wave(), 1e-6, {"pressure": []}, "pressure: it is empty"),
+        (wave(), 1e-6, {"saturation": "1 kPa"}, "a nominal pressure of 1 MPa cannot be carried: saturation lets no point"),
+        (wave(), 1e-6, {"saturation": 0.0}, "saturation is 0; it must be"),
+        (wave(), 1e-6, {"tolerance": 0.5}, "tolerance is 0.5; it must be"),
+        (wave(), 1e-6, {"tolerance": float("nan")}, "tolerance is NaN; it must be"),
+        (wave(), 1e-6, {"detrend": "cubic"}, "detrend: .*cubic.* mean, line, plane"),
+        (wave(), 1e-6, {"grid": 64}, "grid has no bearing on heights, only on a spectrum; leave it out"),
+        (wave(), 1e-6, {"per_realisation": True}, "per_realisation has no bearing on heights"),
+    ],
+)
+def test_heights_that_cannot_be_pressed_are_refused(h: Any, size: Any, changes: dict[str, Any], told: str) -> None:
+    given: dict[str, Any] = {"pressure": "1 MPa", "material": GLASS} | changes
+    with pytest.raises(ta.InputError, match=told):
+        ta.boundary_elements(h, size, **given)
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"size": 1e-6}, "size has no bearing on a spectrum, only on heights; leave it out"),
+        ({"periodic": True}, "periodic has no bearing on a spectrum"),
+        ({"detrend": "mean"}, "detrend has no bearing on a spectrum"),
+        ({"grid": 8}, "grid is 8; it must be a whole number from 16 to 16384"),
+        ({"grid": 10**30}, "grid is 1000000000000000000000000000000; it must be a whole number from 16"),
+        ({"grid": 32.5}, "grid is 32.5; it must be a whole number"),
+        ({"grid": True}, "grid is of type bool; it must be a whole number"),
+        ({"realisations": 0}, "realisations is 0; it must be a whole number from 1"),
+        ({"seed": -1}, "seed is -1; it must be a whole number from 0"),
+        ({"longest": "long"}, "longest: "),
+        ({"side": -1.0}, "side is -1; it must be"),
+        ({"phases": 3}, "phases: text is needed, and this is of type int"),
+        ({"phases": "none"}, "phases: .*none.* fixed-modulus, gaussian"),
+        ({"longest": 1e-3, "shortest": 1e-6}, f"{UNCD}: laying out a grid: the band from 1 mm to 1 µm is wider than 32 points"),
+        ({"longest": 1e-6, "shortest": 2e-6}, "it holds no roughness"),
+    ],
+)
+def test_surfaces_that_cannot_be_made_are_refused(changes: dict[str, Any], told: str) -> None:
+    given: dict[str, Any] = {"pressure": "1 MPa", "material": GLASS, "grid": 32} | changes
+    with pytest.raises(ta.InputError, match=told):
+        ta.boundary_elements(ta.read_psd(UNCD), **given)
+
+
+def test_a_saturation_in_hardnesses_needs_one() -> None:
+    with pytest.raises(ta.InputError, match="saturation is given in H, .* give the material indentation_hardness"):
+        ta.boundary_elements(wave(), 1e-6, pressure="1 MPa", material=UNIT, saturation="1 H")
+
+
+def test_fields_beyond_memory_are_a_memory_error() -> None:
+    with pytest.raises(MemoryError):
+        ta.boundary_elements(
+            ta.read_psd(UNCD), pressure="1 GPa", material=GLASS, grid=16384, realisations=2**31, shortest="1 um", fields=True
+        )
+
+
+def test_ctrl_c_ends_a_long_run() -> None:
+    interrupt = threading.Timer(0.5, _thread.interrupt_main)
+    begin = time.monotonic()
+    interrupt.start()
+    with pytest.raises(KeyboardInterrupt):
+        ta.boundary_elements(
+            ta.read_psd(UNCD),
+            pressure=np.geomspace(1e7, 1e10, 40),
+            material=GLASS,
+            grid=256,
+            realisations=50,
+            shortest="100 nm",
+            tolerance=1e-10,
+        )
+    assert time.monotonic() - begin < 10.0
+    # The next call is none the worse for it.
+    assert ta.boundary_elements(wave(), 1e-6, pressure="1 MPa", material=GLASS).area_fraction[0] > 0.0

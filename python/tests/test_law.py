@@ -1,0 +1,153 @@
+"""Laws for finite elements: their rows, their texts, and what is refused."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import truearea as ta
+from support import Columns, columns_of, numbers
+
+UNCD = "builtin:uncd-reconstructed"
+DIAMOND = ta.Material("463 GPa", 0.2)
+OPTIONS = ["--youngs-modulus", "463GPa", "--poisson-ratio", "0.2", "--pressure-range", "10kPa:10MPa"]
+RANGE = ("10 kPa", "10 MPa")
+
+
+@pytest.fixture(scope="module")
+def law() -> ta.ContactLaw:
+    return ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE)
+
+
+@pytest.mark.parametrize("model", ["persson", "hertz"])
+def test_rows_are_those_of_the_command_line_bit_for_bit(model: str, command_line: Callable[..., Columns]) -> None:
+    crates = command_line("law", UNCD, "--model", model, "--dialect", "csv", *OPTIONS)
+    law = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, model=model)
+    found = (law.pressure_pa, law.overclosure_m, law.mean_gap_m, law.area_fraction)
+    for array, name in zip(found, ("pressure_Pa", "overclosure_m", "mean_gap_m", "area_fraction")):
+        assert np.array_equal(array, numbers(crates, name)), name
+
+
+def test_the_law_is_that_of_the_gap_and_keeps_its_tolerance(law: ta.ContactLaw) -> None:
+    uncd = ta.read_psd(UNCD)
+    assert law.pressure_pa[0] == 0.0 and law.overclosure_m[0] == 0.0 and law.pressure_pa[-1] == 1e7
+    assert np.isclose(law.cut_pressure_pa, 1e4 / np.e, rtol=1e-15)
+    gaps = ta.gap(uncd, DIAMOND, pressure=law.pressure_pa[1:])
+    assert np.array_equal(gaps.mean_gap_m, law.mean_gap_m[1:])
+    assert np.array_equal(gaps.area_fraction, law.area_fraction[1:])
+    assert np.all(np.diff(law.overclosure_m) > 0.0) and np.all(np.diff(law.pressure_pa) > 0.0)
+    between = np.geomspace(1e4, 1e7, 200)
+    overclosure_m = law.mean_gap_m[0] - ta.gap(uncd, DIAMOND, pressure=between).mean_gap_m
+    straight = np.interp(overclosure_m, law.overclosure_m, law.pressure_pa)
+    assert 1e-4 < np.max(np.abs(straight / between - 1.0)) <= 0.01
+    assert 0.0 < law.interpolation_error <= 0.01
+    finer = ta.law(uncd, DIAMOND, from_pressure="10 kPa", to_pressure="10 MPa", tolerance=1e-3)
+    assert len(finer.pressure_pa) > 2 * len(law.pressure_pa)
+
+
+def data_lines(text: str) -> list[list[float]]:
+    return [[float(cell) for cell in line.split(",")] for line in text.splitlines() if not line.startswith("*")]
+
+
+@pytest.mark.parametrize("dialect", ["abaqus", "calculix"])
+def test_texts_of_codes_hold_the_rows(law: ta.ContactLaw, dialect: str) -> None:
+    text = law.to_text(dialect, units="N-mm", name="GASKET-1")
+    assert "*SURFACE INTERACTION, NAME=GASKET-1\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n" in text
+    rows = np.array(data_lines(text))
+    assert np.allclose(rows[:, 0], law.pressure_pa / 1e6, rtol=1e-12) and rows.shape[1] == 2
+    assert np.allclose(rows[:, 1], law.overclosure_m * 1e3, rtol=1e-12)
+    assert "** spectrum: builtin:uncd-reconstructed" in text and "truearea.law, model persson" in text
+    assert "E = 463000000000 Pa" in text
+
+
+def test_the_plain_table_has_all_digits(law: ta.ContactLaw) -> None:
+    table = columns_of(law.to_text("csv"))
+    assert np.array_equal(numbers(table, "pressure_Pa"), law.pressure_pa)
+    assert np.array_equal(numbers(table, "mean_gap_m"), law.mean_gap_m)
+
+
+def test_light_loads_are_two_numbers_of_calculix(law: ta.ContactLaw) -> None:
+    text = law.to_text("calculix", form="exponential")
+    [[clearance_m, pressure_pa]] = data_lines(text)
+    light = ta.gap(ta.read_psd(UNCD), DIAMOND, pressure="1 MPa")
+    assert np.isclose(clearance_m, np.log(100.0) * light.u0_m[0], rtol=1e-11)
+    assert np.isclose(pressure_pa, light.p00_pa[0], rtol=1e-11)
+    with pytest.raises(ta.InputError, match="the exponential form is one of calculix alone"):
+        law.to_text("abaqus", form="exponential")
+    hertz = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, model="hertz")
+    with pytest.raises(ta.InputError, match="form exponential is .* and model hertz has none; take the table"):
+        hertz.to_text("calculix", form="exponential")
+
+
+def test_a_law_is_pickled_with_its_texts_and_framed(law: ta.ContactLaw) -> None:
+    again = pickle.loads(pickle.dumps(law))
+    assert again == law and again.notes == law.notes
+    assert again.to_text("abaqus") == law.to_text("abaqus")
+    frame = law.to_pandas()
+    assert list(frame) == ["pressure_pa", "overclosure_m", "mean_gap_m", "area_fraction"]
+    assert "ContactLaw (point: " in repr(law)
+
+
+def test_a_file_is_written_whole_or_not_at_all(law: ta.ContactLaw, tmp_path: Path) -> None:
+    target = tmp_path / "rough.inp"
+    target.write_text("what was there")
+    with pytest.raises(ta.InputError, match="dialect"):
+        law.write(target, "ansys")
+    assert target.read_text() == "what was there"
+    law.write(target, "abaqus", units="N-mm")
+    assert target.read_text(encoding="utf-8") == law.to_text("abaqus", units="N-mm")
+    link = tmp_path / "link.inp"
+    link.symlink_to(target)
+    law.write(str(link), "csv")
+    assert link.is_symlink() and target.read_text(encoding="utf-8") == law.to_text("csv")
+    with pytest.raises(FileNotFoundError):
+        law.write(tmp_path / "nowhere" / "rough.inp", "csv")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["link.inp", "rough.inp"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"pressure": None}, "pressure is needed: two of them"),
+        ({"pressure": None, "from_pressure": "1 kPa"}, "pressure is needed: two of them"),
+        ({"from_pressure": "1 kPa"}, "pressure and from_pressure or to_pressure are both given"),
+        ({"pressure": "1 MPa"}, "pressure: a law goes from one pressure to another, and this is 1 of them; give two"),
+        ({"pressure": [1e4, 1e5, 1e6]}, "and this is 3 of them; give two"),
+        ({"pressure": ("10 MPa", "10 kPa")}, "give the smaller one first"),
+        ({"pressure": (1e4, float("inf"))}, r"pressure\[1\] is inf; it must be finite"),
+        ({"tolerance": 0.9}, "tolerance is 0.9; it must be"),
+        ({"model": "bem"}, "model: 'bem' is none of those with gaps, persson, .*, bgt$"),
+        ({"model": "hertz", "gamma": 0.4}, "gamma has no bearing on model hertz"),
+    ],
+)
+def test_wrong_input_is_told_by_its_argument(changes: dict[str, Any], told: str) -> None:
+    given: dict[str, Any] = {"pressure": RANGE} | changes
+    with pytest.raises(ta.InputError, match=told):
+        ta.law(ta.read_psd(UNCD), DIAMOND, **given)
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"dialect": "ansys"}, "dialect: .*ansys.* abaqus, calculix, csv"),
+        ({"units": "mm"}, "units: .*mm.* SI, N-mm"),
+        ({"name": "two words"}, "name: a name begins with a letter and has at most 80 letters"),
+        ({"name": ""}, "name: a name begins with a letter"),
+        ({"form": "cubic"}, "form: 'cubic' is none of table, exponential"),
+    ],
+)
+def test_wrong_words_are_refused(law: ta.ContactLaw, changes: dict[str, str], told: str) -> None:
+    given = {"dialect": "abaqus"} | changes
+    with pytest.raises(ta.InputError, match=told):
+        law.to_text(given.pop("dialect"), **given)
+
+
+def test_rows_nearer_than_a_code_tells_apart_are_refused() -> None:
+    fine = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, tolerance=1e-5)
+    with pytest.raises(ta.InputError, match="calculix has room for 200|moves rows apart"):
+        fine.to_text("calculix")

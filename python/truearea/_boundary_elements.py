@@ -1,0 +1,253 @@
+"""Surfaces pressed point by point."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from truearea import _native
+from truearea._arrays import doubles
+from truearea._curves import Pressures
+from truearea._material import Material, Quantity
+from truearea._native import InputError
+from truearea._results import AnyArray, FloatArray, Result
+from truearea._spectrum import Spectrum
+from truearea._topography import heights_and_size, is_topography
+
+
+class Pressed(Result):
+    """Surfaces pressed by boundary elements: of random surfaces the mean, or each of them."""
+
+    _title = "boundary elements"
+    __slots__ = ()
+    nominal_pressure_pa: FloatArray
+    area_fraction: FloatArray
+    area_fraction_corrected: FloatArray
+    area_fraction_extrapolated: FloatArray
+    standard_error: FloatArray
+    plastic_area_fraction: FloatArray
+    plastic_area_fraction_corrected: FloatArray
+    mean_gap_m: FloatArray
+    mean_plastic_depth_m: FloatArray
+    largest_pressure_pa: FloatArray
+    stiffness_pa_per_m: FloatArray
+    open_along_x: FloatArray
+    open_along_y: FloatArray
+    iterations: FloatArray
+    residual: FloatArray
+    pressure_pa: FloatArray
+    gap_m: FloatArray
+    height_m: FloatArray
+
+    def _is_coordinate(self, name: str) -> bool:
+        return name == "nominal_pressure_pa" and super()._is_coordinate(name)
+
+
+def boundary_elements(
+    h: Any,
+    size: Quantity | tuple[Quantity, Quantity] | None = None,
+    *,
+    pressure: Pressures,
+    material: Material,
+    saturation: Quantity | None = None,
+    periodic: bool | None = None,
+    detrend: str | None = None,
+    tolerance: float = 1e-6,
+    fields: bool = False,
+    grid: int | None = None,
+    realisations: int | None = None,
+    seed: int | None = None,
+    longest: Quantity | None = None,
+    shortest: Quantity | None = None,
+    side: Quantity | None = None,
+    phases: str | None = None,
+    per_realisation: bool = False,
+) -> Pressed:
+    """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
+
+    Every point of the grid carries a pressure, and equilibrium is found by conjugate directions with the displacements of the
+    half-space by fast Fourier transforms. Areas are corrected for the staircase around each spot (Yastrebov, Anciaux & Molinari
+    2017, Tribol. Int. 114:161).
+
+    Parameters
+    ----------
+    h : array_like of float, shape (rows, columns), or a topography, or Spectrum
+        Heights in m; higher points touch first. Axis 0 is y, axis 1 is x. Or an object of SurfaceTopography, which knows its size
+        and unit. Or a spectrum, of which random surfaces are made.
+    size : float or str, or two of them
+        Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as
+        columns.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    material : Material
+        The bodies in contact, of which E* counts, and the hardness as a unit.
+    saturation : float or str, optional
+        The pressure at which the surface flows, an indentation hardness such as ``"3 GPa"`` or ``"1 H"``; elastic throughout
+        where left out.
+    periodic : bool, default False
+        What lies beyond the edges of a map: the map again, or an unloaded half-space. Of a topography what it says itself, where
+        left out.
+    detrend : {"plane", "line", "mean"}, optional
+        What is subtracted from heights: by default a plane, from periodic ones the mean.
+    tolerance : float, default 1e-6
+        The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1.
+    fields : bool, default False
+        Give pressure and gap of every point as well.
+    grid : int, default 512
+        Points along each side of a random surface, from 16 to 16384.
+    realisations : int, default 8
+        How many surfaces are made of the spectrum.
+    seed : int, default 1
+        The seed of their phases.
+    longest, shortest : float or str, optional
+        The longest and the shortest wavelength of the surfaces; where left out, that of the spectrum for the shortest, and as
+        long as the grid holds for the longest.
+    side : float or str, optional
+        Length of a side.
+    phases : {"fixed-modulus", "gaussian"}, optional
+        What is random: phases alone, or moduli as well.
+    per_realisation : bool, default False
+        Tell of each random surface instead of their mean.
+
+    Returns
+    -------
+    Pressed
+        Along the loads, and with ``per_realisation`` along the surfaces: ``area_fraction`` counts points,
+        ``area_fraction_corrected`` is less the staircase, ``area_fraction_extrapolated`` is what a finer grid would show, with its
+        ``standard_error`` over the surfaces; ``plastic_area_fraction``, ``mean_gap_m``, ``mean_plastic_depth_m``,
+        ``largest_pressure_pa``, ``stiffness_pa_per_m``; ``open_along_x`` and ``open_along_y``, the share of the surfaces that an
+        open way crosses; ``iterations``, ``residual``. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows,
+        columns), of random surfaces (loads, surfaces, rows, columns), and ``height_m``, the heights as they were pressed.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound; with their count for heights that are masked or not finite.
+    KeyboardInterrupt
+        Soon after Ctrl-C, wherever the work is.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import truearea as ta
+    >>> x = np.linspace(0, 2 * np.pi, 64, endpoint=False)
+    >>> wave = 1e-8 * np.cos(x) * np.cos(x)[:, None]
+    >>> glass = ta.Material("100 GPa", 0.0)
+    >>> pressed = ta.boundary_elements(
+    ...     wave, "1 um", pressure=["10 MPa", "1 GPa"], material=glass, periodic=True, fields=True
+    ... )
+    >>> pressed.pressure_pa.shape
+    (2, 64, 64)
+    >>> bool(pressed.area_fraction[0] < pressed.area_fraction[1])
+    True
+    >>> bool(abs(pressed.pressure_pa[1].mean() / 1e9 - 1) < 1e-9)
+    True
+    """
+    random = {
+        "grid": grid,
+        "realisations": realisations,
+        "seed": seed,
+        "longest": longest,
+        "shortest": shortest,
+        "side": side,
+        "phases": phases,
+    }
+    if isinstance(h, Spectrum):
+        of_maps = {"size": size, "periodic": periodic, "detrend": detrend}
+        _refuse("a spectrum, only on heights", [name for name, given in of_maps.items() if given is not None])
+        columns, of_points, notes = _native.press_spectrum(
+            h._native, random, material._native, pressure, saturation, tolerance, per_realisation, fields
+        )
+        surfaces: tuple[str, ...] = ("surface",)
+    else:
+        of_spectra = [name for name, given in random.items() if given is not None]
+        of_spectra += ["per_realisation"] if per_realisation else []
+        _refuse("heights, only on a spectrum", of_spectra)
+        heights, lengths, is_periodic = _map(h, size)
+        columns, of_points, notes = _native.press_heights(
+            heights,
+            lengths,
+            is_periodic if periodic is None else bool(periodic),
+            detrend,
+            material._native,
+            pressure,
+            saturation,
+            tolerance,
+            fields,
+        )
+        surfaces = ()
+    arrays, axes = _of_table(columns)
+    if of_points is not None:
+        points = (*surfaces, "row", "column")
+        for name, array in zip(("pressure_pa", "gap_m", "height_m"), of_points):
+            arrays[name] = array
+            axes[name] = points if name == "height_m" else ("load", *points)
+    return Pressed(arrays, axes, tuple(notes))
+
+
+def _refuse(what: str, idle: list[str]) -> None:
+    if idle:
+        raise InputError(f"{idle[0]} has no bearing on {what}; leave it out")
+
+
+def _map(h: Any, size: Any) -> tuple[FloatArray, tuple[Any, Any], bool]:
+    """Heights, the lengths of their map, and whether it is said to repeat itself."""
+    if not is_topography(h):
+        heights = _heights(h)
+        return heights, _size(size, heights.shape), False
+    if size is not None:
+        raise InputError("size has no bearing on a topography, which knows its own; leave it out")
+    given, own, is_periodic = heights_and_size(h, "h")
+    heights = _heights(given)
+    return heights, _size(own, heights.shape), is_periodic
+
+
+def _heights(given: Any) -> FloatArray:
+    """A map of heights, whole."""
+    masked = int(np.count_nonzero(np.ma.getmaskarray(given))) if isinstance(given, np.ma.MaskedArray) else 0
+    if masked:
+        raise InputError(f"h: {masked} of {np.size(given)} heights are masked; fill them before the map is pressed")
+    heights = doubles("h", given)
+    if heights.ndim != 2:
+        raise InputError(f"h: a map of rows and columns is needed, and this has {heights.ndim} axes")
+    unknown = heights.size - int(np.count_nonzero(np.isfinite(heights)))
+    if unknown:
+        raise InputError(
+            f"h: {unknown} of {heights.size} heights are NaN or infinite; fill them before the map is pressed"
+        )
+    return heights
+
+
+def _size(given: Any, shape: tuple[int, ...]) -> tuple[Any, Any]:
+    """Lengths along x and y."""
+    if given is None:
+        raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
+    if isinstance(given, str) or np.ndim(given) == 0:
+        rows, columns = shape
+        if rows != columns:
+            raise InputError(
+                f"size is one length, and h has {rows} rows and {columns} columns; give two, (lx, ly)"
+            )
+        return (given, given)
+    lengths = tuple(given)
+    if len(lengths) != 2:
+        raise InputError(f"size: two lengths (lx, ly) are needed, and these are {len(lengths)}")
+    return lengths
+
+
+def _of_table(columns: dict[str, Any]) -> tuple[dict[str, AnyArray], dict[str, tuple[str, ...]]]:
+    """The arrays of a table and their axes: along the loads, and of each surface along the surfaces as well."""
+    numbers = columns.pop("realisation", None)
+    table: dict[str, npt.NDArray[np.float64]] = {name: np.asarray(values) for name, values in columns.items()}
+    if numbers is None:
+        return dict(table), {name: ("load",) for name in table}
+    surfaces = int(numbers[-1])
+    arrays: dict[str, AnyArray] = {name: array.reshape(-1, surfaces) for name, array in table.items()}
+    axes: dict[str, tuple[str, ...]] = {name: ("load", "surface") for name in arrays}
+    arrays["nominal_pressure_pa"] = arrays["nominal_pressure_pa"][:, 0]
+    axes["nominal_pressure_pa"] = ("load",)
+    # One surface alone has no scatter.
+    del arrays["standard_error"], axes["standard_error"]
+    return arrays, axes

@@ -1,0 +1,147 @@
+"""Mean gap and stiffness of a surface under loads."""
+
+from __future__ import annotations
+
+from truearea import _native
+from truearea._curves import Pressures
+from truearea._material import Material, Quantity
+from truearea._results import FloatArray, Table
+from truearea._spectrum import Spectrum
+
+
+class Gaps(Table):
+    """A surface under loads, with its whole spectrum."""
+
+    _title = "mean gap and stiffness"
+    __slots__ = ()
+    nominal_pressure_pa: FloatArray
+    area_fraction: FloatArray
+    mean_gap_m: FloatArray
+    stiffness_pa_per_m: FloatArray
+    u0_m: FloatArray
+    p00_pa: FloatArray
+
+
+def gap(
+    spectrum: Spectrum,
+    material: Material,
+    *,
+    pressure: Pressures,
+    model: str = "persson",
+    gamma: float | None = None,
+    band: str | None = None,
+    strain_gradient: bool = False,
+    hardness: str | None = None,
+    interference_law: str | None = None,
+    normalisation: str | None = None,
+    tolerance: float = 1e-12,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+    grid: int | None = None,
+    realisations: int | None = None,
+    seed: int | None = None,
+    longest: Quantity | None = None,
+    shortest: Quantity | None = None,
+    side: Quantity | None = None,
+    phases: str | None = None,
+) -> Gaps:
+    """How far apart two rough surfaces stand under loads, and how stiff they are against more of it.
+
+    The gap is measured from the mean plane of the rough surface to the flat: of the deformed surface in Persson's theory
+    (Persson 2007; Yang & Persson 2008), of the undeformed one where asperities are pressed one by one (Greenwood & Williamson
+    1966).
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        The roughness.
+    material : Material
+        The bodies in contact.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"}
+        What makes the gap; ``"bem"`` is boundary elements on random surfaces.
+    gamma : float, optional
+        Elastic energy factor of Persson's theory, above 0 and at most 1; 0.45 where left out.
+    band : {"1d", "2d"}, optional
+        What Persson's theory cuts off at a wavelength: the spectrum of profiles, as where left out, or that of the surface, which
+        agrees with boundary elements where the spectrum rolls off.
+    strain_gradient : bool, default False
+        Let the strength grow at small depths, with the material's ``strain_gradient_length``.
+    hardness : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield.
+    interference_law : str, optional
+        What ties pressure to interference of elastic sinusoids.
+    normalisation : {"parseval", "as-printed"}, optional
+        The factor of the moments of statistical models.
+    tolerance : float, default 1e-12
+        Relative tolerance of statistical states, above 0 and at most 0.01.
+    cutoff : float or str, optional
+        The shortest wavelength that takes part.
+    scales_per_decade : int, optional
+        Resample to so many wavelengths a decade.
+    grid, realisations, seed, longest, shortest, side, phases : optional
+        Random surfaces of ``model="bem"``, as :func:`boundary_elements` has them.
+
+    Returns
+    -------
+    Gaps
+        A row a load: ``nominal_pressure_pa``, ``area_fraction``, ``mean_gap_m``, ``stiffness_pa_per_m`` (K = -dp/du, never by
+        differences), and ``u0_m``, ``p00_pa`` of the law u = u0 ln(p00/p) that Persson's theory follows at light loads. NaN where
+        the model has none.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound, and for arguments that the model has no use for.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> uncd = ta.read_psd("builtin:uncd-reconstructed")
+    >>> diamond = ta.Material("463 GPa", 0.2)
+    >>> gaps = ta.gap(uncd, diamond, pressure=["10 kPa", "1 MPa"], band="2d")
+    >>> bool(gaps.mean_gap_m[1] < gaps.mean_gap_m[0])
+    True
+    >>> bool(gaps.stiffness_pa_per_m[1] > gaps.stiffness_pa_per_m[0])
+    True
+    """
+    choices = _choices(
+        gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade
+    )
+    random = {
+        "grid": grid,
+        "realisations": realisations,
+        "seed": seed,
+        "longest": longest,
+        "shortest": shortest,
+        "side": side,
+        "phases": phases,
+    }
+    columns, notes = _native.gaps(
+        spectrum._native, material._native, pressure, model, choices, tolerance, random
+    )
+    return Gaps._of(columns, tuple(notes), axis="load")
+
+
+def _choices(
+    gamma: float | None,
+    band: str | None,
+    strain_gradient: bool,
+    hardness: str | None,
+    interference_law: str | None,
+    normalisation: str | None,
+    cutoff: Quantity | None,
+    scales_per_decade: int | None,
+) -> dict[str, object]:
+    """What there is to choose of the models of gaps."""
+    return {
+        "gamma": gamma,
+        "band": band,
+        "strain_gradient": strain_gradient,
+        "hardness": hardness,
+        "interference_law": interference_law,
+        "normalisation": normalisation,
+        "cutoff": cutoff,
+        "scales_per_decade": scales_per_decade,
+    }

@@ -1,0 +1,149 @@
+"""Persson's theory along the cutoff."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from truearea import _native
+from truearea._arrays import doubles
+from truearea._curves import Curve, Pressures
+from truearea._material import Material, Quantity
+from truearea._native import InputError
+from truearea._results import FloatArray
+from truearea._spectrum import Spectrum
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+class PerssonCurve(Curve):
+    """Contact by Persson's theory along the cutoff, and the law u = u0 ln(p00/p), K = p/u0 of light loads."""
+
+    _title = "Persson's theory against cutoff"
+    __slots__ = ()
+    elastic_area_fraction: FloatArray
+    plastic_area_fraction: FloatArray
+    real_pressure_pa: FloatArray
+    rms_gradient: FloatArray
+    mean_gap_m: FloatArray
+    stiffness_pa_per_m: FloatArray
+    u0_m: FloatArray
+    p00_pa: FloatArray
+
+
+def persson(
+    spectrum: Spectrum,
+    material: Material,
+    *,
+    pressure: Pressures,
+    model: str = "elastic",
+    correction: str | None = None,
+    gamma: float = 0.45,
+    band: str = "1d",
+    hardness_law: str | Mapping[str, Any] | pd.DataFrame | None = None,
+    strain_gradient: bool = False,
+    amplitude: str = "eq5",
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+) -> PerssonCurve:
+    """Contact area, mean gap and stiffness against cutoff by Persson's theory (Persson 2001, 2007; Yang & Persson 2008).
+
+    With the rms gradient h' of all waves down to the cutoff, the pressure that would press the surface flat has the standard
+    deviation s = E* h'/2, and the elastic area is erf(p/(sqrt(2) s)). A hardness H is a second wall, where the contact flows.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        The roughness.
+    material : Material
+        The bodies in contact.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    model : {"elastic", "elastic-plastic"}
+        Whether the contact flows, at the indentation hardness.
+    correction : {"wang-muser", "yang-persson", "algebraic", "algebraic-nayak"}, optional
+        A corrected form of the elastic theory, fitted to simulations.
+    gamma : float, default 0.45
+        Elastic energy factor of the mean gap, above 0 and at most 1 (Almqvist et al. 2011).
+    band : {"1d", "2d"}
+        What is cut off at a wavelength: the spectrum of profiles, or that of the surface.
+    hardness_law : str, or mapping of arrays, optional
+        How the hardness grows towards short wavelengths: ``"power:0.2"``, with the wavevector to that power; ``"nix-gao"``,
+        with the amplitudes of scales and the material's ``strain_gradient_length``; or a table as measured, with the columns
+        ``contact_size_m`` and ``hardness_pa``, as a dict or a data frame has them.
+    strain_gradient : bool, default False
+        The same as ``hardness_law="nix-gao"``.
+    amplitude : str, optional
+        How the amplitude of a scale is made from the spectrum (Eq. 5 by default).
+    cutoff : float or str, optional
+        The shortest wavelength that takes part in the areas; gap and stiffness take the waves that it leaves out as well.
+    scales_per_decade : int, optional
+        Resample to so many wavelengths a decade.
+
+    Returns
+    -------
+    PerssonCurve
+        ``nominal_pressure_pa`` (loads,); ``wavelength_m`` and ``rms_gradient`` (cutoffs,); ``area_fraction``,
+        ``elastic_area_fraction``, ``plastic_area_fraction``, ``real_pressure_pa``, ``mean_gap_m`` and ``stiffness_pa_per_m``
+        (loads, cutoffs), the last two NaN where more than 3 % of the contact is plastic; ``u0_m`` and ``p00_pa`` without axes,
+        NaN where the cutoff leaves no roughness.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound; for a hardness that falls towards short wavelengths.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> uncd = ta.read_psd("builtin:uncd-reconstructed")
+    >>> diamond = ta.Material("463 GPa", 0.2)
+    >>> curve = ta.persson(uncd, diamond, pressure="5.4 MPa")
+    >>> bool(0.0 < curve.area_fraction[0, -1] < curve.area_fraction[0, 0] == 1.0)
+    True
+    >>> bool(1e-9 < curve.u0_m < 1e-6)
+    True
+    """
+    name = hardness_law if isinstance(hardness_law, str) else None
+    table = None if hardness_law is None or isinstance(hardness_law, str) else _table(hardness_law)
+    columns, pressures_pa, light, notes = _native.persson_curve(
+        spectrum._native,
+        material._native,
+        pressure,
+        model,
+        correction,
+        gamma,
+        band,
+        name,
+        table,
+        strain_gradient,
+        amplitude,
+        cutoff,
+        scales_per_decade,
+    )
+    loads = {"nominal_pressure_pa": np.asarray(pressures_pa)}
+    blocks = PerssonCurve._of_blocks(columns, loads, notes, ("wavelength_m", "rms_gradient"))
+    u0_m, p00_pa = (np.nan, np.nan) if light is None else light
+    arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
+    axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}
+    return PerssonCurve(arrays, axes, blocks.notes)
+
+
+def _table(given: Mapping[str, Any] | pd.DataFrame) -> tuple[FloatArray, FloatArray]:
+    """Sizes of contacts and their hardnesses."""
+    try:
+        found = [doubles(f"hardness_law[{name!r}]", given[name]) for name in ("contact_size_m", "hardness_pa")]
+    except (KeyError, TypeError, IndexError):
+        raise InputError(
+            "hardness_law: 'power:N' or 'nix-gao' is needed, or a mapping with the columns contact_size_m and hardness_pa"
+        ) from None
+    sizes_m, hardnesses_pa = found
+    if sizes_m.ndim != 1 or sizes_m.shape != hardnesses_pa.shape:
+        raise InputError(
+            "hardness_law: contact_size_m and hardness_pa have to be columns of one length, and theirs are "
+            f"{sizes_m.shape} and {hardnesses_pa.shape}"
+        )
+    return sizes_m, hardnesses_pa
