@@ -11,13 +11,18 @@ _Columns = dict[str, Any]
 
 __all__ = [
     "VERSION",
+    "ContactLaw",
     "InputError",
     "Material",
     "Scene",
     "Surface",
     "contact_states",
     "curve",
+    "gaps",
     "in_metres",
+    "persson_curve",
+    "press_heights",
+    "press_spectrum",
     "scene_template",
     "scene_with_keys",
     "set_threads",
