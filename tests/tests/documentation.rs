@@ -48,7 +48,11 @@ fn every_link_between_the_pages_leads_somewhere() {
 }
 
 fn pages() -> impl Iterator<Item = PathBuf> {
-    let files = std::fs::read_dir(committed_file("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let folders = ["docs", "docs/python"].map(committed_file);
+    let files = folders
+        .into_iter()
+        .flat_map(|folder| std::fs::read_dir(folder).unwrap())
+        .map(|entry| entry.unwrap().path());
     files.filter(|path| path.extension().is_some_and(|extension| extension == "md"))
 }
 

@@ -21,7 +21,11 @@ pub(crate) fn run(anew: bool) -> ExitCode {
 
 fn carry_out(anew: bool) -> Result<(), String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
-    let place = Place { package: root.join("python"), built: root.join("target/python") };
+    let place = Place {
+        package: root.join("python"),
+        built: root.join("target/python"),
+        program: command_line(root)?,
+    };
     std::fs::create_dir_all(&place.built)
         .map_err(|error| format!("making {}: {error}", place.built.display()))?;
     if anew && place.environment().exists() {
@@ -48,10 +52,25 @@ fn carry_out(anew: bool) -> Result<(), String> {
     place.run("pyright", &["--pythonpath", &python, &tests, &examples])
 }
 
-/// Where the package stands, and where what is made of it goes.
+/// The command line of this checkout, whose digits the tests compare with.
+fn command_line(root: &Path) -> Result<PathBuf, String> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let status =
+        Command::new(cargo).args(["build", "--quiet", "--package", "cli"]).current_dir(root).status();
+    match status {
+        Ok(status) if status.success() => {
+            Ok(root.join("target/debug/truearea").with_extension(std::env::consts::EXE_EXTENSION))
+        }
+        Ok(status) => Err(format!("building the command line has failed ({status})")),
+        Err(error) => Err(format!("running cargo: {error}")),
+    }
+}
+
+/// Where the package stands, where what is made of it goes, and the command line beside it.
 struct Place {
     package: PathBuf,
     built: PathBuf,
+    program: PathBuf,
 }
 
 impl Place {
@@ -103,6 +122,7 @@ impl Place {
             .args(arguments)
             .current_dir(&self.built)
             .env("CARGO_TARGET_DIR", &self.built)
+            .env("TRUEAREA_PROGRAM", &self.program)
             .env("PIP_DISABLE_PIP_VERSION_CHECK", "1")
             .status()
             .map_err(|error| format!("running {}: {error}", program.display()))?;
