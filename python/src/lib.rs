@@ -12,10 +12,12 @@ mod lengths;
 mod material;
 mod persson;
 mod quantities;
+mod scans;
 mod scene;
 mod surface;
 mod tables;
 mod threads;
+mod uncertainty;
 mod work;
 
 /// The functions and types that the Python modules stand on.
@@ -40,13 +42,21 @@ mod _native {
     #[pymodule_export]
     use super::persson::persson_curve;
     #[pymodule_export]
+    use super::scans::{PyAskedScan, PyScan, channels_of, composite, scans_of};
+    #[pymodule_export]
     use super::scene::{PyScene, scene_template, scene_with_keys, write_files};
     #[pymodule_export]
     use super::surface::PySurface;
     #[pymodule_export]
     use super::threads::{set_threads, threads};
+    #[pymodule_export]
+    use super::uncertainty::uncertainty_of;
 
     /// The version of the program.
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// The files that describe the scans beside them.
+    #[pymodule_export]
+    const METADATA_FILES: [&str; 2] = measurements::METADATA_FILES;
 }

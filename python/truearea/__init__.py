@@ -5,6 +5,7 @@ quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
 """
 
 from truearea._boundary_elements import Pressed, boundary_elements
+from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
 from truearea._gap import Gaps, gap
@@ -14,11 +15,15 @@ from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads, threads
 from truearea._persson import PerssonCurve, persson
 from truearea._results import Result, Table
+from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
-from truearea._spectrum import Amplitudes, Fit, Moments, Spectrum, read_psd
+from truearea._spectrum import Amplitudes, Fit, Moments, Scans, Spectrum, read_psd
+from truearea._uncertainty import Advice, Bands, Shares, Uncertainty, uncertainty
 
 __all__ = [
+    "Advice",
     "Amplitudes",
+    "Bands",
     "ContactLaw",
     "ContactStates",
     "Fit",
@@ -29,22 +34,31 @@ __all__ = [
     "PerssonCurve",
     "Pressed",
     "Result",
+    "Scan",
+    "ScanChannels",
+    "Scans",
     "Scene",
     "SceneResults",
     "SceneTable",
+    "Shares",
     "Spectrum",
     "StackedCurve",
     "StatisticalCurve",
     "Table",
+    "Uncertainty",
     "__version__",
     "boundary_elements",
+    "composite",
     "contact",
     "gap",
     "law",
     "persson",
     "read_psd",
+    "read_scan",
+    "scan_channels",
     "set_threads",
     "stacked",
     "statistical",
     "threads",
+    "uncertainty",
 ]

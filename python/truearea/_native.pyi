@@ -10,12 +10,17 @@ _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
 
 __all__ = [
+    "METADATA_FILES",
     "VERSION",
+    "AskedScan",
     "ContactLaw",
     "InputError",
     "Material",
+    "Scan",
     "Scene",
     "Surface",
+    "channels_of",
+    "composite",
     "contact_states",
     "curve",
     "gaps",
@@ -23,14 +28,17 @@ __all__ = [
     "persson_curve",
     "press_heights",
     "press_spectrum",
+    "scans_of",
     "scene_template",
     "scene_with_keys",
     "set_threads",
     "threads",
+    "uncertainty_of",
     "write_files",
 ]
 
 VERSION: Final[str]
+METADATA_FILES: Final[list[str]]
 
 class InputError(ValueError): ...
 
@@ -221,3 +229,74 @@ class Scene:
         observer: Callable[[str, int, int | None], None] | None,
     ) -> tuple[str, dict[str, tuple[_Columns, list[str]]], dict[str, bytes]]: ...
     def scales(self) -> _Columns: ...
+
+@final
+class Scan:
+    @staticmethod
+    def of_file(name: str, files: Mapping[str, bytes], options: Mapping[str, tuple[str, Any]]) -> Scan: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def format(self) -> str: ...
+    @property
+    def channel(self) -> str | None: ...
+    @property
+    def channels(self) -> list[str]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def is_periodic(self) -> bool: ...
+    @property
+    def tip_radius_m(self) -> float | None: ...
+    @property
+    def sha256(self) -> str: ...
+    @property
+    def size_m(self) -> list[float]: ...
+    @property
+    def spacing_m(self) -> list[float]: ...
+    @property
+    def positions_m(self) -> list[float] | None: ...
+    def heights(self) -> tuple[_Floats, npt.NDArray[np.bool_] | None]: ...
+    def summary(self) -> _Columns: ...
+    def picture(self) -> tuple[str, tuple[tuple[float, float, float, float], int, bytes] | None] | None: ...
+
+@final
+class AskedScan:
+    @staticmethod
+    def of_file(name: str, options: Mapping[str, tuple[str, Any]]) -> AskedScan: ...
+    @staticmethod
+    def of_scan(scan: Scan, options: Mapping[str, tuple[str, Any]]) -> AskedScan: ...
+    @staticmethod
+    def of_heights(
+        argument: str,
+        name: str,
+        heights_m: _Floats,
+        gaps: npt.NDArray[np.bool_] | None,
+        size: tuple[str, list[Any]],
+        is_periodic: bool,
+        options: Mapping[str, tuple[str, Any]],
+    ) -> AskedScan: ...
+
+def composite(
+    name: str,
+    asked: Sequence[AskedScan],
+    files: Mapping[str, bytes],
+    recipe: Mapping[str, Any],
+    argument: str,
+) -> Surface: ...
+def scans_of(surface: Surface) -> _Columns | None: ...
+def channels_of(
+    name: str, files: Mapping[str, bytes], options: Mapping[str, tuple[str, Any]], all_channels: bool
+) -> _Columns: ...
+def uncertainty_of(
+    surface: Surface,
+    material: Material,
+    names: Sequence[str],
+    pressure: Any,
+    of_models: Mapping[str, Any],
+    of_draws: Mapping[str, Any],
+    of_material: Sequence[tuple[str, Any, Any]],
+    cutoff: float | str | None,
+    scales_per_decade: int | None,
+    observer: Callable[[int], object] | None,
+) -> dict[str, Any]: ...

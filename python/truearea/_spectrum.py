@@ -13,7 +13,7 @@ from truearea import _native
 from truearea._arrays import doubles
 from truearea._material import Quantity
 from truearea._native import InputError
-from truearea._results import FloatArray, Table
+from truearea._results import AnyArray, FloatArray, Table
 
 
 class Moments(Table):
@@ -58,6 +58,20 @@ class Fit(Table):
     plateau_se_m3: FloatArray
     rms_log10_residual: FloatArray
     points: FloatArray
+
+
+class Scans(Table):
+    """The scans that a spectrum is made of: the wavelengths at which each is used, and what became of the checks."""
+
+    _title = "scans"
+    __slots__ = ()
+    scan: AnyArray
+    used_from_m: FloatArray
+    used_to_m: FloatArray
+    limit: AnyArray
+    slope_along: FloatArray
+    slope_across: FloatArray
+    verdict: AnyArray
 
 
 class Spectrum:
@@ -125,6 +139,67 @@ class Spectrum:
         spectrum._set(native, (maker, given, options))
         return spectrum
 
+    @classmethod
+    def from_heights(
+        cls,
+        h: Any,
+        size: Any = None,
+        *,
+        periodic: bool | None = None,
+        detrend: str | None = None,
+        window: str | None = None,
+        gaps: str | None = None,
+        direction: str | None = None,
+        bins_per_decade: int | None = None,
+        tip_radius: Quantity | None = None,
+        shortest: Quantity | None = None,
+        name: str = "heights",
+    ) -> Spectrum:
+        """The spectrum of a map or a line of heights, at the wavelengths at which it can be trusted.
+
+        Parameters
+        ----------
+        h : array_like of float, shape (rows, columns) or (points,)
+            Heights in m, x along the rows; a masked array where there are gaps. Or an object of SurfaceTopography, or a ``Scan``.
+        size : pair of float or str, or one of them
+            (lx, ly) in m or as text such as ``"5 um"``, so many spacings as there are points; one length of a line or a square
+            map. Left out for objects that have a size.
+        periodic : bool, optional
+            Whether the heights repeat themselves beyond the array; False for arrays, and what the object says for others.
+        detrend, window, gaps, direction, bins_per_decade, tip_radius, shortest : optional
+            As for ``composite``.
+        name : str, default "heights"
+            What it is called in messages and figures.
+
+        Returns
+        -------
+        Spectrum
+            With the checks of the transform in ``notes``.
+
+        Raises
+        ------
+        InputError
+            For shapes and sizes that do not fit, heights that are not finite and not masked, and heights that are flat.
+
+        Notes
+        -----
+        An array of doubles is copied once, for the transform; it is kept for pickling as it is, so do not write to it meanwhile.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import truearea as ta
+        >>> h = 1e-9 * np.random.default_rng(1).standard_normal((128, 256)).cumsum(axis=1)
+        >>> spectrum = ta.Spectrum.from_heights(h, size=("10 um", "5 um"), tip_radius="8 nm")
+        >>> spectrum
+        Spectrum('heights', ... samples from ... m to ... m)
+        """
+        from truearea._composite import spectrum_of_heights
+
+        said = {"gaps": gaps, "direction": direction, "tip_radius": tip_radius, "shortest": shortest}
+        of_all = {"detrend": detrend, "window": window, "bins_per_decade": bins_per_decade}
+        return spectrum_of_heights(h, size, periodic, said, of_all, name)
+
     @property
     def name(self) -> str:
         """What it is called."""
@@ -159,6 +234,12 @@ class Spectrum:
     def remarks(self) -> tuple[str, ...]:
         """The comments of its file: origin, licence; or the scans that it is made of."""
         return tuple(self._native.remarks)
+
+    @property
+    def scans(self) -> Scans | None:
+        """The scans that it is made of, a row for each: wavelengths, slopes and verdicts; None where it is made of none."""
+        columns = _native.scans_of(self._native)
+        return None if columns is None else Scans._of(columns)
 
     def moments(
         self,

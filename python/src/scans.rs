@@ -1,0 +1,463 @@
+//! Scans of instruments, heights of arrays, and the composite spectra that are made of them.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::num::NonZeroU32;
+use std::sync::{Mutex, PoisonError};
+
+use measurements::{
+    AskedScan, Channels, CompositeOfFiles, Files, Instrument, Loaded, ScanProblem, ScanRequest,
+    SlopeUncertainty, TipRadius, TopographyError, ZCalibration, read_channels,
+};
+use numpy::ndarray::ArrayD;
+use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::{PyBytes, PyDict, PyString};
+use report::heights_picture::{HeightsPicture, of_heights};
+use report::scan_words;
+use report::scans_table::scans_columns;
+use scans::{Gaps, ScanFile, ScanOption, ScanSize};
+use study::surface::{Surface, SurfaceError};
+use topography::Recipe;
+use units::{Length, LengthUnit};
+
+use crate::errors::{input, of_argument};
+use crate::quantities::{Given, number, quantity};
+use crate::surface::{PySurface, named};
+use crate::tables::columns;
+use crate::work::{carry_out, light};
+
+/// Files that were read already, under their names.
+struct HeldFiles(BTreeMap<String, PyBackedBytes>);
+
+impl Files for HeldFiles {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        let bytes = self.0.get(name).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))?;
+        Ok(bytes.to_vec())
+    }
+
+    fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
+        let folder = name.rfind(['/', '\\']).map_or("", |end| &name[..=end]);
+        Ok(self.0.get(&format!("{folder}{sibling}")).map(|bytes| bytes.to_vec()))
+    }
+}
+
+/// A scan, with what is known of it besides its file.
+#[pyclass(frozen, name = "Scan", module = "truearea._native")]
+pub struct PyScan {
+    request: ScanRequest,
+    scan: ScanFile,
+    sha256: String,
+}
+
+/// A frame, where the points belong in it, how many there are in a row, and their colours.
+type Picture<'py> = (String, Option<((f64, f64, f64, f64), usize, Bound<'py, PyBytes>)>);
+
+#[pymethods]
+impl PyScan {
+    /// The scan in a file among some that were read.
+    #[staticmethod]
+    fn of_file(
+        py: Python<'_>,
+        name: &str,
+        files: BTreeMap<String, PyBackedBytes>,
+        options: &Bound<'_, PyDict>,
+    ) -> PyResult<Self> {
+        let request = request(name, options)?;
+        let files = HeldFiles(files);
+        let mut loaded = light(py, || Loaded::read(&request, &files)).map_err(|error| refused(&error, ""))?;
+        match (loaded.scans.pop(), &loaded.scans[..]) {
+            (Some(scan), []) => Ok(PyScan { request, scan, sha256: loaded.sha256 }),
+            (last, others) => {
+                let names: Vec<&str> = others.iter().chain(&last).map(|scan| scan.name.as_str()).collect();
+                let count = names.len();
+                let names = names.join(", ");
+                Err(input(format!("{name}: it holds {count} scans ({names}); choose one with measurement")))
+            }
+        }
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.scan.name
+    }
+
+    #[getter]
+    fn format(&self) -> String {
+        self.scan.format.to_string()
+    }
+
+    #[getter]
+    fn channel(&self) -> Option<&str> {
+        self.scan.channel.as_deref()
+    }
+
+    #[getter]
+    fn channels(&self) -> Vec<String> {
+        self.scan.channels.clone()
+    }
+
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.scan.notes.clone()
+    }
+
+    #[getter]
+    fn is_periodic(&self) -> bool {
+        self.scan.is_periodic
+    }
+
+    #[getter]
+    fn tip_radius_m(&self) -> Option<f64> {
+        self.scan.tip_radius_m
+    }
+
+    #[getter]
+    fn sha256(&self) -> &str {
+        &self.sha256
+    }
+
+    /// Along x, and of a map along y.
+    #[getter]
+    fn size_m(&self) -> Vec<f64> {
+        let (x_m, y_m) = self.scan.scan.size_m();
+        std::iter::once(x_m).chain(y_m).collect()
+    }
+
+    #[getter]
+    fn spacing_m(&self) -> Vec<f64> {
+        let (x_m, y_m) = self.scan.scan.spacing_m();
+        std::iter::once(x_m).chain(y_m).collect()
+    }
+
+    #[getter]
+    fn positions_m(&self) -> Option<Vec<f64>> {
+        self.scan.scan.positions_m().map(<[f64]>::to_vec)
+    }
+
+    /// Heights, 0 in gaps, and which points are gaps, where there are any.
+    #[allow(clippy::type_complexity, reason = "two arrays of Python")]
+    fn heights<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, Option<Bound<'py, PyArrayDyn<bool>>>)> {
+        let measured = &self.scan.scan;
+        let (points, rows) = measured.points();
+        let shape: Vec<usize> = rows.into_iter().chain([points]).collect();
+        let heights_m = measured.heights_m().map(|height_m| height_m.unwrap_or(0.0)).collect();
+        let heights_m = ArrayD::from_shape_vec(shape.clone(), heights_m).map_err(input)?;
+        let gaps = measured.gaps();
+        let mask = (!gaps.is_empty()).then(|| {
+            let is_gap = (0..heights_m.len()).map(|index| gaps.contains(index)).collect();
+            ArrayD::from_shape_vec(shape, is_gap).map_err(input)
+        });
+        Ok((heights_m.to_pyarray(py), mask.transpose()?.map(|mask| mask.to_pyarray(py))))
+    }
+
+    /// What the program's command for scans tells of it, in one row.
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let table = light(py, || Channels::of_scan(&self.request, &self.scan).table());
+        columns(py, &table)
+    }
+
+    /// The heights drawn; none where no point has one.
+    fn picture<'py>(&self, py: Python<'py>) -> Option<Picture<'py>> {
+        match light(py, || of_heights(&self.scan))? {
+            HeightsPicture::Line(svg) => Some((svg, None)),
+            HeightsPicture::Map(map) => {
+                let colours = PyBytes::new(py, &map.colours.concat());
+                Some((map.svg, Some((map.place.into(), map.columns, colours))))
+            }
+        }
+    }
+}
+
+/// A part of a composite, until it is made.
+#[pyclass(frozen, name = "AskedScan", module = "truearea._native")]
+pub struct PyAskedScan(Mutex<Option<AskedScan>>);
+
+#[pymethods]
+impl PyAskedScan {
+    /// A file, with what it does not say itself.
+    #[staticmethod]
+    fn of_file(name: &str, options: &Bound<'_, PyDict>) -> PyResult<Self> {
+        Ok(Self::of(AskedScan::File(request(name, options)?)))
+    }
+
+    /// A scan that was read; what is said of it here counts before what was said then.
+    #[staticmethod]
+    fn of_scan(scan: &PyScan, options: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let request = with_options(scan.request.clone(), options)?;
+        let loaded = Loaded { scans: vec![scan.scan.clone()], sha256: scan.sha256.clone() };
+        Ok(Self::of(AskedScan::InMemory(request, loaded)))
+    }
+
+    /// Heights of an array; `gaps` tells which of them do not count.
+    #[staticmethod]
+    #[allow(clippy::too_many_arguments, reason = "the arguments of a call from Python, by name")]
+    fn of_heights(
+        py: Python<'_>,
+        argument: &str,
+        name: &str,
+        heights_m: PyReadonlyArrayDyn<'_, f64>,
+        gaps: Option<PyReadonlyArrayDyn<'_, bool>>,
+        size: (String, Vec<Given<'_>>),
+        is_periodic: bool,
+        options: &Bound<'_, PyDict>,
+    ) -> PyResult<Self> {
+        let request = request(name, options)?;
+        let mut scan = scan_of_array(argument, name, &heights_m, gaps.as_ref(), size)?;
+        scan.is_periodic = is_periodic;
+        Ok(Self::of(AskedScan::InMemory(request, light(py, || Loaded::of_heights(scan)))))
+    }
+}
+
+impl PyAskedScan {
+    fn of(asked: AskedScan) -> Self {
+        PyAskedScan(Mutex::new(Some(asked)))
+    }
+
+    fn taken(&self) -> PyResult<AskedScan> {
+        let taken = self.0.lock().unwrap_or_else(PoisonError::into_inner).take();
+        taken.ok_or_else(|| input("this scan is part of a composite already"))
+    }
+}
+
+/// The one copy that is made of an array: what it holds becomes the scan's.
+fn scan_of_array(
+    argument: &str,
+    name: &str,
+    heights_m: &PyReadonlyArrayDyn<'_, f64>,
+    gaps: Option<&PyReadonlyArrayDyn<'_, bool>>,
+    (of_size, size): (String, Vec<Given<'_>>),
+) -> PyResult<ScanFile> {
+    let shape = heights_m.shape();
+    let lengths_m: Vec<f64> = match &size[..] {
+        [one] => vec![quantity::<Length>(&of_size, one)?.m],
+        several => {
+            let length = |(at, length): (usize, &Given<'_>)| {
+                quantity::<Length>(&format!("{of_size}[{at}]"), length).map(|length| length.m)
+            };
+            several.iter().enumerate().map(length).collect::<PyResult<_>>()?
+        }
+    };
+    let size = match (shape, &lengths_m[..]) {
+        ([_], [x_m]) => ScanSize { x_m: *x_m, y_m: None },
+        ([rows, columns], [x_m]) if rows == columns => ScanSize { x_m: *x_m, y_m: Some(*x_m) },
+        ([rows, columns], [_]) => {
+            return Err(input(format!(
+                "{of_size}: one length is that of a line or a square map, and {argument} has {rows} rows and {columns} \
+                 columns; give (lx, ly)"
+            )));
+        }
+        ([_, _], [x_m, y_m]) => ScanSize { x_m: *x_m, y_m: Some(*y_m) },
+        ([_], lengths) => {
+            return Err(input(format!(
+                "{of_size}: {} lengths are given, and {argument} is a line; give one",
+                lengths.len()
+            )));
+        }
+        ([_, _], lengths) => {
+            return Err(input(format!(
+                "{of_size}: {} lengths are given, and {argument} is a map; give (lx, ly)",
+                lengths.len()
+            )));
+        }
+        (shape, _) => {
+            return Err(input(format!(
+                "{argument}: a map of two axes, (rows, columns), or a line of one is needed, and this has {}",
+                shape.len()
+            )));
+        }
+    };
+    let found: Gaps = match gaps {
+        Some(gaps) => gaps.as_array().iter().enumerate().filter(|(_, gap)| **gap).map(|(at, _)| at).collect(),
+        None => Gaps::default(),
+    };
+    // In C order alone the memory is row after row.
+    let given = heights_m.as_array();
+    let mut heights: Vec<f64> =
+        given.to_slice().map_or_else(|| given.iter().copied().collect(), <[f64]>::to_vec);
+    found.indices().for_each(|index| heights[index] = 0.0);
+    if let Some(at) = heights.iter().position(|height_m| !height_m.is_finite()) {
+        let place = match shape {
+            [_, columns] => format!("{}, {}", at / columns, at % columns),
+            _ => at.to_string(),
+        };
+        return Err(input(format!(
+            "{argument}[{place}] is {}; heights are finite: mask points without one, numpy.ma.masked_invalid({argument})",
+            heights[at]
+        )));
+    }
+    let scan = match shape {
+        [_, columns] => ScanFile::of_map(name.to_owned(), size, *columns, heights, found),
+        _ => ScanFile::of_line(name.to_owned(), size, heights, found),
+    };
+    scan.map_err(|error| of_argument(argument, error))
+}
+
+/// The composite spectrum of scans, under a name.
+#[pyfunction]
+pub fn composite(
+    py: Python<'_>,
+    name: String,
+    asked: Vec<Py<PyAskedScan>>,
+    files: BTreeMap<String, PyBackedBytes>,
+    recipe: &Bound<'_, PyDict>,
+    argument: &str,
+) -> PyResult<PySurface> {
+    let recipe = recipe_of(recipe)?;
+    let asked = asked.iter().map(|asked| asked.get().taken()).collect::<PyResult<Vec<_>>>()?;
+    let files = HeldFiles(files);
+    let made = carry_out(py, None, |progress| {
+        Surface::of_composite(CompositeOfFiles::of_scans(asked, &files, &recipe, progress)?, name)
+    })?;
+    let surface = made.map_err(|error| match &error {
+        SurfaceError::Scans(error) => refused(error, argument),
+        error => input(error),
+    })?;
+    Ok(PySurface { surface })
+}
+
+/// The scans that a surface is made of, a row for each; none of a surface that is made of none.
+#[pyfunction]
+pub fn scans_of<'py>(py: Python<'py>, surface: &PySurface) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let made_from = surface.surface.made_from.as_ref();
+    made_from.map(|scans| columns(py, &scans_columns(&scans.spectrum))).transpose()
+}
+
+/// Every channel of a file among some that were read: the columns of the program's command for scans.
+#[pyfunction]
+pub fn channels_of<'py>(
+    py: Python<'py>,
+    name: &str,
+    files: BTreeMap<String, PyBackedBytes>,
+    options: &Bound<'_, PyDict>,
+    all_channels: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let request = request(name, options)?;
+    let files = HeldFiles(files);
+    let Ok(found) = light(py, || {
+        read_channels::<std::convert::Infallible>(&[request], &files, all_channels, |_, _| Ok(()))
+    });
+    match found.unreadable.first() {
+        Some(error) => Err(refused(error, "")),
+        None => columns(py, &found.table()),
+    }
+}
+
+/// What is said of a scan: options by their names, each with what the argument is called.
+fn request(name: &str, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
+    with_options(ScanRequest { path: name.to_owned(), ..ScanRequest::default() }, options)
+}
+
+fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
+    for (key, given) in options {
+        let (argument, value): (String, Given<'_>) = given.extract()?;
+        let length_m = || quantity::<Length>(&argument, &value).map(|length| length.m);
+        match key.extract::<String>()?.as_str() {
+            "unit" => {
+                let unit = text(&argument, &value)?.parse::<LengthUnit>();
+                request.unit = Some(unit.map_err(|error| of_argument(&argument, error))?);
+            }
+            "channel" => request.channel = Some(text(&argument, &value)?),
+            "measurement" => request.measurement = Some(text(&argument, &value)?),
+            "size" => request.size_m = Some(length_m()?),
+            "shortest" => request.shortest_m = Some(length_m()?),
+            "tip_radius" => request.tip_radius = Some(tip_radius(&argument, &value)?),
+            "gaps" => request.gaps = Some(named(&argument, &text(&argument, &value)?)?),
+            "direction" => request.direction = Some(named(&argument, &text(&argument, &value)?)?),
+            "instrument" => {
+                let Instrument(name) = typed(&argument, &text(&argument, &value)?)?;
+                request.instrument = Some(name);
+            }
+            "z_calibration" => {
+                let ZCalibration { share } = typed(&argument, &number_or_text(&argument, &value)?)?;
+                request.z_calibration = Some(share);
+            }
+            "slope_uncertainty" => {
+                let SlopeUncertainty { of_exponent } = typed(&argument, &number_or_text(&argument, &value)?)?;
+                request.slope_uncertainty = Some(of_exponent);
+            }
+            other => return Err(input(format!("there is no option {other} of a scan"))),
+        }
+    }
+    Ok(request)
+}
+
+/// How spectra are made of all scans.
+fn recipe_of(options: &Bound<'_, PyDict>) -> PyResult<Recipe> {
+    let mut recipe = Recipe::default();
+    for (key, value) in options {
+        if value.is_none() {
+            continue;
+        }
+        let key: String = key.extract()?;
+        match key.as_str() {
+            "detrend" => recipe.detrend = Some(named(&key, &text(&key, &value)?)?),
+            "window" => recipe.window = Some(named(&key, &text(&key, &value)?)?),
+            "average" => recipe.average = named(&key, &text(&key, &value)?)?,
+            "bins_per_decade" => recipe.bins_per_decade = bins_per_decade(&value)?,
+            "tip_radius" => match tip_radius(&key, &value)? {
+                TipRadius::Known(radius_m) => recipe.tip_radius_m = Some(radius_m),
+                TipRadius::Auto => recipe.tip_radius_auto = true,
+            },
+            other => return Err(input(format!("there is no option {other} of spectra"))),
+        }
+    }
+    Ok(recipe)
+}
+
+fn bins_per_decade(value: &Given<'_>) -> PyResult<NonZeroU32> {
+    let count = number("bins_per_decade", value)?;
+    let whole = value.extract::<i64>().ok().and_then(|count| u32::try_from(count).ok());
+    whole.and_then(NonZeroU32::new).ok_or_else(|| {
+        input(format!("bins_per_decade is {count}; it must be a whole number from 1 to {}", u32::MAX))
+    })
+}
+
+fn tip_radius(argument: &str, value: &Given<'_>) -> PyResult<TipRadius> {
+    match value.cast::<PyString>() {
+        Ok(text) => typed(argument, text.to_str()?),
+        Err(_) => quantity::<Length>(argument, value).map(|length| TipRadius::Known(length.m)),
+    }
+}
+
+/// What is typed on the command line as well.
+fn typed<T: std::str::FromStr<Err = String>>(argument: &str, text: &str) -> PyResult<T> {
+    text.parse().map_err(|error| of_argument(argument, error))
+}
+
+fn text(argument: &str, value: &Given<'_>) -> PyResult<String> {
+    value.extract().map_err(|_| {
+        of_argument(argument, format!("text is needed, and this is {}", crate::quantities::type_name(value)))
+    })
+}
+
+fn number_or_text(argument: &str, value: &Given<'_>) -> PyResult<String> {
+    match value.cast::<PyString>() {
+        Ok(text) => Ok(text.to_string()),
+        Err(_) => number(argument, value).map(|number| number.to_string()),
+    }
+}
+
+/// Why scans yield nothing, with the argument that mends it; `argument` is the list that they stand in.
+fn refused(error: &TopographyError, argument: &str) -> PyErr {
+    let place = match error.request {
+        Some(at) if !argument.is_empty() => format!("{argument}[{at}]: "),
+        _ => String::new(),
+    };
+    let argument_of = |option| match option {
+        ScanOption::Unit => Some("unit"),
+        ScanOption::Size => Some("size"),
+        ScanOption::Channel => Some("channel"),
+        ScanOption::Measurement => Some("measurement"),
+        _ => None,
+    };
+    let mend = match &error.problem {
+        ScanProblem::HoldsASpectrum => "; use read_psd".to_owned(),
+        _ => error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, argument_of)),
+    };
+    input(format!("{place}{error}{mend}"))
+}

@@ -1,0 +1,266 @@
+"""Heights as instruments measure them."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, NamedTuple, Union
+
+import numpy as np
+
+from truearea import _native
+from truearea._material import Quantity
+from truearea._picture import within_frame
+from truearea._results import FloatArray, Table
+
+Options = dict[str, "tuple[str, Any]"]
+"""What is said of a scan besides its file: values by what they are, each with what its argument is called."""
+
+AnyPath = Union[str, "os.PathLike[str]"]
+
+
+class ScanChannels(Table):
+    """Channels of files of instruments, a row for each."""
+
+    _title = "channels"
+    __slots__ = ()
+    points_x: FloatArray
+    points_y: FloatArray
+    size_x_m: FloatArray
+    size_y_m: FloatArray
+    rms_height_m: FloatArray
+    peak_to_valley_m: FloatArray
+    gaps: FloatArray
+    rms_slope_x: FloatArray
+    rms_slope_y: FloatArray
+
+
+class File(NamedTuple):
+    """A file that was read, with those beside it that may tell of it."""
+
+    name: str
+    files: dict[str, bytes]
+
+
+class Scan:
+    """Heights along a line or of a map, with what their file says of them. ``read_scan`` makes one."""
+
+    __slots__ = ("_heights", "_native", "_recipe")
+
+    def __init__(self) -> None:
+        raise TypeError("a Scan is made by read_scan")
+
+    @classmethod
+    def _of(cls, file: File, options: Options) -> Scan:
+        scan = cls.__new__(cls)
+        scan._set(_native.Scan.of_file(file.name, file.files, options), (file, options))
+        return scan
+
+    def _set(self, native: _native.Scan, recipe: tuple[File, Options]) -> None:
+        self._native = native
+        # A scan is pickled as the bytes that it was read from.
+        self._recipe = recipe
+        self._heights: FloatArray | None = None
+
+    @property
+    def heights_m(self) -> FloatArray:
+        """Heights [m], shape (rows, columns) or (points,), masked where there are gaps; not to be written to."""
+        if self._heights is None:
+            heights_m, gaps = self._native.heights()
+            heights_m.flags.writeable = False
+            self._heights = heights_m if gaps is None else np.ma.masked_array(heights_m, mask=gaps)
+        return self._heights
+
+    @property
+    def size_m(self) -> tuple[float, ...]:
+        """Size [m]: (lx, ly) of a map, (lx,) of a line; so many spacings as there are points."""
+        return tuple(self._native.size_m)
+
+    @property
+    def spacing_m(self) -> tuple[float, ...]:
+        """Distances [m] of neighbouring points along x and, of a map, along y; the mean where they are uneven."""
+        return tuple(self._native.spacing_m)
+
+    @property
+    def positions_m(self) -> FloatArray | None:
+        """Positions [m] of the points of an unevenly spaced line; None of any other scan."""
+        positions = self._native.positions_m
+        return None if positions is None else np.asarray(positions)
+
+    @property
+    def name(self) -> str:
+        """What the measurement is called, by its file or by what lies beside it."""
+        return self._native.name
+
+    @property
+    def format(self) -> str:
+        """The format of its file."""
+        return self._native.format
+
+    @property
+    def channel(self) -> str | None:
+        """The channel that was read, where the file names it."""
+        return self._native.channel
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """The channels with heights that the file offers."""
+        return tuple(self._native.channels)
+
+    @property
+    def is_periodic(self) -> bool:
+        """Whether the file says that the heights repeat themselves beyond the scan."""
+        return self._native.is_periodic
+
+    @property
+    def tip_radius_m(self) -> float | None:
+        """The radius [m] of the tip, where the file says it."""
+        return self._native.tip_radius_m
+
+    @property
+    def sha256(self) -> str:
+        """The SHA-256 of the file, in hexadecimal digits."""
+        return self._native.sha256
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What reading assumed."""
+        return tuple(self._native.notes)
+
+    def summary(self) -> ScanChannels:
+        """Points, size, rms height, peak to valley, gaps and rms slopes, in one row, as ``truearea scan`` prints it."""
+        return ScanChannels._of(self._native.summary(), self.notes)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Scan._of, self._recipe)
+
+    def __repr__(self) -> str:
+        points = " x ".join(str(count) for count in self.heights_m.shape)
+        size = " x ".join(f"{length:.4g} m" for length in self.size_m)
+        return f"Scan({self.name!r}, {self.format}, {points} points, {size})"
+
+    def _repr_html_(self) -> str:
+        picture = self._native.picture()
+        if picture is None:
+            return f"<p>{self.name}: no point has a height</p>"
+        svg, points = picture
+        return svg if points is None else within_frame(svg, *points)
+
+
+def read_scan(
+    path: AnyPath,
+    *,
+    unit: str | None = None,
+    channel: str | None = None,
+    measurement: str | None = None,
+    size: Quantity | None = None,
+    tip_radius: Quantity | None = None,
+    shortest: Quantity | None = None,
+    gaps: str | None = None,
+    direction: str | None = None,
+) -> Scan:
+    """Read the heights in a file, of some thirty-five kinds of instruments and programs.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The file. A ``meta.yml`` or ``index.json`` beside it that names it is read as well.
+    unit : str, optional
+        Unit of lengths and heights, such as ``"nm"``, where neither the file nor what lies beside it tells one.
+    channel : str, optional
+        The channel; the first one of heights where left out.
+    measurement : str, optional
+        Which measurement of a container that has several.
+    size : float or str, optional
+        Length along the scan lines, in m or as text, where the file gives none.
+    tip_radius, shortest : float or str, optional
+        Radius of the tip (or ``"auto"``), and the shortest wavelength that is trusted, for spectra that are made of it.
+    gaps : {"harmonic", "lines", "refuse"}, optional
+        What becomes of points without a height in spectra.
+    direction : {"x", "y", "both"}, optional
+        Along which axis of a map its spectrum is taken.
+
+    Returns
+    -------
+    Scan
+
+    Raises
+    ------
+    FileNotFoundError
+        Where there is no such file.
+    InputError
+        With file, place, value and bound for what cannot be read, and the argument that mends it.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import numpy as np
+    >>> import truearea as ta
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "scan.npy"
+    >>> np.save(path, np.arange(12.0).reshape(3, 4))
+    >>> scan = ta.read_scan(path, unit="nm", size="4 um")
+    >>> scan.heights_m.shape, scan.size_m
+    ((3, 4), (4e-06, 3e-06))
+    """
+    options = {
+        "unit": unit,
+        "channel": channel,
+        "measurement": measurement,
+        "size": size,
+        "tip_radius": tip_radius,
+        "shortest": shortest,
+        "gaps": gaps,
+        "direction": direction,
+    }
+    return Scan._of(file_of(path), given(options))
+
+
+def scan_channels(
+    path: AnyPath,
+    *,
+    unit: str | None = None,
+    channel: str | None = None,
+    size: Quantity | None = None,
+    all_channels: bool = False,
+) -> ScanChannels:
+    """Tell what is in a file of an instrument: a row for each channel of heights, as ``truearea scan`` does.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The file.
+    unit, channel, size : optional
+        As for ``read_scan``.
+    all_channels : bool, default False
+        Every channel, whatever it measures.
+
+    Returns
+    -------
+    ScanChannels
+        ``file``, ``format``, ``channel``, ``points_x``, ``points_y``, ``size_x_m``, ``size_y_m``, ``rms_height_m``,
+        ``peak_to_valley_m``, ``gaps``, ``rms_slope_x``, ``rms_slope_y``, ``note``.
+
+    Raises
+    ------
+    FileNotFoundError
+        Where there is no such file.
+    InputError
+        Where no channel can be read.
+    """
+    file = file_of(path)
+    options = given({"unit": unit, "channel": channel, "size": size})
+    return ScanChannels._of(_native.channels_of(file.name, file.files, options, all_channels))
+
+
+def file_of(path: AnyPath) -> File:
+    """Reads a file, and those beside it that may describe it."""
+    file = Path(path)
+    files = {str(file): file.read_bytes()}
+    beside = (file.with_name(name) for name in _native.METADATA_FILES if name != file.name)
+    files.update((str(other), other.read_bytes()) for other in beside if other.is_file())
+    return File(str(file), files)
+
+
+def given(options: dict[str, Any]) -> Options:
+    """What is given of some options, under the names of their arguments."""
+    return {name: (name, value) for name, value in options.items() if value is not None}

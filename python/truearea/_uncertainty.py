@@ -1,0 +1,258 @@
+"""How sure areas are, and what to measure next."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Union
+
+import numpy as np
+
+from truearea import _native
+from truearea._composite import composite
+from truearea._curves import Pressures
+from truearea._material import Material, Quantity
+from truearea._native import InputError
+from truearea._progress import Line, Progress, observer_of
+from truearea._results import AnyArray, FloatArray, Result, Table
+from truearea._spectrum import Spectrum
+
+Models = Union[str, Sequence[str]]
+
+
+class Shares(Table):
+    """How much of the variance of ln A each input carries: first-order and total indices (Saltelli et al. 2010)."""
+
+    _title = "shares of variance"
+    __slots__ = ()
+    curve: AnyArray
+    nominal_pressure_pa: FloatArray
+    group: AnyArray
+    first_order: FloatArray
+    first_order_error: FloatArray
+    total: FloatArray
+    total_error: FloatArray
+
+
+class Advice(Table):
+    """What to measure next, the step that shrinks the interval most first."""
+
+    _title = "what to measure next"
+    __slots__ = ()
+    curve: AnyArray
+    nominal_pressure_pa: FloatArray
+    rank: FloatArray
+    step: AnyArray
+    instrument: AnyArray
+    added_scans: FloatArray
+    wavelength_m: FloatArray
+    width_ratio: FloatArray
+    area_ratio: FloatArray
+    in_words: AnyArray
+
+
+class Bands(Table):
+    """Intervals of the area along the cutoff."""
+
+    _title = "intervals along the cutoff"
+    __slots__ = ()
+    curve: AnyArray
+    nominal_pressure_pa: FloatArray
+    wavelength_m: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+
+class Uncertainty(Result):
+    """Areas with their coverage intervals: arrays of shape (loads,), of several models (loads, models).
+
+    Attributes
+    ----------
+    draws : int
+        How many draws the intervals rest on.
+    shares : Shares
+        Where the intervals come from.
+    advice : Advice
+        What to measure next.
+    bands : Bands
+        The intervals along the cutoff.
+    """
+
+    _title = "areas and how sure they are"
+    __slots__ = ("advice", "bands", "draws", "shares")
+    nominal_pressure_pa: FloatArray
+    area_fraction: FloatArray
+    median: FloatArray
+    low: FloatArray
+    high: FloatArray
+    low_68: FloatArray
+    high_68: FloatArray
+    ln_area_sd: FloatArray
+    monte_carlo_error: FloatArray
+
+    draws: int
+    shares: Shares
+    advice: Advice
+    bands: Bands
+
+    def _with(self, draws: int, shares: Shares, advice: Advice, bands: Bands) -> Uncertainty:
+        self.draws, self.shares, self.advice, self.bands = draws, shares, advice, bands
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        tables = (self.draws, self.shares, self.advice, self.bands)
+        return (_uncertainty, (self._arrays, self._axes, self.notes, tables))
+
+
+def _uncertainty(arrays: Any, axes: Any, notes: Any, tables: Any) -> Uncertainty:
+    return Uncertainty(arrays, axes, notes)._with(*tables)
+
+
+def uncertainty(
+    spectrum: Spectrum | Sequence[Any],
+    material: Material,
+    *,
+    pressure: Pressures,
+    model: Models,
+    draws: int = 1000,
+    seed: int = 1,
+    level: float = 0.95,
+    shares_draws: int | None = None,
+    youngs_modulus: Quantity | None = None,
+    poisson_ratio: Quantity | None = None,
+    yield_strength: Quantity | None = None,
+    indentation_hardness: Quantity | None = None,
+    strain_gradient_length: Quantity | None = None,
+    counterface_youngs_modulus: Quantity | None = None,
+    counterface_poisson_ratio: Quantity | None = None,
+    strain_gradient: bool = False,
+    hardness: str | None = None,
+    interference_law: str | None = None,
+    normalisation: str = "parseval",
+    amplitude: str = "eq5",
+    tolerance: float = 1e-12,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+    progress: Progress = False,
+) -> Uncertainty:
+    """Coverage intervals of the area, from draws of scans, instruments and material; where they come from; what to measure next.
+
+    The same digits as those of a scene with the same surface, material, loads and curves, for any number of threads
+    (Guide to the expression of uncertainty in measurement, supplement 1).
+
+    Parameters
+    ----------
+    spectrum : Spectrum, or sequence of scans
+        Of ``composite``, whose scans are drawn from; of ``read_psd`` or numbers, with standard errors; or scans, as for
+        ``composite``.
+    material : Material
+        The bodies in contact.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    model : str, or sequence of str
+        ``"elastic"``, ``"elastic-plastic"``, ``"hertz"``, ``"ep-sphere"``, ``"elastic-sine"``, ``"ep-sine"``, ``"bgt"``,
+        ``"persson"``, ``"persson-plastic"``.
+    draws, seed : int
+        How many draws, 20 to 1,000,000, and what they are made from.
+    level : float, default 0.95
+        The probability that an interval covers.
+    shares_draws : int, optional
+        Draws of the full design that shares are taken from, 64 to 1,000,000; a small one where left out.
+    youngs_modulus, poisson_ratio, yield_strength, indentation_hardness, strain_gradient_length : float or str, optional
+        Standard uncertainties of what the material was given: ``"5 %"``, ``"10 GPa"``, or in SI units. Of strength and hardness
+        one.
+    counterface_youngs_modulus, counterface_poisson_ratio : float or str, optional
+        The same of the counterface.
+    strain_gradient, hardness, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
+        As for ``stacked`` and ``statistical``.
+    progress : bool or callable, default False
+        True for a line on stderr; or what is called with the steps done, and None.
+
+    Returns
+    -------
+    Uncertainty
+        ``area_fraction`` (plain), ``median``, ``low``, ``high``, ``low_68``, ``high_68``, ``ln_area_sd`` and
+        ``monte_carlo_error`` (of the interval's ends, as a share of ln(high/low)), with tables ``shares``, ``advice`` and
+        ``bands``. NaN where a model has no area in too many draws. What the intervals rest on is told in ``notes``.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound; and where nothing is known to scatter.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> spectrum = ta.read_psd("builtin:uncd-measured")
+    >>> diamond = ta.Material("463 GPa", 0.2, yield_strength="1.8 GPa")
+    >>> found = ta.uncertainty(spectrum, diamond, pressure="1 MPa", model="elastic-plastic", draws=100, yield_strength="10 %")
+    >>> bool(found.low[0] < found.median[0] < found.high[0])
+    True
+    >>> list(found.shares.group) == ["strength"]
+    True
+    """
+    surface = spectrum if isinstance(spectrum, Spectrum) else composite(spectrum)
+    names = [model] if isinstance(model, str) else list(model)
+    spreads = _spreads(
+        material,
+        {
+            "youngs_modulus": youngs_modulus,
+            "poisson_ratio": poisson_ratio,
+            "yield_strength": yield_strength,
+            "indentation_hardness": indentation_hardness,
+            "strain_gradient_length": strain_gradient_length,
+            "counterface_youngs_modulus": counterface_youngs_modulus,
+            "counterface_poisson_ratio": counterface_poisson_ratio,
+        },
+    )
+    of_models = {
+        "strain_gradient": strain_gradient,
+        "hardness": hardness,
+        "interference_law": interference_law,
+        "normalisation": normalisation,
+        "amplitude": amplitude,
+        "tolerance": tolerance,
+    }
+    of_draws = {"draws": draws, "seed": seed, "level": level, "shares_draws": shares_draws}
+    line = Line()
+    observer = observer_of(progress, line)
+    watch = None if observer is None else lambda done: observer("steps", done, None)
+    try:
+        found = _native.uncertainty_of(
+            surface._native,
+            material._native,
+            names,
+            pressure,
+            of_models,
+            of_draws,
+            spreads,
+            cutoff,
+            scales_per_decade,
+            watch,
+        )
+    finally:
+        line.end()
+    is_one = isinstance(model, str)
+    arrays: dict[str, AnyArray] = {"nominal_pressure_pa": np.asarray(found["nominal_pressure_pa"])}
+    axes: dict[str, tuple[str, ...]] = {"nominal_pressure_pa": ("load",)}
+    if not is_one:
+        arrays["model"], axes["model"] = np.asarray(found["model"]), ("model",)
+    for name, array in found["arrays"].items():
+        arrays[name] = array[:, 0].copy() if is_one else array
+        axes[name] = ("load",) if is_one else ("load", "model")
+    tables = (Shares._of(found["shares"]), Advice._of(found["advice"]), Bands._of(found["bands"]))
+    return Uncertainty(arrays, axes, tuple(found["notes"]))._with(found["draws"], *tables)
+
+
+def _spreads(material: Material, uncertainties: dict[str, Any]) -> list[tuple[str, Any, Any]]:
+    """The standard uncertainties that are given, each with what it is of and its value."""
+    given = {name: spread for name, spread in uncertainties.items() if spread is not None}
+    return [(name, _value(material, name), spread) for name, spread in given.items()]
+
+
+def _value(material: Material, name: str) -> Any:
+    body: Material | None = material
+    if name.startswith("counterface_"):
+        body, name = material.counterface, name.removeprefix("counterface_")
+        if body is None:
+            raise InputError(f"counterface_{name} has a standard uncertainty, and the counterface of the material is rigid")
+    return None if body is None else body._given[name]
