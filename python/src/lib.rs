@@ -44,7 +44,7 @@ mod _native {
     #[pymodule_export]
     use super::scans::{PyAskedScan, PyScan, channels_of, composite, scans_of};
     #[pymodule_export]
-    use super::scene::{PyScene, scene_template, scene_with_keys, write_files};
+    use super::scene::{PyScene, scene_template, scene_with_keys, tables_of_runs, write_files};
     #[pymodule_export]
     use super::surface::PySurface;
     #[pymodule_export]

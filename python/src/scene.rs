@@ -21,6 +21,7 @@ use report::summary::summary;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use staging::StagedFiles;
 use study::Files;
+use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use study::scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use tables::{Format, Table};
 use toml::Value;
@@ -191,6 +192,12 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
         study::scene::ReplaceError::Scene(error) => refused(&error, text, name),
         error => input(error),
     })
+}
+
+/// The tables that a run makes of a scene where it makes a report, where it is judged, and where draws are made.
+#[pyfunction]
+pub fn tables_of_runs() -> [Vec<&'static str>; 3] {
+    [REPORT_TABLES.to_vec(), JUDGE_TABLES.to_vec(), UNCERTAINTY_TABLES.to_vec()]
 }
 
 /// Writes files into a folder, all of them or none.

@@ -58,7 +58,8 @@ def quick(scene: ta.Scene) -> ta.SceneResults:
 
 def test_files_are_those_of_the_command_line(folder: Path) -> None:
     program = os.environ.get("TRUEAREA_PROGRAM")
-    call = [program] if program else ["cargo", "run", "--quiet", "--manifest-path", str(ROOT / "Cargo.toml"), "--bin", "truearea", "--"]
+    manifest = str(ROOT / "Cargo.toml")
+    call = [program] if program else ["cargo", "run", "--quiet", "--manifest-path", manifest, "--bin", "truearea", "--"]
     out = folder / "out"
     done = subprocess.run(
         [*call, "run", str(folder / "scene.toml"), "--no-judge", "--no-uncertainty", "--out", str(out)],
@@ -151,18 +152,23 @@ def test_what_an_observer_raises_ends_the_run() -> None:
 @pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
 @pytest.mark.parametrize("phase", ["surfaces pressed", "draws"])
 def test_ctrl_c_ends_judge_and_draws(phase: str) -> None:
-    changes = {"judge.grid": 256, "judge.realisations": 5000, "judge.budget": 1e14} if phase == "surfaces pressed" else {"uncertainty.draws": 100000}
-    scene = ta.Scene.template("gasket").replace(**changes)
-    begun: list[float] = []
+    long_judge = {"judge.grid": 256, "judge.realisations": 5000, "judge.budget": 1e14}
+    scene = ta.Scene.template("gasket").replace(**{**long_judge, "uncertainty.draws": 100000})
+    begun: list[bool] = []
+    sent: list[float] = []
+
+    def send() -> None:
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
 
     def interrupt(done: int, total: int | None) -> None:
         if done > 0 and not begun:
-            begun.append(time.monotonic())
-            threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT)).start()
+            begun.append(True)
+            threading.Timer(0.05, send).start()
 
     with pytest.raises(KeyboardInterrupt):
         scene.run(report=False, judge=phase != "draws", uncertainty=phase == "draws", progress=interrupt)
-    assert time.monotonic() - begun[0] < 5.0
+    assert time.monotonic() - sent[0] < 20.0
 
 
 def test_results_and_scenes_are_pickled(folder: Path) -> None:
@@ -265,10 +271,13 @@ def test_arguments_that_cannot_be_used(folder: Path, arguments: dict[str, object
 def test_arguments_count_more_than_the_scene(folder: Path) -> None:
     plain = ta.Scene.from_toml(SCENE, folder=folder)
     glass = ta.Material("70 GPa", 0.2)
-    soft = ta.Scene.from_toml(SCENE, folder=folder, counterface=glass, cutoff=1e-7, scales_per_decade=20, normalisation="as-printed")
+    soft = ta.Scene.from_toml(
+        SCENE, folder=folder, counterface=glass, cutoff=1e-7, scales_per_decade=20, normalisation="as-printed"
+    )
     assert np.all(soft.scales().area_fraction != plain.scales().area_fraction)
     typed = SCENE + '[counterface]\nyoungs_modulus = "70 GPa"\npoisson_ratio = 0.2\n'
-    assert ta.Scene.from_toml(typed, folder=folder).scales() == ta.Scene.from_toml(SCENE, folder=folder, counterface=glass).scales()
+    given = ta.Scene.from_toml(SCENE, folder=folder, counterface=glass)
+    assert ta.Scene.from_toml(typed, folder=folder).scales() == given.scales()
 
 
 def test_keys_are_set_anew(folder: Path) -> None:

@@ -18,6 +18,7 @@ from truearea._results import Result, Table
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
 from truearea._spectrum import Amplitudes, Fit, Moments, Scans, Spectrum, read_psd
+from truearea._sweep import sweep
 from truearea._uncertainty import Advice, Bands, Shares, Uncertainty, uncertainty
 
 __all__ = [
@@ -59,6 +60,7 @@ __all__ = [
     "set_threads",
     "stacked",
     "statistical",
+    "sweep",
     "threads",
     "uncertainty",
 ]

@@ -32,6 +32,7 @@ __all__ = [
     "scene_template",
     "scene_with_keys",
     "set_threads",
+    "tables_of_runs",
     "threads",
     "uncertainty_of",
     "write_files",
@@ -202,6 +203,7 @@ class Surface:
 
 def scene_template(name: str) -> str: ...
 def scene_with_keys(text: str, name: str, changes: Mapping[str, Any]) -> str: ...
+def tables_of_runs() -> list[list[str]]: ...
 def write_files(folder: str, files: Mapping[str, bytes]) -> None: ...
 @final
 class Scene:

@@ -193,7 +193,8 @@ class Scene:
         **changes
             Keys and their values: text with a unit, SI numbers, lists of them, or what else the scene takes there. A key is that
             of the one section that has it; ``cutoff`` stands for ``cutoffs.shortest_wavelength``, ``pressure`` for
-            ``loads.pressures``. Any other is given with its section: ``**{"material.poisson_ratio": 0.3, "curve.0.model": "bgt"}``.
+            ``loads.pressures``. Any other is given with its section:
+            ``**{"material.poisson_ratio": 0.3, "curve.0.model": "bgt"}``.
 
         Raises
         ------

@@ -1,0 +1,360 @@
+"""Sweeps: the same rows whatever computes them, files that are whole and computed once, and what is refused."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import runpy
+import signal
+import subprocess
+import sys
+import time
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import truearea as ta
+
+GASKET = ta.Scene.template("gasket")
+pq: Any = pytest.importorskip("pyarrow.parquet")
+
+
+def product(a: float, b: float) -> dict[str, Any]:
+    return {"c": a * b, "is_large": a * b > 2.0, "what": f"{a}"}
+
+
+def drawn(a: float, rng: np.random.Generator) -> float:
+    return float(a + rng.normal())
+
+
+def blocks(a: np.ndarray[Any, Any], row: np.ndarray[Any, Any]) -> dict[str, Any]:
+    return {"c": a + row, "rows": float(len(a)) * 0.0}
+
+
+def states(youngs_modulus: np.ndarray[Any, Any], pressure: np.ndarray[Any, Any]) -> Mapping[str, Any]:
+    distinct, index = np.unique(youngs_modulus, return_inverse=True)
+    materials = np.array([ta.Material(modulus, 0.3) for modulus in distinct], dtype=object)
+    return ta.contact(model="hertz", radius=1e-6, density=1e12, sigma_s=1e-8, material=materials[index], pressure=pressure)
+
+
+def rows_of(frame: Any) -> pd.DataFrame:
+    found: pd.DataFrame = (frame.compute() if hasattr(frame, "compute") else frame).reset_index(drop=True)
+    return found
+
+
+def content(folder: Path) -> dict[str, str]:
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(folder.iterdir())}
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[Any]:
+    distributed = pytest.importorskip("distributed")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        cluster = distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50
+        )
+        with cluster, distributed.Client(cluster, set_as_default=False) as client:
+            yield client
+
+
+def test_a_function_over_a_grid() -> None:
+    frame = ta.sweep(product, over={"a": [1, 2, 3], "b": np.array([0.5, 1.5])})
+    assert type(frame).__module__.startswith("dask")
+    rows = rows_of(frame)
+    assert list(rows.columns) == ["a", "b", "c", "is_large", "what"]
+    assert rows["a"].tolist() == [1, 1, 2, 2, 3, 3] and rows["b"].tolist() == [0.5, 1.5] * 3
+    assert rows["c"].tolist() == [0.5, 1.5, 1.0, 3.0, 1.5, 4.5]
+    assert rows["is_large"].tolist() == [False, False, False, True, False, True]
+    assert rows["what"].tolist() == ["1", "1", "2", "2", "3", "3"]
+    assert frame.dtypes.astype(str).tolist()[:4] == ["int64", "float64", "float64", "bool"]
+
+
+def test_columns_that_go_together() -> None:
+    over = {"a": [1.0, 2.0], "b": [3.0, 4.0]}
+    assert rows_of(ta.sweep(product, over=over, zipped=True))["c"].tolist() == [3.0, 8.0]
+    both = rows_of(ta.sweep(lambda a, b, x: a * b * x, over={("a", "b"): ([1.0, 2.0], [3.0, 4.0]), "x": [1.0, 10.0]}))
+    assert both["value"].tolist() == [3.0, 30.0, 8.0, 80.0]
+    steel, glass = ta.Material("210 GPa", 0.3), ta.Material("70 GPa", 0.2)
+    rows = rows_of(ta.sweep(lambda body: body.composite_modulus_pa, over={"body": [steel, glass]}))
+    assert rows["value"].tolist() == [steel.composite_modulus_pa, glass.composite_modulus_pa]
+    assert rows["body"].tolist() == [repr(steel), repr(glass)]
+
+
+@pytest.mark.parametrize("rows_per_partition", [1, 4, 64, None])
+def test_drawn_numbers_are_the_same_in_any_partition(rows_per_partition: int | None) -> None:
+    frame = ta.sweep(drawn, over={"a": [0.0, 10.0, 20.0]}, repeats=5, seed=7, rows_per_partition=rows_per_partition)
+    rows = rows_of(frame)
+    expected = [10.0 * (row // 5) + np.random.default_rng([7, row]).normal() for row in range(15)]
+    assert rows["value"].tolist() == expected
+    assert rows["repeat"].tolist() == list(range(5)) * 3
+    assert frame.npartitions == {1: 15, 4: 4, 64: 1}.get(rows_per_partition or 64)
+
+
+def test_blocks_are_rows() -> None:
+    rows = rows_of(ta.sweep(blocks, over={"a": np.arange(100.0)}, vectorised=True, rows_per_partition=8))
+    np.testing.assert_array_equal(rows["c"], 2.0 * np.arange(100.0))
+    moduli, pressures = np.geomspace(1e9, 1e12, 7), np.geomspace(1e4, 1e7, 11)
+    over = {"youngs_modulus": moduli, "pressure": pressures}
+    rows = rows_of(ta.sweep(states, over=over, vectorised=True, rows_per_partition=16))
+    for modulus in moduli:
+        of_one = rows[rows["youngs_modulus"] == modulus]
+        found = ta.contact(
+            model="hertz", radius=1e-6, density=1e12, sigma_s=1e-8, material=ta.Material(modulus, 0.3), pressure=pressures
+        )
+        np.testing.assert_array_equal(of_one["area_fraction"], found.area_fraction)
+
+
+def test_a_scene_over_its_keys() -> None:
+    scene = ta.Scene.template("uncd-measured")
+    over = {"youngs_modulus": ["400 GPa", 5e11], "cutoff": [1e-8, "100 nm"]}
+    rows = rows_of(ta.sweep(scene, over=over))
+    one = scene.replace(youngs_modulus=5e11, cutoff="100 nm").scales()
+    last = rows[(rows["youngs_modulus"] == "500000000000.0") & (rows["cutoff"] == "100 nm")]
+    assert last["curve"].tolist() == one.curve.tolist()
+    np.testing.assert_array_equal(last["area_fraction"], one.area_fraction)
+    assert len(rows) == 4 * len(one.curve)
+    gasket = ta.Scene.template("gasket")
+    table = rows_of(ta.sweep(gasket, over={"pressure": [1e5, 2e5]}, table="persson"))
+    np.testing.assert_array_equal(
+        table["area_fraction"][table["pressure"] == 2e5],
+        gasket.replace(pressure=2e5).run(report=False).tables["persson"].area_fraction,
+    )
+
+
+def test_workers_write_the_files_that_one_process_writes(client: Any, tmp_path: Path) -> None:
+    over = {"youngs_modulus": np.geomspace(1e9, 1e12, 9), "pressure": np.geomspace(1e4, 1e7, 50)}
+    alone, together = tmp_path / "alone", tmp_path / "together"
+    told: list[tuple[int, int | None]] = []
+
+    def tell(done: int, total: int | None) -> None:
+        told.append((done, total))
+
+    here = ta.sweep(states, over=over, vectorised=True, rows_per_partition=64, to=alone, progress=tell)
+    there = ta.sweep(states, over=over, vectorised=True, rows_per_partition=64, to=together, client=client)
+    assert content(alone) == content(together)
+    assert len(content(alone)) == 9 and told == [(done, 8) for done in range(1, 9)]
+    pd.testing.assert_frame_equal(rows_of(here), rows_of(there))
+    plain = rows_of(ta.sweep(states, over=over, vectorised=True))
+    np.testing.assert_array_equal(rows_of(here)["area_fraction"], plain["area_fraction"])
+    scene = ta.Scene.template("gasket")
+    by_workers = ta.sweep(scene, over={"pressure": [1e5, 2e5, 3e5]}, rows_per_partition=1, to=tmp_path / "scene", client=client)
+    by_one = ta.sweep(scene, over={"pressure": [1e5, 2e5, 3e5]})
+    np.testing.assert_array_equal(rows_of(by_workers)["area_fraction"], rows_of(by_one)["area_fraction"])
+
+
+def test_files_tell_where_they_come_from(tmp_path: Path) -> None:
+    ta.sweep(ta.Scene.template("gasket"), over={"pressure": [1e5, 2e5]}, rows_per_partition=1, to=tmp_path / "a")
+    told = json.loads(pq.read_schema(tmp_path / "a" / "part-000001.parquet").metadata[b"truearea"])
+    assert told["program"] == f"truearea {ta.__version__}"
+    assert told["scene"] == ta.Scene.template("gasket").text
+    assert told["over"] == {"pressure": [1e5, 2e5]} and told["rows"] == [1, 2] and told["seed"] == 1
+    assert any("not measured" in note for note in told["notes"])
+    ta.sweep(drawn, over={"a": np.arange(1000.0)}, to=tmp_path / "b", rows_per_partition=1024)
+    told = json.loads(pq.read_schema(tmp_path / "b" / "part-000000.parquet").metadata[b"truearea"])
+    assert told["function"].endswith("drawn") and told["over"] == {"a": {"count": 1000, "first": 0.0, "last": 999.0}}
+    rows = rows_of(ta.sweep(drawn, over={"a": np.arange(1000.0)}))
+    assert pd.read_parquet(tmp_path / "b")["value"].tolist() == rows["value"].tolist()
+
+
+SCRIPT = """
+import sys, time
+import truearea as ta
+
+def counted(a, rng):
+    with open({log!r}, "a") as log:
+        log.write(f"{{a}}\\n")
+    time.sleep(0.01)
+    return {{"b": a + rng.normal()}}
+
+if __name__ == "__main__":
+    ta.sweep(counted, over={{"a": range(40)}}, to={to!r}{arguments})
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there is no SIGKILL there")
+@pytest.mark.parametrize("arguments", [", rows_per_partition=4", ", partition_seconds=0.05"])
+def test_a_killed_sweep_goes_on_where_it_was(tmp_path: Path, arguments: str) -> None:
+    log, folder, script = tmp_path / "log", tmp_path / "killed", tmp_path / "script.py"
+    script.write_text(SCRIPT.format(log=str(log), to=str(folder), arguments=arguments))
+    package = str(Path(ta.__file__).parents[1])
+    environment = {**os.environ, "PYTHONPATH": package}
+    first = subprocess.Popen([sys.executable, str(script)], env=environment)
+    deadline = time.monotonic() + 60
+    while len(list(folder.glob("part-*.parquet"))) < 4:
+        assert first.poll() is None and time.monotonic() < deadline
+        time.sleep(0.002)
+    first.send_signal(signal.SIGKILL)
+    first.wait()
+    written = content(folder)
+    rows_per_partition = json.loads((folder / "_sweep.json").read_text())["rows_per_partition"]
+    in_files = set()
+    for path in folder.glob("part-*.parquet"):
+        in_files |= set(pq.read_table(path)["a"].to_pylist())
+    assert len(in_files) < 40
+    before = [int(line) for line in log.read_text().splitlines()]
+    assert len(before) == len(set(before))
+    subprocess.run([sys.executable, str(script)], env=environment, check=True)
+    computed_again = [int(line) for line in log.read_text().splitlines()][len(before) :]
+    assert sorted(computed_again) == sorted(set(range(40)) - in_files)
+    after = content(folder)
+    assert {name: after[name] for name in written if name in after} == {n: c for n, c in written.items() if not n.startswith(".")}
+    whole, again = tmp_path / "whole", f", rows_per_partition={rows_per_partition}"
+    script.write_text(SCRIPT.format(log=str(log), to=str(whole), arguments=again))
+    runpy.run_path(str(script), run_name="__main__")
+    assert content(whole) == after
+    assert not [name for name in after if name.endswith(".aside")]
+
+
+def test_nothing_is_computed_where_all_is_written(tmp_path: Path) -> None:
+    calls: list[float] = []
+    path = str(tmp_path / "calls")
+
+    def noted(a: float) -> float:
+        with open(path, "a") as log:
+            log.write("x")
+        return a
+
+    for _ in range(2):
+        ta.sweep(noted, over={"a": [1.0, 2.0, 3.0]}, rows_per_partition=2, to=tmp_path / "f")
+        calls.append(len(Path(path).read_text()))
+    assert calls == [3, 3]
+    (tmp_path / "f" / "part-000001.parquet").unlink()
+    ta.sweep(noted, over={"a": [1.0, 2.0, 3.0]}, to=tmp_path / "f")
+    assert len(Path(path).read_text()) == 4
+
+
+def _scaled(factor: float) -> Callable[[float], float]:
+    return lambda a: factor * a
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ({"over": {"a": [1.0, 2.0, 4.0]}}, "over other values"),
+        ({"seed": 2}, "with another seed, 1 there and 2 here"),
+        ({"repeats": 2}, "with other repeats, 1 there and 2 here"),
+        ({"swept": _scaled(3.0)}, "of another source of the function"),
+        ({"swept": abs, "over": {"x": [1.0]}}, "has no source|cannot be called"),
+        ({"swept": product, "over": {"a": [1.0], "b": [1.0]}}, "of another function, .*_scaled.* there and .*product here"),
+        ({"rows_per_partition": 4}, "rows_per_partition is 4, and .* was begun with 2; leave it out"),
+    ],
+)  # fmt: skip
+def test_another_sweep_into_the_same_folder_is_refused(tmp_path: Path, arguments: dict[str, Any], told: str) -> None:
+    given: dict[str, Any] = {"swept": _scaled(2.0), "over": {"a": [1.0, 2.0, 3.0]}, "rows_per_partition": 2}
+    ta.sweep(**given, to=tmp_path)
+    before = content(tmp_path)
+    with pytest.raises(ta.InputError, match=told):
+        ta.sweep(**{**given, **arguments}, to=tmp_path)
+    assert content(tmp_path) == before
+
+
+def test_folders_of_others_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "mine.parquet").write_bytes(b"")
+    with pytest.raises(ta.InputError, match="holds Parquet files of something else; name another folder"):
+        ta.sweep(drawn, over={"a": [1.0]}, to=tmp_path)
+    with pytest.raises(ta.InputError, match="mine.parquet is a file; name a folder"):
+        ta.sweep(drawn, over={"a": [1.0]}, to=tmp_path / "mine.parquet")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ({"swept": 3}, "a Scene or a function is needed, and this is of type int"),
+        ({"over": {}}, "over: a mapping from names to values is needed"),
+        ({"over": [1, 2]}, "over: a mapping from names to values is needed"),
+        ({"over": {"a": []}}, "over\\['a'\\] is empty"),
+        ({"over": {"a": "10 nm"}}, "over\\['a'\\]: a list or an array of values is needed, and this is of type str"),
+        ({"over": {"a": 1.0}}, "over\\['a'\\]: a list or an array of values is needed, and this is of type float"),
+        ({"over": {"a": np.ones((2, 2))}}, "an array of one axis is needed, and this has 2"),
+        ({"over": {("a", "b"): [[1.0]]}}, "2 columns are needed, and these are 1"),
+        ({"over": {"a": [1.0], ("a", "b"): [[1.0], [1.0]]}}, "over: a is given twice"),
+        ({"over": {"a": [1.0], "b": [1.0, 2.0]}, "zipped": True}, "a has 1, b has 2"),
+        ({"over": {"a": [1.0]}}, "the function cannot be called with a: missing a required argument: 'b'"),
+        ({"over": {"a": [1.0], "b": [1.0], "x": [1.0]}}, "cannot be called with a, b, x"),
+        ({"repeats": 0}, "repeats is 0; it must be a whole number from 1 on"),
+        ({"repeats": 1.5}, "repeats: a whole number is needed, and this is of type float"),
+        ({"seed": -1}, "seed is -1; it must be a whole number from 0 on"),
+        ({"rows_per_partition": 3}, "rows_per_partition is 3; it must be a power of two"),
+        ({"partition_seconds": 0.0}, "partition_seconds is 0.0; it must be finite and greater than 0"),
+        ({"table": "scales"}, "table is for scenes"),
+        ({"client": object()}, "client is for sweeps into a folder"),
+        ({"swept": lambda a, b, rng: a, "vectorised": True}, "a vectorised function cannot take rng"),
+        ({"swept": lambda a, b: a + b, "vectorised": True}, "a vectorised function yields a mapping of arrays"),
+        ({"swept": lambda a, b: {"c": np.ones(7)}, "vectorised": True}, "c has the shape \\(7,\\), and there are 1 rows"),
+        ({"swept": lambda a, b: {"c": [1.0, 2.0]}}, "c has the shape \\(2,\\), and one value is needed"),
+        ({"swept": lambda a, b: {"a": a}}, "a is a column of over and a result"),
+        ({"swept": lambda a, b: {"c": object()}}, "c: numbers, truths or text are needed"),
+        ({"swept": lambda a, b: {"c": a} if a == 1.0 else {"d": a}}, "row 2 yields d, and the first one c"),
+        ({"swept": lambda a, b: {"c": a if a == 1.0 else "no"}}, "c is a number in the first row, and a text later|numbers"),
+        ({"swept": lambda a, b: ta.Material(-a, b).composite_modulus_pa}, "row 0 \\(a = 1.0, b = 3.0\\): youngs_modulus is -1"),
+        ({"swept": GASKET, "over": {"colour": [1]}}, "row 0 \\(colour = 1\\): colour: a scene has no such key"),
+        ({"swept": GASKET, "over": {"pressure": [1e5]}, "vectorised": True}, "vectorised is for functions"),
+        ({"swept": GASKET, "over": {"pressure": [1e5]}, "table": "none"}, "the scene makes no none; it makes persson"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_swept(arguments: dict[str, Any], told: str) -> None:
+    given: dict[str, Any] = {"swept": lambda a, b: a * b, "over": {"a": [1.0, 2.0], "b": [3.0, 4.0]}}
+    with pytest.raises(ta.InputError, match=told):
+        rows_of(ta.sweep(**{**given, **arguments}))
+
+
+def test_errors_of_the_function_are_its_own(client: Any, tmp_path: Path) -> None:
+    with pytest.raises(ZeroDivisionError):
+        ta.sweep(lambda a: 1.0 / a, over={"a": [1.0, 0.0]}, rows_per_partition=1, to=tmp_path, client=client)
+    with pytest.raises(ta.InputError, match="row 1 .*youngs_modulus is 0"):
+        ta.sweep(lambda a: ta.Material(a, 0.3).composite_modulus_pa, over={"a": [1.0, 0.0]}, rows_per_partition=1,
+                 to=tmp_path / "other", client=client)  # fmt: skip
+
+
+def test_threads_come_back() -> None:
+    before = ta.threads()
+    ta.set_threads(2)
+    try:
+        rows = rows_of(ta.sweep(lambda a: float(ta.threads()), over={"a": range(8)}, rows_per_partition=1))
+        assert rows["value"].tolist() == [1.0] * 8
+        assert ta.threads() == 2
+    finally:
+        ta.set_threads(before)
+
+
+@pytest.mark.parametrize(("hidden", "call"), [(["dask", "pandas"], "sweep"), (["pyarrow"], "to")])
+def test_what_is_not_installed_is_told(hidden: list[str], call: str, tmp_path: Path) -> None:
+    program = f"""
+import importlib.abc, sys
+class Hidden(importlib.abc.MetaPathFinder):
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] in {hidden!r}:
+            raise ModuleNotFoundError(name)
+sys.meta_path.insert(0, Hidden())
+import importlib.util
+find = importlib.util.find_spec
+importlib.util.find_spec = lambda name: None if name in {hidden!r} else find(name)
+import truearea as ta
+assert "dask" not in sys.modules and "pandas" not in sys.modules
+try:
+    ta.sweep(lambda a: a, over={{"a": [1.0]}}{", to='folder'" if call == "to" else ""})
+except ImportError as error:
+    print(error)
+"""
+    environment = {**os.environ, "PYTHONPATH": str(Path(ta.__file__).parents[1])}
+    python = [sys.executable, "-c", program]
+    done = subprocess.run(python, env=environment, capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert f"{call} needs {hidden[-1]}, which is not here: pip install truearea[cluster]" in done.stdout
+
+
+def test_without_dask_all_is_computed_at_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    import importlib.util
+
+    find = importlib.util.find_spec
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "dask" else find(name))
+    frame = ta.sweep(product, over={"a": [1, 2], "b": [3.0]})
+    assert isinstance(frame, pd.DataFrame) and frame["c"].tolist() == [3.0, 6.0]
+    files = ta.sweep(product, over={"a": [1, 2], "b": [3.0]}, rows_per_partition=1, to=tmp_path)
+    assert isinstance(files, pd.DataFrame) and files["c"].tolist() == [3.0, 6.0]
