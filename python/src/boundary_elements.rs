@@ -10,8 +10,9 @@ use elements::{Relief, Surfaces};
 use gaussian_surfaces::{AreaSpectrum, Phases};
 use half_space::HalfSpaceError;
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadwriteArrayDyn};
+use parallel::Progress;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyString, PyTuple};
+use pyo3::types::{PyBool, PyCFunction, PyDict, PyString, PyTuple};
 use report::{doubt_words, elements_words};
 use scans::HeightMap;
 use study::material::Material;
@@ -44,13 +45,15 @@ type Found<'py> = (Bound<'py, PyDict>, Option<Fields<'py>>, Vec<String>);
 /// Pressures \[Pa\] and gaps \[m\] of surface after surface under load after load, and the heights \[m\] of the surfaces.
 type Fields<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
 
-/// Presses a map of heights \[m\], row by row along x.
+/// Presses a map of heights \[m\], row by row along x. `repeats` says whether the heights repeat themselves beyond the map, and
+/// `periodic` whether they are pressed so.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "the arguments of a call from Python, by name")]
 pub fn press_heights<'py>(
     py: Python<'py>,
     heights_m: PyReadonlyArray2<'py, f64>,
     size: [Given<'py>; 2],
+    repeats: bool,
     periodic: bool,
     detrend: Option<&str>,
     material: &PyMaterial,
@@ -58,14 +61,18 @@ pub fn press_heights<'py>(
     saturation: Option<&Given<'py>>,
     tolerance: f64,
     fields: bool,
+    observer: Option<Py<PyAny>>,
 ) -> PyResult<Found<'py>> {
     let material = &material.material;
     let pressing = pressing(material, pressures_pa(material, pressure)?, saturation, tolerance)?;
     let [x, y] = &size;
     let [length_x, length_y]: [Length; 2] = [quantity("size[0]", x)?, quantity("size[1]", y)?];
     let detrend = detrend.map(|name| named::<Detrend>("detrend", name)).transpose()?;
-    let relief = relief(&heights_m, [length_x.m, length_y.m], periodic, detrend)?;
-    press(py, &Surfaces::Map(relief), &pressing, Table::Means, fields, of_material(material))
+    let boundary = if periodic { Boundary::Periodic } else { Boundary::Free };
+    let detrend = Recipe { detrend, ..Recipe::default() }.preparation(repeats).detrend;
+    let relief = relief(&heights_m, [length_x.m, length_y.m], boundary, detrend)?;
+    let asked = Asked { table: Table::Means, fields, observer };
+    press(py, &Surfaces::Map(relief), &pressing, asked, of_material(material))
 }
 
 /// Presses random surfaces that have a spectrum.
@@ -81,6 +88,7 @@ pub fn press_spectrum<'py>(
     tolerance: f64,
     per_realisation: bool,
     fields: bool,
+    observer: Option<Py<PyAny>>,
 ) -> PyResult<Found<'py>> {
     let material = &material.material;
     let pressing = pressing(material, pressures_pa(material, pressure)?, saturation, tolerance)?;
@@ -89,7 +97,15 @@ pub fn press_spectrum<'py>(
     let (random, words) = random_surfaces(surface, &random.choices()?, &pressing)?;
     said.extend(words);
     let table = if per_realisation { Table::States } else { Table::Means };
-    press(py, &Surfaces::Random(random), &pressing, table, fields, said)
+    let asked = Asked { table, fields, observer };
+    press(py, &Surfaces::Random(random), &pressing, asked, said)
+}
+
+/// What is asked for, and who is told of the steps.
+struct Asked {
+    table: Table,
+    fields: bool,
+    observer: Option<Py<PyAny>>,
 }
 
 /// What is told of surfaces under a load.
@@ -105,19 +121,18 @@ fn press<'py>(
     py: Python<'py>,
     surfaces: &Surfaces,
     pressing: &Pressing,
-    table: Table,
-    fields: bool,
+    Asked { table, fields, observer }: Asked,
     mut said: Vec<String>,
 ) -> PyResult<Found<'py>> {
     let fields = fields.then(|| empty_fields(py, surfaces, pressing.pressures_pa.len())).transpose()?;
     let loads = match &fields {
-        None => pressed(py, surfaces, pressing, |_| ())?,
+        None => pressed(py, surfaces, pressing, observer, |_| ())?,
         Some((pressures_pa, gaps_m, heights_m)) => {
             let mut written = [pressures_pa, gaps_m, heights_m].map(|array| array.readwrite());
             let [pressures_pa, gaps_m, heights_m] = written.each_mut().map(|array| maps(array, surfaces));
             let (pressures_pa, gaps_m, heights_m) = (pressures_pa?, gaps_m?, heights_m?);
             let count = surfaces.count();
-            pressed(py, surfaces, pressing, |field| {
+            pressed(py, surfaces, pressing, observer, |field| {
                 let at = field.load * count + field.surface;
                 write(&pressures_pa[at], field.pressures_pa);
                 write(&gaps_m[at], field.gaps_m);
@@ -133,18 +148,27 @@ fn press<'py>(
     Ok((columns(py, &table)?, fields, said))
 }
 
-/// Every surface under every load; `see` is shown each as it is solved.
+/// Every surface under every load; `observer` is told of the steps, and `see` is shown each surface as it is solved.
 pub fn pressed(
     py: Python<'_>,
     surfaces: &Surfaces,
     pressing: &Pressing,
+    observer: Option<Py<PyAny>>,
     see: impl Fn(&Field<'_>) + Sync + Send,
 ) -> PyResult<Vec<PressedLoad>> {
     let seen = |field: &Field<'_>| -> Result<(), ElementsError> {
         see(field);
         Ok(())
     };
-    carry_out(py, None, |progress| elements::press(surfaces, pressing, seen, progress))?.map_err(input)
+    let steps = elements::progress_steps(surfaces, pressing);
+    let told = |observer: Py<PyAny>| {
+        PyCFunction::new_closure(py, None, None, move |done: &Bound<'_, PyTuple>, _| -> PyResult<()> {
+            observer.call1(done.py(), ("steps", done.get_item(0)?, steps)).map(drop)
+        })
+    };
+    let observer = observer.map(told).transpose()?;
+    let press = |progress: &dyn Progress| elements::press(surfaces, pressing, seen, progress);
+    carry_out(py, observer.as_ref().map(|observer| observer.as_any()), press)?.map_err(input)
 }
 
 /// Arrays of zeros as large as the fields, which numpy refuses where there is no room for them.
@@ -185,27 +209,19 @@ fn write(map: &Mutex<&mut [f64]>, values: &[f64]) {
     map.lock().unwrap_or_else(PoisonError::into_inner).copy_from_slice(values);
 }
 
-/// A map as it is pressed: less its trend, by default a plane, and where it is periodic the mean.
+/// A map as it is pressed: less its trend.
 fn relief(
     heights_m: &PyReadonlyArray2<'_, f64>,
     [length_x_m, length_y_m]: [f64; 2],
-    periodic: bool,
-    detrend: Option<Detrend>,
+    boundary: Boundary,
+    detrend: Detrend,
 ) -> PyResult<Relief> {
     let view = heights_m.as_array();
     let (rows, columns) = view.dim();
     let spacings_m = [length_x_m / columns as f64, length_y_m / rows as f64];
     let map = HeightMap::new(columns, spacings_m[0], spacings_m[1], view.iter().copied().collect());
     let map = map.map_err(|error| of_argument("h", error))?;
-    let detrend = Recipe { detrend, ..Recipe::default() }.preparation(periodic).detrend;
-    Ok(Relief {
-        rows,
-        columns,
-        length_x_m,
-        length_y_m,
-        heights_m: detrended_m(&map, detrend),
-        boundary: if periodic { Boundary::Periodic } else { Boundary::Free },
-    })
+    Ok(Relief { rows, columns, length_x_m, length_y_m, heights_m: detrended_m(&map, detrend), boundary })
 }
 
 fn pressures_pa(material: &Material, pressure: &Given<'_>) -> PyResult<Vec<f64>> {

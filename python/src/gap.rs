@@ -108,7 +108,7 @@ fn by_elements<'py>(
     let (random, words) = random_surfaces(surface, &random.choices()?, &pressing)?;
     said.extend(words);
     let rms_height_m = random.band.mean_square_height_m2().sqrt();
-    let loads = pressed(py, &elements::Surfaces::Random(random), &pressing, |_| ())?;
+    let loads = pressed(py, &elements::Surfaces::Random(random), &pressing, None, |_| ())?;
     said.extend(elements_words::of_results(&loads));
     let states = gap_words::states_of_elements(&loads);
     said.extend(gap_words::of_states(&states, Some(rms_height_m)));

@@ -136,8 +136,23 @@ def test_topographies_know_their_size_and_edges() -> None:
     assert np.allclose(given.pressure_pa, by_hand.pressure_pa, rtol=1e-6, atol=1.0)
     free = ta.boundary_elements(Topography(), periodic=False, **options)
     assert free.area_fraction != given.area_fraction
-    with pytest.raises(ta.InputError, match="size has no bearing on a topography"):
+    with pytest.raises(ta.InputError, match="size has no bearing on a Topography"):
         ta.boundary_elements(Topography(), 1e-6, **options)
+
+
+@pytest.mark.parametrize("edges", ["periodic", "free"])
+def test_scans_are_pressed_as_the_command_line_presses_files(edges: str, command_line: Callable[..., Columns]) -> None:
+    file = REFERENCE / "bem_b.nc"
+    loads = ["--pressure", "100MPa", "--pressure", "1GPa", "--boundary", edges]
+    crates = command_line("bem", str(file), "--youngs-modulus", "100GPa", "--poisson-ratio", "0", *loads)
+    pressed = ta.boundary_elements(
+        ta.read_scan(file), pressure=["100 MPa", "1 GPa"], material=GLASS, periodic=edges == "periodic"
+    )
+    assert list(pressed) == list(crates)
+    for name in pressed:
+        assert np.array_equal(pressed[name], numbers(crates, name), equal_nan=True), name
+    if edges == "periodic":
+        assert ta.boundary_elements(ta.read_scan(file), pressure=["100 MPa", "1 GPa"], material=GLASS) == pressed
 
 
 RANDOM: dict[str, Any] = {"grid": 32, "realisations": 3, "shortest": "1 um", "seed": 5}
@@ -263,6 +278,13 @@ def test_surfaces_that_cannot_be_made_are_refused(changes: dict[str, Any], told:
         ta.boundary_elements(ta.read_psd(UNCD), **given)
 
 
+def test_what_is_no_material_is_told() -> None:
+    steel: Any = "steel"
+    for h, size in ((wave(), 1e-6), (ta.read_psd(UNCD), None)):
+        with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+            ta.boundary_elements(h, size, pressure=1.0, material=steel)
+
+
 def test_a_saturation_in_hardnesses_needs_one() -> None:
     with pytest.raises(ta.InputError, match="saturation is given in H, .* give the material indentation_hardness"):
         ta.boundary_elements(wave(), 1e-6, pressure="1 MPa", material=UNIT, saturation="1 H")
@@ -275,20 +297,41 @@ def test_fields_beyond_memory_are_a_memory_error() -> None:
         )
 
 
+def test_a_callable_is_told_of_the_steps_and_may_end_the_work() -> None:
+    told: list[tuple[int, int | None]] = []
+    options: dict[str, Any] = {"pressure": [1e8, 1e9], "material": GLASS} | RANDOM
+    pressed = ta.boundary_elements(ta.read_psd(UNCD), progress=lambda done, of: told.append((done, of)), **options)
+    assert pressed == ta.boundary_elements(ta.read_psd(UNCD), **options)
+    done, of = told[-1]
+    assert done == of and [done for done, _ in told] == sorted(done for done, _ in told)
+
+    def end(done: int, of: int | None) -> None:
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        ta.boundary_elements(wave(), "1 um", pressure="1 MPa", material=GLASS, progress=end)
+    with pytest.raises(TypeError, match="progress: True, False or a callable is needed, and this is of type str"):
+        progress: Any = "yes"
+        ta.boundary_elements(wave(), "1 um", pressure="1 MPa", material=GLASS, progress=progress)
+
+
 def test_ctrl_c_ends_a_long_run() -> None:
     interrupt = threading.Timer(0.5, _thread.interrupt_main)
     begin = time.monotonic()
     interrupt.start()
-    with pytest.raises(KeyboardInterrupt):
-        ta.boundary_elements(
-            ta.read_psd(UNCD),
-            pressure=np.geomspace(1e7, 1e10, 40),
-            material=GLASS,
-            grid=256,
-            realisations=50,
-            shortest="100 nm",
-            tolerance=1e-10,
-        )
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            ta.boundary_elements(
+                ta.read_psd(UNCD),
+                pressure=np.geomspace(1e7, 1e10, 40),
+                material=GLASS,
+                grid=256,
+                realisations=50,
+                shortest="100 nm",
+                tolerance=1e-10,
+            )
+    finally:
+        interrupt.cancel()
     assert time.monotonic() - begin < 10.0
     # The next call is none the worse for it.
     assert ta.boundary_elements(wave(), 1e-6, pressure="1 MPa", material=GLASS).area_fraction[0] > 0.0

@@ -129,3 +129,11 @@ def test_a_spectrum_without_gap_is_refused() -> None:
     for model in ("persson", "hertz"):
         with pytest.raises(ta.InputError, match="the spectrum has no gap"):
             ta.gap(uncd, DIAMOND, pressure="1 MPa", model=model, cutoff=uncd.wavelengths_m[0])
+
+
+def test_what_is_no_spectrum_or_material_is_told() -> None:
+    other: Any = "builtin:uncd-measured"
+    with pytest.raises(ta.InputError, match="spectrum: a Spectrum is needed, and this is of type str"):
+        ta.gap(other, DIAMOND, pressure=1e6)
+    with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+        ta.gap(ta.read_psd(UNCD), other, pressure=1e6)

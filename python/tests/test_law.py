@@ -151,3 +151,11 @@ def test_rows_nearer_than_a_code_tells_apart_are_refused() -> None:
     fine = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, tolerance=1e-5)
     with pytest.raises(ta.InputError, match="calculix has room for 200|moves rows apart"):
         fine.to_text("calculix")
+
+
+def test_what_is_no_spectrum_or_material_is_told() -> None:
+    other: Any = "builtin:uncd-measured"
+    with pytest.raises(ta.InputError, match="spectrum: a Spectrum is needed, and this is of type str"):
+        ta.law(other, DIAMOND, pressure=RANGE)
+    with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+        ta.law(ta.read_psd(UNCD), other, pressure=RANGE)

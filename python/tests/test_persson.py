@@ -231,3 +231,11 @@ def test_what_the_material_lacks_is_told() -> None:
     hard = ta.Material("463 GPa", 0.2, indentation_hardness="5.4 GPa")
     with pytest.raises(ta.InputError, match="give the material strain_gradient_length"):
         ta.persson(uncd, hard, pressure="1 MPa", model="elastic-plastic", strain_gradient=True)
+
+
+def test_what_is_no_spectrum_or_material_is_told() -> None:
+    other: Any = "builtin:uncd-measured"
+    with pytest.raises(ta.InputError, match="spectrum: a Spectrum is needed, and this is of type str"):
+        ta.persson(other, DIAMOND, pressure=1e6)
+    with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+        ta.persson(ta.read_psd(UNCD), other, pressure=1e6)

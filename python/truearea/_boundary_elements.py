@@ -9,10 +9,13 @@ import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles
+from truearea._cores import material_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
 from truearea._native import InputError
+from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result
+from truearea._scan import Scan
 from truearea._spectrum import Spectrum
 from truearea._topography import heights_and_size, is_topography
 
@@ -64,6 +67,7 @@ def boundary_elements(
     side: Quantity | None = None,
     phases: str | None = None,
     per_realisation: bool = False,
+    progress: Progress = False,
 ) -> Pressed:
     """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
 
@@ -73,9 +77,9 @@ def boundary_elements(
 
     Parameters
     ----------
-    h : array_like of float, shape (rows, columns), or a topography, or Spectrum
-        Heights in m; higher points touch first. Axis 0 is y, axis 1 is x. Or an object of SurfaceTopography, which knows its size
-        and unit. Or a spectrum, of which random surfaces are made.
+    h : array_like of float, shape (rows, columns), or Scan, or a topography, or Spectrum
+        Heights in m; higher points touch first. Axis 0 is y, axis 1 is x. Or a scan or an object of SurfaceTopography, which
+        know their size and unit. Or a spectrum, of which random surfaces are made.
     size : float or str, or two of them
         Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as
         columns.
@@ -87,10 +91,10 @@ def boundary_elements(
         The pressure at which the surface flows, an indentation hardness such as ``"3 GPa"`` or ``"1 H"``; elastic throughout
         where left out.
     periodic : bool, default False
-        What lies beyond the edges of a map: the map again, or an unloaded half-space. Of a topography what it says itself, where
-        left out.
+        What lies beyond the edges of a map: the map again, or an unloaded half-space. Of a scan or topography what it says
+        itself, where left out.
     detrend : {"plane", "line", "mean"}, optional
-        What is subtracted from heights: by default a plane, from periodic ones the mean.
+        What is subtracted from heights: by default a plane, from those that repeat themselves the mean.
     tolerance : float, default 1e-6
         The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1.
     fields : bool, default False
@@ -110,13 +114,15 @@ def boundary_elements(
         What is random: phases alone, or moduli as well.
     per_realisation : bool, default False
         Tell of each random surface instead of their mean.
+    progress : bool or callable, default False
+        True shows a line on stderr; a callable is told the steps done and how many there are.
 
     Returns
     -------
     Pressed
         Along the loads, and with ``per_realisation`` along the surfaces: ``area_fraction`` counts points,
-        ``area_fraction_corrected`` is less the staircase, ``area_fraction_extrapolated`` is what a finer grid would show, with its
-        ``standard_error`` over the surfaces; ``plastic_area_fraction``, ``mean_gap_m``, ``mean_plastic_depth_m``,
+        ``area_fraction_corrected`` is less the staircase, ``area_fraction_extrapolated`` is what a finer grid would show, with
+        its ``standard_error`` over the surfaces; ``plastic_area_fraction``, ``mean_gap_m``, ``mean_plastic_depth_m``,
         ``largest_pressure_pa``, ``stiffness_pa_per_m``; ``open_along_x`` and ``open_along_y``, the share of the surfaces that an
         open way crosses; ``iterations``, ``residual``. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows,
         columns), of random surfaces (loads, surfaces, rows, columns), and ``height_m``, the heights as they were pressed.
@@ -154,30 +160,45 @@ def boundary_elements(
         "side": side,
         "phases": phases,
     }
-    if isinstance(h, Spectrum):
-        of_maps = {"size": size, "periodic": periodic, "detrend": detrend}
-        _refuse("a spectrum, only on heights", [name for name, given in of_maps.items() if given is not None])
-        columns, of_points, notes = _native.press_spectrum(
-            h._native, random, material._native, pressure, saturation, tolerance, per_realisation, fields
-        )
-        surfaces: tuple[str, ...] = ("surface",)
-    else:
-        of_spectra = [name for name, given in random.items() if given is not None]
-        of_spectra += ["per_realisation"] if per_realisation else []
-        _refuse("heights, only on a spectrum", of_spectra)
-        heights, lengths, is_periodic = _map(h, size)
-        columns, of_points, notes = _native.press_heights(
-            heights,
-            lengths,
-            is_periodic if periodic is None else bool(periodic),
-            detrend,
-            material._native,
-            pressure,
-            saturation,
-            tolerance,
-            fields,
-        )
-        surfaces = ()
+    line = Line()
+    observer = observer_of(progress, line)
+    try:
+        if isinstance(h, Spectrum):
+            of_maps = {"size": size, "periodic": periodic, "detrend": detrend}
+            _refuse("a spectrum, only on heights", [name for name, given in of_maps.items() if given is not None])
+            surfaces: tuple[str, ...] = ("surface",)
+            columns, of_points, notes = _native.press_spectrum(
+                h._native,
+                random,
+                material_of(material),
+                pressure,
+                saturation,
+                tolerance,
+                per_realisation,
+                fields,
+                observer,
+            )
+        else:
+            of_spectra = [name for name, given in random.items() if given is not None]
+            of_spectra += ["per_realisation"] if per_realisation else []
+            _refuse("heights, only on a spectrum", of_spectra)
+            heights, lengths, repeats = _map(h, size, bool(periodic))
+            surfaces = ()
+            columns, of_points, notes = _native.press_heights(
+                heights,
+                lengths,
+                repeats,
+                repeats if periodic is None else bool(periodic),
+                detrend,
+                material_of(material),
+                pressure,
+                saturation,
+                tolerance,
+                fields,
+                observer,
+            )
+    finally:
+        line.end()
     arrays, axes = _of_table(columns)
     if of_points is not None:
         points = (*surfaces, "row", "column")
@@ -192,16 +213,20 @@ def _refuse(what: str, idle: list[str]) -> None:
         raise InputError(f"{idle[0]} has no bearing on {what}; leave it out")
 
 
-def _map(h: Any, size: Any) -> tuple[FloatArray, tuple[Any, Any], bool]:
-    """Heights, the lengths of their map, and whether it is said to repeat itself."""
-    if not is_topography(h):
+def _map(h: Any, size: Any, periodic: bool) -> tuple[FloatArray, tuple[Any, Any], bool]:
+    """Heights, the lengths of their map, and whether they repeat themselves: of an array nobody else says it."""
+    own: tuple[float, ...]
+    if isinstance(h, Scan):
+        given, own, repeats = h.heights_m, h.size_m, h.is_periodic
+    elif is_topography(h):
+        given, own, repeats = heights_and_size(h, "h")
+    else:
         heights = _heights(h)
-        return heights, _size(size, heights.shape), False
+        return heights, _size(size, heights.shape), periodic
     if size is not None:
-        raise InputError("size has no bearing on a topography, which knows its own; leave it out")
-    given, own, is_periodic = heights_and_size(h, "h")
+        raise InputError(f"size has no bearing on a {type(h).__name__}, which knows its own; leave it out")
     heights = _heights(given)
-    return heights, _size(own, heights.shape), is_periodic
+    return heights, _size(own, heights.shape), repeats
 
 
 def _heights(given: Any) -> FloatArray:

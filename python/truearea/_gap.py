@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from truearea import _native
+from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
 from truearea._results import FloatArray, Table
@@ -119,7 +120,7 @@ def gap(
         "phases": phases,
     }
     columns, notes = _native.gaps(
-        spectrum._native, material._native, pressure, model, choices, tolerance, random
+        surface_of(spectrum), material_of(material), pressure, model, choices, tolerance, random
     )
     return Gaps._of(columns, tuple(notes), axis="load")
 

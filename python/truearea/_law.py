@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from truearea import _native
+from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._gap import _choices
 from truearea._material import Material, Quantity
@@ -172,8 +173,8 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
 
 def _made_again(spectrum: Spectrum, material: Material, options: dict[str, Any]) -> ContactLaw:
     native = _native.ContactLaw(
-        spectrum._native,
-        material._native,
+        surface_of(spectrum),
+        material_of(material),
         options["pressure"],
         options["model"],
         options["choices"],

@@ -83,6 +83,7 @@ def curve(
 def press_heights(
     heights_m: _Floats,
     size: Sequence[Any],
+    repeats: bool,
     periodic: bool,
     detrend: str | None,
     material: Material,
@@ -90,6 +91,7 @@ def press_heights(
     saturation: Any | None,
     tolerance: float,
     fields: bool,
+    observer: Callable[[str, int, int | None], None] | None,
 ) -> tuple[_Columns, tuple[_Floats, _Floats, _Floats] | None, list[str]]: ...
 def press_spectrum(
     surface: Surface,
@@ -100,6 +102,7 @@ def press_spectrum(
     tolerance: float,
     per_realisation: bool,
     fields: bool,
+    observer: Callable[[str, int, int | None], None] | None,
 ) -> tuple[_Columns, tuple[_Floats, _Floats, _Floats] | None, list[str]]: ...
 def gaps(
     surface: Surface,

@@ -9,6 +9,7 @@ import numpy as np
 
 from truearea import _native
 from truearea._arrays import doubles
+from truearea._cores import material_of, surface_of
 from truearea._curves import Curve, Pressures
 from truearea._material import Material, Quantity
 from truearea._native import InputError
@@ -79,7 +80,7 @@ def persson(
     amplitude : str, optional
         How the amplitude of a scale is made from the spectrum (Eq. 5 by default).
     cutoff : float or str, optional
-        The shortest wavelength that takes part in the areas; gap and stiffness take the waves that it leaves out as well.
+        The shortest wavelength that takes part.
     scales_per_decade : int, optional
         Resample to so many wavelengths a decade.
 
@@ -110,8 +111,8 @@ def persson(
     name = hardness_law if isinstance(hardness_law, str) else None
     table = None if hardness_law is None or isinstance(hardness_law, str) else _table(hardness_law)
     columns, pressures_pa, light, notes = _native.persson_curve(
-        spectrum._native,
-        material._native,
+        surface_of(spectrum),
+        material_of(material),
         pressure,
         model,
         correction,
