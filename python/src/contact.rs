@@ -73,15 +73,13 @@ pub fn contact_states<'py>(
     if rows > 0 && materials.is_empty() {
         return Err(input("material: it is empty; give at least one"));
     }
-    let asked = |row: usize| {
-        Ok(AskedState {
-            material: *material_of(row).unwrap_or(&materials[0]),
-            roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
-            at: match is_pressure {
-                true => At::Pressure(of_condition.at(row)),
-                false => At::Separation(of_condition.at(row)),
-            },
-        })
+    let asked = |row: usize| AskedState {
+        material: material_of(row).unwrap_or(&materials[0]),
+        roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
+        at: match is_pressure {
+            true => At::Pressure(of_condition.at(row)),
+            false => At::Separation(of_condition.at(row)),
+        },
     };
     let found: [Bound<'py, PyArray1<f64>>; 8] = std::array::from_fn(|_| PyArray1::zeros(py, rows, false));
     let mut written = found.each_ref().map(|column| column.readwrite());

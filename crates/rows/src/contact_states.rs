@@ -28,9 +28,9 @@ pub struct ContactStates {
 
 /// What one row asks.
 #[derive(Debug, Clone, Copy)]
-pub struct AskedState {
+pub struct AskedState<'m> {
     /// The bodies in contact.
-    pub material: Material,
+    pub material: &'m Material,
     /// What is pressed.
     pub roughness: Roughness,
     /// To where, or by what.
@@ -105,10 +105,10 @@ impl ContactStates {
     ///
     /// # Panics
     /// Where the columns are not of one length.
-    pub fn fill_in(
+    pub fn fill_in<'m>(
         &self,
         columns: StateColumns<'_>,
-        asked: impl Fn(usize) -> Result<AskedState, MaterialError> + Sync,
+        asked: impl Fn(usize) -> AskedState<'m> + Sync,
         progress: &dyn Progress,
     ) -> Result<StatesFound, StatesError> {
         let found = Mutex::new(StatesFound::default());
@@ -125,18 +125,18 @@ impl ContactStates {
         Ok(found.into_inner().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn fill_block(
+    fn fill_block<'m>(
         &self,
         first: usize,
         mut columns: [&mut [f64]; 8],
-        asked: &impl Fn(usize) -> Result<AskedState, MaterialError>,
+        asked: &impl Fn(usize) -> AskedState<'m>,
     ) -> Result<StatesFound, StatesError> {
         let rows = columns[0].len();
         let mut found = StatesFound::default();
         let mut row = 0;
         while row < rows {
             let blame = |row: usize| move |problem| StatesError::Row { row: first + row, problem };
-            let of_run = asked(first + row).map_err(blame(row))?;
+            let of_run = asked(first + row);
             let pressed = self.pressed(&of_run).map_err(blame(row))?;
             let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
             let mut sweep = match &pressed {
@@ -162,8 +162,8 @@ impl ContactStates {
                 if row == rows {
                     break;
                 }
-                next = asked(first + row).map_err(blame(row))?;
-                if next.material != of_run.material || next.roughness != of_run.roughness {
+                next = asked(first + row);
+                if !next.presses_the_same_as(&of_run) {
                     break;
                 }
             }
@@ -172,11 +172,19 @@ impl ContactStates {
     }
 
     /// What a row presses.
-    fn pressed(&self, asked: &AskedState) -> Result<Pressed, MaterialError> {
-        let CurveModel::Statistical { pair, law } = self.entry.build(&asked.material, &self.options)? else {
+    fn pressed(&self, asked: &AskedState<'_>) -> Result<Pressed, MaterialError> {
+        let CurveModel::Statistical { pair, law } = self.entry.build(asked.material, &self.options)? else {
             unreachable!("populations are pressed by statistical models");
         };
         Ok(Pressed::of(&pair, &law, asked.roughness)?)
+    }
+}
+
+impl AskedState<'_> {
+    fn presses_the_same_as(&self, other: &Self) -> bool {
+        // Mostly it is one material for all rows, which need not be looked at.
+        self.roughness == other.roughness
+            && (std::ptr::eq(self.material, other.material) || self.material == other.material)
     }
 }
 
@@ -236,5 +244,96 @@ impl StatesFound {
         self.counts += other.counts;
         self.narrow += other.narrow;
         self.assumed_strengths += other.assumed_strengths;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::{ElasticBody, MaterialPair};
+    use parallel::Unobserved;
+    use stat_contact::{AsperityLaw, Population, StatisticalContact};
+    use study::hardness_and_strength::HardnessAndStrength;
+    use study::material::GivenMaterial;
+    use study::models::{Framework, named};
+
+    use super::*;
+
+    fn material(modulus_pa: f64) -> Material {
+        Material::new(GivenMaterial {
+            body: ElasticBody::new(modulus_pa, 0.3).unwrap(),
+            counterface: None,
+            hardness_and_strength: HardnessAndStrength::default(),
+            strength_cap: None,
+            strain_gradient_length_m: None,
+        })
+    }
+
+    fn states_of(model: &str) -> ContactStates {
+        let entry = named(Framework::Statistical, model).unwrap();
+        ContactStates { entry, options: ModelOptions::default(), tolerance: Tolerance::default() }
+    }
+
+    type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;
+
+    fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> AskedState<'m> + Sync) -> Filled {
+        let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
+        let [a, b, c, d, e, f, g, h] = columns.each_mut().map(Vec::as_mut_slice);
+        let of_states = StateColumns {
+            separation_m: a,
+            pressure_pa: b,
+            area_fraction: c,
+            ln_pressure: d,
+            ln_area_fraction: e,
+            stiffness_pa_per_m: f,
+            error_estimate: g,
+            out_of_range_load_share: h,
+        };
+        let found = states_of(model).fill_in(of_states, asked, &Unobserved)?;
+        Ok((columns, found))
+    }
+
+    #[test]
+    fn every_row_has_the_digits_that_it_has_alone() {
+        let materials = [material(2e11), material(7e10)];
+        let rows = 2 * BLOCK + 77;
+        let pressure_pa = |row: usize| 1e4 * (1 + row % 513) as f64;
+        let radius_m = |row: usize| if row / 700 == 1 { 2e-6 } else { 1e-6 };
+        let which = |row: usize| row / 500 % 2;
+        let (columns, found) = filled("hertz", rows, |row| AskedState {
+            material: &materials[which(row)],
+            roughness: Roughness([radius_m(row), 1e12, 1e-8]),
+            at: At::Pressure(pressure_pa(row)),
+        })
+        .unwrap();
+        assert_eq!(found.counts.all, rows);
+        for row in [0, 1, 499, 500, 699, 700, BLOCK - 1, BLOCK, rows - 1] {
+            let body = ElasticBody::new([2e11, 7e10][which(row)], 0.3).unwrap();
+            let population = Population::new(radius_m(row), 1e12, 1e-8).unwrap();
+            let pair = MaterialPair::against_rigid(body);
+            let contact = StatisticalContact::new(&pair, &population, &AsperityLaw::Hertz);
+            let alone = contact.at_pressure(pressure_pa(row), 1e-12, None).unwrap();
+            assert_eq!(columns[0][row], alone.separation_m.unwrap(), "row {row}");
+            assert_eq!(columns[2][row], alone.area_fraction, "row {row}");
+            assert_eq!(columns[5][row], alone.stiffness_pa_per_m().unwrap(), "row {row}");
+        }
+    }
+
+    #[test]
+    fn the_first_bad_row_is_told_and_narrow_spectra_are_counted() {
+        let steel = material(2e11);
+        let asked = |row: usize| AskedState {
+            material: &steel,
+            roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
+            at: At::Separation(0.0),
+        };
+        assert!(matches!(filled("hertz", 3000, asked), Err(StatesError::Row { row: 1500, .. })));
+        let narrow = |row: usize| AskedState {
+            material: &steel,
+            roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
+            at: At::Separation(1e-8),
+        };
+        let (columns, found) = filled("bgt", 3, narrow).unwrap();
+        assert!(columns[2][1].is_nan() && columns[2][0] > 0.0 && columns[2][2] > 0.0);
+        assert_eq!((found.narrow.count, found.counts.all), (1, 2));
     }
 }
