@@ -31,21 +31,11 @@ const NOTHING_SCATTERS: &str = "nothing of the surface or the material is known 
                                 with standard errors (c1d_se), or say how well the material is known, such as \
                                 youngs_modulus=\"5 %\"";
 
-/// The choices of models, as for a curve.
-#[derive(FromPyObject)]
-pub struct ModelChoices {
-    #[pyo3(item)]
+/// The choices that models have.
+struct ModelChoices<'c> {
     strain_gradient: bool,
-    #[pyo3(item)]
-    hardness: Option<String>,
-    #[pyo3(item)]
-    interference_law: Option<String>,
-    #[pyo3(item)]
-    normalisation: String,
-    #[pyo3(item)]
-    amplitude: String,
-    #[pyo3(item)]
-    tolerance: f64,
+    hardness: Option<&'c str>,
+    interference_law: Option<&'c str>,
 }
 
 /// The numbers of draws, as given.
@@ -70,7 +60,12 @@ pub fn uncertainty_of<'py>(
     material: &PyMaterial,
     names: Vec<String>,
     pressure: &Given<'py>,
-    of_models: ModelChoices,
+    strain_gradient: bool,
+    hardness: Option<&str>,
+    interference_law: Option<&str>,
+    normalisation: &str,
+    amplitude: &str,
+    tolerance: f64,
     of_draws: DrawChoices<'py>,
     of_material: Vec<GivenSpread<'py>>,
     cutoff: Option<&Given<'py>>,
@@ -78,17 +73,15 @@ pub fn uncertainty_of<'py>(
     observer: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let choices = of_draws.checked()?;
+    let of_models = ModelChoices { strain_gradient, hardness, interference_law };
     let curves = curves(&names, material, &of_models)?;
+    let (normalisation, amplitude) = (named("normalisation", normalisation)?, named("amplitude", amplitude)?);
     let any = |needed: fn(&Curve) -> bool| curves.iter().any(needed);
     let needs = Needs {
-        moments: any(|curve| curve.model.needs_moments())
-            .then(|| named("normalisation", &of_models.normalisation))
-            .transpose()?,
-        amplitudes: any(|curve| curve.model.needs_amplitudes())
-            .then(|| named("amplitude", &of_models.amplitude))
-            .transpose()?,
+        moments: any(|curve| curve.model.needs_moments()).then_some(normalisation),
+        amplitudes: any(|curve| curve.model.needs_amplitudes()).then_some(amplitude),
         loads: loads("pressure", pressure, &material.material)?,
-        tolerance: Tolerance::new(of_models.tolerance).map_err(input)?,
+        tolerance: Tolerance::new(tolerance).map_err(input)?,
         curves,
         ..Needs::default()
     };
@@ -125,7 +118,7 @@ pub fn uncertainty_of<'py>(
 }
 
 /// The models, each once, with the choices that they have.
-fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices) -> PyResult<Vec<Curve>> {
+fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices<'_>) -> PyResult<Vec<Curve>> {
     let of_all = models::MODELS;
     let entries = names.iter().map(|name| {
         of_all.iter().find(|entry| entry.name == name).ok_or_else(|| {
@@ -150,8 +143,8 @@ fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices) -> Py
         let options = model_options(
             entry,
             choices.strain_gradient && theirs(Choice::StrainGradient),
-            choices.hardness.as_deref().filter(|_| theirs(Choice::Hardness)),
-            choices.interference_law.as_deref().filter(|_| theirs(Choice::Interference)),
+            choices.hardness.filter(|_| theirs(Choice::Hardness)),
+            choices.interference_law.filter(|_| theirs(Choice::Interference)),
         )?;
         Ok(Curve {
             name: entry.name.to_owned(),

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import pickle
 import subprocess
 import sys
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -121,6 +123,25 @@ def test_what_lies_beside_a_file_is_read(tmp_path: Path) -> None:
     assert scan.size_m == pytest.approx((4e-6, 3e-6), rel=1e-15)
     again = pickle.loads(pickle.dumps(scan))
     assert again.size_m == scan.size_m
+
+
+def test_a_measurement_of_a_container_is_chosen(tmp_path: Path) -> None:
+    path = tmp_path / "plate.zip"
+    names = ("first", "second")
+    entry = "  - name: {0}\n    size: [4, 4]\n    unit: nm\n    datafile:\n      original: {0}.npy\n"
+    with zipfile.ZipFile(path, "w") as container:
+        container.writestr("meta.yml", "surfaces:\n- name: plate\n  topographies:\n" + "".join(map(entry.format, names)))
+        for seed, name in enumerate(names):
+            content = io.BytesIO()
+            np.save(content, heights(seed, (16, 16)))
+            container.writestr(f"{name}.npy", content.getvalue())
+    assert refused(lambda: ta.read_scan(path)).endswith("it holds 2 scans (first, second); choose one with measurement")
+    assert "there is no measurement 'third'" in refused(lambda: ta.read_scan(path, measurement="third"))
+    second = ta.read_scan(path, measurement="second")
+    assert second.name == "second" and second.size_m == pytest.approx((4e-9, 4e-9), rel=1e-15)
+    both = ta.composite([path]).scans
+    assert both is not None and list(both.scan) == list(names)
+    assert list(ta.scan_channels(path).channel) == list(names)
 
 
 def test_files_that_do_not_do_are_told(tmp_path: Path) -> None:

@@ -207,7 +207,14 @@ def test_what_cannot_be_drawn_is_told() -> None:
         "counterface_youngs_modulus has a standard uncertainty, and the counterface"
     )
     assert refused(lambda: quick(cutoff=1e-30)).startswith("cutoff is ")
-    assert refused(lambda: quick(tolerance=1.0))
+    assert "tolerance" in refused(lambda: quick(tolerance=1.0))
+    assert refused(lambda: quick(normalisation="x")).startswith("normalisation: ")
+    assert refused(lambda: quick(model=3)) == "model: the name of one is needed, or a list of names"
+    with pytest.raises(TypeError, match="tolerance"):
+        quick(tolerance="x")
+    given: Any = None
+    of_nothing = refused(lambda: ta.uncertainty(given, DIAMOND, pressure=1e6, model="elastic"))
+    assert of_nothing.startswith("spectrum: a Spectrum is needed, or a list of scans")
 
 
 def test_ctrl_c_ends_the_draws() -> None:

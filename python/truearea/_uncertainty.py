@@ -190,8 +190,13 @@ def uncertainty(
     >>> list(found.shares.group) == ["strength"]
     True
     """
+    if not isinstance(spectrum, (Spectrum, list, tuple)):
+        kind = type(spectrum).__name__
+        raise InputError(f"spectrum: a Spectrum is needed, or a list of scans, and this is of type {kind}")
     surface = spectrum if isinstance(spectrum, Spectrum) else composite(spectrum)
-    names = [model] if isinstance(model, str) else list(model)
+    names = [model] if isinstance(model, str) else model
+    if not isinstance(names, (list, tuple)) or any(not isinstance(name, str) for name in names):
+        raise InputError("model: the name of one is needed, or a list of names")
     spreads = _spreads(
         material,
         {
@@ -204,14 +209,6 @@ def uncertainty(
             "counterface_poisson_ratio": counterface_poisson_ratio,
         },
     )
-    of_models = {
-        "strain_gradient": strain_gradient,
-        "hardness": hardness,
-        "interference_law": interference_law,
-        "normalisation": normalisation,
-        "amplitude": amplitude,
-        "tolerance": tolerance,
-    }
     of_draws = {"draws": draws, "seed": seed, "level": level, "shares_draws": shares_draws}
     line = Line()
     observer = observer_of(progress, line)
@@ -222,7 +219,12 @@ def uncertainty(
             material._native,
             names,
             pressure,
-            of_models,
+            strain_gradient,
+            hardness,
+            interference_law,
+            normalisation,
+            amplitude,
+            tolerance,
             of_draws,
             spreads,
             cutoff,
