@@ -51,10 +51,10 @@ class Pressed(Result):
 def boundary_elements(
     h: Any,
     size: Quantity | tuple[Quantity, Quantity] | None = None,
-    *,
-    pressure: Pressures,
-    material: Material,
+    pressure: Pressures | None = None,
+    material: Material | None = None,
     saturation: Quantity | None = None,
+    *,
     periodic: bool | None = None,
     detrend: str | None = None,
     tolerance: float = 1e-6,

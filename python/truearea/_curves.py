@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
+from truearea._cores import material_of, surface_of
 from truearea._material import Material, Quantity
 from truearea._results import AnyArray, FloatArray, Result
 from truearea._spectrum import Spectrum
@@ -131,8 +132,8 @@ def stacked(
     columns, pressures_pa, notes = _native.curve(
         "stacked",
         model,
-        spectrum._native,
-        material._native,
+        surface_of(spectrum),
+        material_of(material),
         pressure,
         None,
         strain_gradient,
@@ -215,8 +216,8 @@ def statistical(
     columns, pressures_pa, notes = _native.curve(
         "statistical",
         model,
-        spectrum._native,
-        material._native,
+        surface_of(spectrum),
+        material_of(material),
         pressure,
         separation,
         strain_gradient,

@@ -10,6 +10,7 @@ import numpy as np
 from truearea import _native
 from truearea._composite import composite
 from truearea._curves import Pressures
+from truearea._cores import material_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._progress import Line, Progress, observer_of
@@ -216,7 +217,7 @@ def uncertainty(
     try:
         found = _native.uncertainty_of(
             surface._native,
-            material._native,
+            material_of(material),
             names,
             pressure,
             strain_gradient,
