@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any, Union
 
+import numpy as np
+
 from truearea import _native
 
-Quantity = Union[float, str]
+Quantity = Union[float, str, "np.floating[Any]", "np.integer[Any]"]
 """A number in SI units, or text with a unit, such as ``"210 GPa"``."""
 
 
