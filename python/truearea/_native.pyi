@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
+_Quantity = float | str | np.floating[Any] | np.integer[Any]
 
 __all__ = [
     "METADATA_FILES",
@@ -77,7 +78,7 @@ def curve(
     normalisation: str,
     amplitude: str,
     tolerance: float,
-    cutoff: float | str | None,
+    cutoff: _Quantity | None,
     scales_per_decade: int | None,
 ) -> tuple[_Columns, list[float], list[str]]: ...
 def press_heights(
@@ -125,7 +126,7 @@ def persson_curve(
     hardness_table: tuple[_Floats, _Floats] | None,
     strain_gradient: bool,
     amplitude: str,
-    cutoff: float | str | None,
+    cutoff: _Quantity | None,
     scales_per_decade: int | None,
 ) -> tuple[_Columns, list[float], tuple[float, float] | None, list[str]]: ...
 @final
@@ -196,12 +197,12 @@ class Surface:
     @property
     def remarks(self) -> list[str]: ...
     def moments(
-        self, normalisation: str, cutoff: float | str | None, scales_per_decade: int | None
+        self, normalisation: str, cutoff: _Quantity | None, scales_per_decade: int | None
     ) -> _Columns: ...
     def amplitudes(
-        self, definition: str, cutoff: float | str | None, scales_per_decade: int | None
+        self, definition: str, cutoff: _Quantity | None, scales_per_decade: int | None
     ) -> _Columns: ...
-    def fit(self, longest: float | str | None, shortest: float | str | None) -> _Columns: ...
+    def fit(self, longest: _Quantity | None, shortest: _Quantity | None) -> _Columns: ...
     def svg(self) -> str: ...
 
 def scene_template(name: str) -> str: ...
@@ -306,7 +307,7 @@ def uncertainty_of(
     tolerance: float,
     of_draws: Mapping[str, Any],
     of_material: Sequence[tuple[str, Any, Any]],
-    cutoff: float | str | None,
+    cutoff: _Quantity | None,
     scales_per_decade: int | None,
     observer: Callable[[int], object] | None,
 ) -> dict[str, Any]: ...
