@@ -43,7 +43,7 @@ fn carry_out(anew: bool) -> Result<(), String> {
     let config = place.package.join("pyproject.toml").display().to_string();
     let [tests, examples] =
         ["tests", "examples"].map(|folder| place.package.join(folder).display().to_string());
-    let pytest = ["--quiet", "--config-file", &config, "--import-mode=importlib"];
+    let pytest = ["--quiet", "--config-file", &config];
     place.run("pytest", &[&pytest[..], &[&tests]].concat())?;
     place.run("pytest", &[&pytest[..], &["--doctest-modules", "--pyargs", "truearea"]].concat())?;
     place.run("mypy", &["--strict", "--package", "truearea"])?;
