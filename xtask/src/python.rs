@@ -49,7 +49,7 @@ fn carry_out(anew: bool) -> Result<(), String> {
     place.run("mypy", &["--strict", "--package", "truearea"])?;
     place.run("stubtest", &["truearea"])?;
     let python = place.in_environment("python").display().to_string();
-    place.run("pyright", &["--pythonpath", &python, &tests, &examples])
+    place.run("pyright", &["--pythonpath", &python, "--project", &config])
 }
 
 /// The command line of this checkout, whose digits the tests compare with.
