@@ -41,8 +41,7 @@ fn carry_out(anew: bool) -> Result<(), String> {
     place.python(&["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", &wheel])?;
     place.python(&["-m", "pip", "install", "--quiet", &format!("{wheel}[tests,notebooks]")])?;
     let config = place.package.join("pyproject.toml").display().to_string();
-    let [tests, examples] =
-        ["tests", "examples"].map(|folder| place.package.join(folder).display().to_string());
+    let tests = place.package.join("tests").display().to_string();
     let pytest = ["--quiet", "--config-file", &config];
     place.run("pytest", &[&pytest[..], &[&tests]].concat())?;
     place.run("pytest", &[&pytest[..], &["--doctest-modules", "--pyargs", "truearea"]].concat())?;
