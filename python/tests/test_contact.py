@@ -192,6 +192,13 @@ def test_results_are_mappings_frames_datasets_and_pickles() -> None:
         found.area
 
 
+def test_a_frame_without_pandas_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module, make in (("pandas", hertz().to_pandas), ("xarray", hertz().to_xarray)):
+        monkeypatch.setitem(sys.modules, module, None)
+        with pytest.raises(ImportError, match=rf"to_{module} needs {module}, which is not here: pip install truearea\[{module}\]"):
+            make()
+
+
 MEMORY = """
 import numpy as np, resource, truearea as ta
 rows = 4_000_000

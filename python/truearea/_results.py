@@ -146,7 +146,10 @@ class Result(Mapping[str, AnyArray]):
         pandas.DataFrame
             With the notes in ``attrs["notes"]``.
         """
-        import pandas as pd
+        try:
+            import pandas as pd
+        except ModuleNotFoundError:
+            raise ImportError("to_pandas needs pandas, which is not here: pip install truearea[pandas]") from None
 
         sizes = self.sizes
         shape = tuple(sizes.values())
@@ -163,7 +166,10 @@ class Result(Mapping[str, AnyArray]):
         xarray.Dataset
             With the notes in ``attrs["notes"]``.
         """
-        import xarray as xr
+        try:
+            import xarray as xr
+        except ModuleNotFoundError:
+            raise ImportError("to_xarray needs xarray, which is not here: pip install truearea[xarray]") from None
 
         variables = {name: (self._axes[name], array, {"units": unit_of(name)}) for name, array in self.items()}
         coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
