@@ -210,7 +210,7 @@ def test_what_cannot_be_drawn_is_told() -> None:
     assert "tolerance" in refused(lambda: quick(tolerance=1.0))
     assert refused(lambda: quick(normalisation="x")).startswith("normalisation: ")
     assert refused(lambda: quick(model=3)) == "model: the name of one is needed, or a list of names"
-    with pytest.raises(TypeError, match="tolerance"):
+    with pytest.raises(TypeError, match="real number"):
         quick(tolerance="x")
     given: Any = None
     of_nothing = refused(lambda: ta.uncertainty(given, DIAMOND, pressure=1e6, model="elastic"))
