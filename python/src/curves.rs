@@ -4,8 +4,8 @@ use answer::doubts::{Doubt, RealPressures};
 use asperity::Hardness;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use report::doubt_words;
 use report::summary::{CurveCounts, sampling_of};
+use report::{doubt_words, material_words};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 use study::material::Material;
@@ -105,17 +105,9 @@ pub fn findings(curve: &Curve, rows: &CurveResult, plan: &Plan<'_>, material: &M
         .chain(Doubt::of_pressures(needs.pressures().zip(labels), hardness_pa))
         .chain(real_pressures.doubts());
     let mut said = counts.notes();
-    said.extend(assumed_strength(curve, material));
+    said.extend(material_words::assumed_strength(material, curve.model.entry()));
     said.extend(doubts.map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
     said
-}
-
-/// That a third of the hardness is the strength, where a model needs one that was not given.
-fn assumed_strength(curve: &Curve, material: &Material) -> Option<String> {
-    let strength_pa =
-        material.assumed_yield_strength_pa().filter(|_| curve.model.entry().has(Choice::Strength))?;
-    let strength = units::display::pressure(strength_pa);
-    Some(format!("no yield strength is given: a third of the hardness is taken, S0 = H/3 = {strength}"))
 }
 
 /// The separations \[m\] of an argument that is one, or several of them.

@@ -5,7 +5,7 @@ use parallel::Progress;
 use persson::variance::Band;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use report::{doubt_words, elements_words, gap_words};
+use report::{doubt_words, elements_words, gap_words, material_words};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw};
 use study::material::Material;
@@ -120,12 +120,7 @@ pub fn of_given(surface: &PySurface, material: &Material, entry: Option<&ModelEn
     let mut said = notes(&surface.surface);
     let doubt = Doubt::of_material(material);
     said.extend(doubt.map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
-    let takes_strength = entry.is_some_and(|entry| entry.has(Choice::Strength));
-    let assumed_pa = material.assumed_yield_strength_pa().filter(|_| takes_strength);
-    said.extend(assumed_pa.map(|strength_pa| {
-        let strength = units::display::pressure(strength_pa);
-        format!("no yield strength is given: a third of the hardness is taken, S0 = H/3 = {strength}")
-    }));
+    said.extend(entry.and_then(|entry| material_words::assumed_strength(material, entry)));
     said
 }
 

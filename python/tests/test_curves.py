@@ -107,3 +107,9 @@ def test_curves_are_frames_datasets_and_pickles() -> None:
     assert data["area_fraction"].dims == ("load", "cutoff") and "wavelength_m" in data.coords
     assert pickle.loads(pickle.dumps(curve)) == curve
     assert any("per decade" in note for note in curve.notes)
+
+
+def test_a_logarithm_has_no_unit() -> None:
+    spheres = ta.statistical(ta.read_psd(UNCD), DIAMOND, model="hertz", pressure=1e6)
+    units = spheres.to_xarray()
+    assert (units["ln_pressure_pa"].attrs["units"], units["pressure_pa"].attrs["units"]) == ("", "Pa")

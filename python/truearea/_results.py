@@ -40,7 +40,9 @@ _UNITS = {
 
 
 def unit_of(name: str) -> str:
-    """The unit that the end of a name tells; nothing of a name without one."""
+    """The unit that the end of a name tells; nothing of a name without one, nor of a logarithm."""
+    if name.startswith("ln_"):
+        return ""
     ends = (end for end in _UNITS if name.endswith(end))
     return next((_UNITS[end] for end in ends), "")
 

@@ -18,6 +18,7 @@ mod interface_table;
 mod interface_words;
 mod judged;
 mod listing;
+pub mod material_words;
 mod number_words;
 pub mod occasion;
 mod opening;

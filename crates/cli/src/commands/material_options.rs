@@ -6,11 +6,11 @@ use super::say_notes;
 use crate::args::{CounterfaceArgs, MaterialArgs};
 use crate::failure::Failure;
 use crate::material_errors;
+use report::material_words;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
-use study::models::{Choice, ModelEntry};
+use study::models::ModelEntry;
 use study::plan::{Load, LoadRange};
-use units::display::pressure;
 use units::{Modulus, Pressure, PressureRange};
 
 /// Refuses a limit of the strength where no strength grows.
@@ -50,13 +50,7 @@ pub(super) fn material(given: &MaterialArgs) -> Result<Material, Failure> {
 
 /// Says that a third of the hardness is the strength, where a model needs one that was not given.
 pub(super) fn say_assumed_strength(material: &Material, model: &ModelEntry) {
-    let assumed_pa = material.assumed_yield_strength_pa().filter(|_| model.has(Choice::Strength));
-    say_notes(assumed_pa.map(|strength_pa| {
-        format!(
-            "no yield strength is given: a third of the hardness is taken, S0 = H/3 = {}",
-            pressure(strength_pa)
-        )
-    }));
+    say_notes(material_words::assumed_strength(material, model));
 }
 
 pub(super) fn counterface(given: &CounterfaceArgs) -> Result<Option<ElasticBody>, Failure> {
