@@ -42,6 +42,7 @@ impl PyMaterial {
         let given = GivenMaterial {
             body: elastic_body("youngs_modulus", youngs_modulus, "poisson_ratio", poisson_ratio)?,
             counterface,
+            flows: study::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::new(hardness, strength)
                 .map_err(|error| told(&error.into()))?,
             strength_cap: optional("strength_cap", strength_cap)?,

@@ -38,16 +38,24 @@ impl ElasticBody {
         self.poisson_ratio
     }
 
+    /// C = 1.295 exp(0.736 nu): the largest pressure under a sphere at first yield, over the yield strength
+    /// (Jackson & Green 2005). Two bodies in contact yield at C S_y = min C(nu_i) S_y,i.
+    #[must_use]
+    pub fn spherical_yield_coefficient(&self) -> f64 {
+        1.295 * (0.736 * self.poisson_ratio).exp()
+    }
+
     /// Plane-strain modulus E/(1 - nu^2) \[Pa\].
     fn plane_strain_modulus_pa(&self) -> f64 {
         self.youngs_modulus_pa / ((1.0 - self.poisson_ratio) * (1.0 + self.poisson_ratio))
     }
 }
 
-/// The rough body, which may yield, and the counterface that presses on it.
+/// The rough body and the counterface that presses on it, one of which may yield.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct MaterialPair {
     body: ElasticBody,
+    yielding_body: ElasticBody,
     composite_modulus_pa: f64,
     #[serde(skip)]
     spherical_yield_coefficient: f64,
@@ -61,31 +69,48 @@ impl MaterialPair {
     /// The body against a rigid counterface, which adds nothing to the compliance: E* = E/(1 - nu^2).
     #[must_use]
     pub fn against_rigid(body: ElasticBody) -> Self {
-        Self::with_composite_modulus(body, body.plane_strain_modulus_pa())
+        Self::with_composite_modulus(body, body, body.plane_strain_modulus_pa())
     }
 
     /// The body against an elastic counterface: 1/E* = sum (1 - nu^2)/E over both. Only the body yields.
     #[must_use]
     pub fn against(body: ElasticBody, counterface: ElasticBody) -> Self {
-        let (first, second) = (body.plane_strain_modulus_pa(), counterface.plane_strain_modulus_pa());
-        Self::with_composite_modulus(body, 1.0 / (1.0 / first + 1.0 / second))
+        Self::with_composite_modulus(body, body, composite_modulus_pa(body, counterface))
     }
 
-    fn with_composite_modulus(body: ElasticBody, composite_modulus_pa: f64) -> Self {
-        let nu = body.poisson_ratio;
+    /// The body against an elastic counterface that yields in its place: E* is that of [`Self::against`], and the
+    /// criteria of yield take Poisson's ratio of the counterface.
+    #[must_use]
+    pub fn against_yielding(body: ElasticBody, counterface: ElasticBody) -> Self {
+        Self::with_composite_modulus(body, counterface, composite_modulus_pa(body, counterface))
+    }
+
+    fn with_composite_modulus(
+        body: ElasticBody,
+        yielding_body: ElasticBody,
+        composite_modulus_pa: f64,
+    ) -> Self {
+        let nu = yielding_body.poisson_ratio;
         MaterialPair {
             body,
+            yielding_body,
             composite_modulus_pa,
-            spherical_yield_coefficient: 1.295 * (0.736 * nu).exp(),
+            spherical_yield_coefficient: yielding_body.spherical_yield_coefficient(),
             log_spherical_yield_coefficient: 1.295f64.ln() + 0.736 * nu,
             sinusoidal_yield_coefficient: SQRT_2 / (3.0 * PI) * (2.0 * (nu + 1.0) / 3.0).exp(),
         }
     }
 
-    /// The body that yields.
+    /// The rough body.
     #[must_use]
     pub fn body(&self) -> ElasticBody {
         self.body
+    }
+
+    /// The body that yields: the rough one, or the counterface of [`Self::against_yielding`].
+    #[must_use]
+    pub fn yielding_body(&self) -> ElasticBody {
+        self.yielding_body
     }
 
     /// Composite modulus E* \[Pa\], finite and above 0 for bodies whose moduli are.
@@ -94,8 +119,7 @@ impl MaterialPair {
         self.composite_modulus_pa
     }
 
-    /// C = 1.295 exp(0.736 nu): the largest pressure under a sphere at first yield, over the yield strength
-    /// (Jackson & Green 2005).
+    /// C = 1.295 exp(0.736 nu) of the body that yields ([`ElasticBody::spherical_yield_coefficient`]).
     pub(crate) fn spherical_yield_coefficient(&self) -> f64 {
         self.spherical_yield_coefficient
     }
@@ -110,6 +134,12 @@ impl MaterialPair {
     pub(crate) fn sinusoidal_yield_coefficient(&self) -> f64 {
         self.sinusoidal_yield_coefficient
     }
+}
+
+/// Composite modulus E* \[Pa\] of two elastic bodies.
+fn composite_modulus_pa(body: ElasticBody, counterface: ElasticBody) -> f64 {
+    let (first, second) = (body.plane_strain_modulus_pa(), counterface.plane_strain_modulus_pa());
+    1.0 / (1.0 / first + 1.0 / second)
 }
 
 #[cfg(test)]
@@ -129,6 +159,17 @@ mod tests {
         let body = ElasticBody::new(210e9, 0.3).unwrap();
         let (alone, both) = (MaterialPair::against_rigid(body), MaterialPair::against(body, body));
         assert!((both.composite_modulus_pa() * 2.0 / alone.composite_modulus_pa() - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_counterface_that_yields_is_the_body_that_yields_with_the_names_exchanged() {
+        let [glass, gold] = [(73e9, 0.17), (78e9, 0.44)].map(|(e, nu)| ElasticBody::new(e, nu).unwrap());
+        let (flows, exchanged) =
+            (MaterialPair::against_yielding(glass, gold), MaterialPair::against(gold, glass));
+        assert_eq!(flows.spherical_yield_coefficient(), exchanged.spherical_yield_coefficient());
+        assert_eq!(flows.sinusoidal_yield_coefficient(), exchanged.sinusoidal_yield_coefficient());
+        assert_eq!(flows.composite_modulus_pa(), exchanged.composite_modulus_pa());
+        assert_eq!((flows.body(), flows.yielding_body()), (glass, gold));
     }
 
     #[test]

@@ -137,6 +137,7 @@ fn material(load: &TrialLoad) -> Result<Material, TrialError> {
         body: ElasticBody::new(youngs_modulus_pa, POISSON_RATIO)
             .map_err(study::material::MaterialError::from)?,
         counterface: None,
+        flows: study::bodies::Body::Rough,
         hardness_and_strength: HardnessAndStrength::new(hardness, None)
             .map_err(study::material::MaterialError::from)?,
         strength_cap: None,

@@ -262,6 +262,7 @@ mod tests {
         Material::new(GivenMaterial {
             body: ElasticBody::new(modulus_pa, 0.3).unwrap(),
             counterface: None,
+            flows: study::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::default(),
             strength_cap: None,
             strain_gradient_length_m: None,

@@ -123,6 +123,7 @@ impl Populations {
         Ok(Material::new(GivenMaterial {
             body: ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?,
             counterface: self.counterface,
+            flows: study::bodies::Body::Rough,
             hardness_and_strength: if strong {
                 hardness_and_strength(row, Bound::Magnitude)?
             } else {

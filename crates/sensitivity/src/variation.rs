@@ -45,7 +45,8 @@ pub(super) fn variations(scene: &Scene) -> Vec<Variation> {
     );
     variations.extend(Hardness::ALL.map(Variation::Hardness));
     variations.extend(InterferenceLaw::ALL.iter().copied().map(Variation::Interference));
-    let usual_cap_pa = scene.material.map(|material| material.pair.body().youngs_modulus_pa() / 10.0);
+    let usual_cap_pa =
+        scene.material.map(|material| material.pair.yielding_body().youngs_modulus_pa() / 10.0);
     variations.extend([Variation::StrengthCap(None), Variation::StrengthCap(usual_cap_pa)]);
     variations
 }

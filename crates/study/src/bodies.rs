@@ -1,6 +1,7 @@
 //! What a scene says of its two bodies besides their elastic constants: what they conduct, where their values come from, and which
 //! of them flows.
 
+use asperity::{ElasticBody, MaterialPair};
 use units::display::pressure;
 
 use crate::material_spreads::MaterialSpreads;
@@ -21,6 +22,16 @@ impl Body {
         match self {
             Body::Rough => "the rough body",
             Body::Counterface => "the counterface",
+        }
+    }
+
+    /// The rough body against its counterface, rigid where absent, with this one as the body that yields.
+    #[must_use]
+    pub fn pair(self, rough: ElasticBody, counterface: Option<ElasticBody>) -> MaterialPair {
+        match (counterface, self) {
+            (None, _) => MaterialPair::against_rigid(rough),
+            (Some(counterface), Body::Rough) => MaterialPair::against(rough, counterface),
+            (Some(counterface), Body::Counterface) => MaterialPair::against_yielding(rough, counterface),
         }
     }
 }
@@ -45,14 +56,15 @@ pub struct FromTable {
     pub sources: String,
 }
 
-/// Which body flows, where the counterface has a strength.
+/// The body that flows, where the counterface has a strength: the one of the smaller C S_y, C = 1.295 exp(0.736 nu)
+/// (Jackson & Green 2005).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Softer {
     /// The one whose yield strength and hardness the models take.
     pub flows: Body,
     /// Its yield strength \[Pa\], a third of its hardness where that was given.
     pub yield_strength_pa: f64,
-    /// That of the other, at least as large; absent where the other was given none and is taken not to yield.
+    /// That of the other; absent where the other was given none and is taken not to yield.
     pub other_pa: Option<f64>,
 }
 
@@ -106,10 +118,16 @@ impl Softer {
         match other_pa {
             Some(other_pa) if other_pa == yield_strength_pa => {
                 format!(
-                    "both bodies have a yield strength of {}, and {flows} is taken to flow",
+                    "both bodies have a yield strength of {}, and {flows} flows{decided}",
                     pressure(other_pa)
                 )
             }
+            Some(other_pa) if other_pa < yield_strength_pa => format!(
+                "{flows} flows: its yield strength is {}, that of {other} {}, but Poisson's ratio lets {flows} yield at \
+                 the lower contact pressure{decided}",
+                pressure(yield_strength_pa),
+                pressure(other_pa)
+            ),
             Some(other_pa) => format!(
                 "{flows} flows, which is the softer: its yield strength is {}, that of {other} {}{decided}",
                 pressure(yield_strength_pa),

@@ -87,6 +87,7 @@ mod tests {
         Material::new(GivenMaterial {
             body: ElasticBody::new(463e9, 0.2).unwrap(),
             counterface: None,
+            flows: crate::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::new(None, Some("1 GPa".parse().unwrap())).unwrap(),
             strength_cap: Some("2 GPa".parse().unwrap()),
             strain_gradient_length_m,

@@ -2,6 +2,7 @@
 
 use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
 
+use crate::bodies::Body;
 use crate::hardness_and_strength::{HardnessAndStrength, HardnessOffStrength};
 use crate::plan::NominalPressure;
 use units::Pressure;
@@ -15,6 +16,8 @@ pub struct Material {
     pub pair: MaterialPair,
     /// The counterface, where it is not rigid.
     counterface: Option<ElasticBody>,
+    /// The body that flows, whose strength this is.
+    flows: Body,
     /// The hardness H and the strength S0; not needed by elastic models.
     hardness_and_strength: HardnessAndStrength,
     /// The cap of its growth.
@@ -30,6 +33,8 @@ pub struct GivenMaterial {
     pub body: ElasticBody,
     /// What presses on it; rigid where absent.
     pub counterface: Option<ElasticBody>,
+    /// The body that flows; the properties below are its own. A rigid counterface never does.
+    pub flows: Body,
     /// Its indentation hardness H and its yield strength S0.
     pub hardness_and_strength: HardnessAndStrength,
     /// The cap of its growth.
@@ -107,13 +112,10 @@ pub enum MaterialError {
 impl Material {
     /// The material that was given.
     pub fn new(given: GivenMaterial) -> Self {
-        let pair = match given.counterface {
-            Some(counterface) => MaterialPair::against(given.body, counterface),
-            None => MaterialPair::against_rigid(given.body),
-        };
         Material {
-            pair,
+            pair: given.flows.pair(given.body, given.counterface),
             counterface: given.counterface,
+            flows: given.flows,
             hardness_and_strength: given.hardness_and_strength,
             strength_cap: given.strength_cap,
             strain_gradient_length_m: given.strain_gradient_length_m,
@@ -124,6 +126,12 @@ impl Material {
     #[must_use]
     pub fn counterface(&self) -> Option<ElasticBody> {
         self.counterface
+    }
+
+    /// The body that flows where the pressure is high enough.
+    #[must_use]
+    pub fn flows(&self) -> Body {
+        self.flows
     }
 
     /// The yield strength S0 \[Pa\], where there is one: as given, or else a third of the hardness.
@@ -227,7 +235,7 @@ impl Material {
         Ok(NominalPressure::new(pressure_pa)?)
     }
 
-    /// The strength of the rough body; `strain_gradient` lets it grow at small depths.
+    /// The strength of the body that flows; `strain_gradient` lets it grow at small depths.
     ///
     /// # Errors
     /// [`MaterialError`] where the material lacks what that takes, or what it has is out of bounds.

@@ -83,6 +83,45 @@ fn the_softer_body_flows_and_it_is_said_which() {
     assert_eq!((before.bodies.softer, line(&before)), (None, String::new()));
 }
 
+/// Every digit of four models that yield, for two bodies that are both as rough as the diamond.
+fn yielding_curves(material: &str, counterface: &str) -> String {
+    let models = ["elastic-plastic", "ep-sine", "ep-sphere", "persson-plastic"];
+    let curves: String = models.iter().map(|model| format!("[[curve]]\nmodel = \"{model}\"\n")).collect();
+    let text = format!(
+        "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\n{material}\n[counterface]\n{counterface}\n\
+         [counterface.surface]\npsd = \"builtin:uncd-measured\"\n[loads]\npressures = [\"10 MPa\"]\n{curves}"
+    );
+    let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
+    format!("{:?}", scene.plan().compute().unwrap().curves)
+}
+
+#[test]
+fn exchanging_the_names_of_two_equally_rough_bodies_changes_no_digit() {
+    let body = |modulus, ratio, strength| {
+        format!(
+            "youngs_modulus = \"{modulus} GPa\"\npoisson_ratio = {ratio}\nyield_strength = \"{strength} GPa\""
+        )
+    };
+    let glass = body(73.0, 0.17, 5.0);
+    for gold in [body(78.0, 0.44, 0.2), body(78.0, 0.44, 4.5), body(200.0, 0.0, 5.2)] {
+        assert_eq!(yielding_curves(&glass, &gold), yielding_curves(&gold, &glass), "{gold}");
+    }
+}
+
+#[test]
+fn the_smaller_critical_pressure_decides_not_the_smaller_strength() {
+    // C(0.17) 5 GPa = 7.34 GPa is less than C(0.44) 4.5 GPa = 8.05 GPa.
+    let scene = of_bodies(
+        "[material]\nyoungs_modulus = \"73 GPa\"\npoisson_ratio = 0.17\nyield_strength = \"5 GPa\"\n\
+         [counterface]\nyoungs_modulus = \"78 GPa\"\npoisson_ratio = 0.44\nyield_strength = \"4.5 GPa\"\n",
+    )
+    .unwrap();
+    assert_eq!(scene.bodies.softer.unwrap().flows, Body::Rough);
+    assert_eq!(strength_pa(&scene), 5e9);
+    let line = scene.bodies.describe(&scene.spreads).join("|");
+    assert!(line.contains("Poisson's ratio lets the rough body yield"), "{line}");
+}
+
 #[test]
 fn of_uncertain_strengths_the_medians_decide_and_the_softer_scatters() {
     let scene = of_bodies(&format!(

@@ -3,6 +3,7 @@
 use asperity::{ElasticBody, MaterialPair, NixGao};
 use rand_chacha::rand_core::Rng;
 use rand_distr::{Beta, Distribution, StandardNormal, StandardUniform};
+use study::bodies::Body;
 use study::material_spreads::MaterialSpreads;
 use study::models::CurveModel;
 use study::scene::Scene;
@@ -14,6 +15,7 @@ pub struct MaterialDraws {
     spreads: MaterialSpreads,
     pair: MaterialPair,
     counterface: Option<ElasticBody>,
+    flows: Body,
 }
 
 /// A material that was drawn.
@@ -36,6 +38,7 @@ impl MaterialDraws {
             spreads: scene.spreads.clone(),
             pair: material.pair,
             counterface: material.counterface(),
+            flows: material.flows(),
         })
     }
 
@@ -56,20 +59,16 @@ impl MaterialDraws {
     pub fn draw(&self, elastic: &mut impl Rng, strength: &mut impl Rng) -> DrawnMaterial {
         let spreads = &self.spreads;
         let body = drawn_body(self.pair.body(), &spreads.youngs_modulus, &spreads.poisson_ratio, elastic);
-        let pair = match self.counterface {
-            None => MaterialPair::against_rigid(body),
-            Some(counterface) => MaterialPair::against(
-                body,
-                drawn_body(
-                    counterface,
-                    &spreads.counterface_youngs_modulus,
-                    &spreads.counterface_poisson_ratio,
-                    elastic,
-                ),
-            ),
-        };
+        let counterface = self.counterface.map(|counterface| {
+            drawn_body(
+                counterface,
+                &spreads.counterface_youngs_modulus,
+                &spreads.counterface_poisson_ratio,
+                elastic,
+            )
+        });
         DrawnMaterial {
-            pair,
+            pair: self.flows.pair(body, counterface),
             strength_over_centre: drawn(&spreads.strength, strength).unwrap_or(1.0),
             strain_gradient_length_m: drawn(&spreads.strain_gradient_length, strength),
         }

@@ -143,3 +143,15 @@ fn models_follow_the_material_and_a_cap_is_never_below_the_strength() {
     }
     assert!(capped_above > 0);
 }
+
+#[test]
+fn the_body_that_flows_brings_the_scatter_of_its_poisson_ratio_into_the_law() {
+    let glass = "youngs_modulus = \"73 GPa\"\npoisson_ratio = 0.17\nyield_strength = \"5 GPa\"\n";
+    let gold = "[counterface]\nyoungs_modulus = \"78 GPa\"\npoisson_ratio = \"0.44 +- 0.02\"\nyield_strength = \"0.2 GPa\"\n\
+                strain_gradient_length = \"5 um\"\n";
+    let drawn: Vec<DrawnMaterial> = draws(&scene(&format!("{glass}{gold}"), "")).collect();
+    let ratios: Vec<f64> = drawn.iter().map(|drawn| drawn.pair.yielding_body().poisson_ratio()).collect();
+    assert!((share_below(&ratios, 0.44) - 0.5).abs() < OF_SHARE);
+    assert!((moments(&ratios).1 / 0.02 - 1.0).abs() < OF_DEVIATION);
+    assert!(drawn.iter().all(|drawn| drawn.pair.body().poisson_ratio() == 0.17));
+}

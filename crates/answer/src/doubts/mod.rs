@@ -124,7 +124,7 @@ impl Doubt {
     #[must_use]
     pub fn of_material(material: &Material) -> Option<Doubt> {
         let yield_strength_pa = material.yield_strength_pa()?;
-        let bound_pa = material.pair.body().youngs_modulus_pa() / MODULUS_OVER_IDEAL_STRENGTH;
+        let bound_pa = material.pair.yielding_body().youngs_modulus_pa() / MODULUS_OVER_IDEAL_STRENGTH;
         (yield_strength_pa > bound_pa).then_some(Doubt::StrongerThanSolids { yield_strength_pa, bound_pa })
     }
 

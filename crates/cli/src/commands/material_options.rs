@@ -41,6 +41,7 @@ pub(super) fn material(given: &MaterialArgs) -> Result<Material, Failure> {
     Ok(Material::new(GivenMaterial {
         body,
         counterface: counterface(&given.counterface)?,
+        flows: study::bodies::Body::Rough,
         hardness_and_strength: HardnessAndStrength::new(given.indentation_hardness, given.yield_strength)
             .map_err(MaterialError::from)?,
         strength_cap: given.strength_cap.strength_cap,

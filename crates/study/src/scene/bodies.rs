@@ -63,13 +63,14 @@ pub(super) fn resolve_material(
         required(&keys, "poisson_ratio", keys.poisson_ratio.as_ref())?,
     )?;
     let transport = transport(&keys)?;
-    let softer = softer(&of_rough.hardness_and_strength, &counterface.strength.hardness_and_strength);
-    let flowing = match softer {
-        Some(Softer { flows: Body::Counterface, .. }) => {
+    let softer = softer(&of_rough.hardness_and_strength, own.body, &counterface);
+    let flows = softer.map_or(Body::Rough, |softer| softer.flows);
+    let flowing = match flows {
+        Body::Counterface => {
             refuse_length_of_the_harder(&keys, &counterface.strength)?;
             counterface.strength
         }
-        _ => of_rough,
+        Body::Rough => of_rough,
     };
     let (counterface_body, counterface_youngs_modulus, counterface_poisson_ratio) = match counterface.elastic
     {
@@ -79,6 +80,7 @@ pub(super) fn resolve_material(
     let material = Material::new(GivenMaterial {
         body: own.body,
         counterface: counterface_body,
+        flows,
         hardness_and_strength: flowing.hardness_and_strength,
         strength_cap,
         strain_gradient_length_m: flowing.length.map(|length| length.m),
@@ -101,14 +103,23 @@ pub(super) fn resolve_material(
     Ok((material, spreads, bodies))
 }
 
-/// Which body flows, where the counterface has a strength: the one of less, by the medians, and the rough body of two alike.
-fn softer(rough: &HardnessAndStrength, counterface: &HardnessAndStrength) -> Option<Softer> {
-    let counterface_pa = counterface.yield_strength_pa()?;
+/// The body that flows, where the counterface has a strength: the one of the smaller C(nu) S_y, by the medians, and the
+/// rough body of two alike.
+fn softer(
+    rough: &HardnessAndStrength,
+    rough_body: ElasticBody,
+    counterface: &KnownCounterface,
+) -> Option<Softer> {
+    let counterface_pa = counterface.strength.hardness_and_strength.yield_strength_pa()?;
+    let counterface_body = counterface.elastic.as_ref()?.body;
+    let first_yield_pa = |body: ElasticBody, strength_pa| body.spherical_yield_coefficient() * strength_pa;
     // A strength in units of the hardness is refused where a model asks for it.
     let softer = match rough.yield_strength_pa() {
         None if rough.strength_is_in_hardnesses() => return None,
         None => Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa: None },
-        Some(rough_pa) if counterface_pa < rough_pa => {
+        Some(rough_pa)
+            if first_yield_pa(counterface_body, counterface_pa) < first_yield_pa(rough_body, rough_pa) =>
+        {
             Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa: Some(rough_pa) }
         }
         Some(rough_pa) => {
