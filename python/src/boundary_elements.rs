@@ -4,9 +4,9 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 use std::sync::{Mutex, PoisonError};
 
-use answer::doubts::Doubt;
-use elements::{Boundary, ElementsError, Field, PressedLoad, Pressing, RandomChoices, RandomSurfaces};
-use elements::{Relief, Surfaces};
+use findings::doubts::Doubt;
+use rough_bem::{Boundary, ElementsError, Field, PressedLoad, Pressing, RandomChoices, RandomSurfaces};
+use rough_bem::{Relief, Surfaces};
 use gaussian_surfaces::{AreaSpectrum, Phases};
 use half_space::HalfSpaceError;
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadwriteArrayDyn};
@@ -142,8 +142,8 @@ fn press<'py>(
     };
     said.extend(elements_words::of_results(&loads));
     let table = match table {
-        Table::Means => elements::means_table(&loads),
-        Table::States => elements::states_table(&loads),
+        Table::Means => rough_bem::means_table(&loads),
+        Table::States => rough_bem::states_table(&loads),
     };
     Ok((columns(py, &table)?, fields, said))
 }
@@ -160,14 +160,14 @@ pub fn pressed(
         see(field);
         Ok(())
     };
-    let steps = elements::progress_steps(surfaces, pressing);
+    let steps = rough_bem::progress_steps(surfaces, pressing);
     let told = |observer: Py<PyAny>| {
         PyCFunction::new_closure(py, None, None, move |done: &Bound<'_, PyTuple>, _| -> PyResult<()> {
             observer.call1(done.py(), ("steps", done.get_item(0)?, steps)).map(drop)
         })
     };
     let observer = observer.map(told).transpose()?;
-    let press = |progress: &dyn Progress| elements::press(surfaces, pressing, seen, progress);
+    let press = |progress: &dyn Progress| rough_bem::press(surfaces, pressing, seen, progress);
     carry_out(py, observer.as_ref().map(|observer| observer.as_any()), press)?.map_err(input)
 }
 

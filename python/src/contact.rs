@@ -4,7 +4,7 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods}
 use pyo3::prelude::*;
 use report::row_notes;
 use report::summary::notes_of_states;
-use rows::{AskedState, At, ContactStates, Roughness, RowsNote, StateColumns, StatesError, StatesFound};
+use state_tables::{AskedState, At, ContactStates, Roughness, RowsNote, StateColumns, StatesError, StatesFound};
 use study::material::Material;
 use study::models::{self, Framework};
 use study::plan::Tolerance;

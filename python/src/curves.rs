@@ -1,6 +1,6 @@
 //! Contact against cutoff, of a spectrum: the stacked and the statistical models.
 
-use answer::doubts::{Doubt, RealPressures};
+use findings::doubts::{Doubt, RealPressures};
 use asperity::Hardness;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,6 +1,6 @@
 //! Mean gap and stiffness under loads.
 
-use answer::doubts::Doubt;
+use findings::doubts::Doubt;
 use parallel::Progress;
 use persson::variance::Band;
 use pyo3::prelude::*;
@@ -103,12 +103,12 @@ fn by_elements<'py>(
     pressures_pa: Vec<f64>,
     random: &GivenRandom<'_>,
 ) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
-    let pressing = pressing(material, pressures_pa, None, elements::Pressing::TOLERANCE)?;
+    let pressing = pressing(material, pressures_pa, None, rough_bem::Pressing::TOLERANCE)?;
     let mut said = of_given(surface, material, None);
     let (random, words) = random_surfaces(surface, &random.choices()?, &pressing)?;
     said.extend(words);
     let rms_height_m = random.band.mean_square_height_m2().sqrt();
-    let loads = pressed(py, &elements::Surfaces::Random(random), &pressing, None, |_| ())?;
+    let loads = pressed(py, &rough_bem::Surfaces::Random(random), &pressing, None, |_| ())?;
     said.extend(elements_words::of_results(&loads));
     let states = gap_words::states_of_elements(&loads);
     said.extend(gap_words::of_states(&states, Some(rms_height_m)));

@@ -1,6 +1,6 @@
 //! Persson's theory along the cutoff.
 
-use answer::doubts::{Doubt, RealPressures};
+use findings::doubts::{Doubt, RealPressures};
 use numpy::PyReadonlyArray1;
 use persson::PerssonModel;
 use persson::corrections::Correction;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use answer::Answer;
+use findings::answer::Answer;
 use asperity::ElasticBody;
 use parallel::Progress;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
@@ -21,8 +21,8 @@ use report::summary::summary;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use staging::StagedFiles;
 use study::Files;
-use study::scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
-use study::scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
+use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
+use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use tables::{Format, Table};
 use toml::Value;
 
@@ -189,7 +189,7 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
     }
     let changes = typed.iter().map(|(key, value)| (key.as_str(), value.clone()));
     with_keys(text, changes).map_err(|error| match error {
-        study::scene::ReplaceError::Scene(error) => refused(&error, text, name),
+        scene::ReplaceError::Scene(error) => refused(&error, text, name),
         error => input(error),
     })
 }
@@ -314,7 +314,7 @@ fn said(scene: &Scene) -> Vec<String> {
 
 /// What is wrong in a scene, drawn; a missing file is missing.
 fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
-    let drawn = scene_errors::drawn(error, text, name);
+    let drawn = report::scene_errors::drawn(error, text, name);
     match &error.problem {
         SceneProblem::Surface(surface) if surface.is_missing_file() => PyFileNotFoundError::new_err(drawn),
         _ => input(drawn),

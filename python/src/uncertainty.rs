@@ -5,7 +5,7 @@ use study::bodies::Bodies;
 use study::material_spreads::MaterialSpreads;
 use study::models::{self, Choice, ModelEntry};
 use study::plan::{Curve, Cutoffs, Needs, PlanError, Results, Tolerance};
-use study::scene::{Scene, UncertainProperty, UncertaintyChoices};
+use scene::{Scene, UncertainProperty, UncertaintyChoices};
 use study::spread::Spread;
 
 use numpy::ndarray::Array2;

@@ -1,4 +1,4 @@
-"""Makes crates/stat-contact/src/gaussian/coefficients.rs, the polynomials of integrals over Gaussian heights.
+"""Makes crates/contact/stat-contact/src/gaussian/coefficients.rs, the polynomials of integrals over Gaussian heights.
 
 The load of Gaussian asperities under Hertz's law is I(u) = Int_0^inf s^(3/2) exp(-(u+s)^2/2) ds, a parabolic cylinder
 function. Here it is interpolated at Chebyshev points, stretch by stretch, with 60 digits, and written as powers:
@@ -103,7 +103,7 @@ STRETCHES = [
       "fours."]),
 ]
 
-PATH = Path(__file__).parents[2] / "crates/stat-contact/src/gaussian/coefficients.rs"
+PATH = Path(__file__).parents[2] / "crates/contact/stat-contact/src/gaussian/coefficients.rs"
 
 
 def literal(value):

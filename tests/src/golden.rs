@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use approx::relative_eq;
+use findings::features::convergence;
 use insta::Snapshot;
 use insta::comparator::Comparator;
 use insta::internals::SnapshotContents;
 use report::products;
-use study::features::convergence;
+use scene::{Scene, Template};
 use study::figure::FigureData;
-use study::scene::{Scene, Template};
 use tables::Cells;
 
 use crate::committed_file;

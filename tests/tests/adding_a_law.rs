@@ -36,7 +36,7 @@ const CRATES: [&str; 17] = [
 const FOLLOWED: &str = r#"//! A scene under the model that the page adds.
 
 use study::NoFiles;
-use study::scene::{Overrides, Scene};
+use scene::{Overrides, Scene};
 
 const SCENE: &str = "
 [surface]
@@ -70,7 +70,7 @@ fn the_page_touches_few_files_and_what_it_leads_to_compiles_and_runs() {
     let mut sources = sources();
     let touched = follow(&page, &mut sources);
     assert!((5..=MOST_FILES).contains(&touched.len()), "{touched:?}");
-    sources.insert("crates/study/tests/followed.rs".into(), FOLLOWED.into());
+    sources.insert("crates/study/study/tests/followed.rs".into(), FOLLOWED.into());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("adding-a-law");
     write(&sources, &folder.join("sources"));
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

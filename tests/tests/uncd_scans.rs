@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use measurements::{CompositeOfFiles, ScanRequest};
+use scene::{Overrides, Scene};
 use study::NoFiles;
-use study::scene::{Overrides, Scene};
 use study::surface::Surface;
 use tests::shared_file;
 use topography::{Average, CompositeSpectrum, Recipe};

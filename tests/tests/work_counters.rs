@@ -2,10 +2,10 @@
 
 use insta::assert_debug_snapshot;
 use report::products::Findings;
+use scene::{Overrides, Scene, Template};
 use spectrum::{Convention, ProfilePsd, Psd};
 use study::NoFiles;
 use study::plan::{Plan, Work};
-use study::scene::{Overrides, Scene, Template};
 
 fn scene(sections: &str) -> Scene {
     let text = format!("[surface]\npsd = \"builtin:uncd-measured\"\n{sections}");

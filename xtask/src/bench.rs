@@ -9,8 +9,8 @@ pub(crate) fn run() -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     // The program as well: how it scales is measured from outside.
     for arguments in [
-        ["build", "--release", "--package", "cli"].as_slice(),
-        ["run", "--release", "--package", "work-precision"].as_slice(),
+        ["build", "--release", "--package", "truearea-cli"].as_slice(),
+        ["run", "--release", "--package", "truearea-work-precision"].as_slice(),
     ] {
         match Command::new(&cargo).args(arguments).current_dir(committed_file("")).status() {
             Ok(status) if status.success() => {}

@@ -11,9 +11,9 @@ use model_trials::programme::programme;
 use model_trials::sections::{self, Findings};
 use model_trials::{ratios, windows};
 use paper::Evidence;
+use scene::Template;
 use serde::Serialize;
 use staging::{StagedFiles, write_file};
-use study::scene::Template;
 use tests::committed_file;
 
 pub(crate) fn run(anew: bool) -> ExitCode {

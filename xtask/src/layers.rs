@@ -1,167 +1,20 @@
-//! Who may know whom: the crates of the house and what stays out of them, checked over what cargo says of their manifests.
+//! The layers of the house: folder order is layer order, checked over the manifests of all crates and their sources.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use serde_json::Value;
 
-/// A crate of the house, and the ones of the house that it may name.
-type Layer = (&'static str, &'static [&'static str]);
+/// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own floor
+/// what its manifest lists.
+const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evidence"];
 
-/// From the ground up; what is not listed may name any of them.
-const LAYERS: &[Layer] = &[
-    ("truearea-units", &[]),
-    ("truearea-parallel", &[]),
-    ("truearea-staging", &[]),
-    ("truearea-numerics", &[]),
-    ("truearea-tables", &["truearea-units"]),
-    ("truearea-scans", &["truearea-units"]),
-    ("truearea-spectrum", &["truearea-units", "truearea-numerics"]),
-    ("truearea-gaussian-surfaces", &["truearea-units", "truearea-spectrum"]),
-    (
-        "truearea-topography",
-        &["truearea-units", "truearea-numerics", "truearea-parallel", "truearea-scans", "truearea-spectrum"],
-    ),
-    (
-        "truearea-measurements",
-        &[
-            "truearea-units",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-scans",
-            "truearea-spectrum",
-            "truearea-topography",
-        ],
-    ),
-    ("truearea-half-space", &["truearea-units", "truearea-parallel"]),
-    (
-        "truearea-elements",
-        &[
-            "truearea-units",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-gaussian-surfaces",
-            "truearea-half-space",
-        ],
-    ),
-    ("truearea-asperity", &["truearea-units", "truearea-numerics"]),
-    ("truearea-stacked-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
-    ("truearea-stat-contact", &["truearea-units", "truearea-numerics", "truearea-asperity"]),
-    ("truearea-persson", &["truearea-units", "truearea-numerics"]),
-    ("truearea-interface", &["truearea-units"]),
-    ("truearea-contact-law", &["truearea-units"]),
-    ("truearea-features", &["truearea-units", "truearea-spectrum", "truearea-stacked-contact"]),
-    (
-        "truearea-study",
-        &[
-            "truearea-contact-law",
-            "truearea-features",
-            "truearea-interface",
-            "truearea-persson",
-            "truearea-units",
-            "truearea-numerics",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-scans",
-            "truearea-spectrum",
-            "truearea-topography",
-            "truearea-measurements",
-            "truearea-asperity",
-            "truearea-stacked-contact",
-            "truearea-stat-contact",
-        ],
-    ),
-    (
-        "truearea-rows",
-        &[
-            "truearea-persson",
-            "truearea-units",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-asperity",
-            "truearea-stat-contact",
-            "truearea-study",
-        ],
-    ),
-    (
-        "truearea-answer",
-        &[
-            "truearea-features",
-            "truearea-tables",
-            "truearea-spectrum",
-            "truearea-topography",
-            "truearea-stacked-contact",
-            "truearea-study",
-        ],
-    ),
-    (
-        "truearea-sensitivity",
-        &[
-            "truearea-units",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-spectrum",
-            "truearea-asperity",
-            "truearea-stat-contact",
-            "truearea-study",
-        ],
-    ),
-    (
-        "truearea-judge",
-        &[
-            "truearea-units",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-spectrum",
-            "truearea-gaussian-surfaces",
-            "truearea-half-space",
-            "truearea-topography",
-            "truearea-measurements",
-            "truearea-asperity",
-            "truearea-stacked-contact",
-            "truearea-persson",
-            "truearea-study",
-        ],
-    ),
-    (
-        "truearea-uncertainty",
-        &[
-            "truearea-units",
-            "truearea-numerics",
-            "truearea-parallel",
-            "truearea-tables",
-            "truearea-spectrum",
-            "truearea-topography",
-            "truearea-measurements",
-            "truearea-asperity",
-            "truearea-study",
-        ],
-    ),
-    (
-        "truearea-report",
-        &[
-            "truearea-judge",
-            "truearea-uncertainty",
-            "truearea-interface",
-            "truearea-persson",
-            "truearea-elements",
-            "truearea-gaussian-surfaces",
-            "truearea-units",
-            "truearea-rows",
-            "truearea-answer",
-            "truearea-sensitivity",
-            "truearea-tables",
-            "truearea-scans",
-            "truearea-spectrum",
-            "truearea-topography",
-            "truearea-asperity",
-            "truearea-stacked-contact",
-            "truearea-stat-contact",
-            "truearea-study",
-        ],
-    ),
-];
+/// The floors whose crates are fit for a browser: bytes in, values out.
+const CORE_FLOORS: usize = 4;
+
+/// Crates of contact that take numbers and know no spectrum and no scan: all but these.
+const JOINS_SURFACE_AND_CONTACT: [&str; 1] = ["truearea-rough-bem"];
 
 /// What only the command line may know, however far down the tree; a pool of threads stands behind a feature.
 const STRANGERS: [&str; 5] = ["annotate-snippets", "clap", "indicatif", "rayon", "tempfile"];
@@ -183,8 +36,9 @@ const FORBIDDEN_CALLS: [&str; 9] = [
 ];
 
 pub(crate) fn run() -> ExitCode {
-    let found = match faults() {
-        Ok(found) => found,
+    let checked = House::read().and_then(|house| Ok((faults(&house)?, house.members.len())));
+    let (found, crates) = match checked {
+        Ok(checked) => checked,
         Err(error) => {
             eprintln!("error: {error}");
             return ExitCode::FAILURE;
@@ -194,33 +48,71 @@ pub(crate) fn run() -> ExitCode {
         println!("{fault}");
     }
     if found.is_empty() {
-        println!("the layers hold: {} crates", LAYERS.len());
+        println!("the floors hold: {crates} crates");
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     }
 }
 
-/// What does not hold, a line each.
-fn faults() -> Result<Vec<String>, Box<dyn std::error::Error>> {
-    let house = House::read()?;
+/// Rules that do not hold, a line each.
+fn faults(house: &House) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut faults = Vec::new();
-    for (name, allowed) in LAYERS {
-        let Some(member) = house.members.get(*name) else {
-            faults.push(format!("{name} is no crate of the workspace"));
-            continue;
-        };
-        for named in member.named.iter().filter(|named| house.members.contains_key(*named)) {
-            if !allowed.contains(&named.as_str()) {
-                faults.push(format!("{name} must not depend on {named}"));
+    for (name, member) in &house.members {
+        let Some(floor) = member.floor else { continue };
+        if *name != format!("truearea-{}", member.folder_name()) {
+            faults.push(format!("{}: the package is {name}, not truearea-{0}", member.folder_name()));
+        }
+        for named in &member.named {
+            let Some(other) = house.members.get(named) else { continue };
+            match other.floor {
+                None => {
+                    faults.push(format!("{name} must not depend on {named}, which stands outside crates/"))
+                }
+                Some(above) if above > floor => faults.push(format!(
+                    "{name} ({}) must not depend on {named} ({}): the arrow runs up",
+                    FLOORS[floor], FLOORS[above]
+                )),
+                Some(below)
+                    if FLOORS[floor] == "contact"
+                        && FLOORS[below] == "surface"
+                        && !JOINS_SURFACE_AND_CONTACT.contains(&name.as_str()) =>
+                {
+                    faults.push(format!("{name} must not depend on {named}: it takes numbers, not surfaces"));
+                }
+                Some(_) => {}
             }
         }
-        if !OUTSIDE.contains(name) {
+        if floor < CORE_FLOORS && !OUTSIDE.contains(&name.as_str()) {
             faults.extend(strangers(name)?);
-            faults.extend(forbidden_calls(Path::new(&member.folder))?);
+            faults.extend(forbidden_calls(&member.folder)?);
         }
     }
+    for folder in crates_on_disk()? {
+        if !house.members.values().any(|member| member.folder == folder) {
+            faults.push(format!("{} is no crate of the workspace", folder.display()));
+        }
+    }
+    faults.extend(house.cycle().map(|cycle| format!("a cycle of crates: {}", cycle.join(" -> "))));
     Ok(faults)
+}
+
+/// Folders below `crates/<floor>/` that hold a manifest.
+fn crates_on_disk() -> Result<Vec<PathBuf>, Box<dyn std::error::Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask lies in the workspace")?;
+    let mut found = Vec::new();
+    for floor in std::fs::read_dir(root.join("crates"))? {
+        let floor = floor?.path();
+        if floor.is_dir() {
+            let folders = std::fs::read_dir(floor)?.map(|entry| entry.map(|entry| entry.path()));
+            for folder in folders.collect::<Result<Vec<_>, _>>()? {
+                if folder.join("Cargo.toml").exists() {
+                    found.push(folder);
+                }
+            }
+        }
+    }
+    Ok(found)
 }
 
 /// The workspace as cargo knows it.
@@ -229,10 +121,18 @@ struct House {
 }
 
 struct Member {
-    /// Where its manifest lies.
-    folder: String,
-    /// The crates that it names as dependencies of its library.
+    /// The folder of its manifest.
+    folder: PathBuf,
+    /// Its floor, counted from the ground; none for what stands outside `crates/`.
+    floor: Option<usize>,
+    /// The crates that its library names.
     named: BTreeSet<String>,
+}
+
+impl Member {
+    fn folder_name(&self) -> &str {
+        self.folder.file_name().and_then(|name| name.to_str()).unwrap_or_default()
+    }
 }
 
 impl House {
@@ -240,16 +140,51 @@ impl House {
         let text = cargo(&["metadata", "--format-version", "1", "--no-deps"])?;
         let metadata: Value = serde_json::from_str(&text)?;
         let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
-        let member = |package: &Value| {
-            let manifest = package["manifest_path"].as_str().unwrap_or_default();
-            let named = package["dependencies"].as_array().into_iter().flatten();
-            let named = named.filter(|dependency| dependency["kind"].is_null());
-            let name = |value: &Value| value["name"].as_str().unwrap_or_default().to_owned();
-            let folder = manifest.trim_end_matches("Cargo.toml").to_owned();
-            (name(package), Member { folder, named: named.map(name).collect() })
-        };
         Ok(House { members: packages.iter().map(member).collect() })
     }
+
+    /// Crates whose libraries name each other in a circle, of any length.
+    fn cycle(&self) -> Option<Vec<&str>> {
+        let mut done = BTreeSet::new();
+        self.members.keys().find_map(|name| self.cycle_through(name, &mut Vec::new(), &mut done))
+    }
+
+    fn cycle_through<'h>(
+        &'h self,
+        name: &'h str,
+        path: &mut Vec<&'h str>,
+        done: &mut BTreeSet<&'h str>,
+    ) -> Option<Vec<&'h str>> {
+        if let Some(begin) = path.iter().position(|passed| *passed == name) {
+            return Some([&path[begin..], &[name]].concat());
+        }
+        if done.contains(name) {
+            return None;
+        }
+        path.push(name);
+        let named = self.members.get(name).into_iter().flat_map(|member| &member.named);
+        for next in named.filter(|next| self.members.contains_key(*next)) {
+            if let Some(cycle) = self.cycle_through(next, path, done) {
+                return Some(cycle);
+            }
+        }
+        path.pop();
+        done.insert(name);
+        None
+    }
+}
+
+fn member(package: &Value) -> (String, Member) {
+    let name = |value: &Value| value["name"].as_str().unwrap_or_default().to_owned();
+    let manifest = package["manifest_path"].as_str().unwrap_or_default();
+    let folder = Path::new(manifest).parent().unwrap_or(Path::new("")).to_owned();
+    let floor = folder
+        .parent()
+        .and_then(|floor| FLOORS.iter().position(|name| floor.ends_with(Path::new("crates").join(name))));
+    let dependencies = || package["dependencies"].as_array().into_iter().flatten();
+    let by_library = dependencies().filter(|dependency| dependency["kind"].is_null());
+    let member = Member { folder, floor, named: by_library.map(name).collect() };
+    (name(package), member)
 }
 
 /// The crates in the tree of this one, with its default features, that only the command line may know.
@@ -272,10 +207,7 @@ fn forbidden_calls(folder: &Path) -> Result<Vec<String>, Box<dyn std::error::Err
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let text = std::fs::read_to_string(&path)?;
-                let library = text.split("#[cfg(test)]").next().unwrap_or_default();
-                let code =
-                    library.lines().enumerate().filter(|(_, line)| !line.trim_start().starts_with("//"));
-                for (at, line) in code {
+                for (at, line) in library_lines(&text) {
                     let called = FORBIDDEN_CALLS.iter().filter(|call| line.contains(*call));
                     faults
                         .extend(called.map(|call| format!("{}:{}: no {call} here", path.display(), at + 1)));
@@ -286,6 +218,27 @@ fn forbidden_calls(folder: &Path) -> Result<Vec<String>, Box<dyn std::error::Err
     Ok(faults)
 }
 
+/// The lines of a source with their numbers from 0, less comments and the items that only tests compile.
+fn library_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    // As rustfmt sets it, an item ends with a semicolon, or with a closing brace at its own indentation.
+    let mut test_item: Option<usize> = None;
+    text.lines().enumerate().filter(move |(_, line)| {
+        let code = line.trim_start();
+        let indentation = line.len() - code.len();
+        match test_item {
+            None if code.starts_with("#[cfg(test)]") => test_item = Some(indentation),
+            None => return !code.starts_with("//"),
+            Some(begin) => {
+                let ends = code.ends_with(';') || code.ends_with('}');
+                if indentation == begin && ends {
+                    test_item = None;
+                }
+            }
+        }
+        false
+    })
+}
+
 fn cargo(arguments: &[&str]) -> Result<String, Box<dyn std::error::Error>> {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(program).args(arguments).output()?;
@@ -293,4 +246,28 @@ fn cargo(arguments: &[&str]) -> Result<String, Box<dyn std::error::Error>> {
         return Err(format!("cargo {}: {}", arguments[0], String::from_utf8_lossy(&output.stderr)).into());
     }
     Ok(String::from_utf8(output.stdout)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn library_code_behind_a_test_item_is_read() {
+        let text = "fn a() {}\n#[cfg(test)]\nmod tests {\n    fn t() {\n    }\n}\nfn b() {}\n#[cfg(test)]\nuse x;\n// c\nfn d() {}\n";
+        let lines: Vec<&str> = library_lines(text).map(|(_, line)| line).collect();
+        assert_eq!(lines, ["fn a() {}", "fn b() {}", "fn d() {}"]);
+    }
+
+    #[test]
+    fn a_cycle_of_three_crates_is_found() {
+        let member = |named: &str| Member {
+            folder: PathBuf::new(),
+            floor: None,
+            named: BTreeSet::from([named.to_owned()]),
+        };
+        let members = [("a", "b"), ("b", "c"), ("c", "a")];
+        let house = House { members: members.map(|(name, named)| (name.to_owned(), member(named))).into() };
+        assert_eq!(house.cycle().unwrap(), ["a", "b", "c", "a"]);
+    }
 }

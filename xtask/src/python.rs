@@ -54,8 +54,10 @@ fn carry_out(anew: bool) -> Result<(), String> {
 /// The command line of this checkout, whose digits the tests compare with.
 fn command_line(root: &Path) -> Result<PathBuf, String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status =
-        Command::new(cargo).args(["build", "--quiet", "--package", "cli"]).current_dir(root).status();
+    let status = Command::new(cargo)
+        .args(["build", "--quiet", "--package", "truearea-cli"])
+        .current_dir(root)
+        .status();
     match status {
         Ok(status) if status.success() => {
             Ok(root.join("target/debug/truearea").with_extension(std::env::consts::EXE_EXTENSION))

@@ -11,9 +11,9 @@ use report::occasion::Occasion;
 use report::page::{self, Report};
 use report::products::{self, Findings};
 use report::trust::Trust;
+use scene::Template;
 use staging::{StagedFiles, write_file};
 use study::Unobserved;
-use study::scene::Template;
 use tables::Format;
 use tests::committed_file;
 

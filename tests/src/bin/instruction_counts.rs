@@ -13,12 +13,12 @@ use asperity::{
 use half_space::{Grid, Loading, PeriodicElements};
 use parallel::Unobserved;
 use scans::HeightMap;
+use scene::{Scene, Template};
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Normalisation, amplitudes, cumulative_moments, fit_self_affine,
 };
 use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
-use study::scene::{Scene, Template};
 use topography::{Preparation, areal_spectrum, map_line_spectrum};
 
 /// What is counted.

@@ -1,0 +1,526 @@
+//! What may be typed on the command line.
+
+mod bem;
+mod gap;
+mod groups;
+mod misplaced;
+mod parsers;
+mod persson;
+mod scans;
+
+pub(crate) use bem::{BemArgs, RandomArgs};
+pub(crate) use gap::{GapArgs, GapChoiceArgs, GapModel, LawArgs, LawForm};
+pub(crate) use groups::{
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
+    ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+};
+pub(crate) use misplaced::{behind_the_command, foreign_option};
+pub(crate) use persson::{GrowthArg, PerssonArgs};
+pub(crate) use scans::{ScanArgs, ScansArgs};
+
+use std::path::PathBuf;
+
+use clap::{Args as ClapArgs, Parser, Subcommand};
+use clap_complete::Shell;
+use stat_contact::InterferenceLaw;
+
+use crate::output::Place;
+use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
+use scene::Template;
+use state_tables::GivenColumn;
+use study::models::{Framework, ModelEntry};
+use study::plan::Tolerance;
+use units::PressureRange;
+use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
+
+/// How much of two rough surfaces really touches, and which scales of roughness decide it.
+///
+/// From the power spectral density (PSD) of a surface and a material to the real contact area, scale by scale: spectral
+/// moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities, after
+/// Jackson & Jacobs.
+#[derive(Debug, Parser)]
+#[command(
+    name = "truearea",
+    version,
+    after_long_help = "\
+Quantities carry units: 463GPa, '1.8e9 Pa', 5um, 3 Å; pressures also in H,
+three times the yield strength. PSD is a file (CSV or two-column text), - for
+standard input, or a built-in spectrum: builtin:uncd-measured and
+builtin:uncd-reconstructed (a reconstruction, not the published data).
+
+Examples:
+  truearea stacked builtin:uncd-measured --model elastic-plastic \\
+      --pressure 5.4MPa --youngs-modulus 463GPa --poisson-ratio 0.2 \\
+      --yield-strength 1.8GPa
+  truearea scene uncd-measured > uncd.toml
+  truearea run uncd.toml"
+)]
+pub struct Args {
+    #[command(flatten)]
+    pub(crate) shared: SharedArgs,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Evaluate the contact law of one asperity, row by row of a table
+    Asperity(AsperityArgs),
+    /// Spectral moments and McCool's asperity parameters for every cutoff
+    #[command(after_help = "\
+Columns: wavelength_m, m0_m2, m2, m4_per_m2, radius_m, density_per_m2,
+sigma_s_m, offset_m, nayak_alpha; a row per wavelength from long to short. The
+first row has no interval yet: its cells are empty.
+
+Example:
+  truearea moments psd.csv --output moments.csv")]
+    Moments(MomentsArgs),
+    /// Amplitude and aspect ratio of every scale
+    #[command(after_help = "\
+Columns: wavelength_m, amplitude_m, aspect_ratio; a row per wavelength from
+long to short.
+
+Example:
+  truearea amplitude psd.csv --amplitude parseval")]
+    Amplitude(AmplitudeArgs),
+    /// Contact area against cutoff by the stacked multiscale model
+    #[command(after_help = "\
+Columns: wavelength_m, amplitude_m, area_fraction, real_pressure_pa (the mean
+pressure on the contact after that scale), regime (elastic, plastic or
+flattened); a row per wavelength from long to short. With several pressures a
+first column nominal_pressure_pa, in blocks in the order given.
+
+Example:
+  truearea stacked psd.csv --model elastic-plastic \\
+      --pressure 5.4MPa --pressure 1e-2H --youngs-modulus 463GPa \\
+      --poisson-ratio 0.2 --yield-strength 1.8GPa --strain-gradient-length 5um")]
+    Stacked(StackedArgs),
+    /// Contact of a population of asperities: at a pressure or a separation, row by row or over all cutoffs
+    #[command(after_help = "\
+With a spectrum, the asperities that each cutoff leaves are pressed by a flat.
+Columns: wavelength_m, radius_m, density_per_m2, sigma_s_m, separation_m,
+pressure_pa, area_fraction; a row per wavelength from long to short, in blocks
+in the order of the pressures, then of the separations. The first row has no
+asperities yet: its cells are empty.
+
+With --input, a table with the columns model (one of those of --model),
+youngs_modulus_pa, poisson_ratio, yield_strength_pa or, three times that,
+indentation_hardness_pa, strain_gradient_length_m (empty for none), radius_m, density_per_m2, sigma_s_m, and of separation_m and
+pressure_pa exactly one in each row; the other one and area_fraction are filled
+in. What is the same in every row may be given as an option instead of a
+column. Rows without asperities, as the first one of `moments`, have empty
+results. A pressure beyond complete contact of every sinusoid has no
+separation: its cell stays empty, and the area fraction is 1.
+
+The separation is measured from the mean of the asperity heights and may be
+negative.
+
+Examples:
+  truearea statistical psd.csv --model ep-sphere --pressure 5.4MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --yield-strength 1.8GPa
+  truearea statistical psd.csv --model hertz --pressures 1kPa:1GPa:1000 \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --output sweep.csv
+  truearea statistical --input rows.csv --given pressure --output rows.csv
+  truearea moments psd.csv | truearea statistical --input - \\
+      --model hertz --pressure 1MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
+    Statistical(StatisticalArgs),
+    /// Contact area, mean gap and stiffness by Persson's theory: over all cutoffs, or row by row
+    #[command(after_help = "\
+With a spectrum: columns wavelength_m, area_fraction, elastic_area_fraction,
+plastic_area_fraction, real_pressure_pa, rms_gradient, mean_gap_m,
+stiffness_pa_per_m; a row per wavelength from long to short. With several
+pressures a first column nominal_pressure_pa, in blocks in the order given. Gap
+and stiffness are those of the elastic theory: their cells are empty where more
+than 3 % of the contact is plastic.
+
+With --input, a table with the columns pressure_pa, rms_pressure_pa (of the
+pressure that would flatten the roughness, E* h'/2), and, where it yields,
+hardness_pa and hardness_growth (c of H^2 = H0^2 + c V with V the square of
+rms_pressure_pa; empty for none). area_fraction, elastic_area_fraction and
+plastic_area_fraction are filled in. What is the same in every row may be given
+as --pressure and --indentation-hardness instead.
+
+Examples:
+  truearea persson psd.csv --model elastic --pressure 5.4MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea persson psd.csv --model elastic-plastic --hardness-law power:0.2 \\
+      --pressures 1kPa:1GPa:40 --youngs-modulus 463GPa --poisson-ratio 0.2 \\
+      --indentation-hardness 5.4GPa
+  truearea persson --input rows.csv --output rows.csv")]
+    Persson(PerssonArgs),
+    /// Mean gap and stiffness of a rough surface under loads, with its whole spectrum
+    #[command(after_help = "\
+Columns: nominal_pressure_pa, area_fraction, mean_gap_m, stiffness_pa_per_m,
+u0_m, p00_pa; a row per load in the order given. The mean gap is the distance of
+the flat from the mean plane of the rough surface, the stiffness how much more
+nominal pressure it takes to close it by a metre, in excess of smooth bodies. At
+light loads Persson's theory has u = u0 ln(p00/p) and K = p/u0; other models
+have neither, and their cells are empty. What the table leaves open is said on
+standard error.
+
+Examples:
+  truearea gap psd.csv --model persson --pressures 1kPa:100MPa:11 \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea gap psd.csv --model hertz --pressure 1MPa --youngs-modulus 463GPa \\
+      --poisson-ratio 0.2
+  truearea gap psd.csv --model bem --shortest 500nm --grid 128 --realisations 2 \\
+      --pressure 10MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
+    Gap(Box<GapArgs>),
+    /// Pressure against overclosure of a rough surface, as finite element codes read it
+    #[command(after_help = "\
+Writes *SURFACE INTERACTION and *SURFACE BEHAVIOR for Abaqus or CalculiX, or a
+plain table (csv), in the units of the model. The overclosure is u_ref - u, u
+the mean gap of `truearea gap`, u_ref the one at 1/e of the least pressure:
+there the pressure is set to 0. There are as many rows as keep the pressure on
+the straight lines between them within --error from the least pressure on. What
+has to be known for it to be used stands in comment lines.
+
+Examples:
+  truearea law psd.csv --model persson --dialect abaqus --units N-mm \\
+      --pressure-range 10kPa:100MPa --youngs-modulus 463GPa --poisson-ratio 0.2 \\
+      --output rough.inp
+  truearea law psd.csv --model hertz --dialect calculix --units N-mm \\
+      --pressure-range 10kPa:100MPa --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea law psd.csv --model persson --dialect calculix --form exponential \\
+      --pressure-range 1kPa:1MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
+    Law(Box<LawArgs>),
+    /// Contact area by boundary elements: of a map as scanned, or of random surfaces of a spectrum
+    #[command(after_help = "\
+Columns: nominal_pressure_pa, area_fraction (share of the points in contact),
+area_fraction_corrected (less the staircase around each spot),
+area_fraction_extrapolated (what a finer grid would show), standard_error,
+plastic_area_fraction, mean_gap_m, mean_plastic_depth_m, largest_pressure_pa,
+stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected,
+open_along_x and open_along_y (share of the surfaces that points not in contact
+lead across, from edge to edge); a row per load, the mean of all surfaces. With
+--per-realisation a row for each surface, and the column realisation behind the
+first.
+
+A map is pressed as scanned, less the trend that `psd` subtracts. Of a spectrum
+as many surfaces are made as --realisations asks for, the same ones for a seed
+on every grid; which band of the spectrum they show is said.
+
+Examples:
+  truearea bem map.nc --pressure 1MPa --pressure 10MPa \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --saturation 3GPa
+  truearea bem psd.csv --shortest 100nm --pressures 1MPa:1GPa:7 \\
+      --youngs-modulus 463GPa --poisson-ratio 0.2 --figure area.svg")]
+    Bem(Box<BemArgs>),
+    /// What is in the files of instruments: a row for each channel of heights
+    #[command(after_help = "\
+Columns: file, format, channel, points_x, points_y, size_x_m, size_y_m,
+rms_height_m (about the mean of the points that are there), peak_to_valley_m,
+gaps (points without a height), rms_slope_x, rms_slope_y (of neighbouring
+points), note. A line has points_y 1 and neither size nor slope along y. The
+size of evenly spaced points is points times spacing, of others their extent.
+
+Examples:
+  truearea scan *.sur
+  truearea scan map.gwy --all-channels
+  truearea scan map.opd --figure heights.png")]
+    Scan(ScanArgs),
+    /// The power spectrum of scans, each in the band that shows the surface, and their composite
+    #[command(after_help = "\
+Reads the files of some thirty kinds of instruments, text, and containers of
+contact.engineering; `truearea scan FILE` tells what is in one. Unit and size
+come from the file, else from a meta.yml or index.json beside it that names it,
+else from --unit and --size. Options of a single file follow it after a colon.
+
+Columns: wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3 (standard error
+where several scans share a bin), measurements; a row per bin from long to
+short. Every other command takes this table. Which wavelengths of each scan are
+used, and what is doubtful, is said on standard error.
+
+Examples:
+  truearea psd map.001 trace.asc:unit=nm,shortest=5nm stylus.txt --out psd.csv
+  truearea psd --list scans.csv --out psd.csv
+  truearea psd map.001 --areal --out ciso.csv")]
+    Psd(ScansArgs),
+    /// Fit a self-affine spectrum: Hurst exponent and roll-off
+    #[command(after_help = "\
+Columns: hurst_exponent, hurst_exponent_se, rolloff_wavelength_m,
+rolloff_wavelength_se_m, plateau_m3, plateau_se_m3, rms_log10_residual,
+points; one row. Where no roll-off can be identified its cells are empty and
+the fit is a power law.
+
+Example:
+  truearea fit psd.csv --from 100um --to 100nm")]
+    Fit(FitArgs),
+    /// Carry out a scene: tables, figures and a summary
+    #[command(after_help = "\
+Writes one table per curve, one table and one SVG per figure, and prints a
+summary: area fraction, real pressure, and the wavelength at which the area
+has settled, per load. Options given here count more than the scene's own.
+
+Example:
+  truearea scene uncd-measured > uncd.toml
+  truearea run uncd.toml --out results")]
+    Run(RunArgs),
+    /// Print a commented scene to start from
+    #[command(after_help = "\
+Example:
+  truearea scene new > my-scene.toml")]
+    Scene {
+        /// Which one: an empty one to fill in, or UNCD
+        #[arg(value_parser = one_of::<Template, _>(Template::ALL))]
+        template: Template,
+    },
+    /// Print what a shell needs to complete commands and options
+    #[command(after_help = "\
+Examples:
+  truearea completions bash --output ~/.local/share/bash-completion/completions/truearea
+  truearea completions fish --output ~/.config/fish/completions/truearea.fish
+  source <(truearea completions zsh)")]
+    Completions {
+        /// Which shell
+        shell: Shell,
+    },
+    /// Write manual pages: one for the program, one for each command
+    #[command(after_help = "\
+Examples:
+  truearea man --out ~/.local/share/man/man1
+  man -l man/truearea-stacked.1")]
+    Man(ManArgs),
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct ManArgs {
+    /// The folder for the pages, made where absent
+    #[arg(long, value_name = "DIR", default_value = "man")]
+    pub out: PathBuf,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+Example:
+  truearea asperity sphere --input spheres.csv --output spheres.csv")]
+pub(crate) struct AsperityArgs {
+    #[command(subcommand)]
+    pub law: AsperityLaw,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum AsperityLaw {
+    /// A sphere at an interference: Hertz, and Jackson & Green
+    #[command(after_help = "\
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
+times that, indentation_hardness_pa), radius_m, interference_m. Results: hertz_force_n, hertz_area_m2, jackson_green_force_n,
+jackson_green_area_m2, jackson_green_force_cosine_hardness_n.
+
+Example:
+  truearea asperity sphere --input spheres.csv")]
+    Sphere(TableArgs),
+    /// A sinusoid at a mean pressure: elastic, and elastic-plastic
+    #[command(after_help = "\
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
+times that, indentation_hardness_pa), aspect_ratio, pressure_pa. Results: complete_contact_pressure_elastic_pa,
+area_fraction_elastic, critical_aspect_ratio, complete_contact_pressure_ep_pa,
+area_fraction_ep, mean_gap_over_amplitude.
+
+Example:
+  truearea asperity sinusoid --input sinusoids.csv")]
+    Sinusoid(TableArgs),
+    /// A sinusoid pressed to an interference
+    #[command(after_help = "\
+Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
+times that, indentation_hardness_pa), wavelength_m, aspect_ratio, interference_m. Results: pressure_elastic_pa,
+area_fraction_elastic, pressure_ep_pa, area_fraction_ep.
+
+Example:
+  truearea asperity sinusoid-interference --input sinusoids.csv --output sinusoids.csv")]
+    SinusoidInterference(TableArgs),
+}
+
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct TableArgs {
+    /// The table to extend, CSV or JSON: a path, or - for standard input
+    #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place)]
+    pub input: Place,
+    /// Young's modulus of every row, in place of the column youngs_modulus_pa
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub youngs_modulus: Option<Modulus>,
+    /// Poisson's ratio of every row, in (-1, 0.5], in place of the column poisson_ratio
+    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
+    pub poisson_ratio: Option<f64>,
+    /// Yield strength of every row, in place of the column yield_strength_pa
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub yield_strength: Option<Pressure>,
+    /// Indentation hardness of every row, a pressure or a Vickers number, in place of the column indentation_hardness_pa;
+    /// where a row has no yield strength, a third of it
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub indentation_hardness: Option<IndentationHardness>,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct MomentsArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub figure: FigureArg,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct AmplitudeArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
+    #[command(flatten)]
+    pub figure: FigureArg,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
+pub(crate) struct StackedArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    /// How scales deform
+    #[arg(long, value_parser = model_of(Framework::Stacked))]
+    pub model: &'static ModelEntry,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub material: MaterialArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
+    /// Append the columns pressure_in_pa and yield_strength_pa
+    #[arg(long)]
+    pub details: bool,
+    #[command(flatten)]
+    pub figure: FigureArg,
+}
+
+/// Options of `statistical` that mean nothing without a spectrum.
+const OF_SPECTRA: [&str; 11] = [
+    "column",
+    "x",
+    "convention",
+    "series",
+    "subject",
+    "x_unit",
+    "psd_unit",
+    "scales_per_decade",
+    "cutoff",
+    "normalisation",
+    "figure",
+];
+
+#[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
+#[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges", "separations"]))]
+pub(crate) struct StatisticalArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    #[arg(requires = "model", requires = "pressed")]
+    pub psd: Option<String>,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// A table of populations instead, CSV or JSON: a path, or - for standard input
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA)]
+    pub input: Option<Place>,
+    /// Which column of the table is the input where both are filled; the other is recomputed
+    #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input")]
+    pub given: Option<GivenColumn>,
+    /// The law of one asperity
+    #[arg(long, value_parser = model_of(Framework::Statistical))]
+    pub model: Option<&'static ModelEntry>,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(
+        long = "pressures",
+        value_name = "FROM:TO:COUNT",
+        allow_hyphen_values = true,
+        conflicts_with = "input"
+    )]
+    pub pressure_ranges: Vec<PressureRange>,
+    /// Separation from the mean of the asperity heights, of either sign; repeatable
+    #[arg(long = "separation", value_name = "L", allow_hyphen_values = true)]
+    pub separations: Vec<SignedLength>,
+    #[command(flatten)]
+    pub material: MaterialArgs,
+    /// Relative tolerance of pressure and area, in (0, 0.01]; a looser one costs less
+    #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
+    pub tolerance: Tolerance,
+    /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
+    /// boundary-element solutions
+    #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
+    pub interference_law: Option<InterferenceLaw>,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub hardness: HardnessArg,
+    /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
+    #[arg(long)]
+    pub details: bool,
+    #[command(flatten)]
+    pub figure: FigureArg,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct FitArgs {
+    #[command(flatten)]
+    pub psd: PsdArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    /// The longest wavelength to fit; the spectrum's own where not given
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub from: Option<Length>,
+    /// The shortest wavelength to fit; given both, either may come first
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub to: Option<Length>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(crate) struct RunArgs {
+    /// The scene file, or - for standard input
+    #[arg(value_name = "SCENE", value_parser = parse_place)]
+    pub scene: Place,
+    /// The folder for tables and figures, made where absent; else SCENE-results in the current folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Leave out report.html, its tables, and the sensitivities, which only it needs
+    #[arg(long)]
+    pub no_report: bool,
+    /// Judge no model by boundary elements, whatever the scene says of it
+    #[arg(long)]
+    pub no_judge: bool,
+    /// Draw nothing to tell how sure the areas are, whatever the scene says of it
+    #[arg(long)]
+    pub no_uncertainty: bool,
+    /// Print what the scene needs and what is skipped, and stop there, with nothing computed
+    #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
+    pub dry_run: bool,
+    /// Print what --dry-run prints, and behind it why every number is what it is: which scale and which law set it, and
+    /// which remarks there are on it; no file is written
+    #[arg(long, conflicts_with_all = ["no_report", "out"])]
+    pub explain: bool,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub normalisation: NormalisationArg,
+    #[command(flatten)]
+    pub amplitude: AmplitudeArg,
+    #[command(flatten)]
+    pub hardness: HardnessArg,
+    #[command(flatten)]
+    pub strength_cap: StrengthCapArg,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
+}

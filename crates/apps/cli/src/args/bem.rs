@@ -1,0 +1,173 @@
+//! What `bem` may be asked.
+
+use std::num::NonZeroU32;
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+
+use clap::Args as ClapArgs;
+use gaussian_surfaces::Phases;
+use measurements::ScanRequest;
+use rough_bem::{Boundary, RandomChoices};
+use study::measured::Kind;
+use topography::Detrend;
+use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
+
+use super::groups::{CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, StrengthCapArg};
+use super::parsers::{one_of, parse_count, parse_labelled_pressure, parse_poisson_ratio};
+use super::scans::{MapTreatmentArgs, UntoldArgs};
+
+/// A surface, how it is pressed, and what is written.
+#[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
+pub(crate) struct BemArgs {
+    /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file,
+    /// - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    pub surface: ScanRequest,
+    /// What the file holds, where its content does not tell
+    #[arg(long = "as", value_name = "KIND", value_parser = one_of::<Kind, _>(Kind::ALL))]
+    pub kind: Option<Kind>,
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
+    /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub saturation: Option<Pressure>,
+    /// The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1
+    #[arg(long, value_name = "T", default_value_t = rough_bem::Pressing::TOLERANCE, allow_hyphen_values = true)]
+    pub tolerance: f64,
+    /// A row for each surface instead of their mean
+    #[arg(long)]
+    pub per_realisation: bool,
+    /// A folder for pressures and gaps of every surface under every load, as NetCDF and as pictures; made where absent
+    #[arg(long, value_name = "DIR")]
+    pub fields: Option<PathBuf>,
+    #[command(flatten)]
+    pub figure: FigureArg,
+    #[command(flatten)]
+    pub material: PressedMaterialArgs,
+    #[command(flatten)]
+    pub map: MapArgs,
+    #[command(flatten)]
+    pub random: RandomArgs,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// A material that is elastic, or flows at one hardness.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct PressedMaterialArgs {
+    /// Young's modulus of the rough body
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub youngs_modulus: Option<Modulus>,
+    /// Poisson's ratio of the rough body, in (-1, 0.5]
+    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
+    pub poisson_ratio: Option<f64>,
+    /// Yield strength of the rough body, a third of the hardness H in which pressures may be given
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub yield_strength: Option<Pressure>,
+    /// Indentation hardness H of the rough body, a pressure or a Vickers number, in which pressures may be given
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub indentation_hardness: Option<IndentationHardness>,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
+}
+
+impl PressedMaterialArgs {
+    /// The same as the options of a material whose strength does not grow.
+    pub fn without_growth(&self) -> MaterialArgs {
+        MaterialArgs {
+            youngs_modulus: self.youngs_modulus,
+            poisson_ratio: self.poisson_ratio,
+            yield_strength: self.yield_strength,
+            indentation_hardness: self.indentation_hardness,
+            strain_gradient_length: None,
+            strength_cap: StrengthCapArg { strength_cap: None },
+            counterface: self.counterface.clone(),
+        }
+    }
+}
+
+/// Options of a map.
+#[derive(Debug, ClapArgs)]
+#[command(next_help_heading = "Options for maps")]
+pub(crate) struct MapArgs {
+    /// What lies beyond the edges: the map again, or an unloaded half-space; by default what the file says, and free where it
+    /// says nothing
+    #[arg(long, value_parser = one_of::<Boundary, _>(Boundary::ALL))]
+    pub boundary: Option<Boundary>,
+    /// What is subtracted from the heights: by default a plane, from periodic data the mean
+    #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
+    pub detrend: Option<Detrend>,
+    #[command(flatten)]
+    pub untold: UntoldArgs,
+    #[command(flatten)]
+    pub treatment: MapTreatmentArgs,
+}
+
+impl MapArgs {
+    /// The options that were given, by their names.
+    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("--boundary", self.boundary.is_some()),
+            ("--detrend", self.detrend.is_some()),
+            ("--unit", self.untold.unit.is_some()),
+            ("--size", self.untold.size.is_some()),
+            ("--channel", self.untold.channel.is_some()),
+            ("--gaps", self.treatment.gaps.is_some()),
+            ("--direction", self.treatment.direction.is_some()),
+        ];
+        given.into_iter().filter_map(|(name, given)| given.then_some(name))
+    }
+}
+
+/// Points along a side, as the parser of numbers takes them.
+fn points() -> RangeInclusive<i64> {
+    i64::from(*RandomChoices::POINTS.start())..=i64::from(*RandomChoices::POINTS.end())
+}
+
+/// Options of random surfaces.
+#[derive(Debug, ClapArgs)]
+#[command(next_help_heading = "Options for spectra")]
+pub(crate) struct RandomArgs {
+    /// Points along each side of a surface; 512 where not given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(points()))]
+    pub grid: Option<u32>,
+    /// How many surfaces are made of the spectrum; 8 where not given
+    #[arg(long, value_name = "R", value_parser = parse_count)]
+    pub realisations: Option<NonZeroU32>,
+    /// The seed of their phases; 1 where not given
+    #[arg(long, value_name = "SEED")]
+    pub seed: Option<u64>,
+    /// The shortest wavelength of the surfaces; that of the spectrum where not given
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub shortest: Option<Length>,
+    /// The longest wavelength of the surfaces; where not given, as long as the grid holds with 4 points for the shortest
+    /// wavelength and 2 lengths of the longest a side
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub longest: Option<Length>,
+    /// Length of a side; where not given, what is left of the grid is shared between points and lengths
+    #[arg(long = "box", value_name = "L", allow_hyphen_values = true)]
+    pub side: Option<Length>,
+    /// What is random: phases alone, or moduli as well
+    #[arg(long, value_parser = one_of::<Phases, _>(Phases::ALL))]
+    pub phases: Option<Phases>,
+}
+
+impl RandomArgs {
+    /// The options that were given, by their names.
+    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("--grid", self.grid.is_some()),
+            ("--realisations", self.realisations.is_some()),
+            ("--seed", self.seed.is_some()),
+            ("--shortest", self.shortest.is_some()),
+            ("--longest", self.longest.is_some()),
+            ("--box", self.side.is_some()),
+            ("--phases", self.phases.is_some()),
+        ];
+        given.into_iter().filter_map(|(name, given)| given.then_some(name))
+    }
+}

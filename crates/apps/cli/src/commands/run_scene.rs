@@ -1,0 +1,183 @@
+//! `run`: everything a scene asks for.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use chrono::{DateTime, Utc};
+
+use super::material_options::counterface;
+use super::{Context, compute, refuse_idle_cutoff, say_notes, say_surface};
+use crate::args::RunArgs;
+use crate::failure::Failure;
+use crate::files::Folder;
+use crate::interruption::EarlyEnd;
+use crate::output;
+use crate::output::{Place, make_folder, utf8};
+use crate::progress::{Progress, Unseen, UntilEnded};
+use crate::targets::Targets;
+use crate::timings::Timings;
+use findings::answer::Answer;
+use report::explain::explain;
+use report::occasion::Occasion;
+use report::products;
+use report::reasons::reasons;
+use report::run::{self, Asked, Phase, RunError, Watch};
+use report::scene_note_words;
+use report::summary::summary;
+use report::trust::Trust;
+use report::uncertainty_words;
+use scene::{Overrides, Scene};
+
+pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let mut timings = Timings::start();
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
+    let scene = read(args, &folder, context)?;
+    timings.lap("reading");
+    say_surface(&scene.surface);
+    say_notes(scene.notes.iter().map(scene_note_words::line));
+    if args.dry_run {
+        return print(&explain(&scene), context);
+    }
+    if args.explain {
+        let results = compute(&scene.plan()).map_err(|error| failed(args, error.into()))?;
+        let answer = Answer::of(&scene, &results);
+        return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
+    }
+    let watching = Watching { timings: RefCell::new(timings) };
+    let carried = run::carry_out(&scene, asked(args), &watching).map_err(|error| failed(args, error))?;
+    let mut timings = watching.timings.into_inner();
+    let trust = Trust { judgement: carried.judgement.as_ref(), uncertainty: carried.uncertainty.as_ref() };
+    let (results, uncertainty) = (carried.results, &carried.uncertainty);
+    let occasion = Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) };
+    let findings = carried.findings.map(|findings| findings.on(occasion));
+    make_folder("--out", &folder)?;
+    let written =
+        output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;
+    timings.lap("writing");
+    let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    let others = output::other_files(&folder, &written)?;
+    if !others.is_empty() {
+        files += &format!("not of this run, and left there: {}\n", others.join(", "));
+    }
+    let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
+    print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
+    timings.report(context.shared.timings);
+    match uncertainty.as_ref().filter(|found| found.ended_early) {
+        None => Ok(()),
+        Some(found) => Err(Failure::EndedEarly(uncertainty_words::ended_early(found))),
+    }
+}
+
+/// What was not carried out is the scene's fault, or nobody's.
+fn failed(args: &RunArgs, error: RunError) -> Failure {
+    match error {
+        RunError::Cancelled => Failure::Interrupted,
+        error => Failure::Input(format!("{}: {error}", args.scene)),
+    }
+}
+
+/// What is to be made of the scene.
+fn asked(args: &RunArgs) -> Asked {
+    Asked { report: !args.no_report, judge: None, uncertainty: None }
+}
+
+/// Progress bars, and the time that each phase takes. While draws are made, the first Ctrl-C ends no more than them.
+struct Watching {
+    timings: RefCell<Timings>,
+}
+
+impl Watch for Watching {
+    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn parallel::Progress + '_> {
+        match phase {
+            Phase::Computing | Phase::Judging => Box::new(Progress::towards(steps, phase.steps())),
+            Phase::Comparing => Box::new(Unseen),
+            Phase::Drawing => Box::new(UntilEnded {
+                progress: Progress::towards(steps, phase.steps()),
+                early_end: EarlyEnd::allow(),
+            }),
+        }
+    }
+
+    fn end(&self, phase: Phase) {
+        self.timings.borrow_mut().lap(match phase {
+            Phase::Computing => "computing",
+            Phase::Comparing => "comparing",
+            Phase::Judging => "judging",
+            Phase::Drawing => "drawing",
+        });
+    }
+}
+
+/// Reads the scene and its files, and refuses what is wrong with the call: results that would replace one of them, and
+/// options that say nothing.
+fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
+    let targets = context.targets(None)?;
+    let writes_files = !args.dry_run && !args.explain;
+    if writes_files && folder.is_file() {
+        make_folder("--out", folder)?;
+    }
+    targets.spare_place(&args.scene)?;
+    let (name, files) = match &args.scene {
+        Place::Standard => ("standard input".to_owned(), Folder::current(targets)),
+        Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
+    };
+    let bytes = args.scene.read()?;
+    let text = utf8(&bytes, &name, "scene")?;
+    let scene = Scene::parse(text, &files, &overrides(args)?)
+        .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
+    if writes_files && folder.is_dir() {
+        let mut results = Targets::default();
+        for name in products::file_names(&scene, asked(args).parts(&scene), context.shared.format) {
+            results = results.with_file("--out", &folder.join(name))?;
+        }
+        results.spare_place(&args.scene)?;
+        files.spare_from(&results)?;
+    }
+    refuse_idle_options(args, &scene)?;
+    Ok(scene)
+}
+
+fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
+    Ok(Overrides {
+        normalisation: args.normalisation.normalisation,
+        amplitude: args.amplitude.amplitude,
+        scales_per_decade: args.sampling.scales_per_decade,
+        hardness: args.hardness.hardness,
+        strength_cap: args.strength_cap.strength_cap,
+        cutoff: args.sampling.cutoff,
+        counterface: counterface(&args.counterface)?,
+        no_judge: args.no_judge,
+        no_uncertainty: args.no_uncertainty,
+    })
+}
+
+/// Refuses options that nothing in the scene has a use for.
+fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
+    refuse_idle_cutoff(args.sampling.cutoff.map(|cutoff| cutoff.m), &scene.surface)?;
+    match overrides(args)?.without_bearing(scene) {
+        None => Ok(()),
+        Some(option) => Err(Failure::Input(format!(
+            "--{} has no bearing on {}: none of its curves and figures depends on it; leave it out",
+            option.replace('_', "-"),
+            args.scene
+        ))),
+    }
+}
+
+/// The date and time of day, in universal time.
+fn now() -> String {
+    DateTime::<Utc>::from(SystemTime::now()).format("%Y-%m-%d %H:%M UTC").to_string()
+}
+
+fn default_folder(scene: &Place) -> PathBuf {
+    let stem = match scene {
+        Place::Standard => None,
+        Place::File(path) => path.file_stem(),
+    };
+    PathBuf::from(format!("{}-results", stem.map_or("scene".into(), |stem| stem.to_string_lossy())))
+}
+
+fn print(text: &str, context: &Context<'_>) -> Result<(), Failure> {
+    context.shared.output.write(|out| out.write_all(text.as_bytes()))
+}

@@ -1,0 +1,266 @@
+//! Where input comes from and results go: standard streams, or files that appear whole or not at all.
+
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use staging::StagedFiles;
+
+use crate::failure::Failure;
+use crate::interruption;
+use report::products::{self, Findings};
+use report::trust::Trust;
+use scene::Scene;
+use study::plan::{PlanError, Results};
+use tables::{Format, TableError};
+
+/// A path, or `-` for stdin or stdout.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Place {
+    /// stdin or stdout.
+    Standard,
+    /// A file.
+    File(PathBuf),
+}
+
+impl From<&str> for Place {
+    fn from(text: &str) -> Self {
+        if text == "-" { Place::Standard } else { Place::File(PathBuf::from(text)) }
+    }
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Place::Standard => write!(f, "-"),
+            Place::File(path) => write!(f, "{}", path.display()),
+        }
+    }
+}
+
+impl Place {
+    /// All bytes that stand there.
+    ///
+    /// # Errors
+    /// [`Failure::Input`] that names the place.
+    pub fn read(&self) -> Result<Vec<u8>, Failure> {
+        let mut bytes = Vec::new();
+        match self {
+            Place::Standard => {
+                io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes)
+                    .map_err(|error| Failure::reading("standard input", &error))?;
+            }
+            Place::File(path) => {
+                bytes = std::fs::read(path)
+                    .map_err(|error| Failure::reading(&path.display().to_string(), &error))?;
+            }
+        }
+        Ok(bytes)
+    }
+
+    /// Writes there; a file is replaced only once `write` has succeeded.
+    ///
+    /// # Errors
+    /// Those of [`stage`](Self::stage) and [`publish`].
+    pub fn write<E: Into<Stopped>>(
+        &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(), Failure> {
+        let mut files = StagedFiles::default();
+        self.stage(&mut files, write)?;
+        publish(files)
+    }
+
+    /// Writes a file aside, to be published with others; standard output gets it at once.
+    ///
+    /// # Errors
+    /// [`Failure::System`] that names the place; [`Failure::ClosedPipe`] where nobody reads stdout any more; what else
+    /// stopped `write`.
+    pub fn stage<E: Into<Stopped>>(
+        &self,
+        files: &mut StagedFiles,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<(), Failure> {
+        match self {
+            Place::Standard => {
+                let mut stdout = BufWriter::new(io::stdout().lock());
+                written(write, &mut stdout).map_err(|stopped| stopped.writing("standard output"))
+            }
+            Place::File(path) => stage(files, path, write),
+        }
+    }
+}
+
+/// Puts every staged file into its place, or none.
+///
+/// # Errors
+/// [`Failure::System`] that names the path; [`Failure::Interrupted`] where the program has been asked to end.
+pub fn publish(files: StagedFiles) -> Result<(), Failure> {
+    if interruption::is_asked_for() {
+        return Err(Failure::Interrupted);
+    }
+    Ok(files.publish()?)
+}
+
+/// Why something was not written.
+#[derive(Debug)]
+pub enum Stopped {
+    /// It could not be written.
+    Writing(io::Error),
+    /// There was nothing to write.
+    Failed(Failure),
+}
+
+impl From<io::Error> for Stopped {
+    fn from(error: io::Error) -> Self {
+        Stopped::Writing(error)
+    }
+}
+
+impl From<Failure> for Stopped {
+    fn from(failure: Failure) -> Self {
+        Stopped::Failed(failure)
+    }
+}
+
+impl From<TableError> for Stopped {
+    fn from(error: TableError) -> Self {
+        Stopped::Failed(Failure::input(error))
+    }
+}
+
+impl From<PlanError> for Stopped {
+    fn from(error: PlanError) -> Self {
+        Stopped::Failed(error.into())
+    }
+}
+
+impl Stopped {
+    fn writing(self, what: &str) -> Failure {
+        match self {
+            Stopped::Writing(error) => Failure::writing(what, &error),
+            Stopped::Failed(failure) => failure,
+        }
+    }
+}
+
+/// Writes one file aside; a failure names it.
+pub(crate) fn stage<E: Into<Stopped>>(
+    files: &mut StagedFiles,
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<(), Failure> {
+    files
+        .stage(path, |out| write(out).map_err(Into::<Stopped>::into))
+        .map_err(|stopped| stopped.writing(&path.display().to_string()))
+}
+
+fn written<E: Into<Stopped>>(
+    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    out: &mut impl Write,
+) -> Result<(), Stopped> {
+    write(out).map_err(Into::into)?;
+    out.flush().map_err(Into::into)
+}
+
+/// What was read from `source` as text, without a byte-order mark; `what` it is meant to be.
+///
+/// # Errors
+/// [`Failure::Input`] that names the first line that is not UTF-8.
+pub fn utf8<'b>(bytes: &'b [u8], source: &str, what: &str) -> Result<&'b str, Failure> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        Failure::Input(format!("{source}, line {line}: not UTF-8 text; save the {what} as UTF-8"))
+    })?;
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+}
+
+/// Makes the folder that `option` names, where there is none.
+///
+/// # Errors
+/// [`Failure::Input`] where a file has its name; [`Failure::System`] that names the folder.
+pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
+    if folder.is_file() {
+        return Err(Failure::Input(format!(
+            "{option} {}: results go into a folder, and this is a file; name a folder",
+            folder.display()
+        )));
+    }
+    std::fs::create_dir_all(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
+}
+
+/// Writes every file of a scene into a folder, all of them or none; yields their names.
+///
+/// # Errors
+/// [`Failure::System`] that names the path.
+pub fn write_products(
+    scene: &Scene,
+    results: &Results,
+    findings: Option<&Findings>,
+    trust: Trust<'_>,
+    format: Format,
+    folder: &Path,
+) -> Result<Vec<String>, Failure> {
+    let mut files = StagedFiles::default();
+    let names = products::each_file(scene, results, findings, trust, format, |name, content| {
+        stage(&mut files, &folder.join(name), |out| content(out))
+    })?;
+    publish(files)?;
+    Ok(names)
+}
+
+/// The files of a folder that are none of those just written: they may be of an earlier run.
+///
+/// # Errors
+/// [`Failure::System`] that names the folder.
+pub fn other_files(folder: &Path, written: &[String]) -> Result<Vec<String>, Failure> {
+    let reading = |error: io::Error| Failure::System(format!("reading {}: {error}", folder.display()));
+    let mut others = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(reading)? {
+        let entry = entry.map_err(reading)?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if entry.path().is_file() && !written.contains(&name) {
+            others.push(name);
+        }
+    }
+    others.sort();
+    Ok(others)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failed_write_leaves_the_old_file_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("table.csv");
+        std::fs::write(&path, "old").unwrap();
+        let place = Place::File(path.clone());
+        let failed = place.write(|out| {
+            out.write_all(b"half")?;
+            Err(io::Error::other("no more"))
+        });
+        assert!(matches!(failed, Err(Failure::System(message)) if message.ends_with("table.csv: no more")));
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+        place.write(|out| out.write_all(b"new")).unwrap();
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_followed_and_permissions_are_those_of_new_files() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (real, link) = (folder.path().join("real.csv"), folder.path().join("link.csv"));
+        std::fs::write(&real, "old").unwrap();
+        std::os::unix::fs::symlink(&real, &link).unwrap();
+        Place::File(link.clone()).write(|out| out.write_all(b"new")).unwrap();
+        assert_eq!(std::fs::read_to_string(&real).unwrap(), "new");
+        assert!(link.is_symlink());
+        let plain = folder.path().join("plain");
+        std::fs::write(&plain, "").unwrap();
+        let mode = |path: &Path| path.metadata().unwrap().permissions().mode();
+        assert_eq!(mode(&real), mode(&plain));
+    }
+}

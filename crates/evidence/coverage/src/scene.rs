@@ -1,0 +1,59 @@
+//! The scene about a study, as somebody would write it.
+
+use scene::{Overrides, Scene};
+
+use crate::error::StudyError;
+use crate::instrument::{GAIN_SD, Instrument};
+use crate::synthetic::SyntheticStudy;
+
+/// A steel, light and heavy loads, and a model of each kind.
+const REST: &str = r#"
+[material]
+youngs_modulus = "200 GPa"
+poisson_ratio = 0.3
+yield_strength = "1.5 GPa"
+
+[loads]
+pressures = ["10 MPa", "1 GPa"]
+
+[[curve]]
+model = "elastic"
+cutoffs = "shortest"
+
+[[curve]]
+model = "elastic-plastic"
+cutoffs = "shortest"
+
+[[curve]]
+model = "hertz"
+cutoffs = "shortest"
+
+[[curve]]
+model = "bgt"
+cutoffs = "shortest"
+
+[[curve]]
+model = "persson"
+cutoffs = "shortest"
+"#;
+
+impl SyntheticStudy {
+    /// The study as a scene; what is said of the height scales is true.
+    ///
+    /// # Errors
+    /// [`StudyError::Scene`] where it does not read.
+    pub fn scene(&self) -> Result<Scene, StudyError> {
+        let scan = |file: &String, instrument: &Instrument| {
+            let Instrument { name, length_m, shortest_m, .. } = instrument;
+            format!(
+                "    {{ file = \"{file}\", unit = \"m\", size = \"{length_m:e} m\", shortest_wavelength = \"{shortest_m:e} m\", \
+                 instrument = \"{name}\", z_calibration = \"{} %\" }},\n",
+                100.0 * GAIN_SD
+            )
+        };
+        let scans: String =
+            self.scans.iter().map(|(instrument, request)| scan(&request.path, instrument)).collect();
+        let text = format!("title = \"A synthetic study\"\n\n[surface]\nscans = [\n{scans}]\n{REST}");
+        Ok(Scene::parse(&text, &self.files, &Overrides::default())?)
+    }
+}

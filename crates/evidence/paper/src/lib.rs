@@ -1,0 +1,33 @@
+//! What Jackson & Jacobs say of the real contact area of ultrananocrystalline diamond, checked statement by statement
+//! against the curves that this program computes.
+//!
+//! ```
+//! use scene::Template;
+//! use paper::{Evidence, Verdict, ledger};
+//!
+//! let evidence = [Evidence::compute(Template::UncdReconstructed)?];
+//! let rows = ledger(&evidence);
+//! assert_eq!(rows.len(), 20);
+//! // The converged real pressure of about 8 H is not what the clamped law gives.
+//! assert_eq!(rows[4].findings[0].1.verdict, Verdict::NotReproduced);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! * [`Evidence`]: a scene of the paper with its results;
+//! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a verdict, and
+//!   one honest sentence;
+//! * [`table`]: the same for `claims.csv`;
+//! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts.
+//!
+//! Nothing is tuned to make a row pass: when a statement counts as reproduced is written beside it, before any number.
+#![deny(missing_docs)]
+
+mod claims;
+mod evidence;
+mod ledger;
+mod other_models;
+
+pub use claims::ledger;
+pub use evidence::Evidence;
+pub use ledger::{Finding, Row, Statement, Verdict, table};
+pub use other_models::{OtherFinding, OtherModel, other_models};

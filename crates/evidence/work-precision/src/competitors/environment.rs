@@ -1,0 +1,87 @@
+//! A virtual environment with the competitors in it, below `target/`.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Installed one by one, so that one that cannot be had does not take the others with it.
+const PACKAGES: [&str; 2] = ["scipy", "ContactMechanics"];
+
+/// A competitor that is not there, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Missing {
+    /// The package's name.
+    pub package: String,
+    /// What went wrong, in a line.
+    pub reason: String,
+}
+
+/// Python with whatever could be installed.
+#[derive(Debug)]
+pub struct Environment {
+    /// The interpreter.
+    pub python: PathBuf,
+    /// What could not.
+    pub missing: Vec<Missing>,
+}
+
+impl Environment {
+    /// Makes the environment in a folder, or completes the one that is there: packages as pinned in `requirements.txt`.
+    pub fn prepare(folder: &Path) -> Self {
+        let python = folder.join("bin/python");
+        if let Err(reason) = succeed(Command::new("python3").args(["-m", "venv"]).arg(folder)) {
+            let nothing = |package: &&str| Missing { package: (*package).to_owned(), reason: reason.clone() };
+            return Environment { python, missing: PACKAGES.iter().map(nothing).collect() };
+        }
+        let constraints = scripts().join("requirements.txt");
+        let missing = PACKAGES.iter().filter_map(|package| {
+            let mut pip = Command::new(&python);
+            pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--constraint"]);
+            let reason = succeed(pip.arg(&constraints).arg(package)).err()?;
+            Some(Missing { package: (*package).to_owned(), reason })
+        });
+        let missing = missing.collect();
+        Environment { python, missing }
+    }
+}
+
+/// The folder of the Python side.
+pub(super) fn scripts() -> PathBuf {
+    crate::reference::repository("crates/evidence/work-precision/competitors")
+}
+
+/// Runs to the end; the last line of what was said otherwise.
+fn succeed(command: &mut Command) -> Result<(), String> {
+    let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_owned();
+    let program = program.to_string_lossy();
+    match command.output() {
+        Ok(Output { status, .. }) if status.success() => Ok(()),
+        Ok(Output { status, stderr, .. }) => {
+            let said = String::from_utf8_lossy(&stderr);
+            let last = said.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();
+            Err(format!("{program}: {status}, {}", last.trim()))
+        }
+        Err(error) => Err(format!("{program}: {error}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_is_told_in_its_last_line() {
+        let mut shell = Command::new("sh");
+        let reason =
+            succeed(shell.args(["-c", "echo first >&2; echo no such package >&2; exit 3"])).unwrap_err();
+        assert!(reason.starts_with("sh: ") && reason.ends_with("no such package"), "{reason}");
+        assert!(succeed(&mut Command::new("no-such-program")).is_err());
+    }
+
+    #[test]
+    fn every_competitor_is_pinned() {
+        let pins = std::fs::read_to_string(scripts().join("requirements.txt")).unwrap();
+        for package in PACKAGES {
+            assert!(pins.lines().any(|line| line.starts_with(&format!("{package}=="))), "{package}");
+        }
+    }
+}

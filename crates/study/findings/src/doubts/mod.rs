@@ -1,0 +1,160 @@
+//! What physics says against numbers that every formula takes: slopes, strengths and pressures that no such contact has.
+
+mod real_pressure;
+
+use serde::Serialize;
+use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumulative_moments};
+
+use crate::answer::Answer;
+use scene::Scene;
+use study::material::Material;
+use study::plan::{Load, NominalPressure};
+
+pub use real_pressure::RealPressures;
+
+/// The slope and the aspect ratio from which on heights are no small roughness on a flat.
+const STEEP: f64 = 1.0;
+/// No solid bears more than its ideal strength, about a tenth of Young's modulus.
+const MODULUS_OVER_IDEAL_STRENGTH: f64 = 10.0;
+/// Above this share of the composite modulus strains are too large for linear elasticity.
+const MODULUS_OVER_LARGEST_PRESSURE: f64 = 3.0;
+
+/// Something that can be computed with and hardly be so.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Doubt {
+    /// The rms slope of profiles is above 1.
+    SteepSurface {
+        /// The rms slope along a profile of the whole spectrum.
+        rms_slope: f64,
+    },
+    /// A scale is higher than it is long.
+    SteepScale {
+        /// The wavelength \[m\] of the steepest scale.
+        wavelength_m: f64,
+        /// Its amplitude over its wavelength, above 1.
+        aspect_ratio: f64,
+    },
+    /// The yield strength is above a tenth of Young's modulus.
+    StrongerThanSolids {
+        /// The yield strength \[Pa\].
+        yield_strength_pa: f64,
+        /// E/10 \[Pa\].
+        bound_pa: f64,
+    },
+    /// A load presses harder on the nominal area than the hardness.
+    NominalAboveHardness {
+        /// The load as typed.
+        load: String,
+        /// Its pressure \[Pa\].
+        pressure_pa: f64,
+        /// The hardness \[Pa\].
+        hardness_pa: f64,
+        /// How many other loads do so.
+        others: usize,
+    },
+    /// The real pressure of a curve whose strength does not grow at small depths is above the hardness.
+    RealAboveHardness {
+        /// Where it is highest.
+        highest: HighestPressure,
+        /// The hardness \[Pa\].
+        hardness_pa: f64,
+    },
+    /// The real pressure of a curve is above a third of the composite modulus.
+    RealAboveThirdModulus {
+        /// Where it is highest.
+        highest: HighestPressure,
+        /// E*/3 \[Pa\].
+        bound_pa: f64,
+    },
+}
+
+/// The highest of the real pressures that are above a bound.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct HighestPressure {
+    /// The curve.
+    pub curve: String,
+    /// The load as typed.
+    pub load: String,
+    /// The real pressure \[Pa\].
+    pub pressure_pa: f64,
+    /// How many other curves are above the bound.
+    pub other_curves: usize,
+}
+
+impl Doubt {
+    /// All that is doubtful about a scene and what it ends in.
+    #[must_use]
+    pub fn of_scene(scene: &Scene, answer: &Answer) -> Vec<Doubt> {
+        let mut doubts = Self::of_spectrum(&scene.surface.psd);
+        doubts.extend(scene.material.iter().filter_map(Self::of_material));
+        doubts.extend(Self::of_loads(&scene.needs.loads, scene.hardness_pa()));
+        let mut pressures = RealPressures::new(scene.hardness_pa());
+        for (curve, answers) in scene.needs.curves.iter().zip(&answer.curves) {
+            for (load, answer) in scene.needs.loads.iter().zip(answers) {
+                if let Some(answer) = answer {
+                    pressures.add(curve, answer.real_pressure_pa, || load.label.clone());
+                }
+            }
+        }
+        doubts.extend(pressures.doubts());
+        doubts
+    }
+
+    /// What is doubtful about the slopes of a spectrum; a unit that was mistaken shows here.
+    #[must_use]
+    pub fn of_spectrum(psd: &ProfilePsd) -> Vec<Doubt> {
+        let moments = cumulative_moments(psd, Normalisation::default());
+        let rms_slope = moments.last().map(|moments| moments.rms_slope());
+        let too_steep = rms_slope.filter(|rms_slope| *rms_slope > STEEP);
+        let scales = amplitudes(psd, AmplitudeDefinition::default());
+        let aspect_ratios =
+            scales.iter().map(|scale| (scale.wavelength_m, scale.amplitude_m / scale.wavelength_m));
+        let steepest = aspect_ratios
+            .filter(|(_, aspect_ratio)| *aspect_ratio > STEEP)
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let surface = too_steep.map(|rms_slope| Doubt::SteepSurface { rms_slope });
+        let scale =
+            steepest.map(|(wavelength_m, aspect_ratio)| Doubt::SteepScale { wavelength_m, aspect_ratio });
+        surface.into_iter().chain(scale).collect()
+    }
+
+    /// Whether a material is stronger than solids are.
+    #[must_use]
+    pub fn of_material(material: &Material) -> Option<Doubt> {
+        let yield_strength_pa = material.yield_strength_pa()?;
+        let bound_pa = material.pair.yielding_body().youngs_modulus_pa() / MODULUS_OVER_IDEAL_STRENGTH;
+        (yield_strength_pa > bound_pa).then_some(Doubt::StrongerThanSolids { yield_strength_pa, bound_pa })
+    }
+
+    /// Whether loads press harder than the hardness \[Pa\], where there is one.
+    #[must_use]
+    pub fn of_loads(loads: &[Load], hardness_pa: Option<f64>) -> Option<Doubt> {
+        let pressures = loads.iter().map(|load| (load.nominal_pressure, Some(load.label.as_str())));
+        Self::of_pressures(pressures, hardness_pa)
+    }
+
+    /// The same of nominal pressures, which may have labels.
+    #[must_use]
+    pub fn of_pressures<'l>(
+        pressures: impl Iterator<Item = (NominalPressure, Option<&'l str>)>,
+        hardness_pa: Option<f64>,
+    ) -> Option<Doubt> {
+        let hardness_pa = hardness_pa?;
+        let mut above = 0;
+        let mut highest: Option<(NominalPressure, Option<&str>)> = None;
+        for (pressure, label) in pressures.filter(|(pressure, _)| pressure.pa() > hardness_pa) {
+            above += 1;
+            if highest.is_none_or(|(highest, _)| pressure > highest) {
+                highest = Some((pressure, label));
+            }
+        }
+        highest.map(|(pressure, label)| Doubt::NominalAboveHardness {
+            load: label.map_or_else(|| pressure.label(), str::to_owned),
+            pressure_pa: pressure.pa(),
+            hardness_pa,
+            others: above - 1,
+        })
+    }
+}

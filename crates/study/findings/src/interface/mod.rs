@@ -1,0 +1,7 @@
+//! Quantities of an interface besides its area, computed from the results of a scene's plan.
+
+mod states;
+mod table;
+
+pub use states::{InterfaceError, InterfaceStates, Pressed};
+pub use table::of_slots;

@@ -1,0 +1,341 @@
+//! The quantities of an interface, from the roughness, the bodies and the loads.
+
+use std::cell::OnceCell;
+
+use asperity::MaterialPair;
+use interface::OutOfBounds;
+use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
+use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness};
+use interface::friction::Sliding;
+use interface::leak::Constriction;
+use persson::corrections::Correction;
+use persson::sealing::{SealingLaw, Seen};
+use persson::separation::{LightLoads, Separation, SeparationKnot, SeparationLaw};
+use persson::{Roughness, constant_hardness};
+use spectrum::{AsperityParameters, Moments, Normalisation};
+
+use scene::Scene;
+use study::gap_law;
+use study::interface::{Adhesion, Asked, Quantity, Slot};
+use study::plan::{NominalPressure, Plan, Results};
+
+/// A value beyond what a quantity takes.
+pub type InterfaceError = OutOfBounds;
+
+/// What is pressed, and how hard.
+#[derive(Debug)]
+pub struct Pressed<'r> {
+    /// The results of a plan that has moments.
+    pub results: &'r Results,
+    /// How its moments are normalised.
+    pub normalisation: Normalisation,
+    /// The bodies.
+    pub pair: MaterialPair,
+    /// The hardness of the softer \[Pa\], where there is one.
+    pub hardness_pa: Option<f64>,
+    /// The loads.
+    pub pressures: Vec<NominalPressure>,
+}
+
+/// What is asked for of an interface, computed where it is looked at.
+#[derive(Debug)]
+pub struct InterfaceStates<'a> {
+    asked: &'a Asked,
+    pressed: Pressed<'a>,
+    /// Of the whole spectrum, by Parseval's theorem.
+    moments: Moments,
+    roughness: Roughness,
+    separation: SeparationLaw,
+    /// Of every load, once it is looked at.
+    separations: Vec<OnceCell<Separation>>,
+    sealing: Option<SealingLaw>,
+    constrictions: Vec<OnceCell<Option<Seen>>>,
+}
+
+/// Of the corrected forms of the theory the one that is nearest to boundary elements.
+const CORRECTION_OF_SEALS: Correction = Correction::AlgebraicNayak;
+
+impl<'a> InterfaceStates<'a> {
+    /// What is asked for of what is pressed, the results of this plan; `None` where its spectrum has no moments.
+    #[must_use]
+    pub fn of(asked: &'a Asked, plan: &Plan<'_>, pressed: Pressed<'a>) -> Option<Self> {
+        let results = pressed.results;
+        let (last, _) = results.moments.last()?;
+        let whole = by_parseval(last, pressed.normalisation);
+        let roughness = gap_law::roughness(plan, results, asked.band);
+        let modulus_pa = pressed.pair.composite_modulus_pa();
+        let knots = SeparationKnot::along(&roughness, modulus_pa);
+        let separation = SeparationLaw::new(&knots, modulus_pa, asked.energy_factor);
+        let sealing = asked.seal.map(|seal| {
+            let correction = Some(CORRECTION_OF_SEALS);
+            SealingLaw::new(&roughness, modulus_pa, asked.energy_factor, correction, seal.threshold)
+        });
+        let loads = pressed.pressures.len();
+        Some(InterfaceStates {
+            asked,
+            pressed,
+            moments: whole,
+            roughness,
+            separation,
+            separations: (0..loads).map(|_| OnceCell::new()).collect(),
+            sealing,
+            constrictions: (0..loads).map(|_| OnceCell::new()).collect(),
+        })
+    }
+
+    /// What a scene asks for, from its results; `None` where it asks for nothing.
+    #[must_use]
+    pub fn of_scene(scene: &'a Scene, results: &'a Results) -> Option<Self> {
+        let asked = scene.interface.as_ref()?;
+        let material = scene.material.as_ref()?;
+        let pressed = Pressed {
+            results,
+            normalisation: scene.needs.moments?,
+            pair: material.pair,
+            hardness_pa: material.hardness_pa(),
+            pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
+        };
+        Self::of(asked, &scene.plan(), pressed)
+    }
+
+    /// Everything that is asked for.
+    #[must_use]
+    pub fn slots(&self) -> Vec<Slot> {
+        let curves = self.pressed.results.curves.len();
+        self.asked.slots(self.pressed.pressures.len(), curves, self.pressed.hardness_pa.is_some())
+    }
+
+    /// The value of a slot; `None` where there is none: of a channel in a tight seal, of friction without an area.
+    ///
+    /// # Errors
+    /// [`InterfaceError`] for what leaves the range of magnitudes.
+    pub fn value(&self, slot: Slot) -> Result<Option<f64>, InterfaceError> {
+        match slot.load {
+            None => self.of_all_loads(slot.quantity),
+            Some(load) => self.under(load, slot),
+        }
+    }
+
+    /// The same with an area fraction in place of that of the slot's curve.
+    ///
+    /// # Errors
+    /// Those of [`value`](Self::value).
+    pub fn friction(
+        &self,
+        quantity: Quantity,
+        load: usize,
+        area_fraction: f64,
+    ) -> Result<Option<f64>, InterfaceError> {
+        let Some(shear_strength_pa) = self.asked.shear_strength_pa else { return Ok(None) };
+        let sliding = Sliding::new(shear_strength_pa, area_fraction, self.pressure_pa(load))?;
+        Ok(match quantity {
+            Quantity::FrictionStress => Some(sliding.friction_stress_pa()),
+            Quantity::FrictionCoefficient => Some(sliding.friction_coefficient()),
+            _ => None,
+        })
+    }
+
+    /// The spectrum as the theory takes it.
+    #[must_use]
+    pub fn roughness(&self) -> &Roughness {
+        &self.roughness
+    }
+
+    /// The law that light loads follow.
+    #[must_use]
+    pub fn light_loads(&self) -> Option<LightLoads> {
+        self.separation.light_loads()
+    }
+
+    /// Gap and stiffness under any nominal pressure > 0 \[Pa\].
+    #[must_use]
+    pub fn separation_under(&self, pressure_pa: f64) -> Separation {
+        self.separation.whole(pressure_pa)
+    }
+
+    /// The rms height \[m\] of the whole spectrum.
+    #[must_use]
+    pub fn rms_height_m(&self) -> f64 {
+        self.moments.rms_height_m()
+    }
+
+    /// The mean absolute slope of profiles, sqrt(2/pi) of the rms slope, at the shortest wavelength.
+    ///
+    /// # Errors
+    /// [`InterfaceError`] for what leaves the range of magnitudes.
+    pub fn mean_absolute_slope(&self) -> Result<f64, InterfaceError> {
+        Ok(self.surface()?.mean_absolute_slope())
+    }
+
+    /// The share of the contact that has flowed under a load by the theory with a constant hardness; `None` without one.
+    #[must_use]
+    pub fn plastic_share(&self, load: usize) -> Option<f64> {
+        let hardness_pa = self.pressed.hardness_pa?;
+        let last = self.roughness.places().last()?;
+        let deviation_pa = last.variance_pa2(self.modulus_pa()).sqrt();
+        let areas = constant_hardness::areas(self.pressure_pa(load), deviation_pa, hardness_pa);
+        Some(areas.plastic / areas.contact())
+    }
+
+    /// Where P/H lies outside the range of the correlations for flowed peaks.
+    ///
+    /// # Errors
+    /// [`InterfaceError`] for what leaves the range of magnitudes.
+    pub fn pressure_ratio(&self, load: usize) -> Result<Option<PressureRatio>, InterfaceError> {
+        let of = |hardness_pa| PressureRatio::new(self.pressure_pa(load), hardness_pa);
+        self.pressed.hardness_pa.map(of).transpose()
+    }
+
+    /// What is asked for.
+    #[must_use]
+    pub fn asked(&self) -> &Asked {
+        self.asked
+    }
+
+    /// What is pressed.
+    #[must_use]
+    pub fn pressed(&self) -> &Pressed<'a> {
+        &self.pressed
+    }
+
+    fn of_all_loads(&self, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
+        match (quantity, &self.asked.adhesion) {
+            (Quantity::TightPressure, _) => Ok(self.sealing.as_ref().map(SealingLaw::tight_pressure_pa)),
+            (Quantity::FullerTabor, Some(adhesion)) => self.fuller_tabor(adhesion),
+            (Quantity::PastewkaRobbins, Some(adhesion)) => self.pastewka_robbins(adhesion),
+            _ => Ok(None),
+        }
+    }
+
+    fn fuller_tabor(&self, adhesion: &Adhesion) -> Result<Option<f64>, InterfaceError> {
+        let Some(summits) = AsperityParameters::from_moments(&self.moments) else { return Ok(None) };
+        let AsperityParameters { sigma_s_m, radius_m, .. } = summits;
+        let parameter = FullerTabor::new(self.modulus_pa(), sigma_s_m, radius_m, adhesion.work_j_per_m2)?;
+        Ok(Some(parameter.theta()))
+    }
+
+    fn pastewka_robbins(&self, adhesion: &Adhesion) -> Result<Option<f64>, InterfaceError> {
+        let Some(range_m) = adhesion.range_m else { return Ok(None) };
+        let contact = StickyContact {
+            rms_gradient: self.moments.rms_gradient(),
+            rms_laplacian_per_m: (8.0 / 3.0 * self.moments.m4_per_m2).sqrt(),
+            contact_modulus_pa: self.modulus_pa(),
+            work_of_adhesion_j_per_m2: adhesion.work_j_per_m2,
+            range_m,
+            kappa: PastewkaRobbins::USUAL_KAPPA,
+        };
+        Ok(Some(PastewkaRobbins::new(&contact)?.left_side()))
+    }
+
+    fn under(&self, load: usize, slot: Slot) -> Result<Option<f64>, InterfaceError> {
+        match slot.quantity {
+            Quantity::MeanGap => Ok(Some(self.separation(load).mean_gap_m).filter(|gap_m| *gap_m > 0.0)),
+            Quantity::Stiffness => Ok(self.stiffness_pa_per_m(load)),
+            Quantity::ThermalConductance | Quantity::ThermalResistance => self.heat(load, slot.quantity),
+            Quantity::YovanovichConductance => self.flowed(load, PlasticCorrelation::Yovanovich),
+            Quantity::CooperMikicYovanovichConductance => {
+                self.flowed(load, PlasticCorrelation::CooperMikicYovanovich)
+            }
+            Quantity::ElectricalConductance | Quantity::ElectricalResistance => {
+                self.current(load, slot.quantity)
+            }
+            Quantity::ChannelWavelength => Ok(self.constriction(load).map(|seen| seen.wavelength_m())),
+            Quantity::ChannelHeight => Ok(self.constriction(load).and_then(|seen| seen.opening_gap_m)),
+            Quantity::LeakRate => self.leak(load),
+            Quantity::FrictionStress | Quantity::FrictionCoefficient => {
+                let area = slot.curve.and_then(|curve| {
+                    let curve = self.pressed.results.curves.get(curve)?;
+                    curve.area_fractions(load).last().map(|(_, area_fraction)| *area_fraction)
+                });
+                area.map_or(Ok(None), |area_fraction| self.friction(slot.quantity, load, area_fraction))
+            }
+            Quantity::TightPressure | Quantity::FullerTabor | Quantity::PastewkaRobbins => {
+                self.of_all_loads(slot.quantity)
+            }
+        }
+    }
+
+    fn heat(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
+        let (Some(conductivities), Some(stiffness)) =
+            (&self.asked.conductivities, self.relative_stiffness(load)?)
+        else {
+            return Ok(None);
+        };
+        if quantity == Quantity::ThermalConductance {
+            return Ok(Some(stiffness.thermal_conductance_w_per_m2_k(conductivities)));
+        }
+        let spot =
+            self.asked.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
+        Ok(spot.map(|spot| spot.thermal_resistance_k_per_w(conductivities)))
+    }
+
+    fn current(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
+        let (Some(resistivities), Some(stiffness)) =
+            (&self.asked.resistivities, self.relative_stiffness(load)?)
+        else {
+            return Ok(None);
+        };
+        if quantity == Quantity::ElectricalConductance {
+            return Ok(Some(stiffness.electrical_conductance_s_per_m2(resistivities)));
+        }
+        let spot =
+            self.asked.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
+        Ok(spot.map(|spot| spot.electrical_resistance_ohm(resistivities)))
+    }
+
+    fn flowed(&self, load: usize, correlation: PlasticCorrelation) -> Result<Option<f64>, InterfaceError> {
+        let (Some(conductivities), Some(ratio)) = (&self.asked.conductivities, self.pressure_ratio(load)?)
+        else {
+            return Ok(None);
+        };
+        Ok(Some(correlation.conductance_w_per_m2_k(conductivities, &self.surface()?, ratio)))
+    }
+
+    fn leak(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
+        let joint = self.asked.seal.and_then(|seal| seal.joint);
+        let height_m = self.constriction(load).and_then(|seen| seen.opening_gap_m);
+        let (Some(joint), Some(height_m)) = (joint, height_m) else { return Ok(None) };
+        Ok(Some(joint.leak_rate(Constriction::new(height_m)?).m3_per_s()))
+    }
+
+    fn surface(&self) -> Result<CutSurface, InterfaceError> {
+        CutSurface::of_rms_slope(self.moments.rms_height_m(), self.moments.rms_slope())
+    }
+
+    fn relative_stiffness(&self, load: usize) -> Result<Option<RelativeStiffness>, InterfaceError> {
+        let of = |stiffness| RelativeStiffness::new(stiffness, self.modulus_pa());
+        self.stiffness_pa_per_m(load).map(of).transpose()
+    }
+
+    fn stiffness_pa_per_m(&self, load: usize) -> Option<f64> {
+        Some(self.separation(load).stiffness_pa_per_m).filter(|stiffness| stiffness.is_finite())
+    }
+
+    fn separation(&self, load: usize) -> Separation {
+        *self.separations[load].get_or_init(|| self.separation.whole(self.pressure_pa(load)))
+    }
+
+    fn constriction(&self, load: usize) -> Option<Seen> {
+        let find = || self.sealing.as_ref()?.critical_constriction(self.pressure_pa(load));
+        *self.constrictions[load].get_or_init(find)
+    }
+
+    fn pressure_pa(&self, load: usize) -> f64 {
+        self.pressed.pressures[load].pa()
+    }
+
+    fn modulus_pa(&self) -> f64 {
+        self.pressed.pair.composite_modulus_pa()
+    }
+}
+
+/// Moments in the normalisation of Parseval's theorem.
+fn by_parseval(moments: &Moments, normalisation: Normalisation) -> Moments {
+    let factor = Normalisation::Parseval.factor() / normalisation.factor();
+    Moments {
+        m0_m2: factor * moments.m0_m2,
+        m2: factor * moments.m2,
+        m4_per_m2: factor * moments.m4_per_m2,
+        ..*moments
+    }
+}

@@ -1,0 +1,124 @@
+//! The choices that the models leave open, made another way than a scene has them.
+
+use std::num::NonZeroU32;
+
+use asperity::{Hardness, NixGao};
+use spectrum::{AmplitudeDefinition, Normalisation};
+use stat_contact::InterferenceLaw;
+use units::display::pressure;
+
+use scene::Scene;
+use study::choices_in_words;
+use study::plan::CurveModel;
+
+/// Densities of the spectrum that are tried, in scales per decade.
+const SCALES_PER_DECADE: [u32; 3] = [5, 10, 20];
+
+/// An option of the models, set another way than the scene has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Variation {
+    Normalisation(Normalisation),
+    Amplitude(AmplitudeDefinition),
+    ScalesPerDecade(NonZeroU32),
+    Hardness(Hardness),
+    Interference(InterferenceLaw),
+    StrengthCap(Option<f64>),
+}
+
+/// Every other way that choices of a scene may be made.
+pub(super) fn variations(scene: &Scene) -> Vec<Variation> {
+    let needs = &scene.needs;
+    let mut variations = Vec::new();
+    let other = |normalisation| needs.moments.is_some_and(|own| own != normalisation);
+    variations.extend(
+        Normalisation::ALL.iter().filter(|way| other(**way)).map(|way| Variation::Normalisation(*way)),
+    );
+    let other = |definition| needs.amplitudes.is_some_and(|own| own != definition);
+    variations.extend(
+        AmplitudeDefinition::ALL.iter().filter(|way| other(**way)).map(|way| Variation::Amplitude(*way)),
+    );
+    let densities = SCALES_PER_DECADE.into_iter().filter_map(NonZeroU32::new);
+    variations.extend(
+        densities
+            .filter(|density| scene.sampling.scales_per_decade != Some(*density))
+            .map(Variation::ScalesPerDecade),
+    );
+    variations.extend(Hardness::ALL.map(Variation::Hardness));
+    variations.extend(InterferenceLaw::ALL.iter().copied().map(Variation::Interference));
+    let usual_cap_pa =
+        scene.material.map(|material| material.pair.yielding_body().youngs_modulus_pa() / 10.0);
+    variations.extend([Variation::StrengthCap(None), Variation::StrengthCap(usual_cap_pa)]);
+    variations
+}
+
+impl Variation {
+    /// What is chosen, for people and tables.
+    pub fn choice(&self) -> &'static str {
+        match self {
+            Variation::Normalisation(_) => "normalisation of moments",
+            Variation::Amplitude(_) => "amplitude of a scale",
+            Variation::ScalesPerDecade(_) => "scales per decade",
+            Variation::Hardness(_) => "hardness of spheres",
+            Variation::Interference(_) => "interference law of sinusoids",
+            Variation::StrengthCap(_) => "cap of the strength",
+        }
+    }
+
+    /// The way it is made, for people and tables.
+    pub fn setting(&self) -> String {
+        match self {
+            Variation::Normalisation(normalisation) => normalisation.to_string(),
+            Variation::Amplitude(definition) => definition.to_string(),
+            Variation::ScalesPerDecade(density) => density.to_string(),
+            Variation::Hardness(hardness) => hardness.name().to_owned(),
+            Variation::Interference(interference) => interference.to_string(),
+            Variation::StrengthCap(None) => "none".to_owned(),
+            Variation::StrengthCap(Some(cap_pa)) => format!("E/10 = {}", pressure(*cap_pa)),
+        }
+    }
+
+    /// The way it is made, as papers and people call it.
+    pub fn in_words(&self) -> String {
+        match self {
+            Variation::Normalisation(choice) => choices_in_words::normalisation(*choice).to_owned(),
+            Variation::Amplitude(choice) => choices_in_words::amplitude(*choice).to_owned(),
+            Variation::Hardness(choice) => choices_in_words::hardness(*choice).to_owned(),
+            Variation::Interference(choice) => choices_in_words::interference(*choice).to_owned(),
+            Variation::ScalesPerDecade(_) | Variation::StrengthCap(_) => self.setting(),
+        }
+    }
+
+    /// The model with the choice made this way; `None` where that is its own way, or no choice of its.
+    pub fn of(&self, model: &CurveModel) -> Option<CurveModel> {
+        let statistical = matches!(model, CurveModel::Statistical { .. });
+        let varied = match (*self, *model) {
+            (Variation::Normalisation(_), _) if statistical => return Some(*model),
+            (Variation::Amplitude(_), _) if model.needs_amplitudes() => return Some(*model),
+            (Variation::ScalesPerDecade(_), _) => return Some(*model),
+            (Variation::Hardness(hardness), model) => model.with_hardness(hardness)?,
+            (Variation::Interference(interference), model) => model.with_interference(interference)?,
+            (Variation::StrengthCap(cap_pa), model) => with_cap(model, cap_pa)?,
+            _ => return None,
+        };
+        (varied != *model).then_some(varied)
+    }
+
+    /// Whether the spectrum, its moments and amplitudes stay as they are.
+    pub fn is_of_a_law(&self) -> bool {
+        match self {
+            Variation::Hardness(_) | Variation::Interference(_) | Variation::StrengthCap(_) => true,
+            Variation::Normalisation(_) | Variation::Amplitude(_) | Variation::ScalesPerDecade(_) => false,
+        }
+    }
+}
+
+/// The model with its strength capped, or not; `None` where its strength does not grow.
+fn with_cap(model: CurveModel, cap_pa: Option<f64>) -> Option<CurveModel> {
+    let strength = model.strength()?;
+    let length_m = strength.strain_gradient_length_m()?;
+    let plain =
+        NixGao::constant(strength.macroscopic_strength_pa()).and_then(|s| s.with_strain_gradient(length_m));
+    // A cap below the strength itself is none of this body's.
+    let capped = cap_pa.map_or(plain, |cap_pa| plain.and_then(|plain| plain.with_cap(cap_pa))).ok()?;
+    model.with_strength(capped)
+}

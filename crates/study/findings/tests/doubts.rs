@@ -1,0 +1,74 @@
+//! What physics says against scenes and what they end in; the answer and its doubts as data for others.
+
+use findings::answer::Answer;
+use findings::doubts::Doubt;
+use scene::{Overrides, Scene};
+use study::NoFiles;
+
+fn scene(sections: &str) -> Scene {
+    let text = format!(
+        "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
+         yield_strength = \"1 GPa\"\n{sections}"
+    );
+    Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap()
+}
+
+#[test]
+fn an_answer_and_its_doubts_serialise() {
+    let scene = scene(
+        "[loads]\npressures = [\"1 MPa\", \"1 H\"]\n[[curve]]\nmodel = \"hertz\"\n[[curve]]\nmodel = \"elastic\"\n",
+    );
+    let results = scene.plan().compute().unwrap();
+    let answer = Answer::of(&scene, &results);
+    let found = Doubt::of_scene(&scene, &answer);
+    let all = serde_json::json!({ "answer": answer, "doubts": found });
+    let area = results.curves[1].area_fractions(0).last().map(|(_, area_fraction)| *area_fraction);
+    assert_eq!(all["answer"]["curves"][1][0]["area_fraction"].as_f64(), area);
+    assert!(!found.is_empty());
+    assert_eq!(all["doubts"].as_array().map(Vec::len), Some(found.len()));
+}
+
+fn doubts(sections: &str) -> Vec<Doubt> {
+    let scene = scene(sections);
+    let results = scene.plan().compute().unwrap();
+    Doubt::of_scene(&scene, &Answer::of(&scene, &results))
+}
+
+#[test]
+fn f_a_19_pressures_above_what_the_body_bears_are_doubted_with_their_places() {
+    let found = doubts("[loads]\npressures = [\"1 MPa\", \"2 H\", \"4 H\"]\n[[curve]]\nmodel = \"hertz\"\n");
+    let [Doubt::NominalAboveHardness { load, others: 1, .. }, Doubt::RealAboveHardness { highest, .. }, ..] =
+        &found[..]
+    else {
+        panic!("{found:?}")
+    };
+    assert_eq!((load.as_str(), highest.curve.as_str(), highest.load.as_str()), ("4 H", "hertz", "4 H"));
+    assert!(
+        matches!(&found[2..], [Doubt::RealAboveThirdModulus { bound_pa, .. }] if *bound_pa < 210e9 / 2.0)
+    );
+}
+
+#[test]
+fn f_a_19_a_spectrum_in_the_wrong_unit_and_a_body_too_strong_are_doubted() {
+    let file = "wavelength_m,C1D_m3\n1e-4,1e-7\n1e-5,1e-9\n1e-6,1e-11\n";
+    let files = std::collections::BTreeMap::from([("psd.csv".to_owned(), file.as_bytes().to_vec())]);
+    let text = "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
+                yield_strength = \"30 GPa\"\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n";
+    let scene = Scene::parse(text, &files, &Overrides::default()).unwrap();
+    let found = Doubt::of_spectrum(&scene.surface.psd);
+    assert!(matches!(found[..], [Doubt::SteepSurface { rms_slope }, Doubt::SteepScale { aspect_ratio, .. }]
+        if rms_slope > 1e3 && aspect_ratio > 1e3));
+    let material = scene.material.as_ref().and_then(Doubt::of_material);
+    assert_eq!(material, Some(Doubt::StrongerThanSolids { yield_strength_pa: 30e9, bound_pa: 21e9 }));
+}
+
+#[test]
+fn f_a_19_nothing_is_doubted_where_physics_has_nothing_against_it() {
+    assert_eq!(
+        doubts(
+            "[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic-plastic\"\n\
+                       [cutoffs]\nshortest_wavelength = \"20 um\"\n"
+        ),
+        []
+    );
+}

@@ -1,0 +1,140 @@
+//! What a scene asks of its interface, against the crates that compute it.
+
+use std::collections::BTreeMap;
+
+use findings::interface::InterfaceStates;
+use scene::{Overrides, Scene};
+use study::interface::{Quantity, Slot};
+use study::plan::Results;
+
+/// A roll-off at 30 um, and waves down to 0.3 um.
+fn psd() -> String {
+    let row = |at: i32| {
+        let wavelength_m = 10f64.powf(-4.0 - 0.05 * f64::from(at));
+        let c1d_m3 = 1e-18 * (wavelength_m / 3e-5).min(1.0).powf(2.6);
+        format!("{wavelength_m:e},{c1d_m3:e}\n")
+    };
+    std::iter::once("wavelength_m,C1D_m3\n".to_owned()).chain((0..=50).map(row)).collect()
+}
+
+const TEXT: &str = r#"
+surface = { psd = "psd.csv" }
+loads = { force = "1 kN", nominal_area = "10 cm^2" }
+[material]
+youngs_modulus = "100 GPa"
+poisson_ratio = 0.3
+indentation_hardness = "2 GPa"
+thermal_conductivity = "20 W/(m K)"
+resistivity = "1e-7 ohm m"
+[counterface]
+thermal_conductivity = "20 W/(m K)"
+resistivity = "3e-7 ohm m"
+[[curve]]
+model = "persson"
+"#;
+
+fn parsed(text: &str) -> Result<Scene, String> {
+    let files = BTreeMap::from([("psd.csv".to_owned(), psd().into_bytes())]);
+    Scene::parse(text, &files, &Overrides::default()).map_err(|error| error.to_string())
+}
+
+fn carried_out(text: &str) -> (Scene, Results) {
+    let scene = parsed(text).unwrap();
+    let results = scene.plan().compute().unwrap();
+    (scene, results)
+}
+
+fn under_the_load(states: &InterfaceStates<'_>, quantity: Quantity) -> Option<f64> {
+    states.value(Slot { quantity, load: Some(0), curve: None }).unwrap()
+}
+
+#[test]
+fn heat_and_current_follow_the_stiffness() {
+    let (scene, results) = carried_out(TEXT);
+    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let value = |quantity| under_the_load(&states, quantity).unwrap();
+    let stiffness = value(Quantity::Stiffness);
+    let found = states.separation_under(1e6);
+    assert_eq!((stiffness, value(Quantity::MeanGap)), (found.stiffness_pa_per_m, found.mean_gap_m));
+    // Barber (2003): h = k_s K/E*, G = 2 K/(E* (rho1 + rho2)), over an area of 1e-3 m^2.
+    let relative_per_m = stiffness / (100e9 / 0.91);
+    for (quantity, expected) in [
+        (Quantity::ThermalConductance, 20.0 * relative_per_m),
+        (Quantity::ThermalResistance, 1.0 / (20.0 * relative_per_m * 1e-3)),
+        (Quantity::ElectricalConductance, 2.0 * relative_per_m / 4e-7),
+        (Quantity::ElectricalResistance, 4e-7 / (2.0 * relative_per_m * 1e-3)),
+    ] {
+        assert!((value(quantity) / expected - 1.0).abs() < 1e-12, "{quantity:?}");
+    }
+    let (moments, _) = results.moments.last().unwrap();
+    let slope_per_m = (2.0 / std::f64::consts::PI).sqrt() * moments.rms_slope() / moments.rms_height_m();
+    let yovanovich = 1.25 * 20.0 * slope_per_m * (1e6f64 / 2e9).powf(0.95);
+    assert!((value(Quantity::YovanovichConductance) / yovanovich - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_seal_has_a_channel_until_it_is_tight() {
+    let (scene, results) = carried_out(&format!(
+        "{TEXT}[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nbreadth = \"10 cm\"\nlength = \"1 mm\"\n"
+    ));
+    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
+    let tight_pa = states.value(tight).unwrap().unwrap();
+    assert!(tight_pa > 1e6, "{tight_pa}");
+    let height_m = under_the_load(&states, Quantity::ChannelHeight).unwrap();
+    let rate = 100.0 * height_m.powi(3) * 1e5 / (12.0 * 1e-3);
+    assert!((under_the_load(&states, Quantity::LeakRate).unwrap() / rate - 1.0).abs() < 1e-12);
+
+    let pressed = TEXT.replace("force = \"1 kN\", nominal_area = \"10 cm^2\"", "pressures = [\"50 GPa\"]");
+    let (scene, results) = carried_out(&format!("{pressed}[seal]\n"));
+    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    assert!(states.value(tight).unwrap().unwrap() < 50e9);
+    assert_eq!(under_the_load(&states, Quantity::ChannelWavelength), None);
+}
+
+#[test]
+fn friction_is_strength_times_area_and_adhesion_needs_its_keys() {
+    let (scene, results) = carried_out(&format!(
+        "{TEXT}[interface]\nshear_strength = \"1 GPa\"\nwork_of_adhesion = \"50 mJ/m^2\"\n"
+    ));
+    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let (_, area_fraction) = *results.curves[0].area_fractions(0).last().unwrap();
+    let friction = states
+        .value(Slot { quantity: Quantity::FrictionStress, load: Some(0), curve: Some(0) })
+        .unwrap()
+        .unwrap();
+    assert!((friction / (1e9 * area_fraction) - 1.0).abs() < 1e-14);
+    let quantities: Vec<Quantity> = states.slots().iter().map(|slot| slot.quantity).collect();
+    assert!(quantities.contains(&Quantity::FullerTabor) && !quantities.contains(&Quantity::PastewkaRobbins));
+}
+
+#[test]
+fn what_was_not_asked_for_is_not_there() {
+    let plain = TEXT.replace(
+        "thermal_conductivity = \"20 W/(m K)\"\nresistivity = \"3e-7 ohm m\"\n",
+        "youngs_modulus = \"100 GPa\"\npoisson_ratio = 0.3\n",
+    );
+    let (scene, results) = carried_out(&plain);
+    assert!(scene.interface.is_none() && InterfaceStates::of_scene(&scene, &results).is_none());
+    let (scene, results) = carried_out(&format!("{plain}[interface]\n"));
+    let slots = InterfaceStates::of_scene(&scene, &results).unwrap().slots();
+    let quantities: Vec<Quantity> = slots.iter().map(|slot| slot.quantity).collect();
+    assert_eq!(quantities, [Quantity::MeanGap, Quantity::Stiffness]);
+}
+
+#[test]
+fn wrong_keys_are_refused_with_the_mend() {
+    for (more, expected) in [
+        ("[interface]\ngamma = 2.0\n", "interface.gamma"),
+        ("[interface]\nrange_of_attraction = \"1 nm\"\n", "work_of_adhesion"),
+        ("[interface]\nshear_strength = \"-1 GPa\"\n", "interface.shear_strength"),
+        ("[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nlength = \"1 mm\"\n", "all four"),
+        ("[seal]\npercolation_threshold = 1.5\n", "seal.percolation_threshold"),
+        ("[seal]\nviscosity = \"1 Pa\"\n", "viscosity"),
+    ] {
+        let message = parsed(&format!("{TEXT}{more}")).unwrap_err();
+        assert!(message.contains(expected), "{more}: {message}");
+    }
+    let negative = TEXT.replace("resistivity = \"1e-7 ohm m\"", "resistivity = \"-1e-7 ohm m\"");
+    assert!(parsed(&negative).unwrap_err().contains("material.resistivity"));
+}

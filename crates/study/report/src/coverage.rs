@@ -1,0 +1,77 @@
+//! Coverage intervals, on figures of areas.
+
+use scene::Scene;
+use study::figure::{Band, BandKind, Figure, FigureData, Mark, Shows};
+use uncertainty::{AreaBand, AreaInterval, Uncertainty};
+use units::display::three_digits;
+
+/// A figure with the intervals of the areas that it shows: bands behind the lines against the cutoff, and bars at the loads of
+/// the scene on lines against the load that end at the shortest wavelength. Its lines have the curves' own names.
+pub(crate) fn with_intervals(
+    data: FigureData,
+    figure: &Figure,
+    scene: &Scene,
+    uncertainty: &Uncertainty,
+) -> FigureData {
+    let label = format!("{} coverage interval", level(uncertainty));
+    match data.shows {
+        Shows::Area => {
+            let bands = uncertainty.bands.iter().filter_map(|area| band(&data, scene, &label, area));
+            let intervals: Vec<Band> = bands.collect();
+            FigureData { bands: data.bands.into_iter().chain(intervals).collect(), ..data }
+        }
+        Shows::AreaAgainstLoad => {
+            let marks = bars(&data, figure, scene, &label, uncertainty);
+            FigureData { marks: data.marks.into_iter().chain(marks).collect(), ..data }
+        }
+        Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => data,
+    }
+}
+
+/// `95 %`, the probability that intervals cover.
+pub(crate) fn level(uncertainty: &Uncertainty) -> String {
+    format!("{} %", three_digits(100.0 * uncertainty.settings.level))
+}
+
+/// The band of a line that the figure shows.
+fn band(data: &FigureData, scene: &Scene, label: &str, area: &AreaBand) -> Option<Band> {
+    let name = &scene.needs.curves.get(area.curve)?.name;
+    // Of an area against cutoff the colour is the load.
+    let line = data.series.iter().find(|line| line.curve == *name && line.colour == area.load)?;
+    let points = area.points.iter().map(|point| (point.wavelength_m, [point.low, point.high]));
+    Some(Band {
+        label: label.to_owned(),
+        kind: BandKind::Interval,
+        colour: line.colour,
+        dash: line.dash,
+        points: points.collect(),
+    })
+}
+
+/// The intervals at the scene's loads, on the lines whose asperities are those of the whole spectrum.
+fn bars(
+    data: &FigureData,
+    figure: &Figure,
+    scene: &Scene,
+    label: &str,
+    uncertainty: &Uncertainty,
+) -> Vec<Mark> {
+    let ends = figure.sweeps.iter().zip(&data.series).filter_map(|(&sweep, line)| {
+        let sweep = scene.needs.sweeps.get(sweep)?;
+        (sweep.cutoff_multiple == 1.0).then_some((sweep.curve, line.colour))
+    });
+    let bar = |area: &AreaInterval, colour: usize| Mark {
+        label: label.to_owned(),
+        is_ring: false,
+        colour,
+        x: scene.needs.loads[area.load].nominal_pressure_pa(),
+        y: area.area_fraction,
+        low: area.low,
+        high: area.high,
+    };
+    ends.flat_map(|(curve, colour)| {
+        uncertainty.areas.iter().filter(move |area| area.curve == curve).map(move |area| bar(area, colour))
+    })
+    .filter(|mark| mark.low > 0.0)
+    .collect()
+}

@@ -1,0 +1,84 @@
+//! The names of curves in print: their models in full, as the field calls them.
+
+use stat_contact::InterferenceLaw;
+
+use study::choices_in_words;
+use study::figure::{FigureData, Shows};
+use study::models::CurveModel;
+use study::plan::Curve;
+
+/// The name of a curve in print: that of its model, behind its own where the user gave it one.
+#[must_use]
+pub fn in_full(curve: &Curve) -> String {
+    let (key, full) = (key(&curve.model), model_in_full(&curve.model));
+    if curve.name == key { full } else { format!("{}, {full}", curve.name) }
+}
+
+/// A figure of areas whose legend has the curves' names in full.
+#[must_use]
+pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
+    if !matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
+        return figure;
+    }
+    let mut figure = figure;
+    for series in &mut figure.series {
+        if let Some(curve) = curves.iter().find(|curve| curve.name == series.curve) {
+            series.curve = in_full(curve);
+        }
+    }
+    figure
+}
+
+/// The model's full name, and what of its choices sets it apart from the plain one.
+fn model_in_full(model: &CurveModel) -> String {
+    let mut name = model.entry().full_name.to_owned();
+    if grows(model) {
+        name.push_str(", strain gradient");
+    }
+    if let Some(law) = other_interference(model) {
+        name.push_str(&format!(", {}", choices_in_words::interference(law)));
+    }
+    name
+}
+
+/// The name that a scene gives a curve of this model where the user gives it none.
+fn key(model: &CurveModel) -> String {
+    model.entry().curve_name(grows(model), other_interference(model))
+}
+
+/// Whether the strength grows at small depths.
+fn grows(model: &CurveModel) -> bool {
+    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+}
+
+/// The interference law of elastic sinusoids, where it is not the usual one.
+fn other_interference(model: &CurveModel) -> Option<InterferenceLaw> {
+    model.interference().filter(|law| *law != InterferenceLaw::default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scene::{Scene, Template};
+
+    #[test]
+    fn a_curve_is_called_by_its_model_and_by_its_own_name_where_it_has_one() {
+        let scene = Scene::builtin(Template::UncdMeasured).unwrap();
+        let mut curves = scene.needs.curves.clone();
+        let gradient = curves.iter().find(|curve| curve.name == "ep-sphere-strain-gradient").unwrap();
+        assert_eq!(in_full(gradient), "GW, elastic-plastic spheres (Jackson-Green), strain gradient");
+        let hertz = curves.iter_mut().find(|curve| curve.name == "hertz").unwrap();
+        assert_eq!(in_full(hertz), "Greenwood-Williamson (Hertz)");
+        hertz.name = "ring".to_owned();
+        assert_eq!(in_full(hertz), "ring, Greenwood-Williamson (Hertz)");
+    }
+
+    #[test]
+    fn no_two_curves_of_a_scene_share_a_name_in_print() {
+        let scene = Scene::builtin(Template::UncdReconstructed).unwrap();
+        let mut names: Vec<String> = scene.needs.curves.iter().map(in_full).collect();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), scene.needs.curves.len());
+    }
+}

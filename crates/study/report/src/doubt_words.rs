@@ -1,0 +1,57 @@
+//! What is doubtful, in a short line each.
+
+use findings::doubts::Doubt;
+use units::display::{length, pressure, three_digits};
+
+/// A doubt in a line, without a full stop.
+#[must_use]
+pub fn line(doubt: &Doubt) -> String {
+    match doubt {
+        Doubt::SteepSurface { rms_slope } => format!(
+            "the rms slope of the surface is {}, above 1: check the units of the spectrum",
+            three_digits(*rms_slope)
+        ),
+        Doubt::SteepScale { wavelength_m, aspect_ratio } => format!(
+            "the scale at {} is {} times as high as it is long",
+            length(*wavelength_m),
+            three_digits(*aspect_ratio)
+        ),
+        Doubt::StrongerThanSolids { yield_strength_pa, bound_pa } => format!(
+            "the yield strength {} is above E/10 = {}, about the most that a solid bears",
+            pressure(*yield_strength_pa),
+            pressure(*bound_pa)
+        ),
+        Doubt::NominalAboveHardness { load, pressure_pa, hardness_pa, others } => format!(
+            "the load {load} is {} times the hardness H = {}: the body yields as a whole{}",
+            three_digits(pressure_pa / hardness_pa),
+            pressure(*hardness_pa),
+            and_more(*others, "load")
+        ),
+        Doubt::RealAboveHardness { highest, hardness_pa } => format!(
+            "{} at {} has a real pressure of {} H, above the hardness H = {}{}",
+            highest.curve,
+            highest.load,
+            three_digits(highest.pressure_pa / hardness_pa),
+            pressure(*hardness_pa),
+            and_more(highest.other_curves, "curve")
+        ),
+        Doubt::RealAboveThirdModulus { highest, bound_pa } => format!(
+            "{} at {} has a real pressure of {}, above E*/3 = {}: beyond linear elasticity{}",
+            highest.curve,
+            highest.load,
+            pressure(highest.pressure_pa),
+            pressure(*bound_pa),
+            and_more(highest.other_curves, "curve")
+        ),
+        // Further doubts are told by their data until they have words.
+        other => format!("{other:?}"),
+    }
+}
+
+fn and_more(others: usize, what: &str) -> String {
+    match others {
+        0 => String::new(),
+        1 => format!(" (and 1 more {what})"),
+        _ => format!(" (and {others} more {what}s)"),
+    }
+}

@@ -1,0 +1,69 @@
+//! The mean gap against load, as a figure.
+
+use findings::interface::InterfaceStates;
+use scene::Scene;
+use study::figure::{Axis, FigureData, Mark, Series, Shows};
+use study::interface::{Quantity, Slot};
+use uncertainty::Uncertainty;
+use units::log_spaced;
+
+const POINTS: u32 = 61;
+
+/// Decades that the figure shows below the lightest and above the heaviest load.
+const BESIDE: f64 = 10.0;
+
+const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
+
+/// The gap of the whole theory and that of light loads, with the loads of the scene; `None` where there is no gap.
+pub(crate) fn gap_against_load(
+    states: &InterfaceStates<'_>,
+    scene: &Scene,
+    uncertainty: Option<&Uncertainty>,
+) -> Option<FigureData> {
+    let light = states.light_loads()?;
+    let pressures = scene.needs.loads.iter().map(|load| load.nominal_pressure_pa());
+    let least_pa = pressures.clone().fold(f64::INFINITY, f64::min) / BESIDE;
+    let most_pa = pressures.fold(0.0, f64::max) * BESIDE;
+    let along: Vec<f64> = log_spaced(least_pa, most_pa, POINTS).collect();
+    // Where next to nothing is left of the gap, a logarithmic axis would show nothing else.
+    let least_m = 1e-3 * states.rms_height_m();
+    let line = |column: &str, dash: usize, gap_m: &dyn Fn(f64) -> f64| {
+        let points: Vec<(f64, f64)> = along
+            .iter()
+            .map(|&pressure_pa| (pressure_pa, gap_m(pressure_pa)))
+            .filter(|(_, gap_m)| *gap_m > least_m)
+            .collect();
+        Series {
+            curve: column.to_owned(),
+            condition: String::new(),
+            condition_in_full: String::new(),
+            dash,
+            ..Series::under(column, 0, points)
+        }
+    };
+    let whole = line("mean gap", 0, &|pressure_pa| states.separation_under(pressure_pa).mean_gap_m);
+    let law = line("law of light loads", 1, &|pressure_pa| {
+        light.decay_length_m * (light.reference_pressure_pa / pressure_pa).ln()
+    });
+    let mark = |load: usize| {
+        let slot = Slot { quantity: Quantity::MeanGap, load: Some(load), curve: None };
+        let y = states.value(slot).ok().flatten().filter(|gap_m| *gap_m > least_m)?;
+        let interval = uncertainty.and_then(|found| found.quantity(slot));
+        let [low, high] = interval.map_or([y, y], |interval| [interval.low, interval.high]);
+        let x = scene.needs.loads[load].nominal_pressure_pa();
+        let label = "loads of the scene".to_owned();
+        Some(Mark { label, is_ring: false, colour: 0, x, y, low: low.min(y), high: high.max(y) })
+    };
+    Some(FigureData {
+        name: "gap".to_owned(),
+        shows: Shows::AreaAgainstLoad,
+        title: "Mean gap against load".to_owned(),
+        x: PRESSURE,
+        x_label: PRESSURE.label.to_owned(),
+        y_label: "mean gap (m)",
+        series: [whole, law].into_iter().filter(|line| !line.points.is_empty()).collect(),
+        bands: Vec::new(),
+        gaps: Vec::new(),
+        marks: (0..scene.needs.loads.len()).filter_map(mark).collect(),
+    })
+}

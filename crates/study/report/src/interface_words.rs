@@ -1,0 +1,288 @@
+//! What the interface does besides touching, in plain words.
+
+use findings::interface::InterfaceStates;
+use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
+use persson::variance::Band;
+use scene::Scene;
+use study::interface::{Quantity, Seal, Slot};
+use uncertainty::Uncertainty;
+use units::display::{counted, length, pressure, three_digits};
+
+use crate::coverage::level;
+use crate::listing::listed;
+use crate::persson_words;
+
+/// What is nearer than this is in touch \[m\].
+const ATOM_M: f64 = 0.3e-9;
+
+/// More loads than this are left to the table.
+const LOADS_TOLD: usize = 3;
+
+/// `mean gap 2.31 um`, with its unit.
+pub(crate) fn value(quantity: Quantity, value: f64) -> String {
+    match quantity.unit() {
+        "m" => length(value),
+        "Pa" => pressure(value),
+        "" => three_digits(value),
+        unit => format!("{} {unit}", three_digits(value)),
+    }
+}
+
+/// `2.31 um (95 %: 2.1 um to 2.5 um)`.
+pub(crate) fn with_interval(slot: Slot, found: f64, uncertainty: Option<&Uncertainty>) -> String {
+    let interval = uncertainty.and_then(|found| Some(format!(" ({}: {})", level(found), ends(slot, found)?)));
+    value(slot.quantity, found) + &interval.unwrap_or_default()
+}
+
+/// `2.1 um to 2.5 um`, both ends of an interval; none where nothing that is uncertain moves it.
+pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
+    let found = uncertainty.quantity(slot).filter(|interval| interval.low < interval.high)?;
+    let unit = slot.quantity.unit();
+    Some(match unit {
+        "m" | "Pa" => {
+            format!("{} to {}", value(slot.quantity, found.low), value(slot.quantity, found.high))
+        }
+        _ => format!("{} to {} {unit}", three_digits(found.low), three_digits(found.high))
+            .trim_end()
+            .to_owned(),
+    })
+}
+
+/// What is told under a heading: names and values.
+pub(crate) struct Told {
+    /// Under which load.
+    pub heading: String,
+    /// Every quantity with its value.
+    pub lines: Vec<(String, String)>,
+}
+
+/// What is told of every load, of the first alone where there are many; what all of them share comes first.
+pub(crate) fn told(
+    states: &InterfaceStates<'_>,
+    scene: &Scene,
+    uncertainty: Option<&Uncertainty>,
+) -> Vec<Told> {
+    let slots = states.slots();
+    let line = |slot: &Slot| {
+        let found = states.value(*slot).ok().flatten()?;
+        let of_curve =
+            slot.curve.map_or_else(String::new, |curve| format!(", {}", scene.needs.curves[curve].name));
+        let name = format!("{}{of_curve}", slot.quantity.words());
+        Some((name, with_interval(*slot, found, uncertainty)))
+    };
+    let of = |load: Option<usize>| -> Vec<(String, String)> {
+        slots.iter().filter(|slot| slot.load == load).filter_map(line).collect()
+    };
+    let all = Told { heading: "What it means under any load".to_owned(), lines: of(None) };
+    let loads = &scene.needs.loads;
+    let of_load = |load: usize| {
+        let more = (load + 1 == LOADS_TOLD && loads.len() > LOADS_TOLD)
+            .then(|| format!(" ({} more in report-interface)", counted(loads.len() - LOADS_TOLD, "load")));
+        let tight = is_tight(states, &slots, load).then(|| {
+            let in_draws = uncertainty.and_then(|found| found.share_open(load)).filter(|share| *share > 0.0);
+            let in_draws = in_draws.map(|share| format!(", but in {} of the draws one is", percent(share)));
+            ("last channel".to_owned(), format!("none is open: tight{}", in_draws.unwrap_or_default()))
+        });
+        let heading = format!(
+            "What it means at {}, gap and stiffness by Persson’s elastic theory{}",
+            loads[load].label,
+            more.unwrap_or_default()
+        );
+        Told { heading, lines: of(Some(load)).into_iter().chain(tight).collect() }
+    };
+    let of_loads = (0..loads.len().min(LOADS_TOLD)).map(of_load);
+    Some(all).filter(|all| !all.lines.is_empty()).into_iter().chain(of_loads).collect()
+}
+
+fn percent(share: f64) -> String {
+    format!("{} %", three_digits((1000.0 * share).round() / 10.0))
+}
+
+fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {
+    let of_channel = |slot: &&Slot| slot.load == Some(load) && slot.quantity == Quantity::ChannelWavelength;
+    slots.iter().find(of_channel).is_some_and(|slot| matches!(states.value(*slot), Ok(None)))
+}
+
+/// What the numbers leave out or go beyond.
+pub(crate) fn notes(
+    states: &InterfaceStates<'_>,
+    scene: &Scene,
+    uncertainty: Option<&Uncertainty>,
+) -> Vec<String> {
+    let asked = states.asked();
+    let mut notes = of_the_gap(states, scene);
+    if asked.conductivities.is_some() || asked.resistivities.is_some() {
+        notes.push(format!(
+            "conductances take both bodies to be clean (films are not considered) and spots to be wider than the mean free path of \
+             what crosses them, about {} for electrons in a good metal",
+            length(ELECTRON_MEAN_FREE_PATH_M)
+        ));
+    }
+    if asked.conductivities.is_some() && scene.hardness_pa().is_some() {
+        notes.extend(of_flowed_peaks(states, scene));
+    }
+    if let Some(seal) = &asked.seal {
+        notes.extend(of_the_seal(states, scene, seal, uncertainty));
+    }
+    let softer_pa = scene.material.as_ref().and_then(|material| material.yield_strength_pa());
+    if let (Some(shear_pa), Some(yield_pa)) = (asked.shear_strength_pa, softer_pa)
+        && shear_pa > yield_pa / 3f64.sqrt()
+    {
+        notes.push(format!(
+            "the shear strength of {} is above that of the softer body itself, S₀/√3 = {}, which would shear instead",
+            pressure(shear_pa),
+            pressure(yield_pa / 3f64.sqrt())
+        ));
+    }
+    if asked.adhesion.is_some() {
+        notes.push(
+            "the parameters of adhesion are indicators at the shortest wavelength, and need not agree; no area follows from them"
+                .to_owned(),
+        );
+    }
+    notes
+}
+
+/// The labels of the loads that something holds for, each with what is told of it.
+fn loads_where(scene: &Scene, told: impl Fn(usize) -> Option<String>) -> Option<String> {
+    let label = |load: usize| Some(format!("{}{}", scene.needs.loads[load].label, told(load)?));
+    let labels: Vec<String> = (0..scene.needs.loads.len()).filter_map(label).collect();
+    (!labels.is_empty()).then(|| listed(&labels.iter().map(String::as_str).collect::<Vec<_>>()))
+}
+
+/// Nothing to tell beside the label.
+fn alone(holds: bool) -> Option<String> {
+    holds.then(String::new)
+}
+
+/// Where gap and stiffness say little: what flows, few asperities, less than an atom.
+fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
+    let loads = &scene.needs.loads;
+    let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
+    let light = states.light_loads();
+    let mut notes = light.map_or_else(Vec::new, |light| {
+        persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa)
+    });
+    if states.asked().band == Band::Profile {
+        notes.push(persson_words::by_profiles("interface.band = \"2d\""));
+    }
+    let plastic = loads_where(scene, |load| {
+        let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
+        Some(format!(" ({})", percent(share)))
+    });
+    notes.extend(plastic.map(|loads| {
+        format!(
+            "part of the contact has flowed at {loads}: gap, stiffness and what follows from them are those of the elastic theory, and \
+             say less the more has flowed"
+        )
+    }));
+    let below_atoms = loads_where(scene, |load| {
+        let slot = Slot { quantity: Quantity::MeanGap, load: Some(load), curve: None };
+        alone(states.value(slot).ok().flatten().is_none_or(|gap_m| gap_m < ATOM_M))
+    });
+    notes.extend(below_atoms.map(|loads| {
+        format!("at {loads} the mean gap is below the size of an atom, {}: read it as closed", length(ATOM_M))
+    }));
+    notes
+}
+
+/// At which cutoff the correlations for flowed peaks stand, and for which loads they were not made.
+fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
+    let slope = states.mean_absolute_slope().ok().map(|slope| {
+        format!(
+            "the correlations for flowed peaks take the mean absolute slope at {}, {}: it grows with every shorter wavelength, and \
+             so do they; Barber’s analogy does not",
+            length(states.pressed().results.psd.shortest_wavelength_m()),
+            three_digits(slope)
+        )
+    });
+    let outside = loads_where(scene, |load| {
+        let ratio = states.pressure_ratio(load).ok().flatten()?;
+        alone(!ratio.range().is_within())
+    });
+    let [least, most] = PressureRatio::FITTED;
+    let outside = outside.map(|loads| {
+        format!(
+            "at {loads} the pressure over the hardness is outside {least:e} to {most}, for which these correlations stand"
+        )
+    });
+    slope.into_iter().chain(outside).collect()
+}
+
+/// What a seal takes for granted.
+fn of_the_seal(
+    states: &InterfaceStates<'_>,
+    scene: &Scene,
+    seal: &Seal,
+    uncertainty: Option<&Uncertainty>,
+) -> Vec<String> {
+    let threshold = seal.threshold.area_fraction();
+    let mut notes = vec![format!(
+        "channels close where {threshold} of the nominal area touches; contact areas of the seal are those of a form fitted to boundary \
+         elements, not those of the curves, and a leak rate is an order of magnitude"
+    )];
+    let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
+    let tight_pa = states.value(tight).ok().flatten();
+    let flows_pa = scene.hardness_pa().map(|hardness_pa| threshold * hardness_pa);
+    if let (Some(tight_pa), Some(flows_pa)) = (tight_pa, flows_pa)
+        && flows_pa < tight_pa
+    {
+        notes.push(format!(
+            "the seal is elastic: by the flow of the softer body {threshold} of the area touches from about {} on, {threshold} times its \
+             hardness, and the seal is tight then",
+            pressure(flows_pa)
+        ));
+    }
+    let sometimes = loads_where(scene, |load| {
+        let share = uncertainty?.share_open(load).filter(|share| *share > 0.0 && *share < 1.0)?;
+        Some(format!(" ({})", percent(share)))
+    });
+    notes.extend(sometimes.map(|loads| {
+        format!(
+            "a channel is open in part of the draws at {loads}; its intervals are those of these draws, and are left out where they are \
+             less than nine in ten"
+        )
+    }));
+    let longest_m = states.pressed().results.psd.longest_wavelength_m();
+    let at_the_end = loads_where(scene, |load| {
+        let slot = Slot { quantity: Quantity::ChannelWavelength, load: Some(load), curve: None };
+        alone(states.value(slot).ok().flatten()? > 0.5 * longest_m)
+    });
+    notes.extend(at_the_end.map(|loads| {
+        format!(
+            "at {loads} the last channel is as wide as the longest wave of the spectrum, {}: wider ones may decide",
+            length(longest_m)
+        )
+    }));
+    let parted = loads_where(scene, |load| {
+        let drop_pa = seal.joint?.pressure_drop_pa();
+        alone(drop_pa >= scene.needs.loads[load].nominal_pressure_pa())
+    });
+    notes.extend(parted.map(|loads| {
+        format!("at {loads} the fluid presses as much as the bodies do, or more, and would part them")
+    }));
+    notes
+}
+
+/// Which keys would give more.
+pub(crate) fn further_keys(scene: &Scene) -> Option<String> {
+    let asked = scene.interface.as_ref();
+    let is_missing = |has: Option<bool>| !has.unwrap_or(false);
+    let keys = [
+        (asked.is_none(), "[interface] (mean gap and stiffness)"),
+        (
+            is_missing(asked.map(|asked| asked.conductivities.is_some())),
+            "thermal_conductivity of [material] and [counterface] (heat)",
+        ),
+        (is_missing(asked.map(|asked| asked.resistivities.is_some())), "resistivity of both (current)"),
+        (is_missing(asked.map(|asked| asked.seal.is_some())), "[seal] (leaks)"),
+        (
+            is_missing(asked.map(|asked| asked.shear_strength_pa.is_some())),
+            "interface.shear_strength (friction)",
+        ),
+        (is_missing(asked.map(|asked| asked.adhesion.is_some())), "interface.work_of_adhesion (adhesion)"),
+    ];
+    let missing: Vec<&str> = keys.iter().filter(|(is_missing, _)| *is_missing).map(|(_, key)| *key).collect();
+    (!missing.is_empty())
+        .then(|| format!("More of what the contact does is told where the scene has {}.", listed(&missing)))
+}

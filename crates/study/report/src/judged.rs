@@ -1,0 +1,39 @@
+//! What boundary elements found, on figures of areas.
+
+use judge::{Body, ERRORS_GIVEN, Judgement};
+use scene::Scene;
+use study::figure::{FigureData, Mark};
+
+const ELASTIC: &str = "boundary elements, elastic";
+const SATURATED: &str = "boundary elements, saturated at the hardness";
+
+/// A figure of areas against cutoff with the areas of boundary elements under the loads that it shows: those of each window,
+/// on what Persson's theory says the longer waves leave, two standard errors either way.
+pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scene) -> FigureData {
+    let shown = |load: usize| figure.series.iter().any(|series| series.colour == load);
+    let mut marks: Vec<Mark> = Vec::new();
+    let of_windows = judgement.windows.iter().filter(|on| !on.is_whole_band);
+    for on in of_windows.filter(|on| shown(on.load)) {
+        let nominal_pa = scene.needs.loads[on.load].nominal_pressure_pa();
+        let Some(judged) = on.judged_of_whole(nominal_pa) else { continue };
+        let given = ERRORS_GIVEN * judged.standard_error;
+        let (label, is_ring) = match Body::of(&scene.needs.curves[on.curve].model) {
+            Body::Hard { .. } => (SATURATED, true),
+            _ => (ELASTIC, false),
+        };
+        let mark = Mark {
+            label: label.to_owned(),
+            is_ring,
+            colour: on.load,
+            x: on.shortest_m,
+            y: judged.area_fraction,
+            low: (judged.area_fraction - given).max(0.1 * judged.area_fraction),
+            high: (judged.area_fraction + given).min(1.0),
+        };
+        // Curves of one body share their elements.
+        if !marks.contains(&mark) {
+            marks.push(mark);
+        }
+    }
+    FigureData { marks, ..figure }
+}

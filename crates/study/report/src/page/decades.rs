@@ -1,0 +1,89 @@
+//! Which decades of wavelengths decide the area: a strip of shares per curve and load.
+
+use maud::{Markup, html};
+
+use super::share_cell::share_cell;
+use super::{SceneReport, Section, per_scene, table};
+use crate::decade;
+use findings::features::DecadeShare;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let strips = per_scene(scenes, of)?;
+    let body = html! {
+        p {
+            "How much of the way from the nominal area to the real one each decade of wavelengths accounts for, in percent \
+             of log(A" sub { "n" } "/A). Darker is more; a negative share means that finer roughness made the area larger."
+        }
+        (strips)
+    };
+    Some(Section { id: "decades", title: "Which decades decide", body })
+}
+
+/// A strip: the loads that share it, and for each decade its share in percent.
+struct Strip {
+    loads: Vec<usize>,
+    percents: Vec<Option<i32>>,
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    let answers = || report.answers().flat_map(|(_, loads)| loads);
+    let mut decades: Vec<DecadeShare> =
+        answers().flat_map(|(_, answer)| answer.decades.iter().copied()).collect();
+    decades.sort_by(|a, b| b.longest_m.total_cmp(&a.longest_m));
+    decades.dedup_by(|a, b| a.longest_m == b.longest_m);
+    if decades.is_empty() {
+        return None;
+    }
+    let psd = &report.results.psd;
+    let head = html! {
+        tr {
+            th scope="col" { "curve" } th scope="col" { "nominal pressure" }
+            @for decade in &decades {
+                th scope="col" { (decade::name(decade, psd)) }
+            }
+        }
+    };
+    let body = html! {
+        @for (curve, strips) in strips(report, &decades) {
+            tbody {
+                @for (place, strip) in strips.iter().enumerate() {
+                    tr {
+                        @if place == 0 { th scope="rowgroup" rowspan=(strips.len()) { (report.curve(curve)) } }
+                        td { (loads(report, &strip.loads)) }
+                        @for percent in &strip.percents { (share_cell(*percent)) }
+                    }
+                }
+            }
+        }
+    };
+    Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
+}
+
+/// The strips of each curve; neighbouring loads whose strips read the same share one.
+fn strips(report: &SceneReport<'_>, decades: &[DecadeShare]) -> Vec<(usize, Vec<Strip>)> {
+    let of_curve = |(curve, answers): (usize, Vec<(usize, &findings::answer::LoadAnswer)>)| {
+        let mut strips: Vec<Strip> = Vec::new();
+        for (load, answer) in answers.into_iter().filter(|(_, answer)| !answer.decades.is_empty()) {
+            let share = |of: &DecadeShare| {
+                let decade = answer.decades.iter().find(|decade| decade.longest_m == of.longest_m)?;
+                Some((100.0 * decade.share).round() as i32)
+            };
+            let percents: Vec<Option<i32>> = decades.iter().map(share).collect();
+            match strips.last_mut().filter(|strip| strip.percents == percents) {
+                Some(strip) => strip.loads.push(load),
+                None => strips.push(Strip { loads: vec![load], percents }),
+            }
+        }
+        (curve, strips)
+    };
+    report.answers().map(of_curve).filter(|(_, strips)| !strips.is_empty()).collect()
+}
+
+fn loads(report: &SceneReport<'_>, loads: &[usize]) -> String {
+    match loads {
+        [one] => report.load(*one),
+        _ if loads.len() == report.scene.needs.loads.len() => "every load".to_owned(),
+        [first, .., last] => format!("{} to {}", report.load(*first), report.load(*last)),
+        [] => String::new(),
+    }
+}

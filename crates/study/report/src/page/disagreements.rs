@@ -1,0 +1,43 @@
+//! How far apart the models end.
+
+use maud::{Markup, html};
+
+use super::{SceneReport, Section, per_scene, table};
+use findings::answer::DISAGREEMENT;
+use units::display::{length, typeset_digits};
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let body = per_scene(scenes, of)?;
+    Some(Section { id: "disagreements", title: "Where the models disagree", body })
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    let found = &report.answer.disagreements;
+    if found.is_empty() {
+        return None;
+    }
+    let head = html! {
+        tr {
+            th scope="col" { "nominal pressure" } th scope="col" { "smallest area" } th scope="col" { "largest area" }
+            th scope="col" { "ratio" } th scope="col" { "more than " (DISAGREEMENT) "x apart for cutoffs below" }
+        }
+    };
+    let area = |curve: usize, load: usize| {
+        let answer = report.answer.curves[curve][load].as_ref();
+        let fraction = answer.map_or_else(String::new, |answer| typeset_digits(answer.area_fraction));
+        html! { td { (fraction) " " span.curve { (report.curve(curve)) } } }
+    };
+    let body = html! {
+        tbody {
+            @for found in found {
+                tr {
+                    th scope="row" { (report.load(found.load)) }
+                    (area(found.least, found.load)) (area(found.most, found.load))
+                    td { (typeset_digits(found.ratio)) }
+                    td { (found.parting_wavelength_m.map_or("–".to_owned(), length)) }
+                }
+            }
+        }
+    };
+    Some(table("The smallest and the largest area that the curves end in.", &head, &body))
+}

@@ -1,0 +1,93 @@
+//! What it means: gap, stiffness, heat, current, leaks, friction, adhesion, as far as their inputs are given.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::{SceneReport, Section, per_numbered_scene, table};
+use crate::coverage::level;
+use crate::interface_figure::gap_against_load;
+use crate::listing::capital;
+use crate::{interface_words, plot};
+use findings::interface::InterfaceStates;
+use study::interface::Slot;
+use units::display::typeset;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let body = per_numbered_scene(scenes, of)?;
+    Some(Section { id: "meaning", title: "What it means", body })
+}
+
+fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
+    if report.scene.needs.curves.is_empty() && report.scene.interface.is_none() {
+        return None;
+    }
+    let found = InterfaceStates::of_scene(report.scene, report.results);
+    let further = interface_words::further_keys(report.scene);
+    Some(html! {
+        @if let Some(states) = &found {
+            @for note in interface_words::notes(states, report.scene, report.trust.uncertainty) { p { (typeset(&capital(&note))) "." } }
+            (quantities(report, states))
+            (gap(report, states, &format!("scene-{at}-gap")))
+        }
+        @if let Some(further) = further { p { (typeset(&further)) } }
+    })
+}
+
+fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
+    let uncertainty = report.trust.uncertainty;
+    let head = html! {
+        tr {
+            th scope="col" { "nominal pressure" } th scope="col" { "quantity" } th scope="col" { "value" }
+            @if let Some(uncertainty) = uncertainty { th scope="col" { (level(uncertainty)) } }
+        }
+    };
+    let told: Vec<(Slot, f64)> = states
+        .slots()
+        .into_iter()
+        .filter_map(|slot| Some((slot, states.value(slot).ok().flatten()?)))
+        .collect();
+    let body = html! {
+        @for of_load in told.chunk_by(|(one, _), (other, _)| one.load == other.load) {
+            tbody {
+                @for (place, (slot, value)) in of_load.iter().enumerate() {
+                    tr {
+                        @if place == 0 {
+                            th scope="rowgroup" rowspan=(of_load.len()) {
+                                @match slot.load { Some(load) => (report.load(load)), None => "any" }
+                            }
+                        }
+                        td {
+                            (slot.quantity.words())
+                            @if let Some(curve) = slot.curve { ", " span.curve { (report.curve(curve)) } }
+                        }
+                        td { (typeset(&interface_words::value(slot.quantity, *value))) }
+                        @if let Some(uncertainty) = uncertainty {
+                            td { (typeset(&interface_words::ends(*slot, uncertainty).unwrap_or_default())) }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    table(
+        "What the interface does besides touching. Gap and stiffness are those of Persson’s elastic theory; conductances follow from \
+         the stiffness by Barber’s analogy; friction from the areas of curves.",
+        &head,
+        &body,
+    )
+}
+
+fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
+    let Some(figure) = gap_against_load(states, report.scene, report.trust.uncertainty) else {
+        return html! {};
+    };
+    let words = format!("{} against {}", figure.y_label, figure.x_label);
+    html! {
+        figure {
+            div.panels { div { (PreEscaped(plot::element(&figure, &[&figure], id, &words))) } }
+            figcaption {
+                strong { "Mean gap against load." } " The whole theory, and the law u" sub { "0" } " ln(p" sub { "00" }
+                "/p) that light loads follow; the loads of the scene with their intervals."
+            }
+        }
+    }
+}

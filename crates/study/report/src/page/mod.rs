@@ -1,0 +1,196 @@
+//! The report: one page that opens with the answer and holds everything it rests on, and asks the network for nothing.
+//!
+//! It is written about any scene, or about several that ask the same of different spectra, which then stand side by side.
+//! A section has a file; each makes its part from a [`SceneReport`] alone.
+
+mod answer;
+mod choices;
+mod decades;
+mod disagreements;
+mod figures;
+mod how_sure;
+mod key_numbers;
+mod ledger;
+mod meaning;
+mod measure_next;
+mod provenance;
+mod sensitivities;
+mod share_cell;
+mod validity;
+mod verdict;
+
+pub use ledger::{Finding, Ledger, LedgerRow, OtherFinding, OtherModel, Verdict};
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::curve_names::in_full;
+use crate::occasion::Occasion;
+use crate::trust::Trust;
+use findings::answer::{Answer, LoadAnswer};
+use findings::sensitivity::Sensitivity;
+use scene::Scene;
+use study::figure::FigureData;
+use study::plan::Results;
+use units::display::{load_in_full, pressure, typeset_digits};
+
+/// What a report says about one scene.
+pub struct SceneReport<'a> {
+    /// Tells the scene from the others of the report, e.g. `measured`; not shown where it is alone.
+    pub label: &'a str,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its results.
+    pub results: &'a Results,
+    /// Its answer.
+    pub answer: &'a Answer,
+    /// How far its results can be trusted, where that was asked.
+    pub trust: Trust<'a>,
+    /// How much each choice of modelling moves its areas.
+    pub sensitivities: &'a [Sensitivity],
+    /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
+    pub figures: Vec<FigureData>,
+}
+
+/// A report.
+pub struct Report<'a> {
+    /// What it is about.
+    pub title: &'a str,
+    /// The scenes, at least one.
+    pub scenes: Vec<SceneReport<'a>>,
+    /// Statements held against what was found.
+    pub ledger: Option<&'a Ledger>,
+    /// How to make the report again, e.g. a command.
+    pub repeat: &'a str,
+    /// How and when it was made.
+    pub occasion: &'a Occasion,
+}
+
+/// A section of the page.
+struct Section {
+    id: &'static str,
+    title: &'static str,
+    body: Markup,
+}
+
+impl Report<'_> {
+    /// The page.
+    pub fn html(&self) -> String {
+        let scenes = &self.scenes;
+        let ledger = self.ledger.map(ledger::section);
+        let sections: Vec<Section> = [
+            verdict::section(scenes),
+            how_sure::section(scenes),
+            measure_next::section(scenes),
+            meaning::section(scenes),
+            key_numbers::section(scenes),
+            decades::section(scenes),
+            disagreements::section(scenes),
+            figures::section(scenes),
+            ledger,
+            sensitivities::section(scenes),
+            validity::section(scenes),
+            choices::section(scenes),
+            Some(provenance::section(self)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    // Closed, as in the rest of the page, so that it reads as XML as well.
+                    (PreEscaped("<meta charset=\"utf-8\" />"))
+                    (PreEscaped("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />"))
+                    title { (self.title) }
+                    style { (PreEscaped(include_str!("style.css"))) }
+                }
+                body {
+                    header {
+                        h1 { (self.title) }
+                        p.subtitle { "Real contact area, and the scales of roughness that decide it" }
+                    }
+                    main {
+                        (answer::lead(scenes))
+                        (figures::of_the_answer(scenes))
+                        nav aria-label="Contents" {
+                            ul { @for section in &sections { li { a href={ "#" (section.id) } { (section.title) } } } }
+                        }
+                        @for section in &sections {
+                            section id=(section.id) { h2 { (section.title) } (section.body) }
+                        }
+                    }
+                }
+            }
+        };
+        page.into_string()
+    }
+}
+
+/// Something about each scene that there is something to say about, under its label where there are several.
+fn per_scene(
+    scenes: &[SceneReport<'_>],
+    part: impl Fn(&SceneReport<'_>) -> Option<Markup>,
+) -> Option<Markup> {
+    per_numbered_scene(scenes, |scene, _| part(scene))
+}
+
+/// The same, of a scene and its number, by which elements of a page are told apart.
+fn per_numbered_scene(
+    scenes: &[SceneReport<'_>],
+    part: impl Fn(&SceneReport<'_>, usize) -> Option<Markup>,
+) -> Option<Markup> {
+    let parts: Vec<(&str, Markup)> =
+        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, part(scene, at)?))).collect();
+    let several = scenes.len() > 1;
+    (!parts.is_empty()).then(|| {
+        html! {
+            @for (label, part) in &parts {
+                @if several { h3 { (label) } }
+                (part)
+            }
+        }
+    })
+}
+
+/// A table that scrolls by itself where the page is narrower.
+fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
+    html! {
+        // Reached by keyboard, since it may have to be scrolled.
+        div.wide role="region" aria-label=(caption) tabindex="0" {
+            table { caption { (caption) } thead { (head) } (body) }
+        }
+    }
+}
+
+impl SceneReport<'_> {
+    /// A load as typed, and in units of the hardness.
+    fn load(&self, load: usize) -> String {
+        load_in_full(
+            &self.scene.needs.loads[load].label,
+            self.scene.needs.loads[load].nominal_pressure_pa(),
+            self.scene.hardness_pa(),
+        )
+    }
+
+    /// A curve's name in full.
+    fn curve(&self, curve: usize) -> String {
+        in_full(&self.scene.needs.curves[curve])
+    }
+
+    /// A pressure in units of the hardness, where there is one.
+    fn pressure(&self, pressure_pa: f64) -> String {
+        match self.scene.hardness_pa() {
+            Some(hardness_pa) => format!("{} H", typeset_digits(pressure_pa / hardness_pa)),
+            None => pressure(pressure_pa),
+        }
+    }
+
+    /// For every curve its index and, with their indices, the answers under the loads that have one.
+    fn answers(&self) -> impl Iterator<Item = (usize, Vec<(usize, &LoadAnswer)>)> {
+        self.answer.curves.iter().enumerate().map(|(curve, loads)| {
+            let found = loads.iter().enumerate().filter_map(|(load, answer)| Some((load, answer.as_ref()?)));
+            (curve, found.collect())
+        })
+    }
+}

@@ -1,0 +1,65 @@
+//! How much the area moves when an open choice is made another way.
+
+use maud::{Markup, html};
+
+use super::{SceneReport, Section, per_scene, table};
+use findings::sensitivity::Sensitivity;
+use units::display::typeset_digits;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let tables = per_scene(scenes, of)?;
+    let body = html! {
+        p {
+            "The area with one choice made the other way, over the area with the scene’s own choice; from the smallest to the \
+             largest ratio under its loads. A dash: the curve does not depend on the choice."
+        }
+        (tables)
+    };
+    Some(Section { id: "sensitivities", title: "Sensitivity to modelling choices", body })
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    let varied: Vec<&Sensitivity> =
+        report.sensitivities.iter().filter(|varied| !varied.rows.is_empty()).collect();
+    let mut curves: Vec<usize> = varied.iter().flat_map(|varied| &varied.rows).map(|row| row.curve).collect();
+    curves.sort_unstable();
+    curves.dedup();
+    if curves.is_empty() {
+        return None;
+    }
+    let head = html! {
+        tr {
+            th scope="col" { "choice" } th scope="col" { "made as" }
+            @for curve in &curves { th scope="col" { (report.curve(*curve)) } }
+        }
+    };
+    let body = html! {
+        @for group in varied.chunk_by(|a, b| a.choice == b.choice) {
+            tbody {
+                @for (place, varied) in group.iter().enumerate() {
+                    tr {
+                        @if place == 0 { th scope="rowgroup" rowspan=(group.len()) { (varied.choice) } }
+                        th scope="row" { (varied.setting_in_words) }
+                        @for curve in &curves { td { (ratios(varied, *curve)) } }
+                    }
+                }
+            }
+        }
+    };
+    Some(table("Area over the scene’s own area.", &head, &body))
+}
+
+/// `×0.56`, `×0.93–1.07`, or a dash.
+fn ratios(varied: &Sensitivity, curve: usize) -> String {
+    let ratios = varied.rows.iter().filter(|row| row.curve == curve).map(|row| row.ratio);
+    let (least, most) = ratios
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
+    if least > most {
+        return "–".to_owned();
+    }
+    let text = |ratio: f64| {
+        if (0.01..100.0).contains(&ratio) { format!("{ratio:.2}") } else { typeset_digits(ratio) }
+    };
+    let (least, most) = (text(least), text(most));
+    if least == most { format!("×{least}") } else { format!("×{least}–{most}") }
+}

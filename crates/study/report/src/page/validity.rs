@@ -1,0 +1,61 @@
+//! Where laws are used outside the range they were fitted in, and states that are held at a bound.
+
+use maud::{Markup, html};
+
+use super::key_numbers::percent;
+use super::{SceneReport, Section, per_scene};
+use crate::doubt_words;
+use crate::summary::{beyond_fitted_range, statistical_notes};
+use findings::doubts::Doubt;
+use study::plan::CurveResult;
+
+pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
+    let body = per_scene(scenes, of)?;
+    Some(Section { id: "validity", title: "Validity", body })
+}
+
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
+    if report.scene.needs.curves.is_empty() {
+        return None;
+    }
+    let doubts = Doubt::of_scene(report.scene, report.answer);
+    let warned: Vec<(String, Vec<String>)> = report
+        .answers()
+        .map(|(curve, _)| (report.curve(curve), warnings(report, curve)))
+        .filter(|(_, warnings)| !warnings.is_empty())
+        .collect();
+    Some(html! {
+        @if !doubts.is_empty() {
+            p { "Physics speaks against some of these numbers:" }
+            ul { @for doubt in &doubts { li { (doubt_words::line(doubt)) "." } } }
+        }
+        @if warned.is_empty() { p { "No law was used outside the range it was fitted in." } }
+        @else {
+            dl.validity {
+                @for (curve, warnings) in &warned {
+                    dt { (curve) }
+                    @for warning in warnings { dd { (warning) "." } }
+                }
+            }
+        }
+    })
+}
+
+fn warnings(report: &SceneReport<'_>, curve: usize) -> Vec<String> {
+    let result = &report.results.curves[curve];
+    let answers = report.answer.curves[curve].iter().flatten();
+    let shares = answers.filter_map(|answer| answer.out_of_range_load_share);
+    let largest = shares.fold(0.0, f64::max);
+    let mut warnings = Vec::new();
+    if largest > 0.0 {
+        let share = percent(largest);
+        warnings.push(format!(
+            "at the shortest wavelength up to {share} of the load rests on asperities outside the range their law was fitted in"
+        ));
+    }
+    warnings.extend(statistical_notes(result));
+    if let CurveResult::Stacked(levels) = result {
+        warnings.extend(beyond_fitted_range(levels));
+    }
+    warnings
+}

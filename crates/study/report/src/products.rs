@@ -1,0 +1,365 @@
+//! The files of a scene: a table per curve, a table and an SVG per figure, the report and its tables.
+
+use std::io::{self, Write};
+
+use crate::coverage::with_intervals;
+use crate::curve_names::with_full_names;
+use crate::interface_table;
+use crate::judged;
+use crate::occasion::Occasion;
+use crate::page::{Report, SceneReport};
+use crate::plot;
+use crate::provenance::provenance;
+use crate::trust::Trust;
+use findings::answer::Answer;
+use findings::interface::InterfaceStates;
+use findings::sensitivity::{Sensitivity, counted_sensitivities};
+use judge::Judgement;
+use scene::Scene;
+use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
+use study::figure::{Figure, FigureData, Shows, over_scans};
+use study::plan::{Cutoffs, PlanError, Results, Work};
+use study::result_tables;
+use study::{Progress, Unobserved};
+use tables::{Format, Table};
+use uncertainty::Uncertainty;
+
+/// The page on everything that a scene found.
+const REPORT: &str = "report.html";
+
+/// The figures of a scene with their data.
+pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
+    scene.figures.iter().map(|figure| data(scene, results, figure, None)).collect()
+}
+
+/// One figure of a scene as an SVG document; `None` where it has no figure of that name.
+pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
+    let figure = scene.figures.iter().find(|figure| figure.name == name)?;
+    Some(drawn(scene, &data(scene, results, figure, None)))
+}
+
+/// The data of a figure, with the intervals of its areas where there are some.
+fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&Uncertainty>) -> FigureData {
+    let data = figure.data(results, &scene.needs, scene.hardness_pa());
+    let data = match uncertainty {
+        Some(uncertainty) => with_intervals(data, figure, scene, uncertainty),
+        None => data,
+    };
+    if figure.shows != Shows::Psd {
+        return data;
+    }
+    let data = data.with_holes(scene.surface.holes());
+    match &scene.surface.made_from {
+        Some(scans) => over_scans(scans, data),
+        None => data,
+    }
+}
+
+/// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
+/// does not ask for them, then the others.
+fn reported_figures(scene: &Scene, results: &Results, trust: Trust<'_>) -> Vec<FigureData> {
+    let mut own = scene.figures.clone();
+    let mut first = Vec::new();
+    let followed: Vec<usize> = (0..scene.needs.curves.len())
+        .filter(|&at| scene.needs.curves[at].cutoffs == Cutoffs::Every)
+        .collect();
+    let shows_all = |figure: &Figure| {
+        figure.shows == Shows::Area && followed.iter().all(|curve| figure.curves.contains(curve))
+    };
+    if !followed.is_empty() {
+        first.push(match own.iter().position(shows_all) {
+            Some(at) => own.remove(at),
+            None => Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) },
+        });
+    }
+    first.push(match own.iter().position(|figure| figure.shows == Shows::Psd) {
+        Some(at) => own.remove(at),
+        None => Figure {
+            name: SPECTRUM_NAME.to_owned(),
+            shows: Shows::Psd,
+            title: None,
+            curves: Vec::new(),
+            sweeps: Vec::new(),
+        },
+    });
+    let of = |figure: &Figure| {
+        let data = data(scene, results, figure, trust.uncertainty);
+        let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
+        let named = with_full_names(legible, &scene.needs.curves);
+        match trust.judgement {
+            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
+            _ => named,
+        }
+    };
+    first.iter().chain(&own).map(of).collect()
+}
+
+/// Names that no figure of a scene can have, since they begin with no letter.
+const ANSWER_NAME: &str = "_answer";
+const SPECTRUM_NAME: &str = "_spectrum";
+
+/// More lines than this are not told apart.
+const MOST_LINES: usize = 12;
+
+/// The figure under the smallest and the largest load alone, where all of its lines would be too many.
+fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
+    if figure.series.len() <= MOST_LINES {
+        return figure;
+    }
+    let loads = &scene.needs.loads;
+    let by_pressure =
+        |a: &usize, b: &usize| loads[*a].nominal_pressure_pa().total_cmp(&loads[*b].nominal_pressure_pa());
+    let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
+    // Of an area against cutoff the colour is the load.
+    let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
+    let bands = figure.bands.into_iter().filter(|band| kept.contains(&Some(band.colour))).collect();
+    let title = format!("{}, under the smallest and the largest load", figure.title);
+    FigureData { series, bands, title, ..figure }
+}
+
+fn drawn(scene: &Scene, figure: &FigureData) -> String {
+    let figure = with_full_names(figure.clone(), &scene.needs.curves);
+    plot::svg(&figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
+}
+
+fn origin(scene: &Scene, what: &str) -> Vec<String> {
+    let mut lines = provenance(&format!("scene \"{}\", {what}", scene.title), &scene.surface, scene.sampling);
+    lines.extend(scene.choices());
+    lines
+}
+
+/// What a report says besides the curves and figures of a scene.
+pub struct Findings {
+    /// The answer.
+    pub answer: Answer,
+    /// How much each choice of modelling moves the areas.
+    pub sensitivities: Vec<Sensitivity>,
+    /// How much was computed for that.
+    pub work: Work,
+    /// How and when the scene was carried out, where that is told.
+    pub occasion: Occasion,
+}
+
+impl Findings {
+    /// The findings in the results of a scene; the sensitivities are computed.
+    ///
+    /// # Errors
+    /// [`PlanError`], as of the scene itself.
+    pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
+        Self::of_observed(scene, results, &Unobserved)
+    }
+
+    /// The same, watched by `progress`, which may end it.
+    ///
+    /// # Errors
+    /// [`PlanError`], as of the scene itself.
+    pub fn of_observed(scene: &Scene, results: &Results, progress: &dyn Progress) -> Result<Self, PlanError> {
+        let answer = Answer::of(scene, results);
+        let (sensitivities, work) = counted_sensitivities(scene, results, progress)?;
+        Ok(Findings { answer, sensitivities, work, occasion: Occasion::default() })
+    }
+
+    /// The same, carried out on this occasion.
+    #[must_use]
+    pub fn on(self, occasion: Occasion) -> Self {
+        Findings { occasion, ..self }
+    }
+
+    /// The part of a report that they make.
+    pub fn report<'a>(
+        &'a self,
+        label: &'a str,
+        scene: &'a Scene,
+        results: &'a Results,
+        trust: Trust<'a>,
+    ) -> SceneReport<'a> {
+        SceneReport {
+            label,
+            scene,
+            results,
+            answer: &self.answer,
+            trust,
+            sensitivities: &self.sensitivities,
+            figures: reported_figures(scene, results, trust),
+        }
+    }
+
+    fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
+        let [scales, decades, sensitivity] = REPORT_TABLES;
+        [
+            (scales, self.answer.scales_table(&scene.needs)),
+            (decades, self.answer.decades_table(&scene.needs)),
+            (sensitivity, findings::sensitivity::table(&self.sensitivities, &scene.needs)),
+        ]
+    }
+}
+
+/// The verdict on every curve, and on every window.
+fn judge_tables(judgement: &Judgement, scene: &Scene) -> [(&'static str, Table); 2] {
+    let [models, windows] = JUDGE_TABLES;
+    [(models, judgement.models_table(&scene.needs)), (windows, judgement.windows_table(&scene.needs))]
+}
+
+/// The interval of every area, the indices of its inputs, and what to measure next.
+fn uncertainty_tables(uncertainty: &Uncertainty, scene: &Scene) -> [(&'static str, Table); 3] {
+    let [intervals, indices, advice] = UNCERTAINTY_TABLES;
+    [
+        (intervals, uncertainty.intervals_table(&scene.needs)),
+        (indices, uncertainty.indices_table(&scene.needs)),
+        (advice, uncertainty.advice_table(&scene.needs)),
+    ]
+}
+
+/// What is made of a scene beside its curves and figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Parts {
+    /// The report and its tables.
+    pub report: bool,
+    /// The tables of the judge.
+    pub judgement: bool,
+    /// The tables of draws.
+    pub uncertainty: bool,
+}
+
+/// The names of the files that a scene may have, for whoever looks before they are made. A table of the judge or of draws that
+/// has no rows is not written.
+#[must_use]
+pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
+    let table = |name: &str| format!("{name}.{}", format.extension());
+    let mut names: Vec<String> = scene.needs.curves.iter().map(|curve| table(&curve.name)).collect();
+    if parts.judgement {
+        names.extend(JUDGE_TABLES.map(table));
+    }
+    if parts.uncertainty {
+        names.extend(UNCERTAINTY_TABLES.map(table));
+    }
+    names.extend(scene.interface.as_ref().map(|_| table(INTERFACE_TABLE)));
+    if parts.report {
+        names.extend(REPORT_TABLES.map(table));
+        names.push(REPORT.to_owned());
+    }
+    for figure in &scene.figures {
+        names.extend([table(&figure.name), format!("{}.svg", figure.name)]);
+    }
+    names
+}
+
+/// What puts the bytes of one file anywhere.
+pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
+
+/// Hands every file of a scene to `file`, by name, and yields their names.
+///
+/// # Errors
+/// Those of `file`.
+pub fn each_file<E>(
+    scene: &Scene,
+    results: &Results,
+    findings: Option<&Findings>,
+    trust: Trust<'_>,
+    format: Format,
+    mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
+) -> Result<Vec<String>, E> {
+    let mut names = Vec::new();
+    each_product(scene, results, findings, trust, |name, product| {
+        let name = product.file_name(name, format);
+        let written = file(&name, &|out| product.write(format, out));
+        names.push(name);
+        written
+    })?;
+    Ok(names)
+}
+
+/// Something that is made of a scene.
+#[derive(Debug, Clone, Copy)]
+pub enum Product<'p> {
+    /// A table, and the lines that tell where it comes from.
+    Table {
+        /// The table.
+        table: &'p Table,
+        /// The lines.
+        origin: &'p [String],
+    },
+    /// A figure as an SVG document.
+    Figure(&'p str),
+    /// The report as an HTML page.
+    Report(&'p str),
+}
+
+impl Product<'_> {
+    /// The name of the file that it goes to.
+    #[must_use]
+    pub fn file_name(&self, name: &str, format: Format) -> String {
+        match self {
+            Product::Table { .. } => format!("{name}.{}", format.extension()),
+            Product::Figure(_) => format!("{name}.svg"),
+            Product::Report(_) => REPORT.to_owned(),
+        }
+    }
+
+    /// Writes what is in that file.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Product::Table { table, origin } => table.write(format, origin, out),
+            Product::Figure(text) | Product::Report(text) => out.write_all(text.as_bytes()),
+        }
+    }
+}
+
+/// Hands everything that is made of a scene to `take`, by name. The report and its tables are left out where there are no
+/// findings, those of the judge and of draws where these were not asked. A table is made when its turn comes, so that only one
+/// of them is held.
+///
+/// # Errors
+/// Those of `take`.
+pub fn each_product<E>(
+    scene: &Scene,
+    results: &Results,
+    findings: Option<&Findings>,
+    trust: Trust<'_>,
+    mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut take_table = |name: &str, what: &str, table: &Table| {
+        let origin = origin(scene, &format!("{what} {name}"));
+        take(name, Product::Table { table, origin: &origin })
+    };
+    for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
+        take_table(&curve.name, "curve", &result_tables::curve(result, &scene.needs.loads, true))?;
+    }
+    let reported = findings.map(|findings| findings.tables(scene));
+    for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
+        take_table(name, "table", table)?;
+    }
+    let judged = trust.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
+    let drawn_from = trust.uncertainty.into_iter();
+    let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
+    for (name, table) in judged.chain(of_draws) {
+        if table.rows() > 0 {
+            take_table(name, "table", &table)?;
+        }
+    }
+    if let Some(states) = InterfaceStates::of_scene(scene, results) {
+        take_table(INTERFACE_TABLE, "table", &interface_table::of(&states, scene, trust.uncertainty))?;
+    }
+    let figures: Vec<FigureData> =
+        scene.figures.iter().map(|figure| data(scene, results, figure, trust.uncertainty)).collect();
+    for figure in &figures {
+        take_table(&figure.name, "figure", &figure.table())?;
+    }
+    for figure in &figures {
+        take(&figure.name, Product::Figure(&drawn(scene, figure)))?;
+    }
+    if let Some(findings) = findings {
+        let report = Report {
+            title: &scene.title,
+            scenes: vec![findings.report(&scene.title, scene, results, trust)],
+            ledger: None,
+            repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
+            occasion: &findings.occasion,
+        };
+        take(REPORT, Product::Report(&report.html()))?;
+    }
+    Ok(())
+}

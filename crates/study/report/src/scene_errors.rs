@@ -1,0 +1,58 @@
+//! Errors of a scene, drawn like a compiler's message: file, line, the line itself, and the key that mends it. The command line
+//! and the Python package show the same text.
+
+use crate::{scan_words, spectrum_words};
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
+use scans::ScanOption;
+use scene::{SceneError, SceneProblem};
+use spectrum::ReadOption;
+use study::surface::SurfaceError;
+
+/// The message with file, line, and the line itself; that it is an error is said where it is reported.
+#[must_use]
+pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
+    let message = format!("{error}{}", mended(error));
+    let title = Level::ERROR.primary_title(&message);
+    let group = match &error.span {
+        Some(span) => title.element(
+            Snippet::source(scene).path(name).annotation(AnnotationKind::Primary.span(span.clone())),
+        ),
+        None => title.element(Origin::path(name)),
+    };
+    let drawn = Renderer::plain().render(&[group]);
+    drawn.strip_prefix("error: ").unwrap_or(&drawn).to_owned()
+}
+
+/// What of the scene mends the error, in words that follow it.
+fn mended(error: &SceneError) -> String {
+    let SceneProblem::Surface(error) = &error.problem else { return String::new() };
+    let key = |option| match option {
+        ScanOption::Unit => Some("unit"),
+        ScanOption::Size => Some("size"),
+        ScanOption::Channel => Some("channel"),
+        _ => None,
+    };
+    match error.as_ref() {
+        SurfaceError::Scan { .. } => "; give it in scans = [...] instead of psd".to_owned(),
+        SurfaceError::Spectrum { error, .. } => {
+            error.mend().map_or_else(String::new, |mend| spectrum_words::mend(&mend, reading_key))
+        }
+        SurfaceError::Scans(error) => {
+            error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, key))
+        }
+        _ => String::new(),
+    }
+}
+
+/// The key of a surface that gives an option of reading.
+fn reading_key(option: ReadOption) -> &'static str {
+    match option {
+        ReadOption::Column => "column",
+        ReadOption::Convention => "convention",
+        ReadOption::X => "x",
+        ReadOption::Series => "series",
+        ReadOption::Subject => "subject",
+        ReadOption::XUnit => "x_unit",
+        ReadOption::PsdUnit => "psd_unit",
+    }
+}

@@ -1,0 +1,289 @@
+//! How sure the areas are, in the words of the field: coverage intervals, what they come from, and what was assumed.
+
+use scene::Scene;
+use uncertainty::{
+    AreaInterval, Group, Guess, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, SpectrumErrors,
+    Uncertainty,
+};
+use units::display::{counted, length, three_digits};
+
+use crate::coverage::level;
+use crate::curve_names::in_full;
+use crate::listing::{capital, listed};
+use crate::number_words::number_word;
+
+/// A share above which the input carries most of the interval.
+const MOST: f64 = 0.5;
+
+/// A misfit of so many standard uncertainties is as expected.
+const EXPECTED: f64 = 2.0;
+
+/// More loads than this are left to the table.
+const LOADS_TOLD: usize = 3;
+
+/// `95 %: 0.0011 to 0.0024, most of it from the scatter of three AFM scans`.
+pub(crate) fn interval(uncertainty: &Uncertainty, curve: usize, load: usize) -> Option<String> {
+    let area = uncertainty.interval(curve, load)?;
+    if !varies(area) {
+        return Some("nothing that is uncertain moves it".to_owned());
+    }
+    let from = carried_by(uncertainty, area).map_or_else(String::new, |from| format!(", {from}"));
+    Some(format!("{}: {}{from}", level(uncertainty), ends(area)))
+}
+
+/// `0.0011 to 0.0024`, both ends of an interval.
+pub(crate) fn ends(area: &AreaInterval) -> String {
+    format!("{} to {}", three_digits(area.low), three_digits(area.high))
+}
+
+fn varies(area: &AreaInterval) -> bool {
+    area.ln_area_sd > 0.0
+}
+
+/// The areas with their intervals, a sentence for each curve, where no judge says which of them stands.
+pub(crate) fn of_curves(uncertainty: &Uncertainty, scene: &Scene) -> Vec<String> {
+    let sentence = |curve: usize| {
+        let of_curve = || uncertainty.areas.iter().filter(move |area| area.curve == curve);
+        let told: Vec<String> = of_curve()
+            .take(LOADS_TOLD)
+            .filter_map(|area| {
+                let load = &scene.needs.loads[area.load].label;
+                let interval = interval(uncertainty, curve, area.load)?;
+                Some(format!("{} at {load} ({interval})", three_digits(area.area_fraction)))
+            })
+            .collect();
+        let rest = match of_curve().count().saturating_sub(LOADS_TOLD) {
+            0 => String::new(),
+            more => format!("; {} more in report-uncertainty", counted(more, "load")),
+        };
+        let name = in_full(&scene.needs.curves[curve]);
+        (!told.is_empty()).then(|| format!("How sure, {name}: {}{rest}.", told.join("; ")))
+    };
+    (0..scene.needs.curves.len()).filter_map(sentence).collect()
+}
+
+/// What the intervals rest on: where they are guesses, what instruments say of each other, what was assumed.
+#[must_use]
+pub fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
+    let mut sentences = vec![what_was_drawn(uncertainty)];
+    if uncertainty.ended_early {
+        sentences.push(format!("{}.", capital(&ended_early(uncertainty))));
+    }
+    sentences.extend(guesses(uncertainty));
+    sentences.extend(uncertainty.overlaps.iter().filter_map(|overlap| misfit(uncertainty, overlap)));
+    sentences.extend(uncertainty.spectrum_errors.iter().map(errors_of_spectrum));
+    sentences.extend(assumed_calibrations(&uncertainty.instruments));
+    sentences.extend(guessed_instruments(&uncertainty.instruments));
+    sentences
+}
+
+/// How many draws there are, and of what, as the Guide to the expression of uncertainty in measurement tells it apart.
+fn what_was_drawn(uncertainty: &Uncertainty) -> String {
+    let of = |is_meant: fn(&Group) -> bool| -> Vec<String> {
+        uncertainty
+            .groups
+            .iter()
+            .filter(|group| is_meant(group))
+            .map(|group| input(uncertainty, *group))
+            .collect()
+    };
+    let told = |kind: &str, inputs: Vec<String>| {
+        let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
+        (!names.is_empty()).then(|| format!("{kind}: {}", listed(&names)))
+    };
+    // Errors of what was assumed of a spectrum are no statistics.
+    let errors = &uncertainty.spectrum_errors;
+    let is_assumed = uncertainty.instruments.is_empty()
+        && !errors.is_empty()
+        && errors.iter().all(|errors| errors.are_assumed);
+    let kinds = if is_assumed {
+        [None, told("type B", of(|_| true))]
+    } else {
+        [
+            told("type A", of(|group| *group == Group::Scans)),
+            told("type B", of(|group| *group != Group::Scans)),
+        ]
+    };
+    let kinds: Vec<String> = kinds.into_iter().flatten().collect();
+    format!(
+        "{} coverage intervals from {}; {}.",
+        level(uncertainty),
+        counted(uncertainty.draws, "draw"),
+        kinds.join("; ")
+    )
+}
+
+/// A group of inputs, by what it holds; a surface that is not made from scans has its spectrum's own errors.
+pub(crate) fn group_in_words(group: Group, is_of_scans: bool) -> &'static str {
+    match group {
+        Group::Scans if is_of_scans => "the scatter of scans between places",
+        Group::Scans => "the standard errors of the spectrum",
+        Group::Instruments => "the height scales of instruments",
+        Group::Material => "the elastic constants",
+        Group::Strength => "the strength",
+    }
+}
+
+fn input(uncertainty: &Uncertainty, group: Group) -> String {
+    group_in_words(group, !uncertainty.instruments.is_empty()).to_owned()
+}
+
+/// What there is where somebody ended the draws.
+#[must_use]
+pub fn ended_early(uncertainty: &Uncertainty) -> String {
+    let (made, wanted) = (uncertainty.draws, uncertainty.settings.draws);
+    if made < wanted {
+        format!(
+            "the draws were ended after {made} of {wanted}: intervals rest on these, and there is no advice"
+        )
+    } else {
+        "the draws for shares and advice were ended early: intervals rest on all draws".to_owned()
+    }
+}
+
+/// Why intervals are guesses, a line for each reason.
+fn guesses(uncertainty: &Uncertainty) -> Vec<String> {
+    let why = |guess: &Guess| match guess {
+        Guess::FewScans { instrument, scans } => {
+            let name = uncertainty.instruments.get(*instrument)?.name.text();
+            Some(format!("{name} has {}, too few to say how places differ", counted(*scans, "scan")))
+        }
+        Guess::DrawsWithoutArea { draws, of } => Some(format!(
+            "{draws} of {} leave the range of a model, and its interval is that of the others",
+            counted(*of, "draw")
+        )),
+        Guess::FewDraws { draws } => Some(format!("it rests on {}", counted(*draws, "draw"))),
+        Guess::SpectrumWithoutErrors { name } => Some(format!(
+            "nothing is known of the scatter of {name}, which has no standard errors; it holds that of the other inputs alone"
+        )),
+        _ => None,
+    };
+    let told = uncertainty.guesses.iter().filter_map(why);
+    told.map(|why| format!("The interval is a guess: {why}.")).collect()
+}
+
+/// What two instruments say of each other where both measure.
+fn misfit(uncertainty: &Uncertainty, overlap: &OverlapMisfit) -> Option<String> {
+    let [first, second] = overlap.instruments;
+    let [first, second] = [uncertainty.instruments.get(first)?, uncertainty.instruments.get(second)?];
+    let found = match is_as_expected(overlap) {
+        true => "as expected",
+        false => "more than scatter and calibrations explain",
+    };
+    Some(format!(
+        "{} and {} differ by a factor {} in the spectrum where both measure, from {} to {} (standard uncertainty a factor {}): {found}.",
+        first.name.text(),
+        second.name.text(),
+        three_digits(overlap.misfit.abs().exp()),
+        length(overlap.longest_m),
+        length(overlap.shortest_m),
+        three_digits(overlap.expected.exp())
+    ))
+}
+
+/// Whether what was stated of both instruments explains how far they differ.
+pub(crate) fn is_as_expected(overlap: &OverlapMisfit) -> bool {
+    overlap.misfit.abs() <= EXPECTED * overlap.expected
+}
+
+fn errors_of_spectrum(errors: &SpectrumErrors) -> String {
+    let others =
+        if errors.samples < errors.of { ", the others are taken to have their neighbours'" } else { "" };
+    let of = if errors.are_assumed { " of what was assumed" } else { "" };
+    format!(
+        "{}: {} of {} have a standard error{of}{others}; errors are taken to go together over {} decades of wavelength.",
+        errors.name,
+        errors.samples,
+        counted(errors.of, "sample"),
+        three_digits(errors.correlation_decades)
+    )
+}
+
+fn assumed_calibrations(instruments: &[InstrumentInput]) -> Option<String> {
+    let assumed: Vec<&InstrumentInput> =
+        instruments.iter().filter(|instrument| instrument.z_calibration_is_assumed).collect();
+    let share = assumed.first()?.z_calibration;
+    let names: Vec<&str> = assumed.iter().map(|instrument| instrument.name.text()).collect();
+    Some(format!(
+        "Height scale of {}: {} % assumed as standard uncertainty; give z_calibration.",
+        listed(&names),
+        three_digits(100.0 * share)
+    ))
+}
+
+fn guessed_instruments(instruments: &[InstrumentInput]) -> Option<String> {
+    let guessed: Vec<String> = instruments
+        .iter()
+        .filter(|instrument| matches!(instrument.name, InstrumentName::Guessed(_)))
+        .map(|instrument| format!("{} ({})", instrument.name.text(), counted(instrument.scans, "scan")))
+        .collect();
+    let names: Vec<&str> = guessed.iter().map(String::as_str).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Taken as one instrument each: {}, guessed from format and maker; give instrument.",
+            listed(&names)
+        )
+    })
+}
+
+/// What carries the interval, where shares are known well enough: `most of it from the scatter of three AFM scans`.
+fn carried_by(uncertainty: &Uncertainty, area: &AreaInterval) -> Option<String> {
+    if let [only] = uncertainty.groups[..] {
+        return Some(format!("from {}", source(uncertainty, area, only)));
+    }
+    let known: Vec<(Group, f64)> = uncertainty
+        .groups
+        .iter()
+        .filter_map(|group| Some((*group, uncertainty.share(area, *group)?)))
+        .collect();
+    let (group, share) = known.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+    let from = source(uncertainty, area, group);
+    if share > MOST {
+        Some(format!("most of it from {from}"))
+    } else if known.len() == uncertainty.groups.len() {
+        Some(format!("the largest part of it ({:.0} %) from {from}", 100.0 * share))
+    } else {
+        None
+    }
+}
+
+/// A group of inputs by its largest part for an area.
+fn source(uncertainty: &Uncertainty, area: &AreaInterval, group: Group) -> String {
+    let by_instrument = match group {
+        Group::Scans => leading(uncertainty, area, 0).map(scatter_of),
+        Group::Instruments => leading(uncertainty, area, 1)
+            .map(|instrument| format!("the height scale of {}", instrument.name.text())),
+        Group::Material | Group::Strength => None,
+    };
+    by_instrument.unwrap_or_else(|| input(uncertainty, group))
+}
+
+/// The instrument that carries most of what all of them carry by the scatter of scans (0) or by height scales (1).
+fn leading<'u>(
+    uncertainty: &'u Uncertainty,
+    area: &AreaInterval,
+    part: usize,
+) -> Option<&'u InstrumentInput> {
+    // Of two surfaces the spectrum of the other may carry as much.
+    if !uncertainty.spectrum_errors.is_empty() {
+        return None;
+    }
+    if let [only] = &uncertainty.instruments[..] {
+        return Some(only);
+    }
+    let shares = &uncertainty.advice_for(area.curve, area.load)?.instruments;
+    let of_part = || shares.iter().map(move |shares| shares[part]);
+    let (at, largest) = of_part().enumerate().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+    (largest > MOST * of_part().sum::<f64>()).then(|| uncertainty.instruments.get(at))?
+}
+
+/// `the scatter of three AFM scans`.
+fn scatter_of(instrument: &InstrumentInput) -> String {
+    let name = instrument.name.text();
+    match instrument.resampled {
+        Resampled::Scans(1) => format!("the scatter of one {name} scan"),
+        Resampled::Scans(scans) => format!("the scatter of {} {name} scans", number_word(scans)),
+        Resampled::BlocksOfLines(_) => format!("the scatter along the one {name} map"),
+        Resampled::SingleLine => format!("the scatter of the one {name} scan"),
+    }
+}

@@ -1,0 +1,300 @@
+//! What a report says of draws: intervals, where they come from, what was assumed, and what to measure next.
+
+use std::collections::BTreeMap;
+
+use report::products::{self, Findings, Parts};
+use report::summary::summary;
+use report::trust::Trust;
+use scene::{Overrides, Scene};
+use study::NoFiles;
+use study::plan::{Results, Work};
+use tables::Format;
+use uncertainty::{
+    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Group, Guess, Index, Indices,
+    InstrumentInput, InstrumentName, OverlapMisfit, Resampled, Settings, Settling, SpectrumErrors, Step,
+    StepKind, Uncertainty,
+};
+
+const SCENE: &str = r#"
+    title = "Diamond, as measured"
+    surface = { psd = "builtin:uncd-measured" }
+    material = { youngs_modulus = "463 GPa", poisson_ratio = 0.2, yield_strength = "1.8 GPa" }
+    loads = { pressures = ["1 MPa", "100 MPa"] }
+    [[curve]]
+    model = "elastic"
+    [[curve]]
+    model = "persson"
+    [[curve]]
+    model = "hertz"
+    [[figure]]
+    name = "area"
+    shows = "area"
+    [[figure]]
+    name = "load"
+    shows = "area-against-load"
+    curves = ["hertz"]
+    cutoff_multiples = [1]
+    loads = { from = "100 kPa", to = "1 GPa", points = 9 }
+"#;
+
+struct Study {
+    scene: Scene,
+    results: Results,
+    findings: Findings,
+}
+
+impl Study {
+    fn new() -> Self {
+        let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).unwrap();
+        let results = scene.plan().compute().unwrap();
+        let findings = Findings::of(&scene, &results).unwrap();
+        Study { scene, results, findings }
+    }
+
+    fn words(&self, uncertainty: &Uncertainty) -> String {
+        let trust = Trust { judgement: None, uncertainty: Some(uncertainty) };
+        // As it stands before lines are broken.
+        let text = summary(&self.scene, &self.results, &self.findings.answer, trust);
+        text.replace('\n', " ")
+    }
+
+    fn files(&self, uncertainty: Option<&Uncertainty>) -> BTreeMap<String, String> {
+        let mut files = BTreeMap::new();
+        let trust = Trust { judgement: None, uncertainty };
+        let names = products::each_file(
+            &self.scene,
+            &self.results,
+            Some(&self.findings),
+            trust,
+            Format::Csv,
+            |name, content| {
+                let mut bytes = Vec::new();
+                content(&mut bytes)?;
+                files.insert(name.to_owned(), String::from_utf8(bytes).unwrap());
+                Ok::<(), std::io::Error>(())
+            },
+        );
+        assert_eq!(names.unwrap().len(), files.len());
+        files
+    }
+
+    /// Draws of two instruments and of the material, by hand.
+    fn drawn(&self) -> Uncertainty {
+        let instrument = |name, scans, resampled, z_calibration_is_assumed| InstrumentInput {
+            name,
+            scans,
+            resampled,
+            z_calibration: 0.03,
+            z_calibration_is_assumed,
+            slope_uncertainty: 0.0,
+            gain: [-0.01, 0.04],
+            band_m: [2e-5, 4e-9],
+        };
+        let guessed = InstrumentName::Guessed("AFM".to_owned());
+        let given = InstrumentName::Given("stylus".to_owned());
+        let places = (0..3).flat_map(|curve| [(curve, 0), (curve, 1)]);
+        let areas: Vec<AreaInterval> = places.clone().map(|(curve, load)| self.area(curve, load)).collect();
+        let bands = places.clone().map(|(curve, load)| self.band(curve, load)).collect();
+        Uncertainty {
+            settings: Settings::default(),
+            draws: 1000,
+            ended_early: false,
+            groups: vec![Group::Scans, Group::Instruments, Group::Material],
+            instruments: vec![
+                instrument(given, 2, Resampled::Scans(2), false),
+                instrument(guessed, 3, Resampled::Scans(3), true),
+            ],
+            overlaps: vec![OverlapMisfit {
+                instruments: [0, 1],
+                misfit: 0.08,
+                scatter: 0.03,
+                expected: 0.07,
+                bins: 6,
+                longest_m: 2e-5,
+                shortest_m: 4e-6,
+            }],
+            spectrum_errors: Vec::new(),
+            guesses: vec![Guess::FewScans { instrument: 0, scans: 2 }],
+            areas,
+            quantities: Vec::new(),
+            open_channels: Vec::new(),
+            bands,
+            advice: places.map(|(curve, load)| advice(curve, load)).collect(),
+            work: Work::default(),
+            plans: 1000,
+        }
+    }
+
+    fn area(&self, curve: usize, load: usize) -> AreaInterval {
+        let area_fraction = self.findings.answer.curves[curve][load].as_ref().unwrap().area_fraction;
+        let index = |value| Index { value, standard_error: 0.02 };
+        let indices = |value| Indices { first_order: index(value), total: index(value) };
+        AreaInterval {
+            curve,
+            load,
+            area_fraction,
+            median: area_fraction,
+            low: 0.7 * area_fraction,
+            high: 1.4 * area_fraction,
+            within_68: [0.85 * area_fraction, 1.2 * area_fraction],
+            monte_carlo_error: 0.03,
+            ln_area_sd: 0.18,
+            indices: vec![indices(0.7), indices(0.2), indices(0.06)],
+        }
+    }
+
+    fn band(&self, curve: usize, load: usize) -> AreaBand {
+        let point = |(wavelength_m, area): (f64, f64)| {
+            let width = 0.35 * (1.0 - wavelength_m.log10() / -5.0).abs().min(1.0) + 0.05;
+            BandPoint { wavelength_m, low: area * (-width).exp(), high: area * width.exp() }
+        };
+        let points = self.results.curves[curve].area_fractions(load).into_iter().map(point).collect();
+        AreaBand { curve, load, points }
+    }
+}
+
+fn advice(curve: usize, load: usize) -> Advice {
+    let decade = |longest_m: f64, share| DecadeOfVariance { longest_m, shortest_m: longest_m / 10.0, share };
+    let step = |kind, width_ratio| Step { kind, width_ratio, area_ratio: 1.0 };
+    Advice {
+        curve,
+        load,
+        decades: vec![decade(1e-5, 0.08), decade(1e-6, 0.28), decade(1e-7, 0.64)],
+        instruments: vec![[0.05, 0.08], [0.65, 0.12]],
+        steps: vec![
+            step(StepKind::MoreScans { instrument: 1, added: 10 }, 0.62),
+            step(StepKind::MoreScans { instrument: 1, added: 3 }, 0.744),
+            step(StepKind::Calibration { instrument: 1 }, 0.93),
+            step(StepKind::MoreScans { instrument: 0, added: 1 }, 0.999),
+            Step { kind: StepKind::ShorterWavelengths { to_m: 1.3e-9 }, width_ratio: 1.2, area_ratio: 0.7 },
+        ],
+        settling: Settling::CannotSettle { slope: -2.6, standard_error: 0.1 },
+    }
+}
+
+#[test]
+fn an_interval_stands_beside_its_area_with_what_carries_it() {
+    let study = Study::new();
+    let words = study.words(&study.drawn());
+    let area = study.area(0, 0);
+    for said in [
+        "How sure, Archard stack, elastic (Jackson-Streator): ",
+        "most of it from the scatter of three AFM scans",
+        "type A: the scatter of scans between places; type B: the height scales of instruments and the elastic constants",
+        "The interval is a guess: stylus has 2 scans, too few to say how places differ.",
+        "stylus and AFM differ by a factor 1.08 in the spectrum where both measure, from 20 µm to 4 µm (standard uncertainty a \
+         factor 1.07): as expected.",
+        "Height scale of AFM: 3 % assumed as standard uncertainty; give z_calibration.",
+        "AFM (3 scans), guessed from format and maker; give instrument.",
+        "ten more AFM scans, at other places: the interval narrows to 62 % of its width.",
+        "too flat for a limit; the area is that of its cutoff.",
+        &format!(
+            "95 %: {} to {}",
+            units::display::three_digits(area.low),
+            units::display::three_digits(area.high)
+        ),
+    ] {
+        assert!(words.contains(said), "{said}\n{words}");
+    }
+}
+
+#[test]
+fn what_carries_an_interval_is_told_as_well_as_it_is_known() {
+    let study = Study::new();
+    let mut drawn = study.drawn();
+    drawn.areas.truncate(1);
+    // The scatter of no instrument leads.
+    drawn.advice[0].instruments = vec![[0.35, 0.0], [0.35, 0.0]];
+    assert!(study.words(&drawn).contains("most of it from the scatter of scans between places)"));
+    drawn.areas[0].indices[0].first_order.value = 0.45;
+    assert!(study.words(&drawn).contains("the largest part of it (45 %) from the scatter"));
+    drawn.areas[0].indices[0].first_order.standard_error = 0.2;
+    let unknown = study.words(&drawn);
+    assert!(!unknown.contains("of it from") && !unknown.contains(" %) from"), "{unknown}");
+    drawn.groups = vec![Group::Strength];
+    assert!(study.words(&drawn).contains(", from the strength)"));
+    drawn.areas[0].ln_area_sd = 0.0;
+    assert!(study.words(&drawn).contains("(nothing that is uncertain moves it)"));
+}
+
+#[test]
+fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
+    let study = Study::new();
+    let mut drawn = study.drawn();
+    drawn.instruments.clear();
+    drawn.overlaps.clear();
+    drawn.advice.clear();
+    (drawn.draws, drawn.ended_early) = (312, true);
+    drawn.guesses =
+        vec![Guess::FewDraws { draws: 312 }, Guess::SpectrumWithoutErrors { name: "s.csv".to_owned() }];
+    drawn.spectrum_errors = vec![SpectrumErrors {
+        name: "t.csv".to_owned(),
+        samples: 90,
+        of: 94,
+        correlation_decades: 0.5,
+        are_assumed: false,
+    }];
+    let words = study.words(&drawn);
+    for said in [
+        "The draws were ended after 312 of 1000: intervals rest on these, and there is no advice.",
+        "The interval is a guess: it rests on 312 draws.",
+        "nothing is known of the scatter of s.csv",
+        "t.csv: 90 of 94 samples have a standard error, the others are taken to have their neighbours'; errors are taken to go together over 0.5 decades of wavelength.",
+        "type A: the standard errors of the spectrum;",
+    ] {
+        assert!(words.contains(said), "{said}\n{words}");
+    }
+}
+
+#[test]
+fn a_run_with_draws_adds_its_tables_and_a_run_without_has_the_files_that_it_had() {
+    let study = Study::new();
+    let (plain, drawn) = (study.files(None), study.files(Some(&study.drawn())));
+    let added: Vec<&String> = drawn.keys().filter(|name| !plain.contains_key(*name)).collect();
+    assert_eq!(added, ["report-advice.csv", "report-sobol.csv", "report-uncertainty.csv"]);
+    let parts = Parts { report: true, judgement: false, uncertainty: true };
+    let mut announced = products::file_names(&study.scene, parts, Format::Csv);
+    announced.sort();
+    assert_eq!(announced, drawn.keys().cloned().collect::<Vec<_>>());
+    // Tables of figures hold no bands.
+    for name in plain.keys().filter(|name| name.ends_with(".csv")) {
+        assert_eq!(plain[name], drawn[name], "{name}");
+    }
+}
+
+#[test]
+fn figures_of_areas_show_the_intervals() {
+    let study = Study::new();
+    let (plain, drawn) = (study.files(None), study.files(Some(&study.drawn())));
+    let legend = ">95 % coverage interval</text>";
+    for name in ["area.svg", "load.svg"] {
+        assert_eq!(
+            (plain[name].matches(legend).count(), drawn[name].matches(legend).count()),
+            (0, 1),
+            "{name}"
+        );
+    }
+    let edges = |svg: &str| svg.matches("stroke-width=\"0.75\" fill=\"none\"").count();
+    assert_eq!((edges(&plain["area.svg"]), edges(&drawn["area.svg"])), (0, 12), "two edges of six lines");
+}
+
+#[test]
+fn the_page_has_a_section_on_how_sure_it_is_and_one_on_what_to_measure_next() {
+    let study = Study::new();
+    let (plain, drawn) = (study.files(None), study.files(Some(&study.drawn())));
+    for id in ["how-sure", "measure-next"] {
+        let section = format!("<section id=\"{id}\">");
+        assert!(drawn["report.html"].contains(&section) && !plain["report.html"].contains(&section), "{id}");
+    }
+    let text = drawn["report.html"].strip_prefix("<!DOCTYPE html>").unwrap();
+    let page = roxmltree::Document::parse(text).unwrap();
+    let steps = page.descendants().filter(|node| node.has_tag_name("li"));
+    let steps: Vec<&str> = steps.filter_map(|node| node.text()).collect();
+    assert!(
+        steps.contains(&"the height scale of AFM calibrated: the interval narrows to 93 % of its width.")
+    );
+    assert!(page.descendants().any(|node| node.text() == Some("64 %")), "the bar of the last decade");
+    let mut without = study.drawn();
+    without.advice.clear();
+    assert!(!study.files(Some(&without))["report.html"].contains("measure-next"));
+}

@@ -1,0 +1,228 @@
+//! The material and the counterface of a scene.
+
+use asperity::ElasticBody;
+use serde_spanned::Spanned;
+
+use super::error::{SceneError, SceneProblem};
+use super::known::{Known, optional_property, poisson_ratio, property};
+use super::named_material::BodyKeys;
+use super::raw::{RawCounterface, RawMaterial, RawProperty};
+use super::values::optional;
+use study::bodies::{Bodies, Body, FromTable, Softer, Transport};
+use study::hardness_and_strength::HardnessAndStrength;
+use study::material::{GivenMaterial, Material, MaterialError};
+use study::material_spreads::MaterialSpreads;
+use study::spread::Spread;
+use units::{IndentationHardness, Length, Modulus, Pressure, Resistivity, ThermalConductivity};
+
+/// An elastic body, and how well its constants are known.
+pub(super) struct KnownBody {
+    body: ElasticBody,
+    youngs_modulus: Option<Spread>,
+    poisson_ratio: Option<Spread>,
+}
+
+/// What makes a body flow, and how well that is known.
+#[derive(Default)]
+struct KnownStrength {
+    hardness_and_strength: HardnessAndStrength,
+    spread: Option<Spread>,
+    length: Option<Length>,
+    of_length: Option<Spread>,
+}
+
+/// What presses on the rough body.
+#[derive(Default)]
+pub(super) struct KnownCounterface {
+    /// Rigid where absent.
+    elastic: Option<KnownBody>,
+    strength: KnownStrength,
+    transport: Transport,
+    from_table: Option<FromTable>,
+}
+
+impl KnownCounterface {
+    /// A body of which nothing but its elastic constants is known.
+    pub fn exactly(body: ElasticBody) -> Self {
+        let elastic = Some(KnownBody { body, youngs_modulus: None, poisson_ratio: None });
+        KnownCounterface { elastic, ..Self::default() }
+    }
+}
+
+/// The material against its counterface, how well both are known, and what else there is to know of them.
+pub(super) fn resolve_material(
+    raw: &Spanned<RawMaterial>,
+    counterface: KnownCounterface,
+    strength_cap: Option<Pressure>,
+) -> Result<(Material, MaterialSpreads, Bodies), SceneError> {
+    let keys = BodyKeys::of_material(raw)?;
+    let of_rough = strength(&keys)?;
+    let own = elastic_body(
+        &keys,
+        required(&keys, "youngs_modulus", keys.youngs_modulus.as_ref())?,
+        required(&keys, "poisson_ratio", keys.poisson_ratio.as_ref())?,
+    )?;
+    let transport = transport(&keys)?;
+    let softer = softer(&of_rough.hardness_and_strength, own.body, &counterface);
+    let flows = softer.map_or(Body::Rough, |softer| softer.flows);
+    let flowing = match flows {
+        Body::Counterface => {
+            refuse_length_of_the_harder(&keys, &counterface.strength)?;
+            counterface.strength
+        }
+        Body::Rough => of_rough,
+    };
+    let (counterface_body, counterface_youngs_modulus, counterface_poisson_ratio) = match counterface.elastic
+    {
+        Some(known) => (Some(known.body), known.youngs_modulus, known.poisson_ratio),
+        None => (None, None, None),
+    };
+    let material = Material::new(GivenMaterial {
+        body: own.body,
+        counterface: counterface_body,
+        flows,
+        hardness_and_strength: flowing.hardness_and_strength,
+        strength_cap,
+        strain_gradient_length_m: flowing.length.map(|length| length.m),
+    });
+    let spreads = MaterialSpreads {
+        youngs_modulus: own.youngs_modulus,
+        poisson_ratio: own.poisson_ratio,
+        counterface_youngs_modulus,
+        counterface_poisson_ratio,
+        strength: flowing.spread.map(Spread::over_its_centre),
+        strain_gradient_length: flowing.of_length,
+    };
+    let bodies = Bodies {
+        transport,
+        counterface_transport: counterface.transport,
+        from_table: keys.from_table,
+        counterface_from_table: counterface.from_table,
+        softer,
+    };
+    Ok((material, spreads, bodies))
+}
+
+/// The body that flows, where the counterface has a strength: the one of the smaller C(nu) S_y, by the medians, and the
+/// rough body of two alike.
+fn softer(
+    rough: &HardnessAndStrength,
+    rough_body: ElasticBody,
+    counterface: &KnownCounterface,
+) -> Option<Softer> {
+    let counterface_pa = counterface.strength.hardness_and_strength.yield_strength_pa()?;
+    let counterface_body = counterface.elastic.as_ref()?.body;
+    let first_yield_pa = |body: ElasticBody, strength_pa| body.spherical_yield_coefficient() * strength_pa;
+    // A strength in units of the hardness is refused where a model asks for it.
+    let softer = match rough.yield_strength_pa() {
+        None if rough.strength_is_in_hardnesses() => return None,
+        None => Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa: None },
+        Some(rough_pa)
+            if first_yield_pa(counterface_body, counterface_pa) < first_yield_pa(rough_body, rough_pa) =>
+        {
+            Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa: Some(rough_pa) }
+        }
+        Some(rough_pa) => {
+            Softer { flows: Body::Rough, yield_strength_pa: rough_pa, other_pa: Some(counterface_pa) }
+        }
+    };
+    Some(softer)
+}
+
+/// The strain-gradient length is one of the body that flows: that of the other says nothing.
+fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) -> Result<(), SceneError> {
+    match (&rough.strain_gradient_length, counterface.length) {
+        (Some(length), None) => {
+            let message = "key material.strain_gradient_length: the counterface is the softer and flows, and this is a length of \
+                           the other body; give counterface.strain_gradient_length instead";
+            Err(SceneError::at(length.span(), message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What presses on the rough body; rigid where nothing elastic is given of it.
+pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<KnownCounterface, SceneError> {
+    let keys = BodyKeys::of_counterface(raw)?;
+    let strength = strength(&keys)?;
+    let transport = transport(&keys)?;
+    if strength.hardness_and_strength.strength_is_in_hardnesses() {
+        let span = keys.yield_strength.as_ref().map_or(keys.span, Spanned::span);
+        return Err(SceneError::at(span, MaterialError::StrengthInHardnesses));
+    }
+    let has_strength = keys.yield_strength.is_some() || keys.indentation_hardness.is_some();
+    let has_more = raw.get_ref().surface.is_some() || transport != Transport::default();
+    let elastic = match (&keys.youngs_modulus, &keys.poisson_ratio) {
+        (Some(modulus), Some(ratio)) => Some(elastic_body(&keys, modulus, ratio)?),
+        (None, None) if has_more && !has_strength => None,
+        (None, None) if has_strength => {
+            let message = "[counterface] yields, so that it is not rigid; give its youngs_modulus and poisson_ratio as well, or a \
+                           name from the table of materials";
+            return Err(SceneError::at(raw.span(), message));
+        }
+        _ => {
+            let message = "[counterface] needs both youngs_modulus and poisson_ratio; with neither of them, only a surface, it \
+                           is rigid";
+            return Err(SceneError::at(raw.span(), message));
+        }
+    };
+    Ok(KnownCounterface { elastic, strength, transport, from_table: keys.from_table })
+}
+
+/// The hardness, the strength and its length, as far as they are given.
+fn strength(keys: &BodyKeys) -> Result<KnownStrength, SceneError> {
+    let (length, of_length) = apart(optional_property::<Length>(
+        &keys.key("strain_gradient_length"),
+        keys.strain_gradient_length.as_ref(),
+    )?);
+    let hardness_key = keys.key("indentation_hardness");
+    let (hardness, of_hardness) =
+        apart(optional_property::<IndentationHardness>(&hardness_key, keys.indentation_hardness.as_ref())?);
+    let (strength, of_strength) =
+        apart(optional_property::<Pressure>(&keys.key("yield_strength"), keys.yield_strength.as_ref())?);
+    let hardness_span = || keys.indentation_hardness.as_ref().map(Spanned::span);
+    if of_hardness.is_some() && of_strength.is_some() {
+        let message = "yield_strength says how well it is known as well, and the hardness is three times it; keep one of \
+                       the two uncertainties";
+        let problem = SceneProblem::from(format!("key {hardness_key}: {message}"));
+        return Err(SceneError { problem, span: hardness_span() });
+    }
+    let hardness_and_strength = HardnessAndStrength::new(hardness, strength)
+        .map_err(|error| SceneError { problem: MaterialError::from(error).into(), span: hardness_span() })?;
+    Ok(KnownStrength { hardness_and_strength, spread: of_hardness.or(of_strength), length, of_length })
+}
+
+fn transport(keys: &BodyKeys) -> Result<Transport, SceneError> {
+    let conductivity: Option<ThermalConductivity> =
+        optional(&keys.key("thermal_conductivity"), keys.thermal_conductivity.as_ref())?;
+    let resistivity: Option<Resistivity> = optional(&keys.key("resistivity"), keys.resistivity.as_ref())?;
+    Ok(Transport {
+        thermal_conductivity_w_per_m_k: conductivity.map(|conductivity| conductivity.w_per_m_k),
+        resistivity_ohm_m: resistivity.map(|resistivity| resistivity.ohm_m),
+    })
+}
+
+fn apart<T>(known: Option<Known<T>>) -> (Option<T>, Option<Spread>) {
+    known.map_or((None, None), |known| (Some(known.value), known.spread))
+}
+
+fn required<'k>(
+    keys: &BodyKeys,
+    name: &str,
+    given: Option<&'k Spanned<RawProperty>>,
+) -> Result<&'k Spanned<RawProperty>, SceneError> {
+    given.ok_or_else(|| SceneError::at(keys.span.clone(), SceneProblem::MissingKey { key: name.to_owned() }))
+}
+
+fn elastic_body(
+    keys: &BodyKeys,
+    youngs_modulus: &Spanned<RawProperty>,
+    ratio: &Spanned<RawProperty>,
+) -> Result<KnownBody, SceneError> {
+    let modulus: Known<Modulus> = property(&keys.key("youngs_modulus"), youngs_modulus)?;
+    let key = keys.key("poisson_ratio");
+    let known_ratio = poisson_ratio(&key, ratio)?;
+    let body = ElasticBody::new(modulus.value.pa, known_ratio.value)
+        .map_err(|error| SceneError::at(ratio.span(), format!("key {key}: {error}")))?;
+    Ok(KnownBody { body, youngs_modulus: modulus.spread, poisson_ratio: known_ratio.spread })
+}

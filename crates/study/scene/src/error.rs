@@ -1,0 +1,181 @@
+//! What is wrong in a scene, and where it stands.
+
+use std::fmt;
+use std::ops::Range;
+
+use study::material::{MaterialError, MaterialProperty};
+use study::surface::SurfaceError;
+
+/// Something wrong in a scene, and where.
+#[derive(Debug)]
+pub struct SceneError {
+    /// What is wrong.
+    pub problem: SceneProblem,
+    /// The bytes of the scene to point at; the whole of it where absent.
+    pub span: Option<Range<usize>>,
+}
+
+/// What is wrong in a scene.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum SceneProblem {
+    /// The text, a key or a value is none that a scene may have.
+    Text(String),
+    /// No section of this place has such a key.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The keys there are.
+        known: Vec<String>,
+        /// The one that looks most like it.
+        meant: Option<String>,
+    },
+    /// A choice that is none of those there are.
+    UnknownValue {
+        /// The value.
+        value: String,
+        /// The values there are.
+        known: Vec<String>,
+        /// The one that looks most like it.
+        meant: Option<String>,
+    },
+    /// A value of another kind than its key takes.
+    WrongType {
+        /// What stands there, e.g. `string "a"`.
+        found: String,
+        /// What would be right there, e.g. `a number`.
+        wanted: String,
+    },
+    /// A section lacks a key that it must have.
+    MissingKey {
+        /// The key.
+        key: String,
+    },
+    /// A value that its key does not take.
+    Value {
+        /// The key with its section.
+        key: String,
+        /// The value as it stands there.
+        value: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The files of a curve or figure would replace others.
+    FileNameTaken {
+        /// Its name.
+        name: String,
+        /// The name that it is taken by.
+        by: String,
+    },
+    /// A curve needs what the material lacks.
+    Material(MaterialError),
+    /// The spectrum or the scans cannot be had.
+    Surface(Box<SurfaceError>),
+}
+
+impl SceneError {
+    pub(super) fn at(span: Range<usize>, problem: impl Into<SceneProblem>) -> Self {
+        SceneError { problem: problem.into(), span: Some(span) }
+    }
+
+    pub(super) fn anywhere(problem: impl Into<SceneProblem>) -> Self {
+        SceneError { problem: problem.into(), span: None }
+    }
+
+    /// The key to blame, where one is known.
+    #[must_use]
+    pub fn key(&self) -> Option<&str> {
+        match &self.problem {
+            SceneProblem::UnknownKey { key, .. }
+            | SceneProblem::MissingKey { key }
+            | SceneProblem::Value { key, .. } => Some(key),
+            _ => None,
+        }
+    }
+
+    /// The line of the scene that it points at, counted from 1.
+    #[must_use]
+    pub fn line(&self, scene: &str) -> Option<usize> {
+        let before = scene.get(..self.span.as_ref()?.start)?;
+        Some(1 + before.matches('\n').count())
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.problem.fmt(f)
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl fmt::Display for SceneProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneProblem::Text(text) => f.write_str(text),
+            SceneProblem::Material(error @ MaterialError::Missing(needed_for)) => {
+                let key = match needed_for.property() {
+                    MaterialProperty::IndentationHardness => "indentation_hardness or yield_strength",
+                    MaterialProperty::YieldStrength => "yield_strength or indentation_hardness",
+                    MaterialProperty::StrainGradientLength => "strain_gradient_length",
+                };
+                write!(f, "{error}: add {key} in [material]")
+            }
+            SceneProblem::Material(error @ MaterialError::HardnessOffStrength(_)) => {
+                write!(f, "{error}: leave out indentation_hardness or yield_strength in [material]")
+            }
+            SceneProblem::UnknownKey { key, known, meant } => {
+                write!(f, "unknown key `{key}`{} the keys here are {}", hint(meant), known.join(", "))
+            }
+            SceneProblem::UnknownValue { value, known, meant } => {
+                write!(f, "unknown value `{value}`{} it may be {}", hint(meant), known.join(", "))
+            }
+            SceneProblem::WrongType { found, wanted } => write!(f, "{found} stands where {wanted} should"),
+            SceneProblem::MissingKey { key } => write!(f, "the key {key} is missing here"),
+            SceneProblem::Value { key, problem, .. } => write!(f, "key {key}: {problem}"),
+            SceneProblem::FileNameTaken { name, by } if name == by => {
+                write!(
+                    f,
+                    "{name:?} is the name of a file that the program writes itself; choose another name"
+                )
+            }
+            SceneProblem::FileNameTaken { name, by } => {
+                write!(
+                    f,
+                    "{name:?} and {by:?} name the same file on disks where case does not count; rename one"
+                )
+            }
+            SceneProblem::Material(error) => error.fmt(f),
+            SceneProblem::Surface(error) => error.fmt(f),
+        }
+    }
+}
+
+/// What was meant, or where nothing was, what parts the clauses.
+fn hint(meant: &Option<String>) -> String {
+    meant.as_ref().map_or_else(|| ";".to_owned(), |meant| format!(", did you mean `{meant}`?"))
+}
+
+impl From<String> for SceneProblem {
+    fn from(text: String) -> Self {
+        SceneProblem::Text(text)
+    }
+}
+
+impl From<&str> for SceneProblem {
+    fn from(text: &str) -> Self {
+        SceneProblem::Text(text.to_owned())
+    }
+}
+
+impl From<MaterialError> for SceneProblem {
+    fn from(error: MaterialError) -> Self {
+        SceneProblem::Material(error)
+    }
+}
+
+impl From<SurfaceError> for SceneProblem {
+    fn from(error: SurfaceError) -> Self {
+        SceneProblem::Surface(Box::new(error))
+    }
+}

@@ -1,0 +1,117 @@
+//! What a scene wants to know of its interface: what was typed, within bounds.
+
+use ::interface::conductance::{Conductivities, Resistivities};
+use ::interface::leak::SealedJoint;
+use persson::sealing::PercolationThreshold;
+use serde_spanned::Spanned;
+use units::{Bound, Length, Viscosity, WorkOfAdhesion};
+
+use super::error::SceneError;
+use super::loads::nominal_pressure;
+use super::raw::{RawInterface, RawScene, RawSeal};
+use super::values::{optional, parsed, value_error};
+use study::bodies::{Bodies, Transport};
+use study::interface::{Adhesion, Asked, Seal};
+use study::material::Material;
+use study::persson_law::PerssonLaw;
+use study::plan::NominalPressure;
+
+/// The elastic energy factor of Persson's theory.
+const GAMMA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
+
+/// What is asked of the interface, with what both bodies conduct; none where no section and no pair of conductivities or
+/// resistivities asks.
+pub(super) fn resolve_interface(
+    raw: &RawScene,
+    material: Option<&Material>,
+    bodies: &Bodies,
+    nominal_area_m2: Option<f64>,
+) -> Result<Option<Asked>, SceneError> {
+    let conductivities = of_both(bodies, |transport| transport.thermal_conductivity_w_per_m_k);
+    let conductivities = conductivities.map(|[own, other]| Conductivities::new(own, other));
+    let resistivities = of_both(bodies, |transport| transport.resistivity_ohm_m);
+    let resistivities = resistivities.map(|[own, other]| Resistivities::new(own, other));
+    let anywhere = |error: units::OutOfBounds| SceneError::anywhere(error.to_string());
+    let conductivities = conductivities.transpose().map_err(anywhere)?;
+    let resistivities = resistivities.transpose().map_err(anywhere)?;
+    let is_asked =
+        raw.interface.is_some() || raw.seal.is_some() || conductivities.is_some() || resistivities.is_some();
+    if !is_asked {
+        return Ok(None);
+    }
+    let nothing = RawInterface::default();
+    let own = raw.interface.as_ref().unwrap_or(&nothing);
+    let gamma =
+        own.gamma.as_ref().map(|gamma| checked("interface.gamma", "the elastic energy factor", gamma, GAMMA));
+    let shear_strength = own
+        .shear_strength
+        .as_ref()
+        .map(|typed| nominal_pressure("interface.shear_strength", typed, material))
+        .transpose()?;
+    Ok(Some(Asked {
+        energy_factor: gamma.transpose()?.unwrap_or(PerssonLaw::ENERGY_FACTOR),
+        band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
+        conductivities,
+        resistivities,
+        nominal_area_m2,
+        seal: raw.seal.as_ref().map(|seal| resolve_seal(seal, material)).transpose()?,
+        shear_strength_pa: shear_strength.map(NominalPressure::pa),
+        adhesion: resolve_adhesion(own)?,
+    }))
+}
+
+/// What both bodies are given.
+fn of_both(bodies: &Bodies, of: fn(&Transport) -> Option<f64>) -> Option<[f64; 2]> {
+    Some([of(&bodies.transport)?, of(&bodies.counterface_transport)?])
+}
+
+fn resolve_adhesion(raw: &RawInterface) -> Result<Option<Adhesion>, SceneError> {
+    let work: Option<WorkOfAdhesion> = optional("interface.work_of_adhesion", raw.work_of_adhesion.as_ref())?;
+    let range: Option<Length> = optional("interface.range_of_attraction", raw.range_of_attraction.as_ref())?;
+    match (work, range, &raw.range_of_attraction) {
+        (None, Some(_), Some(typed)) => Err(SceneError::at(
+            typed.span(),
+            "key interface.range_of_attraction: it says nothing without a work_of_adhesion; give both",
+        )),
+        _ => {
+            Ok(work
+                .map(|work| Adhesion { work_j_per_m2: work.j_per_m2, range_m: range.map(|range| range.m) }))
+        }
+    }
+}
+
+fn resolve_seal(raw: &Spanned<RawSeal>, material: Option<&Material>) -> Result<Seal, SceneError> {
+    let seal = raw.get_ref();
+    let threshold = seal.percolation_threshold.as_ref().map(|typed| {
+        PercolationThreshold::new(*typed.get_ref()).map_err(|error| {
+            value_error("seal.percolation_threshold", &typed.get_ref().to_string(), typed.span(), error)
+        })
+    });
+    let drop = seal
+        .pressure_drop
+        .as_ref()
+        .map(|typed| nominal_pressure("seal.pressure_drop", typed, material))
+        .transpose()?;
+    let viscosity: Option<Viscosity> = optional("seal.viscosity", seal.viscosity.as_ref())?;
+    let breadth: Option<Length> = optional("seal.breadth", seal.breadth.as_ref())?;
+    let length: Option<Length> = optional("seal.length", seal.length.as_ref())?;
+    let joint = match (drop, viscosity, breadth, length) {
+        (Some(drop), Some(viscosity), Some(breadth), Some(length)) => Some(
+            SealedJoint::new(breadth.m, length.m, drop.pa(), viscosity.pa_s)
+                .map_err(|error| SceneError::at(raw.span(), format!("[seal]: {error}")))?,
+        ),
+        (None, None, None, None) => None,
+        _ => {
+            let message = "[seal]: a leak rate takes pressure_drop, viscosity, breadth and length; give all four, or none for the \
+                           last channel alone";
+            return Err(SceneError::at(raw.span(), message));
+        }
+    };
+    Ok(Seal { threshold: threshold.transpose()?.unwrap_or_default(), joint })
+}
+
+fn checked(key: &str, quantity: &'static str, raw: &Spanned<f64>, bound: Bound) -> Result<f64, SceneError> {
+    let value = *raw.get_ref();
+    let checked = bound.check(quantity, value);
+    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))
+}

@@ -1,0 +1,162 @@
+#![doc = include_str!("../README.md")]
+//!
+//!
+//! A scene file is read in two stages: `raw` is what may be typed, [`Scene`] what it means, in SI units and checked.
+
+mod bodies;
+mod curves;
+mod error;
+mod figures;
+pub mod file_names;
+mod from_toml;
+mod interface;
+mod judge;
+mod known;
+mod loads;
+mod named_material;
+mod notes;
+mod raw;
+mod replace;
+mod resolve;
+mod roughness;
+mod spelling;
+mod surfaces;
+mod template;
+mod uncertainty;
+mod values;
+
+pub use error::{SceneError, SceneProblem};
+pub use judge::JudgeChoices;
+pub use known::UncertainProperty;
+pub use notes::{Idle, SceneNote};
+pub use replace::{ReplaceError, with_keys};
+pub use resolve::Overrides;
+pub use template::Template;
+pub use uncertainty::UncertaintyChoices;
+
+use measurements::{Files, NoFiles};
+use study::bodies::Bodies;
+use study::choices_in_words;
+use study::figure::Figure;
+use study::interface::Asked;
+use study::material::Material;
+use study::material_spreads::MaterialSpreads;
+use study::plan::{CurveModel, Needs, Plan, Sampling};
+use study::surface::Surface;
+use units::number;
+
+/// A checked scene.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// The scene as typed.
+    pub text: String,
+    /// What it is about.
+    pub title: String,
+    /// The surface and its spectrum.
+    pub surface: Surface,
+    /// The material; absent where no curve needs one.
+    pub material: Option<Material>,
+    /// How well the material is known.
+    pub spreads: MaterialSpreads,
+    /// What else is known of the two bodies.
+    pub bodies: Bodies,
+    /// Which scales take part.
+    pub sampling: Sampling,
+    /// What has to be computed for its curves and figures.
+    pub needs: Needs,
+    /// The figures to draw.
+    pub figures: Vec<Figure>,
+    /// How its models are to be judged; absent where the scene has no section on it.
+    pub judge: Option<JudgeChoices>,
+    /// How sure its areas are to be told; absent where the scene has no section on it.
+    pub uncertainty: Option<UncertaintyChoices>,
+    /// What is asked of the interface besides its area; absent where nothing is.
+    pub interface: Option<Asked>,
+    /// Keys that have no effect.
+    pub notes: Vec<SceneNote>,
+}
+
+impl Scene {
+    /// Reads a scene, and the files that it names.
+    ///
+    /// # Errors
+    /// [`SceneError`] with place, key, value and bound.
+    pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
+        let raw = raw::RawScene::parse(text)?;
+        let scene = resolve::resolve(text, &raw, files, overrides)?;
+        Ok(Scene { notes: notes::notes(text, &scene, overrides), ..scene })
+    }
+
+    /// A scene that comes with the program.
+    ///
+    /// # Errors
+    /// None, unless the program was built with a broken scene.
+    pub fn builtin(template: Template) -> Result<Self, SceneError> {
+        Self::parse(template.text(), &NoFiles, &Overrides::default())
+    }
+
+    /// The choices that its numbers depend on, besides the spectrum.
+    pub fn choices(&self) -> Vec<String> {
+        let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
+        choices.extend(self.bodies.describe(&self.spreads));
+        choices.extend(self.spreads.describe());
+        choices.extend(self.model_choices());
+        choices
+    }
+
+    /// Those of them that the models leave open.
+    pub fn model_choices(&self) -> Vec<String> {
+        let mut choices = Vec::new();
+        let named = |choice: &str, key: &str, words: &str| format!("{choice}: {key} ({words})");
+        choices.extend(self.needs.amplitudes.map(|definition| {
+            named("amplitude", definition.name(), choices_in_words::amplitude(definition))
+        }));
+        choices.extend(self.needs.moments.map(|normalisation| {
+            named(
+                "normalisation of moments",
+                normalisation.name(),
+                choices_in_words::normalisation(normalisation),
+            )
+        }));
+        let mut of_laws: Vec<String> = Vec::new();
+        for curve in &self.needs.curves {
+            of_laws.extend(curve.model.hardness().map(|hardness| {
+                named("hardness of spheres", hardness.name(), choices_in_words::hardness(hardness))
+            }));
+            of_laws.extend(curve.model.interference().map(|law| {
+                named("interference law of sinusoids", law.name(), choices_in_words::interference(law))
+            }));
+        }
+        of_laws.sort();
+        of_laws.dedup();
+        choices.extend(of_laws);
+        if self.needs.curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. })) {
+            choices
+                .push(format!("tolerance of statistical states: {}", number(self.needs.tolerance.value())));
+        }
+        choices
+    }
+
+    /// The hardness H = 3 S0 \[Pa\] of its material, where there is a strength.
+    pub fn hardness_pa(&self) -> Option<f64> {
+        self.material?.hardness_pa()
+    }
+
+    /// Whether anything in it is known to scatter: scans between places, a spectrum by its standard errors, the material. Of a
+    /// single scan something is known, too, which counts where the scene has a section on its uncertainty.
+    pub fn scatters(&self) -> bool {
+        let parts = self.surface.each();
+        let places = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.place_count()));
+        let least_places = if self.uncertainty.is_some() { 1 } else { 2 };
+        let has_errors = |part: &&Surface| {
+            let errors_m3 = part.psd.standard_errors_m3().unwrap_or_default();
+            part.made_from.is_none() && errors_m3.iter().flatten().any(|error_m3| *error_m3 > 0.0)
+        };
+        places.sum::<usize>() >= least_places || parts.iter().any(has_errors) || !self.spreads.is_empty()
+    }
+
+    /// What carries the scene out.
+    pub fn plan(&self) -> Plan<'_> {
+        Plan { psd: &self.surface.psd, sampling: self.sampling, needs: self.needs.clone() }
+    }
+}

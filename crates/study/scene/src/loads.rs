@@ -1,0 +1,69 @@
+//! The loads of a scene.
+
+use serde_spanned::Spanned;
+
+use super::error::{SceneError, SceneProblem};
+use super::raw::{RawLoads, RawQuantity};
+use super::values::{label, optional, quantity, value_error};
+use study::material::{Material, MaterialError, NeededFor};
+use study::plan::{Load, NominalPressure};
+use units::{Area, Force, Pressure};
+
+pub(super) fn resolve_loads(
+    raw: &Spanned<RawLoads>,
+    material: Option<&Material>,
+) -> Result<Vec<Load>, SceneError> {
+    let loads = raw.get_ref();
+    let resolved = match (&loads.pressures, &loads.force, &loads.nominal_area) {
+        (Some(pressures), None, None) => {
+            pressures.iter().map(|raw| pressure_load(raw, material)).collect::<Result<_, _>>()?
+        }
+        (None, Some(force), Some(area)) => vec![force_load(force, area)?],
+        _ => {
+            let message = "[loads] takes either pressures = [...], or force and nominal_area together";
+            return Err(SceneError::at(raw.span(), message));
+        }
+    };
+    if let Some(twice) = resolved.iter().enumerate().find(|(i, load)| resolved[..*i].contains(load)) {
+        let message = format!("key loads.pressures: {} stands twice; keep one", twice.1.label);
+        return Err(SceneError::at(raw.span(), message));
+    }
+    if resolved.is_empty() {
+        return Err(SceneError::at(raw.span(), "[loads] is empty; give at least one pressure"));
+    }
+    Ok(resolved)
+}
+
+fn pressure_load(raw: &RawQuantity, material: Option<&Material>) -> Result<Load, SceneError> {
+    Ok(Load { nominal_pressure: nominal_pressure("loads.pressures", raw, material)?, label: label(raw) })
+}
+
+/// The nominal pressure under a key, in Pa or in H.
+pub(super) fn nominal_pressure(
+    key: &str,
+    raw: &RawQuantity,
+    material: Option<&Material>,
+) -> Result<NominalPressure, SceneError> {
+    let pressure: Pressure = quantity(key, raw)?;
+    let pressure_pa = pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
+        let missing = MaterialError::Missing(NeededFor::PressureInHardnesses);
+        value_error(key, &label(raw), raw.span(), SceneProblem::from(missing))
+    })?;
+    NominalPressure::new(pressure_pa)
+        .map_err(|error| value_error(key, &label(raw), raw.span(), format!("{}: {error}", label(raw))))
+}
+
+/// The nominal area \[m^2\] that a force presses on; none where pressures are given.
+pub(super) fn nominal_area_m2(raw: &Spanned<RawLoads>) -> Result<Option<f64>, SceneError> {
+    let area: Option<Area> = optional("loads.nominal_area", raw.get_ref().nominal_area.as_ref())?;
+    Ok(area.map(|area| area.m2))
+}
+
+fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneError> {
+    let Force { n } = quantity("loads.force", force)?;
+    let Area { m2 } = quantity("loads.nominal_area", area)?;
+    let label = format!("{} on {}", label(force), label(area));
+    let nominal_pressure = NominalPressure::new(n / m2)
+        .map_err(|error| value_error("loads.force", &label, force.span(), format!("{label}: {error}")))?;
+    Ok(Load { nominal_pressure, label })
+}

@@ -1,0 +1,126 @@
+//! The keys of a body, and those that the table of materials fills because the scene names one.
+
+use std::ops::Range;
+
+use serde_spanned::Spanned;
+
+use super::error::{SceneError, SceneProblem};
+use super::raw::{RawCounterface, RawMaterial, RawProperty, RawQuantity};
+use super::spelling::meant;
+use study::bodies::FromTable;
+use study::materials::{TabledMaterial, materials};
+
+/// The keys of a body, as given or from the table.
+pub(super) struct BodyKeys {
+    /// The section that they stand in.
+    pub section: &'static str,
+    /// Where that is.
+    pub span: Range<usize>,
+    pub youngs_modulus: Option<Spanned<RawProperty>>,
+    pub poisson_ratio: Option<Spanned<RawProperty>>,
+    pub yield_strength: Option<Spanned<RawProperty>>,
+    pub indentation_hardness: Option<Spanned<RawProperty>>,
+    pub strain_gradient_length: Option<Spanned<RawProperty>>,
+    pub thermal_conductivity: Option<RawQuantity>,
+    pub resistivity: Option<RawQuantity>,
+    /// What the table filled.
+    pub from_table: Option<FromTable>,
+}
+
+impl BodyKeys {
+    /// Those of the rough body.
+    pub fn of_material(raw: &Spanned<RawMaterial>) -> Result<Self, SceneError> {
+        let keys = raw.get_ref().clone();
+        BodyKeys {
+            section: "material",
+            span: raw.span(),
+            youngs_modulus: keys.youngs_modulus,
+            poisson_ratio: keys.poisson_ratio,
+            yield_strength: keys.yield_strength,
+            indentation_hardness: keys.indentation_hardness,
+            strain_gradient_length: keys.strain_gradient_length,
+            thermal_conductivity: keys.thermal_conductivity,
+            resistivity: keys.resistivity,
+            from_table: None,
+        }
+        .filled(keys.name.as_ref())
+    }
+
+    /// Those of what presses on it.
+    pub fn of_counterface(raw: &Spanned<RawCounterface>) -> Result<Self, SceneError> {
+        let keys = raw.get_ref();
+        BodyKeys {
+            section: "counterface",
+            span: raw.span(),
+            youngs_modulus: keys.youngs_modulus.clone(),
+            poisson_ratio: keys.poisson_ratio.clone(),
+            yield_strength: keys.yield_strength.clone(),
+            indentation_hardness: keys.indentation_hardness.clone(),
+            strain_gradient_length: keys.strain_gradient_length.clone(),
+            thermal_conductivity: keys.thermal_conductivity.clone(),
+            resistivity: keys.resistivity.clone(),
+            from_table: None,
+        }
+        .filled(keys.name.as_ref())
+    }
+
+    /// The key of this body under a name, with its section.
+    pub fn key(&self, name: &str) -> String {
+        format!("{}.{name}", self.section)
+    }
+
+    /// Fills what was left out from the table, where a material is named.
+    fn filled(mut self, name: Option<&Spanned<String>>) -> Result<Self, SceneError> {
+        let Some(name) = name else { return Ok(self) };
+        let TabledMaterial {
+            name: known_as,
+            aliases: _,
+            youngs_modulus,
+            poisson_ratio,
+            yield_strength,
+            indentation_hardness,
+            thermal_conductivity,
+            resistivity,
+            sources,
+        } = tabled(name)?;
+        let span = name.span();
+        // Hardness and strength give each other: one of them given leaves none of them out.
+        let has_strength = self.yield_strength.is_some() || self.indentation_hardness.is_some();
+        let of_table = |text: Option<String>| text.filter(|_| !has_strength).map(toml::Value::String);
+        let mut keys = Vec::new();
+        let mut fill =
+            |key: &'static str, given: &mut Option<Spanned<RawProperty>>, value: Option<toml::Value>| {
+                if let (None, Some(value)) = (&given, value) {
+                    keys.push(key);
+                    *given = Some(Spanned::new(span.clone(), RawProperty::Value(value)));
+                }
+            };
+        fill("youngs_modulus", &mut self.youngs_modulus, Some(toml::Value::String(youngs_modulus)));
+        fill("poisson_ratio", &mut self.poisson_ratio, Some(toml::Value::Float(poisson_ratio)));
+        fill("yield_strength", &mut self.yield_strength, of_table(yield_strength));
+        fill("indentation_hardness", &mut self.indentation_hardness, of_table(indentation_hardness));
+        let mut fill = |key: &'static str, given: &mut Option<RawQuantity>, text: Option<String>| {
+            if let (None, Some(text)) = (&given, text) {
+                keys.push(key);
+                *given = Some(Spanned::new(span.clone(), toml::Value::String(text)));
+            }
+        };
+        fill("thermal_conductivity", &mut self.thermal_conductivity, thermal_conductivity);
+        fill("resistivity", &mut self.resistivity, resistivity);
+        self.from_table = Some(FromTable { name: known_as, keys, sources });
+        Ok(self)
+    }
+}
+
+/// The material of the table that answers to a name.
+fn tabled(name: &Spanned<String>) -> Result<TabledMaterial, SceneError> {
+    let table = materials();
+    if let Some(found) = table.iter().find(|material| material.answers_to(name.get_ref())) {
+        return Ok(found.clone());
+    }
+    let known: Vec<String> = table.iter().map(|material| material.name.clone()).collect();
+    let names = table.iter().flat_map(|material| std::iter::once(&material.name).chain(&material.aliases));
+    let meant = meant(name.get_ref(), names.map(String::as_str)).map(str::to_owned);
+    let problem = SceneProblem::UnknownValue { value: name.get_ref().clone(), known, meant };
+    Err(SceneError::at(name.span(), problem))
+}

@@ -1,0 +1,221 @@
+//! What a scene holds that has no effect on what is computed: told, and not refused.
+
+use std::ops::Range;
+
+use serde::Serialize;
+use toml::de::{DeTable, DeValue};
+
+use super::{Overrides, Scene};
+use study::figure::Shows;
+use study::models::{Choice, Framework, ModelEntry};
+
+/// A key of a scene that has no effect, or not the one that it reads as.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneNote {
+    /// The key with its section, e.g. `curve.strain_gradient`.
+    pub key: String,
+    /// The line that it stands in, counted from 1.
+    pub line: usize,
+    /// The bytes of the scene that it stands in.
+    pub span: Range<usize>,
+    /// Why it has no effect.
+    pub reason: Idle,
+}
+
+/// Why a key of a scene has no effect.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Idle {
+    /// The curve's model does not yield, so that it has no strength.
+    ModelDoesNotYield,
+    /// The curve's model has no choice of an interference law.
+    ModelHasNoInterferenceLaw,
+    /// The figure shows something else.
+    FigureShowsSomethingElse,
+    /// No curve depends on it.
+    NoCurveUsesIt,
+    /// Every curve that depends on it has a setting of its own.
+    EveryCurveHasItsOwn,
+    /// No curve and no figure needs it.
+    NothingNeedsIt,
+    /// The spectrum ends above the cutoff.
+    CutoffBelowData {
+        /// The shortest wavelength of the spectrum \[m\].
+        shortest_m: f64,
+    },
+    /// The judge is off.
+    JudgeIsOff,
+    /// Nothing is drawn.
+    UncertaintyIsOff,
+    /// Nothing in the scene scatters.
+    NothingScatters,
+    /// The tolerance is finer than double precision reaches.
+    ToleranceHeld {
+        /// What is used instead.
+        used: f64,
+    },
+}
+
+/// The notes on a scene, in the order of its sections; what is overridden from outside says nothing about the scene.
+pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<SceneNote> {
+    // What cannot be read again was refused before.
+    let Ok(document) = DeTable::parse(text) else { return Vec::new() };
+    let mut keys = Keys { text, document: document.get_ref(), notes: Vec::new() };
+    curves(&mut keys, scene);
+    loads(&mut keys, scene);
+    figures(&mut keys, scene);
+    cutoffs(&mut keys, scene, overrides);
+    options(&mut keys, scene, overrides);
+    judge(&mut keys, scene, overrides);
+    uncertainty(&mut keys, scene, overrides);
+    keys.notes
+}
+
+fn curves(keys: &mut Keys<'_>, scene: &Scene) {
+    for (table, curve) in keys.tables("curve").into_iter().zip(&scene.needs.curves) {
+        let model = curve.model.entry();
+        let wants_gradient = matches!(value(table, "strain_gradient"), Some(DeValue::Boolean(true)));
+        if wants_gradient && !model.has(Choice::StrainGradient) {
+            keys.note("curve", table, "strain_gradient", Idle::ModelDoesNotYield);
+        }
+        if !model.has(Choice::Interference) {
+            keys.note("curve", table, "interference_law", Idle::ModelHasNoInterferenceLaw);
+        }
+    }
+}
+
+fn loads(keys: &mut Keys<'_>, scene: &Scene) {
+    let Some(table) = keys.section("loads") else { return };
+    if scene.needs.curves.is_empty() && scene.interface.is_none() {
+        for key in ["pressures", "force", "nominal_area"] {
+            keys.note("loads", table, key, Idle::NoCurveUsesIt);
+        }
+    }
+}
+
+fn figures(keys: &mut Keys<'_>, scene: &Scene) {
+    for (table, figure) in keys.tables("figure").into_iter().zip(&scene.figures) {
+        let idle: &[&str] = match figure.shows {
+            Shows::AreaAgainstLoad => &[],
+            Shows::Area => &["loads", "cutoff_multiples"],
+            Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {
+                &["curves", "loads", "cutoff_multiples"]
+            }
+        };
+        for key in idle {
+            keys.note("figure", table, key, Idle::FigureShowsSomethingElse);
+        }
+    }
+}
+
+fn cutoffs(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let shortest_m = scene.surface.psd.shortest_wavelength_m();
+    let below = scene.sampling.cutoff_m.is_some_and(|cutoff_m| cutoff_m < shortest_m);
+    if let Some(table) = keys.section("cutoffs").filter(|_| below && overrides.cutoff.is_none()) {
+        keys.note("cutoffs", table, "shortest_wavelength", Idle::CutoffBelowData { shortest_m });
+    }
+}
+
+fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let Some(table) = keys.section("options") else { return };
+    let needs = &scene.needs;
+    let any_model = |is: fn(&ModelEntry) -> bool| needs.curves.iter().any(|curve| is(curve.model.entry()));
+    if needs.moments.is_none() && overrides.normalisation.is_none() {
+        keys.note("options", table, "normalisation", Idle::NothingNeedsIt);
+    }
+    if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
+        keys.note("options", table, "amplitude", Idle::NothingNeedsIt);
+    }
+    if overrides.hardness.is_none() && !any_model(|model| model.has(Choice::Hardness)) {
+        keys.note("options", table, "hardness", Idle::NoCurveUsesIt);
+    }
+    if overrides.strength_cap.is_none() && !needs.curves.iter().any(|curve| curve.model.strength_grows()) {
+        keys.note("options", table, "strength_cap", Idle::NoCurveUsesIt);
+    }
+    interference_law(keys, table, scene);
+    if !any_model(|model| model.framework == Framework::Statistical) {
+        keys.note("options", table, "tolerance", Idle::NoCurveUsesIt);
+    } else if needs.tolerance.asked_finer().is_some() {
+        let used = needs.tolerance.value();
+        keys.note("options", table, "tolerance", Idle::ToleranceHeld { used });
+    }
+}
+
+fn judge(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let Some(table) = keys.section("judge").filter(|_| !overrides.no_judge) else { return };
+    let off = scene.judge.is_some_and(|judge| judge.off);
+    let idle = off.then_some(Idle::JudgeIsOff);
+    if let Some(reason) = idle.or(scene.needs.curves.is_empty().then_some(Idle::NoCurveUsesIt)) {
+        for key in ["grid", "realisations", "seed", "budget"] {
+            keys.note("judge", table, key, reason);
+        }
+    }
+}
+
+fn uncertainty(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+    let Some(table) = keys.section("uncertainty").filter(|_| !overrides.no_uncertainty) else { return };
+    let off = scene.uncertainty.is_some_and(|uncertainty| uncertainty.off);
+    let idle = [
+        (off, Idle::UncertaintyIsOff),
+        (scene.needs.curves.is_empty(), Idle::NoCurveUsesIt),
+        (!scene.scatters(), Idle::NothingScatters),
+    ];
+    let Some((_, reason)) = idle.into_iter().find(|(holds, _)| *holds) else { return };
+    for key in ["level", "draws", "seed", "shares_draws"] {
+        keys.note("uncertainty", table, key, reason);
+    }
+}
+
+fn interference_law<'d>(keys: &mut Keys<'d>, options: &'d DeTable<'d>, scene: &Scene) {
+    let tables = keys.tables("curve");
+    let of_sinusoids: Vec<_> = tables
+        .into_iter()
+        .zip(&scene.needs.curves)
+        .filter(|(_, curve)| curve.model.entry().has(Choice::Interference))
+        .collect();
+    if of_sinusoids.is_empty() {
+        keys.note("options", options, "interference_law", Idle::NoCurveUsesIt);
+    } else if of_sinusoids.iter().all(|(table, _)| value(table, "interference_law").is_some()) {
+        keys.note("options", options, "interference_law", Idle::EveryCurveHasItsOwn);
+    }
+}
+
+/// The keys that stand in a scene, and what there is to note of them.
+struct Keys<'d> {
+    text: &'d str,
+    document: &'d DeTable<'d>,
+    notes: Vec<SceneNote>,
+}
+
+impl<'d> Keys<'d> {
+    fn section(&self, name: &str) -> Option<&'d DeTable<'d>> {
+        match value(self.document, name)? {
+            DeValue::Table(table) => Some(table),
+            _ => None,
+        }
+    }
+
+    /// The tables of an array of them, in order.
+    fn tables(&self, name: &str) -> Vec<&'d DeTable<'d>> {
+        let Some(DeValue::Array(items)) = value(self.document, name) else { return Vec::new() };
+        let table = |item: &'d toml::Spanned<DeValue<'d>>| match item.get_ref() {
+            DeValue::Table(table) => Some(table),
+            _ => None,
+        };
+        items.iter().filter_map(table).collect()
+    }
+
+    /// Notes a key where it stands in its table.
+    fn note(&mut self, section: &str, table: &DeTable<'_>, key: &str, reason: Idle) {
+        let found = table.iter().find(|(name, _)| name.get_ref() == key);
+        let Some((name, value)) = found else { return };
+        let span = name.span().start..value.span().end;
+        let line = 1 + self.text[..span.start].matches('\n').count();
+        self.notes.push(SceneNote { key: format!("{section}.{key}"), line, span, reason });
+    }
+}
+
+fn value<'d>(table: &'d DeTable<'d>, key: &str) -> Option<&'d DeValue<'d>> {
+    table.iter().find(|(name, _)| name.get_ref() == key).map(|(_, value)| value.get_ref())
+}

@@ -1,0 +1,489 @@
+//! The text of a scene with some of its keys set anew. All else of it, comments too, stays as it was typed.
+
+use std::fmt;
+use std::ops::Range;
+
+use serde::Deserialize;
+use serde::de::value::Error as NoValue;
+use serde::de::{Deserializer, Error as _, Visitor};
+use toml::Value;
+use toml::de::{DeTable, DeValue};
+
+use super::error::SceneError;
+use super::from_toml::scene_error;
+use super::raw::{
+    RawCounterface, RawCurve, RawCutoffs, RawFigure, RawInterface, RawJudge, RawLoads, RawMaterial,
+    RawOptions, RawSeal, RawSurface, RawUncertainty,
+};
+use super::spelling::meant;
+
+/// Names that stand for a key of another name, as functions and options have them.
+const OTHER_NAMES: [(&str, [&str; 2]); 2] =
+    [("cutoff", ["cutoffs", "shortest_wavelength"]), ("pressure", ["loads", "pressures"])];
+
+/// The SI units of the keys that are typed with a unit, so that a plain number can be given for them.
+const SI_UNITS: [(&str, &str); 27] = [
+    ("surface.rms_height", "m"),
+    ("surface.mean_width", "m"),
+    ("surface.rolloff_wavelength", "m"),
+    ("material.youngs_modulus", "Pa"),
+    ("material.yield_strength", "Pa"),
+    ("material.indentation_hardness", "Pa"),
+    ("material.strain_gradient_length", "m"),
+    ("material.thermal_conductivity", "W/(m K)"),
+    ("material.resistivity", "ohm m"),
+    ("counterface.youngs_modulus", "Pa"),
+    ("counterface.yield_strength", "Pa"),
+    ("counterface.indentation_hardness", "Pa"),
+    ("counterface.strain_gradient_length", "m"),
+    ("counterface.thermal_conductivity", "W/(m K)"),
+    ("counterface.resistivity", "ohm m"),
+    ("loads.pressures", "Pa"),
+    ("loads.force", "N"),
+    ("loads.nominal_area", "m^2"),
+    ("cutoffs.shortest_wavelength", "m"),
+    ("options.strength_cap", "Pa"),
+    ("interface.shear_strength", "Pa"),
+    ("interface.work_of_adhesion", "J/m^2"),
+    ("interface.range_of_attraction", "m"),
+    ("seal.pressure_drop", "Pa"),
+    ("seal.viscosity", "Pa s"),
+    ("seal.breadth", "m"),
+    ("seal.length", "m"),
+];
+
+/// A key that cannot be set anew.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ReplaceError {
+    /// No section has such a key, or there is no such section.
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+        /// The one that looks most like it.
+        meant: Option<String>,
+    },
+    /// Several sections have such a key.
+    Ambiguous {
+        /// The name.
+        name: String,
+        /// Where it may stand.
+        places: Vec<String>,
+    },
+    /// There are not so many sections of a kind.
+    TooFew {
+        /// The name.
+        name: String,
+        /// How many there are.
+        count: usize,
+    },
+    /// The key is a section of its own, or stands in one that is none.
+    NoValue {
+        /// The name.
+        name: String,
+    },
+    /// The scene is no scene.
+    Scene(SceneError),
+}
+
+impl fmt::Display for ReplaceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ReplaceError::Unknown { name, known, meant } => {
+                write!(f, "{name}: a scene has no such key")?;
+                match meant {
+                    Some(meant) => write!(f, ", did you mean {meant}?")?,
+                    None => f.write_str(";")?,
+                }
+                write!(f, " it may be {}", known.join(", "))
+            }
+            ReplaceError::Ambiguous { name, places } => {
+                write!(f, "{name} may be {}; name the one that is meant", places.join(" or "))
+            }
+            ReplaceError::TooFew { name, count } => {
+                write!(f, "{name}: the scene has {count} such sections, and they are counted from 0")
+            }
+            ReplaceError::NoValue { name } => {
+                write!(f, "{name} is no single value in this scene; set it in the text")
+            }
+            ReplaceError::Scene(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for ReplaceError {}
+
+/// The text of a scene with keys set to values. A name is `section.key`, or a key alone where one section has it: of those that
+/// have it in the text, or where none does, of those in the text that may have it. `cutoff` and `pressure` are known as well.
+/// Sections that may stand several times are counted: `curve.0.model`. A number for a key that is typed with a unit is in SI
+/// units.
+///
+/// # Errors
+/// [`ReplaceError`] that names what is known. Whether the values are right is told when the scene is read.
+pub fn with_keys<'k>(
+    text: &str,
+    changes: impl IntoIterator<Item = (&'k str, Value)>,
+) -> Result<String, ReplaceError> {
+    let mut text = text.to_owned();
+    for (name, value) in changes {
+        let document = DeTable::parse(&text).map_err(|error| ReplaceError::Scene(scene_error(&error)))?;
+        let document = document.get_ref();
+        let place = place(document, name)?;
+        let value = fitted(&place, value);
+        let edit = edit(&text, document, &place, &value)
+            .ok_or_else(|| ReplaceError::NoValue { name: name.to_owned() })?;
+        text.replace_range(edit.at, &edit.with);
+    }
+    Ok(text)
+}
+
+/// What takes the place of a part of the text.
+struct Edit {
+    at: Range<usize>,
+    with: String,
+}
+
+/// Where a name stands, part by part.
+fn place(document: &DeTable<'_>, name: &str) -> Result<Vec<String>, ReplaceError> {
+    if let Some((_, place)) = OTHER_NAMES.iter().find(|(other, _)| *other == name) {
+        return Ok(place.map(str::to_owned).to_vec());
+    }
+    let parts: Vec<String> = name.split('.').map(str::to_owned).collect();
+    match &parts[..] {
+        [key] if key == "title" => Ok(parts),
+        [key] => of_short_name(document, key),
+        [section, key, ..]
+            if keys_of(&SECTIONS, section).is_some_and(|keys| keys.contains(&key.as_str())) =>
+        {
+            Ok(parts)
+        }
+        [section, at, key]
+            if keys_of(&REPEATED, section).is_some_and(|keys| keys.contains(&key.as_str())) =>
+        {
+            let count = match document.get(section.as_str()).map(|sections| sections.get_ref()) {
+                Some(DeValue::Array(sections)) => sections.len(),
+                _ => 0,
+            };
+            let is_there = at.parse::<usize>().is_ok_and(|at| at < count);
+            if is_there { Ok(parts) } else { Err(ReplaceError::TooFew { name: name.to_owned(), count }) }
+        }
+        _ => Err(unknown(name)),
+    }
+}
+
+/// The section of a key that is named alone.
+fn of_short_name(document: &DeTable<'_>, key: &str) -> Result<Vec<String>, ReplaceError> {
+    let may_have: Vec<&str> =
+        SECTIONS.iter().filter(|(_, keys)| keys().contains(&key)).map(|(section, _)| *section).collect();
+    let table = |section: &str| match document.get(section)?.get_ref() {
+        DeValue::Table(table) => Some(table),
+        _ => None,
+    };
+    let of = |section: &&str| table(section).is_some_and(|table| table.contains_key(key));
+    let has: Vec<&str> = may_have.iter().copied().filter(of).collect();
+    let stand: Vec<&str> = may_have.iter().copied().filter(|section| table(section).is_some()).collect();
+    let candidates = [has, stand, may_have].into_iter().find(|sections| !sections.is_empty());
+    match candidates.as_deref() {
+        None => Err(unknown(key)),
+        Some([section]) => Ok(vec![(*section).to_owned(), key.to_owned()]),
+        Some(several) => Err(ReplaceError::Ambiguous {
+            name: key.to_owned(),
+            places: several.iter().map(|section| format!("{section}.{key}")).collect(),
+        }),
+    }
+}
+
+/// No such key, with those of its section where there is one.
+fn unknown(name: &str) -> ReplaceError {
+    let parts: Vec<&str> = name.split('.').collect();
+    let section = (parts.len() > 1).then_some(parts[0]);
+    let keys =
+        section.and_then(|section| keys_of(&SECTIONS, section).or_else(|| keys_of(&REPEATED, section)));
+    let known: Vec<String> = match (section, keys) {
+        (Some(section), Some(keys)) if keys_of(&REPEATED, section).is_some() => {
+            keys.iter().map(|key| format!("{section}.0.{key}")).collect()
+        }
+        (Some(section), Some(keys)) => keys.iter().map(|key| format!("{section}.{key}")).collect(),
+        _ => {
+            let mut known: Vec<String> = Vec::new();
+            let keys = SECTIONS.iter().flat_map(|(_, keys)| keys().iter()).map(|key| (*key).to_owned());
+            for key in keys.chain(OTHER_NAMES.map(|(name, _)| name.to_owned())) {
+                if !known.contains(&key) {
+                    known.push(key);
+                }
+            }
+            known
+        }
+    };
+    let meant = meant(name, known.iter().map(String::as_str)).map(str::to_owned);
+    ReplaceError::Unknown { name: name.to_owned(), known, meant }
+}
+
+/// The value as its key takes it: numbers with the SI unit of the key, and one pressure as a list of one.
+fn fitted(place: &[String], value: Value) -> Value {
+    let name = place.join(".");
+    let value = match SI_UNITS.iter().find(|(key, _)| *key == name) {
+        Some((_, unit)) => with_unit(value, unit),
+        None => value,
+    };
+    match value {
+        Value::Array(_) => value,
+        one if name == "loads.pressures" => Value::Array(vec![one]),
+        other => other,
+    }
+}
+
+/// Numbers with a unit, in lists and tables too.
+fn with_unit(value: Value, unit: &str) -> Value {
+    match value {
+        Value::Integer(number) => Value::String(format!("{number} {unit}")),
+        Value::Float(number) => Value::String(format!("{number} {unit}")),
+        Value::Array(values) => {
+            Value::Array(values.into_iter().map(|value| with_unit(value, unit)).collect())
+        }
+        Value::Table(table) => {
+            Value::Table(table.into_iter().map(|(key, value)| (key, with_unit(value, unit))).collect())
+        }
+        other => other,
+    }
+}
+
+/// What of the text becomes what; none where something else than a section stands on the way.
+fn edit(text: &str, document: &DeTable<'_>, place: &[String], value: &Value) -> Option<Edit> {
+    let (key, sections) = place.split_last()?;
+    let mut table = document;
+    let mut span = 0..0;
+    let mut sections = sections.iter().enumerate();
+    while let Some((depth, section)) = sections.next() {
+        let Some(found) = table.get(section.as_str()) else {
+            let section = place[..=depth].join(".");
+            let inner = &place[depth + 1..];
+            let break_before = if text.is_empty() || text.ends_with('\n') { "" } else { "\n" };
+            let with = format!("{break_before}\n[{section}]\n{} = {value}\n", inner.join("."));
+            return Some(Edit { at: text.len()..text.len(), with });
+        };
+        span = found.span();
+        table = match found.get_ref() {
+            DeValue::Table(table) => table,
+            DeValue::Array(several) => {
+                let (_, at) = sections.next()?;
+                let one = several.get(at.parse::<usize>().ok()?)?;
+                span = one.span();
+                match one.get_ref() {
+                    DeValue::Table(table) => table,
+                    _ => return None,
+                }
+            }
+            _ => return None,
+        };
+    }
+    if let Some(found) = table.get(key.as_str()) {
+        return match found.get_ref() {
+            // A section of its own, or keys with dots: they stand in several places.
+            DeValue::Table(_) if !text[found.span()].starts_with('{') => None,
+            _ => Some(Edit { at: found.span(), with: value.to_string() }),
+        };
+    }
+    let line = format!("{key} = {value}");
+    if text[span.clone()].starts_with('{') {
+        let comma = if table.is_empty() { "" } else { "," };
+        return Some(Edit { at: span.start + 1..span.start + 1, with: format!(" {line}{comma}") });
+    }
+    Some(match text[span.clone()].starts_with('[') {
+        true => Edit { at: span.end..span.end, with: String::new() }.behind_its_line(text, &line),
+        false => {
+            // Keys with dots: beside one of them, with what stands before it.
+            let beside = table.keys().map(|key| key.span().start).min().unwrap_or(0);
+            let start = text[..beside].rfind('\n').map_or(0, |end| end + 1);
+            Edit { at: start..start, with: format!("{}{line}\n", &text[start..beside]) }
+        }
+    })
+}
+
+impl Edit {
+    /// A line of its own behind the line that a header stands in.
+    fn behind_its_line(self, text: &str, line: &str) -> Self {
+        match text[self.at.end..].find('\n') {
+            Some(end) => {
+                let at = self.at.end + end + 1;
+                Edit { at: at..at, with: format!("{line}\n") }
+            }
+            None => Edit { at: text.len()..text.len(), with: format!("\n{line}\n") },
+        }
+    }
+}
+
+type Keys = fn() -> &'static [&'static str];
+
+/// The sections that stand once, and their keys.
+const SECTIONS: [(&str, Keys); 10] = [
+    ("surface", keys::<RawSurface>),
+    ("material", keys::<RawMaterial>),
+    ("counterface", keys::<RawCounterface>),
+    ("loads", keys::<RawLoads>),
+    ("cutoffs", keys::<RawCutoffs>),
+    ("options", keys::<RawOptions>),
+    ("judge", keys::<RawJudge>),
+    ("uncertainty", keys::<RawUncertainty>),
+    ("interface", keys::<RawInterface>),
+    ("seal", keys::<RawSeal>),
+];
+
+/// Those that may stand several times.
+const REPEATED: [(&str, Keys); 2] = [("curve", keys::<RawCurve>), ("figure", keys::<RawFigure>)];
+
+fn keys_of(sections: &[(&str, Keys)], section: &str) -> Option<&'static [&'static str]> {
+    sections.iter().find(|(name, _)| *name == section).map(|(_, keys)| keys())
+}
+
+/// The keys of a section, as it is read: a reader that asks for them and gives nothing.
+fn keys<T: Deserialize<'static>>() -> &'static [&'static str] {
+    struct AskedKeys<'a>(&'a mut &'static [&'static str]);
+
+    impl<'de> Deserializer<'de> for AskedKeys<'_> {
+        type Error = NoValue;
+
+        fn deserialize_struct<V: Visitor<'de>>(
+            self,
+            _: &'static str,
+            fields: &'static [&'static str],
+            _: V,
+        ) -> Result<V::Value, NoValue> {
+            *self.0 = fields;
+            Err(NoValue::custom("its keys alone are wanted"))
+        }
+
+        fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, NoValue> {
+            Err(NoValue::custom("no section"))
+        }
+
+        serde::forward_to_deserialize_any! {
+            bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
+            newtype_struct seq tuple tuple_struct map enum identifier ignored_any
+        }
+    }
+
+    let mut fields: &'static [&'static str] = &[];
+    let _nothing = T::deserialize(AskedKeys(&mut fields));
+    fields
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raw::RawScene;
+
+    fn set(text: &str, name: &str, value: impl Into<Value>) -> String {
+        with_keys(text, [(name, value.into())]).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    fn refused(text: &str, name: &str) -> String {
+        with_keys(text, [(name, Value::from(1.0))]).unwrap_err().to_string()
+    }
+
+    const SCENE: &str = "title = \"a\" # what it is\n[surface]\npsd = \"a.csv\"\n\n[material]   # steel\n\
+                         youngs_modulus = \"210 GPa\"   # from a book\npoisson_ratio = 0.3\n\n[[curve]]\nmodel = \"hertz\"\n";
+
+    #[test]
+    fn a_value_is_replaced_and_all_else_stays() {
+        let changed = set(SCENE, "youngs_modulus", "200 GPa");
+        assert_eq!(changed, SCENE.replace("210 GPa", "200 GPa"));
+        assert_eq!(set(SCENE, "material.poisson_ratio", 0.25), SCENE.replace("0.3", "0.25"));
+        assert_eq!(set(SCENE, "title", "b"), SCENE.replace("\"a\" ", "\"b\" "));
+        assert_eq!(set(SCENE, "curve.0.model", "bgt"), SCENE.replace("hertz", "bgt"));
+    }
+
+    #[test]
+    fn a_new_key_stands_behind_the_head_of_its_section_and_a_new_section_at_the_end() {
+        let changed = set(SCENE, "yield_strength", 1e9);
+        assert!(changed.contains("[material]   # steel\nyield_strength = \"1000000000 Pa\"\nyoungs_modulus"));
+        assert!(
+            set(SCENE, "cutoff", 1e-8).ends_with("\n[cutoffs]\nshortest_wavelength = \"0.00000001 m\"\n")
+        );
+        assert!(
+            set(SCENE, "curve.0.strain_gradient", true).contains("[[curve]]\nstrain_gradient = true\nmodel")
+        );
+        let bare = "[material]\nyoungs_modulus = \"1 GPa\"\n[options]";
+        assert!(set(bare, "tolerance", 1e-6).ends_with("[options]\ntolerance = 0.000001\n"));
+        let dotted = "material.youngs_modulus = \"1 GPa\"\n";
+        assert_eq!(
+            set(dotted, "material.poisson_ratio", 0.3),
+            format!("material.poisson_ratio = 0.3\n{dotted}")
+        );
+        let inline = "material = { youngs_modulus = \"1 GPa\" }\n";
+        let changed = set(inline, "material.poisson_ratio", 0.3);
+        assert_eq!(changed, "material = { poisson_ratio = 0.3, youngs_modulus = \"1 GPa\" }\n");
+        assert_eq!(set("judge = {}", "judge.grid", 64), "judge = { grid = 64}");
+    }
+
+    #[test]
+    fn numbers_get_the_unit_of_their_key_in_lists_and_tables_too() {
+        let changed = set(SCENE, "pressure", 5e6);
+        assert!(changed.ends_with("[loads]\npressures = [\"5000000 Pa\"]\n"), "{changed}");
+        let pressures = Value::Array(vec![1e6.into(), "1e-3 H".into()]);
+        assert!(set(SCENE, "pressures", pressures).ends_with("pressures = [\"1000000 Pa\", \"1e-3 H\"]\n"));
+        let mut table = toml::Table::new();
+        table.insert("distribution".into(), "uniform".into());
+        table.insert("from".into(), 1e9.into());
+        table.insert("to".into(), 2e9.into());
+        let changed = set(SCENE, "material.youngs_modulus", table);
+        assert!(
+            changed.contains("youngs_modulus = { distribution = \"uniform\", from = \"1000000000 Pa\""),
+            "{changed}"
+        );
+    }
+
+    #[test]
+    fn a_short_name_is_that_of_the_section_that_has_it() {
+        let two = format!("{SCENE}[counterface]\nname = \"glass\"\n");
+        assert_eq!(set(&two, "youngs_modulus", "200 GPa"), two.replace("210 GPa", "200 GPa"));
+        let told = refused(&two, "yield_strength");
+        assert_eq!(
+            told,
+            "yield_strength may be material.yield_strength or counterface.yield_strength; name the one that is meant"
+        );
+        assert!(set(SCENE, "yield_strength", "1 GPa").contains("[material]   # steel\nyield_strength"));
+    }
+
+    #[test]
+    fn an_unknown_name_is_refused_with_what_is_known() {
+        let told = refused(SCENE, "young_modulus");
+        assert!(
+            told.starts_with("young_modulus: a scene has no such key, did you mean youngs_modulus?"),
+            "{told}"
+        );
+        assert!(told.contains("poisson_ratio") && told.contains("cutoff"), "{told}");
+        assert!(
+            refused(SCENE, "material.colour").contains("it may be material.name, material.youngs_modulus")
+        );
+        assert!(refused(SCENE, "curve.1.model").contains("the scene has 1 such sections"));
+        assert!(refused(SCENE, "curve.model").contains("it may be curve.0.model"));
+        let apart = "[material.youngs_modulus]\ndistribution = \"uniform\"\n";
+        assert!(
+            refused(apart, "youngs_modulus")
+                .ends_with("is no single value in this scene; set it in the text")
+        );
+        let broken = with_keys("title = ", [("title", Value::from("b"))]);
+        assert!(matches!(broken, Err(ReplaceError::Scene(_))));
+    }
+
+    #[test]
+    fn every_section_of_a_scene_is_known() {
+        let mut known: Vec<&str> = SECTIONS.iter().chain(&REPEATED).map(|(section, _)| *section).collect();
+        known.push("title");
+        let mut keys = keys::<RawScene>().to_vec();
+        known.sort_unstable();
+        keys.sort_unstable();
+        assert_eq!(known, keys);
+    }
+
+    #[test]
+    fn the_units_are_those_of_keys_that_there_are() {
+        let names = SI_UNITS.iter().map(|(name, _)| *name);
+        for name in names.chain(OTHER_NAMES.iter().map(|(name, _)| *name)) {
+            assert!(with_keys("", [(name, Value::from(1.0))]).is_ok(), "{name}");
+        }
+    }
+}

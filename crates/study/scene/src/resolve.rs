@@ -1,0 +1,174 @@
+//! From what was typed in a scene to what it means.
+
+use std::num::NonZeroU32;
+
+use asperity::{ElasticBody, Hardness};
+use spectrum::{AmplitudeDefinition, Normalisation};
+
+use super::Scene;
+use super::bodies::{KnownCounterface, resolve_counterface, resolve_material};
+use super::curves::resolve_curves;
+use super::error::SceneError;
+use super::figures::resolve_figures;
+use super::file_names;
+use super::interface::resolve_interface;
+use super::judge::{JudgeChoices, resolve_judge};
+use super::loads::{nominal_area_m2, resolve_loads};
+use super::raw::RawScene;
+use super::surfaces::resolve_surface;
+use super::uncertainty::{UncertaintyChoices, resolve_uncertainty};
+use super::values::{count, optional, tolerance};
+use measurements::Files;
+use study::bodies::Bodies;
+use study::figure::Shows;
+use study::material_spreads::MaterialSpreads;
+use study::models::{Choice, CurveModel, ModelOptions};
+use study::plan::{Needs, Sampling};
+use units::{Length, Pressure};
+
+/// Options given outside the scene, which count more than the scene's own.
+#[derive(Debug, Clone, Default)]
+pub struct Overrides {
+    /// Normalisation of the moments.
+    pub normalisation: Option<Normalisation>,
+    /// Definition of the amplitude.
+    pub amplitude: Option<AmplitudeDefinition>,
+    /// Scales per decade to resample to.
+    pub scales_per_decade: Option<NonZeroU32>,
+    /// Form of the hardness of spheres.
+    pub hardness: Option<Hardness>,
+    /// Cap of a growing strength.
+    pub strength_cap: Option<Pressure>,
+    /// Shortest wavelength kept.
+    pub cutoff: Option<Length>,
+    /// Counterface.
+    pub counterface: Option<ElasticBody>,
+    /// Whether nothing is to be judged.
+    pub no_judge: bool,
+    /// Whether nothing is to be drawn to tell how sure areas are.
+    pub no_uncertainty: bool,
+}
+
+impl Overrides {
+    /// The name of the first that nothing in a scene depends on, where there is one; of cutoff and counterface nothing is told.
+    #[must_use]
+    pub fn without_bearing(&self, scene: &Scene) -> Option<&'static str> {
+        let any_curve =
+            |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
+        let idle = [
+            ("normalisation", self.normalisation.is_some(), scene.needs.moments.is_some()),
+            ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some()),
+            ("hardness", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
+            ("strength_cap", self.strength_cap.is_some(), any_curve(has_growing_strength)),
+        ];
+        idle.into_iter().find(|(_, given, used)| *given && !used).map(|(name, ..)| name)
+    }
+}
+
+fn has_spheres_that_yield(model: &CurveModel) -> bool {
+    model.entry().has(Choice::Hardness)
+}
+
+fn has_growing_strength(model: &CurveModel) -> bool {
+    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+}
+
+pub(super) fn resolve(
+    text: &str,
+    raw: &RawScene,
+    files: &dyn Files,
+    overrides: &Overrides,
+) -> Result<Scene, SceneError> {
+    let options = &raw.options;
+    let strength_cap = match overrides.strength_cap {
+        Some(cap) => Some(cap),
+        None => optional("options.strength_cap", options.strength_cap.as_ref())?,
+    };
+    let counterface = match (overrides.counterface, &raw.counterface) {
+        (Some(body), _) => KnownCounterface::exactly(body),
+        (None, Some(raw)) => resolve_counterface(raw)?,
+        (None, None) => KnownCounterface::default(),
+    };
+    let (material, spreads, bodies) = match &raw.material {
+        Some(material) => {
+            let (material, spreads, bodies) = resolve_material(material, counterface, strength_cap)?;
+            (Some(material), spreads, bodies)
+        }
+        None => (None, MaterialSpreads::default(), Bodies::default()),
+    };
+    let cutoff: Option<Length> =
+        optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
+    let per_decade =
+        options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
+    let hardness = overrides.hardness.or(options.hardness).unwrap_or_default();
+    let interference = options.interference_law.unwrap_or_default();
+    let law_options = ModelOptions { hardness, interference, ..ModelOptions::default() };
+    let curves = resolve_curves(&raw.curve, material.as_ref(), law_options)?;
+    let loads = match &raw.loads {
+        Some(loads) => resolve_loads(loads, material.as_ref())?,
+        None if curves.is_empty() => Vec::new(),
+        None => {
+            return Err(SceneError::anywhere(
+                "the scene has curves but no section [loads]; add pressures = [...]",
+            ));
+        }
+    };
+    let (figures, sweeps) = resolve_figures(&raw.figure, &curves, material.as_ref())?;
+    file_names::check(raw, &curves, &figures)?;
+    let any_with_moments = curves.iter().any(|curve| curve.model.needs_moments());
+    let any_with_amplitudes = curves.iter().any(|curve| curve.model.needs_amplitudes());
+    let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
+    let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
+    let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
+    let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
+    let uncertainty = raw.uncertainty.as_ref().map(resolve_uncertainty).transpose()?;
+    let area_m2 = raw.loads.as_ref().map(nominal_area_m2).transpose()?.flatten();
+    let interface = resolve_interface(raw, material.as_ref(), &bodies, area_m2)?;
+    if interface.is_some() && (material.is_none() || loads.is_empty()) {
+        return Err(SceneError::anywhere(
+            "[interface] and [seal] need a [material] and [loads]: gap and stiffness are those under a load",
+        ));
+    }
+    if curves.is_empty() && figures.is_empty() && interface.is_none() {
+        return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
+    }
+    let own = resolve_surface("surface", &raw.surface, files)?;
+    let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
+        Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
+        None => own,
+    };
+    Ok(Scene {
+        text: text.to_owned(),
+        title: raw.title.clone().unwrap_or_else(|| surface.name.clone()),
+        surface,
+        material,
+        spreads,
+        bodies,
+        sampling: Sampling {
+            scales_per_decade: overrides.scales_per_decade.or(per_decade),
+            cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),
+        },
+        needs: Needs {
+            moments: (any_with_moments || interface.is_some() || shows(&[Shows::Moments]))
+                .then_some(normalisation),
+            amplitudes: (any_with_amplitudes || shows(&[Shows::Amplitude, Shows::AspectRatio]))
+                .then_some(amplitude),
+            curves,
+            loads,
+            sweeps,
+            tolerance: options.tolerance.as_ref().map(tolerance).transpose()?.unwrap_or_default(),
+            ..Needs::default()
+        },
+        figures,
+        judge: match overrides.no_judge {
+            true => Some(JudgeChoices::OFF),
+            false => judge,
+        },
+        uncertainty: match overrides.no_uncertainty {
+            true => Some(UncertaintyChoices::OFF),
+            false => uncertainty,
+        },
+        interface,
+        notes: Vec::new(),
+    })
+}

@@ -1,0 +1,62 @@
+//! A surface of a scene by its roughness parameters.
+
+use serde_spanned::Spanned;
+use spectrum::{RoughnessParameters, SelfAffineProfile};
+use units::Length;
+
+use super::error::{SceneError, SceneProblem};
+use super::raw::RawSurface;
+use super::values::optional;
+use study::given_roughness::{ASSUMED_HURST, GivenRoughness, RollOffFrom};
+use study::surface::Surface;
+
+/// The keys of a surface's roughness parameters, and whether each is given.
+pub(super) fn keys(surface: &RawSurface) -> [(&'static str, bool); 5] {
+    [
+        ("rms_height", surface.rms_height.is_some()),
+        ("rms_slope", surface.rms_slope.is_some()),
+        ("mean_width", surface.mean_width.is_some()),
+        ("rolloff_wavelength", surface.rolloff_wavelength.is_some()),
+        ("hurst", surface.hurst.is_some()),
+    ]
+}
+
+/// The surface that has these parameters.
+///
+/// `rms_height` is Rq and `rms_slope` Rdq, both of a profile, and one of `mean_width`, RSm, and `rolloff_wavelength` tells how wide its
+/// widest features are. RSm does not stand for the slope: the standard leaves narrow elements out of it, and they are the
+/// steep ones.
+pub(super) fn resolve_roughness(key: &str, raw: &Spanned<RawSurface>) -> Result<Surface, SceneError> {
+    let surface = raw.get_ref();
+    let refused = |message: String| SceneError::at(raw.span(), message);
+    let lateral: Option<Length> = optional(&format!("{key}.mean_width"), surface.mean_width.as_ref())?;
+    let rolloff: Option<Length> =
+        optional(&format!("{key}.rolloff_wavelength"), surface.rolloff_wavelength.as_ref())?;
+    let height: Option<Length> = optional(&format!("{key}.rms_height"), surface.rms_height.as_ref())?;
+    let (rolloff_m, rolloff_from) = match (lateral, rolloff) {
+        (Some(width), None) => (width.m, RollOffFrom::MeanWidth),
+        (None, Some(rolloff)) => (rolloff.m, RollOffFrom::Given),
+        (Some(_), Some(_)) => {
+            return Err(refused(format!(
+                "[{key}] has both mean_width and rolloff_wavelength, and the former is taken for the latter; keep one of them"
+            )));
+        }
+        (None, None) => {
+            return Err(refused(format!(
+                "[{key}] needs mean_width (RSm) or rolloff_wavelength beside rms_height and rms_slope: height and slope do not \
+                 tell how wide features are"
+            )));
+        }
+    };
+    let missing = |name: &str| SceneError::at(raw.span(), SceneProblem::MissingKey { key: name.to_owned() });
+    let parameters = RoughnessParameters {
+        rms_height_m: height.ok_or_else(|| missing("rms_height"))?.m,
+        rms_slope: *surface.rms_slope.as_ref().ok_or_else(|| missing("rms_slope"))?.get_ref(),
+        rolloff_m,
+        hurst_exponent: surface.hurst.as_ref().map_or(ASSUMED_HURST, |hurst| *hurst.get_ref()),
+    };
+    let profile = SelfAffineProfile::new(parameters).map_err(|error| refused(format!("[{key}]: {error}")))?;
+    let hurst_is_assumed = surface.hurst.is_none();
+    Surface::of_roughness(GivenRoughness { profile, rolloff_from, hurst_is_assumed })
+        .map_err(|error| SceneError::at(raw.span(), error))
+}

@@ -1,0 +1,165 @@
+//! The surfaces of a scene: a spectrum, scans to make one of, or roughness parameters; the counterface's added where it has one.
+
+use serde_spanned::Spanned;
+use spectrum::ReadOptions;
+
+use super::error::SceneError;
+use super::raw::{RawScan, RawSurface};
+use super::roughness::{keys as roughness_keys, resolve_roughness};
+use super::values::{count, optional, parsed};
+use measurements::{Files, Instrument, ScanRequest, SlopeUncertainty, ZCalibration};
+use study::surface::{Surface, SurfaceError};
+use topography::{DEFAULT_BINS_PER_DECADE, Recipe};
+use units::Length;
+
+/// The surface under this key of the scene, its files from `files`.
+pub(super) fn resolve_surface(
+    key: &str,
+    raw: &Spanned<RawSurface>,
+    files: &dyn Files,
+) -> Result<Surface, SceneError> {
+    let surface = raw.get_ref();
+    let parameter = roughness_keys(surface).into_iter().find(|(_, given)| *given).map(|(name, _)| name);
+    match (&surface.psd, &surface.scans[..], parameter) {
+        (Some(psd), [], None) => {
+            refuse_idle_keys(key, raw)?;
+            spectrum(key, surface, psd, files)
+        }
+        (None, [_, ..], None) => {
+            refuse_idle_keys(key, raw)?;
+            composite(key, surface, files)
+        }
+        (None, [], Some(_)) => {
+            refuse_idle_keys(key, raw)?;
+            resolve_roughness(key, raw)
+        }
+        (Some(_), [_, ..], _) => {
+            Err(SceneError::at(raw.span(), format!("[{key}] has both psd and scans; keep one of them")))
+        }
+        (psd, _, Some(parameter)) => {
+            let measured = if psd.is_some() { "psd" } else { "scans" };
+            let message = format!(
+                "[{key}] has both {measured} and {parameter}; roughness parameters stand in place of a measured spectrum: keep \
+                 one of them"
+            );
+            Err(SceneError::at(raw.span(), message))
+        }
+        (None, [], None) => {
+            let message = format!(
+                "[{key}] needs psd = \"...\", or scans = [{{ file = \"...\" }}], or rms_height, rms_slope and mean_width or \
+                 rolloff_wavelength"
+            );
+            Err(SceneError::at(raw.span(), message))
+        }
+    }
+}
+
+/// Refuses keys that say nothing about what is given: a scene that is not carried out as it reads is worse than none.
+fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneError> {
+    let surface = raw.get_ref();
+    let of_spectra = [
+        ("column", surface.column.is_some()),
+        ("x", surface.x.is_some()),
+        ("convention", surface.convention.is_some()),
+        ("series", surface.series.is_some()),
+        ("subject", surface.subject.is_some()),
+        ("x_unit", surface.x_unit.is_some()),
+        ("psd_unit", surface.psd_unit.is_some()),
+    ];
+    let of_scans = [
+        ("detrend", surface.detrend.is_some()),
+        ("window", surface.window.is_some()),
+        ("average", surface.average.is_some()),
+        ("bins_per_decade", surface.bins_per_decade.is_some()),
+    ];
+    let [spectra, scans] = [(&of_spectra[..], "a psd"), (&of_scans[..], "scans")];
+    let (idle, given) = match (&surface.psd, &surface.scans[..]) {
+        (Some(_), _) => (vec![scans], "psd"),
+        (None, [_, ..]) => (vec![spectra], "scans"),
+        (None, []) => (vec![spectra, scans], "roughness parameters"),
+    };
+    let first_of = |(keys, what): (&[(&'static str, bool)], &'static str)| {
+        keys.iter().find(|(_, given)| *given).map(|(name, _)| (*name, what))
+    };
+    match idle.into_iter().find_map(first_of) {
+        Some((name, what)) => {
+            let verb = if given == "roughness parameters" { "are" } else { "is" };
+            let message = format!("key {key}.{name} is for {what}, and {given} {verb} given; leave it out");
+            Err(SceneError::at(raw.span(), message))
+        }
+        None => Ok(()),
+    }
+}
+
+fn spectrum(
+    key: &str,
+    surface: &RawSurface,
+    psd: &Spanned<String>,
+    files: &dyn Files,
+) -> Result<Surface, SceneError> {
+    let options = ReadOptions {
+        column: surface.column.clone(),
+        x: surface.x.as_ref().map(|text| parsed(&format!("{key}.x"), text)).transpose()?,
+        convention: surface
+            .convention
+            .as_ref()
+            .map(|text| parsed(&format!("{key}.convention"), text))
+            .transpose()?,
+        series: surface.series.clone(),
+        subject: surface.subject.clone(),
+        x_unit: surface.x_unit.clone(),
+        psd_unit: surface.psd_unit.clone(),
+    };
+    Surface::load(psd.get_ref(), files, &options).map_err(|error| SceneError::at(psd.span(), error))
+}
+
+fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surface, SceneError> {
+    let bins_per_decade = surface.bins_per_decade.as_ref();
+    let recipe = Recipe {
+        detrend: surface.detrend,
+        window: surface.window,
+        average: surface.average.unwrap_or_default(),
+        bins_per_decade: bins_per_decade
+            .map(|raw| count(&format!("{key}.bins_per_decade"), raw))
+            .transpose()?
+            .unwrap_or(DEFAULT_BINS_PER_DECADE),
+        ..Recipe::default()
+    };
+    let requests =
+        surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;
+    Surface::from_scans(&requests, files, &recipe).map_err(|error| {
+        let all = surface.scans[0].span().start..surface.scans[surface.scans.len() - 1].span().end;
+        let request = match &error {
+            SurfaceError::Scans(error) => error.request,
+            _ => None,
+        };
+        SceneError::at(request.map_or(all, |request| surface.scans[request].span()), error)
+    })
+}
+
+fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError> {
+    let length = |name: &str, raw| -> Result<Option<f64>, SceneError> {
+        let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
+        Ok(length.map(|length| length.m))
+    };
+    let z_calibration: Option<ZCalibration> =
+        optional(&format!("{key}.scans.z_calibration"), raw.z_calibration.as_ref())?;
+    let slope_uncertainty: Option<SlopeUncertainty> =
+        optional(&format!("{key}.scans.slope_uncertainty"), raw.slope_uncertainty.as_ref())?;
+    let instrument: Option<Instrument> =
+        raw.instrument.as_ref().map(|text| parsed(&format!("{key}.scans.instrument"), text)).transpose()?;
+    Ok(ScanRequest {
+        path: raw.file.clone(),
+        unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
+        channel: raw.channel.clone(),
+        measurement: None,
+        size_m: length("size", raw.size.as_ref())?,
+        tip_radius: optional(&format!("{key}.scans.tip_radius"), raw.tip_radius.as_ref())?,
+        gaps: raw.gaps,
+        direction: raw.direction,
+        instrument: instrument.map(|Instrument(name)| name),
+        z_calibration: z_calibration.map(|calibration| calibration.share),
+        slope_uncertainty: slope_uncertainty.map(|slope| slope.of_exponent),
+        shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
+    })
+}

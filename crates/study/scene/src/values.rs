@@ -1,0 +1,94 @@
+//! Single values of a scene: quantities with their units, names, counts.
+
+use std::num::NonZeroU32;
+use std::str::FromStr;
+
+use serde_spanned::Spanned;
+
+use super::error::{SceneError, SceneProblem};
+use super::raw::RawQuantity;
+use study::plan::Tolerance;
+use units::Bound;
+
+pub(super) fn optional<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    raw: Option<&RawQuantity>,
+) -> Result<Option<T>, SceneError> {
+    raw.map(|raw| quantity(key, raw)).transpose()
+}
+
+/// A quantity with its unit; a bare number is read as text without one, so that the message tells the units.
+pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    raw: &RawQuantity,
+) -> Result<T, SceneError> {
+    let text = text_of(raw.get_ref());
+    text.parse().map_err(|error| value_error(key, &text, raw.span(), error))
+}
+
+/// A value as text that a quantity is read from.
+pub(super) fn text_of(value: &toml::Value) -> String {
+    match value {
+        toml::Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
+
+pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    text: &Spanned<String>,
+) -> Result<T, SceneError> {
+    text.get_ref().parse().map_err(|error| value_error(key, text.get_ref(), text.span(), error))
+}
+
+/// What is wrong with the value of a key, which stands there.
+pub(super) fn value_error(
+    key: &str,
+    value: &str,
+    span: std::ops::Range<usize>,
+    problem: impl std::fmt::Display,
+) -> SceneError {
+    let (key, value, problem) = (key.to_owned(), value.to_owned(), problem.to_string());
+    SceneError::at(span, SceneProblem::Value { key, value, problem })
+}
+
+/// A whole number from 1 on.
+pub(super) fn count(key: &str, raw: &Spanned<i64>) -> Result<NonZeroU32, SceneError> {
+    u32::try_from(*raw.get_ref()).ok().and_then(NonZeroU32::new).ok_or_else(|| {
+        let message = format!("key {key}: {} must be a whole number from 1 on", raw.get_ref());
+        SceneError::at(raw.span(), message)
+    })
+}
+
+/// A whole number within a bound that admits none below 0.
+pub(super) fn whole_number(
+    key: &str,
+    quantity: &'static str,
+    raw: &Spanned<i64>,
+    bound: Bound,
+) -> Result<u64, SceneError> {
+    let value = *raw.get_ref();
+    let checked = bound.check(quantity, value as f64);
+    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))?;
+    Ok(value.unsigned_abs())
+}
+
+/// A quantity as typed.
+pub(super) fn label(raw: &RawQuantity) -> String {
+    raw.get_ref().as_str().unwrap_or_default().trim().to_owned()
+}
+
+/// The names of curves and figures become those of files.
+pub(super) fn check_file_name(name: &str, span: std::ops::Range<usize>) -> Result<(), SceneError> {
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+    if name.chars().all(plain) && name.starts_with(char::is_alphanumeric) {
+        return Ok(());
+    }
+    let message = format!("{name:?} becomes the name of a file; use letters, digits, '-', '_' and '.' only");
+    Err(SceneError::at(span, message))
+}
+
+pub(super) fn tolerance(raw: &Spanned<f64>) -> Result<Tolerance, SceneError> {
+    Tolerance::new(*raw.get_ref())
+        .map_err(|error| value_error("options.tolerance", &raw.get_ref().to_string(), raw.span(), error))
+}

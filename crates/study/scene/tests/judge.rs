@@ -1,0 +1,101 @@
+//! What a scene says of its judge.
+
+use scene::{Idle, JudgeChoices, Overrides, Scene, SceneError, SceneProblem, Template};
+use study::NoFiles;
+
+fn parsed_with(section: &str, overrides: &Overrides) -> Result<Scene, SceneError> {
+    let text = format!(
+        "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
+         [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"hertz\"\n{section}"
+    );
+    Scene::parse(&text, &NoFiles, overrides)
+}
+
+fn parsed(section: &str) -> Result<Scene, SceneError> {
+    parsed_with(section, &Overrides::default())
+}
+
+#[test]
+fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
+    let judge = |section: &str| parsed(section).unwrap().judge;
+    assert_eq!(judge(""), None);
+    assert_eq!(judge("[judge]\n"), Some(JudgeChoices::default()));
+    let all = "[judge]\ngrid = 33\nrealisations = 8\nseed = 9223372036854775807\nbudget = 2e8\n";
+    let expected = JudgeChoices {
+        grid: Some(33),
+        realisations: Some(8),
+        seed: Some(i64::MAX as u64),
+        budget: Some(2e8),
+        off: false,
+    };
+    assert_eq!(judge(all), Some(expected));
+    // A budget may be a whole number.
+    assert_eq!(judge("[judge]\nbudget = 1\n").and_then(|judge| judge.budget), Some(1.0));
+    for (grid, realisations) in [(32, 2), (8192, 10_000)] {
+        let ends =
+            judge(&format!("[judge]\ngrid = {grid}\nrealisations = {realisations}\nseed = 0\n")).unwrap();
+        assert_eq!((ends.grid, ends.realisations, ends.seed), (Some(grid), Some(realisations), Some(0)));
+    }
+}
+
+#[test]
+fn values_out_of_bounds_are_refused_with_key_value_and_bound() {
+    for (typed, key, message) in [
+        ("grid = 31", "judge.grid", "the number of points per side is 31; it must be from 32 to 8192"),
+        ("grid = 8193", "judge.grid", "the number of points per side is 8193; it must be from 32 to 8192"),
+        ("realisations = 1", "judge.realisations", "the number of surfaces is 1; it must be from 2 to 10000"),
+        ("seed = -1", "judge.seed", "the seed is -1; it must be finite and at least 0"),
+        (
+            "budget = 0.0",
+            "judge.budget",
+            "the number of operators times points is 0; it must be finite and greater than 0",
+        ),
+        (
+            "budget = inf",
+            "judge.budget",
+            "the number of operators times points is inf; it must be finite and greater than 0",
+        ),
+    ] {
+        let error = parsed(&format!("[judge]\n{typed}\n")).unwrap_err();
+        assert_eq!((error.key(), error.to_string()), (Some(key), format!("key {key}: {message}")));
+        let value = typed.split(" = ").nth(1).unwrap();
+        assert_eq!(error.span.map(|span| span.len()), Some(value.len()), "{typed}");
+    }
+}
+
+#[test]
+fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
+    let error = parsed("[judge]\nrealizations = 8\n").unwrap_err();
+    let SceneProblem::UnknownKey { meant, .. } = &error.problem else { panic!("{error}") };
+    assert_eq!(meant.as_deref(), Some("realisations"));
+    let message = |typed: &str| parsed(typed).unwrap_err().to_string();
+    assert_eq!(message("[judge]\ngrid = 512.5\n"), "floating point 512.5 stands where a whole number should");
+    assert_eq!(message("[judge]\noff = \"yes\"\n"), "string \"yes\" stands where true or false should");
+    assert!(message("[juge]\ngrid = 512\n").contains("did you mean `judge`?"));
+    assert!(message("[judge]\n\n[options]\njudge = 1\n").starts_with("unknown key `judge`"));
+}
+
+#[test]
+fn keys_beside_a_judge_that_is_off_are_noted_and_an_option_puts_it_off() {
+    let section = "[judge]\ngrid = 64\noff = true\n";
+    let scene = parsed(section).unwrap();
+    assert_eq!(scene.notes.iter().map(|note| note.reason).collect::<Vec<_>>(), [Idle::JudgeIsOff]);
+    assert_eq!(scene.notes[0].key, "judge.grid");
+    assert!(scene.judge.unwrap().off);
+    let no_judge = Overrides { no_judge: true, ..Overrides::default() };
+    for section in ["", "[judge]\ngrid = 64\n", section] {
+        let scene = parsed_with(section, &no_judge).unwrap();
+        assert!(scene.judge.unwrap().off && scene.notes.is_empty(), "{section}");
+    }
+}
+
+#[test]
+fn the_keys_that_the_template_shows_are_keys_that_there_are() {
+    let text = Template::New.text();
+    let section = &text[text.find("# [judge]").unwrap()..];
+    let lines = section.lines().filter(|line| !line.contains("off = true"));
+    let typed: String = lines.map(|line| format!("{}\n", line.trim_start_matches("# "))).collect();
+    let judge = parsed(&typed).unwrap().judge.unwrap();
+    assert!(judge.grid.is_some() && judge.realisations.is_some());
+    assert!(judge.seed.is_some() && judge.budget.is_some() && !judge.off);
+}

@@ -1,0 +1,176 @@
+//! What is wrong in a scene, and what in it has no effect.
+
+use scene::{Idle, Overrides, Scene, SceneError, SceneProblem};
+use study::NoFiles;
+use study::plan::Sampling;
+
+const STEEL: &str = "[surface]\npsd = \"builtin:uncd-measured\"\n\
+                     [material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"1 GPa\"\n\
+                     strain_gradient_length = \"5 um\"\n[loads]\npressures = [\"1 MPa\"]\n";
+const HERTZ: &str = "[[curve]]\nmodel = \"hertz\"\n";
+
+fn parsed(text: &str) -> Result<Scene, SceneError> {
+    Scene::parse(text, &NoFiles, &Overrides::default())
+}
+
+fn refused(sections: &str) -> SceneError {
+    parsed(&format!("{STEEL}{sections}")).unwrap_err()
+}
+
+fn notes(sections: &str) -> Vec<(String, usize, Idle)> {
+    let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
+    scene.notes.into_iter().map(|note| (note.key, note.line, note.reason)).collect()
+}
+
+#[test]
+fn f_a_18_keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
+    let idle = "[[curve]]\nmodel = \"hertz\"\nstrain_gradient = true\ninterference_law = \"bem\"\n";
+    assert_eq!(
+        notes(idle),
+        [
+            ("curve.strain_gradient".to_owned(), 12, Idle::ModelDoesNotYield),
+            ("curve.interference_law".to_owned(), 13, Idle::ModelHasNoInterferenceLaw),
+        ]
+    );
+    let used = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n\
+                [[curve]]\nmodel = \"elastic-sine\"\ninterference_law = \"bem\"\n";
+    assert_eq!(notes(used), []);
+    // It says what is so anyway.
+    assert_eq!(notes("[[curve]]\nmodel = \"hertz\"\nstrain_gradient = false\n"), []);
+}
+
+#[test]
+fn f_a_18_keys_of_figures_that_have_no_effect_are_noted() {
+    let figure = "[[figure]]\nname = \"f\"\nshows = \"psd\"\ncurves = [\"hertz\"]\ncutoff_multiples = [1, 2]\n\
+                  loads = { from = \"1 Pa\", to = \"1 MPa\", points = 3 }\n";
+    let found = notes(&format!("{HERTZ}{figure}"));
+    let keys: Vec<&str> = found.iter().map(|(key, ..)| key.as_str()).collect();
+    assert_eq!(keys, ["figure.curves", "figure.loads", "figure.cutoff_multiples"]);
+    assert!(found.iter().all(|(.., reason)| *reason == Idle::FigureShowsSomethingElse));
+    let drawn = figure.replace("\"psd\"", "\"area-against-load\"");
+    assert_eq!(notes(&format!("{HERTZ}{drawn}")), []);
+}
+
+#[test]
+fn f_a_18_options_and_cutoffs_that_have_no_effect_are_noted() {
+    let options = "[cutoffs]\nshortest_wavelength = \"1 nm\"\n[options]\nhardness = \"cosine\"\nstrength_cap = \"9 GPa\"\n\
+                   interference_law = \"bem\"\namplitude = \"parseval\"\nnormalisation = \"as-printed\"\n";
+    let keys = |curve: &str| -> Vec<String> {
+        notes(&format!("{curve}{options}")).into_iter().map(|(key, ..)| key).collect()
+    };
+    assert_eq!(
+        keys(HERTZ),
+        [
+            "cutoffs.shortest_wavelength",
+            "options.amplitude",
+            "options.hardness",
+            "options.strength_cap",
+            "options.interference_law"
+        ]
+    );
+    let every = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n[[curve]]\nmodel = \"elastic-sine\"\n\
+                 [[curve]]\nmodel = \"elastic\"\n";
+    assert_eq!(keys(every), ["cutoffs.shortest_wavelength"]);
+}
+
+#[test]
+fn f_a_13_a_tolerance_that_cannot_be_had_is_noted_and_the_used_one_reported() {
+    let sections = format!("{HERTZ}[options]\ntolerance = 1e-300\n");
+    assert_eq!(notes(&sections), [("options.tolerance".to_owned(), 13, Idle::ToleranceHeld { used: 1e-13 })]);
+    let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
+    assert!(scene.model_choices().contains(&"tolerance of statistical states: 1e-13".to_owned()));
+}
+
+#[test]
+fn scenes_that_come_with_the_program_have_no_idle_keys() {
+    for template in scene::Template::RUNNABLE {
+        let scene = Scene::builtin(template).unwrap();
+        assert_eq!((scene.notes, scene.sampling), (Vec::new(), Sampling::default()));
+    }
+}
+
+#[test]
+fn f_a_10_names_whose_files_would_replace_others_are_refused() {
+    let taken = |sections: &str, name: &str, by: &str| {
+        let error = refused(sections);
+        let SceneProblem::FileNameTaken { name: found, by: other } = &error.problem else {
+            panic!("{error}")
+        };
+        assert_eq!((found.as_str(), other.as_str()), (name, by));
+    };
+    let named = |name: &str| format!("{HERTZ}name = \"{name}\"\n");
+    for name in ["report-scales", "report-decades", "report-sensitivity", "report", "area-fraction"] {
+        taken(&named(name), name, name);
+    }
+    taken(&named("Report"), "Report", "report");
+    taken(&[named("A"), named("a")].concat(), "a", "A");
+    let figure = "[[figure]]\nshows = \"psd\"\nname = ";
+    taken(&format!("{HERTZ}{figure}\"HERTZ\"\n"), "HERTZ", "hertz");
+    taken(&format!("{HERTZ}{figure}\"report-scales\"\n"), "report-scales", "report-scales");
+    // Where the scene has figures of its own, none is drawn under this name.
+    assert!(parsed(&format!("{STEEL}{}{figure}\"f\"\n", named("area-fraction"))).is_ok());
+}
+
+#[test]
+fn f_c_5_unknown_keys_and_values_are_told_with_what_was_meant() {
+    let error = refused("[[curve]]\nmodle = \"hertz\"\n");
+    assert_eq!((error.key(), error.line(STEEL)), (Some("modle"), None));
+    assert!(error.to_string().starts_with("unknown key `modle`, did you mean `model`? "), "{error}");
+    let error = refused("[[curve]]\nmodel = \"ep-spheres\"\n");
+    assert!(
+        error.to_string().starts_with("unknown value `ep-spheres`, did you mean `ep-sphere`? "),
+        "{error}"
+    );
+    let error = refused("[colour]\n");
+    assert!(
+        error.to_string().starts_with("unknown key `colour`; the keys here are title, surface, "),
+        "{error}"
+    );
+    let figure = "[[figure]]\nname = \"f\"\nshows = \"area\"\ncurves = [\"herz\"]\n";
+    assert!(
+        refused(&format!("{HERTZ}{figure}"))
+            .to_string()
+            .contains("no curve \"herz\", did you mean \"hertz\"?")
+    );
+}
+
+#[test]
+fn f_c_5_values_of_another_kind_are_told_in_the_words_of_a_scene() {
+    let told = |text: &str| parsed(text).unwrap_err().to_string();
+    assert_eq!(
+        told(
+            "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = \"x\"\n"
+        ),
+        "string \"x\" stands where a number should"
+    );
+    assert_eq!(told("[surface]\nscans = [{ unit = \"nm\" }]\n"), "the key file is missing here");
+    assert_eq!(told("[surface]\npsd = 5\n"), "integer 5 stands where text in quotes should");
+    assert_eq!(
+        told("[surface]\nscans = [5]\n"),
+        "integer 5 stands where the name of a scan's file or { file = \"...\", ... } should"
+    );
+    let missing = told("[surface]\nscans = [{ fiel = \"a.txt\" }]\n");
+    assert!(missing.starts_with("unknown key `fiel`, did you mean `file`? "), "{missing}");
+}
+
+#[test]
+fn f_c_5_a_scan_may_be_given_by_its_file_alone() {
+    let heights = "0 0\n1e-6 1e-9\n2e-6 -1e-9\n3e-6 2e-9\n4e-6 0\n5e-6 1e-9\n6e-6 0\n7e-6 1e-9\n";
+    let files = std::collections::BTreeMap::from([("a.txt".to_owned(), heights.as_bytes().to_vec())]);
+    let scene = |scan: &str| {
+        let text = format!("[surface]\nscans = [{scan}]\n[[figure]]\nname = \"f\"\nshows = \"psd\"\n");
+        Scene::parse(&text, &files, &Overrides::default())
+            .map(|scene| scene.surface.psd)
+            .map_err(|e| e.to_string())
+    };
+    assert_eq!(scene("\"a.txt\""), scene("{ file = \"a.txt\" }"));
+}
+
+#[test]
+fn errors_of_values_carry_key_and_value() {
+    let error = refused(&format!("{HERTZ}[cutoffs]\nshortest_wavelength = \"5 GPa\"\n"));
+    assert!(matches!(
+        &error.problem,
+        SceneProblem::Value { key, value, .. } if key == "cutoffs.shortest_wavelength" && value == "5 GPa"
+    ));
+}

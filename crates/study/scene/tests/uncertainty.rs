@@ -1,0 +1,136 @@
+//! What a scene says of its draws.
+
+use std::collections::BTreeMap;
+
+use scene::{Idle, Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices};
+
+/// A spectrum whose standard errors scatter, and one without.
+const WITH_ERRORS: &str = "with-errors.csv";
+const WITHOUT: &str = "without.csv";
+
+fn parsed_with(psd: &str, section: &str, overrides: &Overrides) -> Result<Scene, SceneError> {
+    let files = BTreeMap::from([
+        (
+            WITH_ERRORS.to_owned(),
+            b"wavelength_m,C1D_m3,C1D_se_m3\n1e-6,4e-24,1e-24\n1e-7,4e-26,1e-26\n1e-8,4e-28,1e-28\n".to_vec(),
+        ),
+        (WITHOUT.to_owned(), b"wavelength_m,C1D_m3\n1e-6,4e-24\n1e-7,4e-26\n1e-8,4e-28\n".to_vec()),
+    ]);
+    let text = format!(
+        "[surface]\npsd = \"{psd}\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
+         [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"hertz\"\n{section}"
+    );
+    Scene::parse(&text, &files, overrides)
+}
+
+fn parsed(section: &str) -> Result<Scene, SceneError> {
+    parsed_with(WITH_ERRORS, section, &Overrides::default())
+}
+
+#[test]
+fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
+    let uncertainty = |section: &str| parsed(section).unwrap().uncertainty;
+    assert_eq!(uncertainty(""), None);
+    assert_eq!(uncertainty("[uncertainty]\n"), Some(UncertaintyChoices::default()));
+    let all = "[uncertainty]\nlevel = 0.95\ndraws = 1000\nseed = 9223372036854775807\nshares_draws = 4096\n";
+    let expected = UncertaintyChoices {
+        level: Some(0.95),
+        draws: Some(1000),
+        seed: Some(i64::MAX as u64),
+        shares_draws: Some(4096),
+        off: false,
+    };
+    assert_eq!(uncertainty(all), Some(expected));
+    for (draws, shares_draws) in [(20, 64), (1_000_000, 1_000_000)] {
+        let ends = uncertainty(&format!(
+            "[uncertainty]\ndraws = {draws}\nshares_draws = {shares_draws}\nseed = 0\n"
+        ))
+        .unwrap();
+        assert_eq!((ends.draws, ends.shares_draws, ends.seed), (Some(draws), Some(shares_draws), Some(0)));
+    }
+}
+
+#[test]
+fn values_out_of_bounds_are_refused_with_key_value_and_bound() {
+    let level = |value: &str| {
+        format!(
+            "the probability that an interval covers is {value}; it must be greater than 0 and less than 1"
+        )
+    };
+    for (typed, key, message) in [
+        ("level = 0.0", "uncertainty.level", level("0")),
+        ("level = 1", "uncertainty.level", level("1")),
+        ("level = 95", "uncertainty.level", level("95")),
+        ("level = nan", "uncertainty.level", level("NaN")),
+        (
+            "draws = 19",
+            "uncertainty.draws",
+            "the number of draws is 19; it must be from 20 to 1e6".to_owned(),
+        ),
+        (
+            "draws = 1000001",
+            "uncertainty.draws",
+            "the number of draws is 1.000001e6; it must be from 20 to 1e6".to_owned(),
+        ),
+        ("seed = -1", "uncertainty.seed", "the seed is -1; it must be finite and at least 0".to_owned()),
+        (
+            "shares_draws = 63",
+            "uncertainty.shares_draws",
+            "the number of draws for shares is 63; it must be from 64 to 1e6".to_owned(),
+        ),
+    ] {
+        let error = parsed(&format!("[uncertainty]\n{typed}\n")).unwrap_err();
+        assert_eq!((error.key(), error.to_string()), (Some(key), format!("key {key}: {message}")));
+        let value = typed.split(" = ").nth(1).unwrap();
+        assert_eq!(error.span.map(|span| span.len()), Some(value.len()), "{typed}");
+    }
+}
+
+#[test]
+fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
+    let error = parsed("[uncertainty]\nshare_draws = 8\n").unwrap_err();
+    let SceneProblem::UnknownKey { meant, .. } = &error.problem else { panic!("{error}") };
+    assert_eq!(meant.as_deref(), Some("shares_draws"));
+    let message = |typed: &str| parsed(typed).unwrap_err().to_string();
+    assert_eq!(
+        message("[uncertainty]\ndraws = 512.5\n"),
+        "floating point 512.5 stands where a whole number should"
+    );
+    assert_eq!(message("[uncertainty]\nlevel = \"95 %\"\n"), "string \"95 %\" stands where a number should");
+    assert!(message("[uncertainity]\ndraws = 512\n").contains("did you mean `uncertainty`?"));
+}
+
+#[test]
+fn keys_beside_draws_that_are_off_are_noted_and_an_option_puts_them_off() {
+    let section = "[uncertainty]\ndraws = 64\noff = true\n";
+    let scene = parsed(section).unwrap();
+    assert_eq!(scene.notes.iter().map(|note| note.reason).collect::<Vec<_>>(), [Idle::UncertaintyIsOff]);
+    assert_eq!(scene.notes[0].key, "uncertainty.draws");
+    assert!(scene.uncertainty.unwrap().off);
+    let overrides = Overrides { no_uncertainty: true, ..Overrides::default() };
+    for section in ["", "[uncertainty]\ndraws = 64\n", section] {
+        let scene = parsed_with(WITH_ERRORS, section, &overrides).unwrap();
+        assert!(scene.uncertainty.unwrap().off && scene.notes.is_empty(), "{section}");
+    }
+}
+
+#[test]
+fn a_section_on_what_does_not_scatter_is_noted() {
+    let notes = |psd: &str| {
+        let scene = parsed_with(psd, "[uncertainty]\nlevel = 0.9\n", &Overrides::default()).unwrap();
+        scene.notes.into_iter().map(|note| (note.key, note.reason)).collect::<Vec<_>>()
+    };
+    assert_eq!(notes(WITHOUT), [("uncertainty.level".to_owned(), Idle::NothingScatters)]);
+    assert_eq!(notes(WITH_ERRORS), []);
+}
+
+#[test]
+fn the_keys_that_the_template_shows_are_keys_that_there_are() {
+    let text = Template::New.text();
+    let section = &text[text.find("# [uncertainty]").unwrap()..];
+    let lines = section.lines().filter(|line| !line.contains("off = true"));
+    let typed: String = lines.map(|line| format!("{}\n", line.trim_start_matches("# "))).collect();
+    let uncertainty = parsed(&typed).unwrap().uncertainty.unwrap();
+    assert!(uncertainty.level.is_some() && uncertainty.draws.is_some());
+    assert!(uncertainty.seed.is_some() && uncertainty.shares_draws.is_some() && !uncertainty.off);
+}

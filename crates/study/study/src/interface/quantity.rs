@@ -1,0 +1,120 @@
+//! Which quantities of an interface there are.
+
+use serde::Serialize;
+
+/// A quantity of an interface; all are > 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantity {
+    /// Mean separation of the mean planes \[m\].
+    MeanGap,
+    /// Stiffness K = -dp/du per nominal area \[Pa/m\].
+    Stiffness,
+    /// Thermal conductance per nominal area by Barber's analogy \[W/(m^2 K)\].
+    ThermalConductance,
+    /// The same by Yovanovich's correlation for peaks that have flowed \[W/(m^2 K)\].
+    YovanovichConductance,
+    /// The same by that of Cooper, Mikic & Yovanovich \[W/(m^2 K)\].
+    CooperMikicYovanovichConductance,
+    /// Thermal resistance of the nominal area \[K/W\].
+    ThermalResistance,
+    /// Electrical conductance per nominal area by Barber's analogy \[S/m^2\].
+    ElectricalConductance,
+    /// Electrical resistance of the nominal area \[ohm\].
+    ElectricalResistance,
+    /// The wavelength at which the last channel is narrowest \[m\].
+    ChannelWavelength,
+    /// The height of that place \[m\].
+    ChannelHeight,
+    /// What leaks, to an order of magnitude \[m^3/s\].
+    LeakRate,
+    /// The nominal pressure that closes the last channel \[Pa\].
+    TightPressure,
+    /// Friction per nominal area \[Pa\].
+    FrictionStress,
+    /// Friction over load.
+    FrictionCoefficient,
+    /// The adhesion parameter of Fuller & Tabor.
+    FullerTabor,
+    /// The left side of the criterion of Pastewka & Robbins.
+    PastewkaRobbins,
+}
+
+/// A place for a quantity: under a load, of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Slot {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The load, by index; absent where the quantity is the same under all of them.
+    pub load: Option<usize>,
+    /// The curve whose area it is made from, by index; absent where Persson's elastic theory makes it.
+    pub curve: Option<usize>,
+}
+
+impl Quantity {
+    /// Its name in tables, with its unit.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Quantity::MeanGap => "mean_gap_m",
+            Quantity::Stiffness => "stiffness_pa_per_m",
+            Quantity::ThermalConductance => "thermal_conductance_w_per_m2_k",
+            Quantity::YovanovichConductance => "yovanovich_conductance_w_per_m2_k",
+            Quantity::CooperMikicYovanovichConductance => "cooper_mikic_yovanovich_conductance_w_per_m2_k",
+            Quantity::ThermalResistance => "thermal_resistance_k_per_w",
+            Quantity::ElectricalConductance => "electrical_conductance_s_per_m2",
+            Quantity::ElectricalResistance => "electrical_resistance_ohm",
+            Quantity::ChannelWavelength => "channel_wavelength_m",
+            Quantity::ChannelHeight => "channel_height_m",
+            Quantity::LeakRate => "leak_rate_m3_per_s",
+            Quantity::TightPressure => "tight_pressure_pa",
+            Quantity::FrictionStress => "friction_stress_pa",
+            Quantity::FrictionCoefficient => "friction_coefficient",
+            Quantity::FullerTabor => "fuller_tabor",
+            Quantity::PastewkaRobbins => "pastewka_robbins",
+        }
+    }
+
+    /// Its name in sentences.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Quantity::MeanGap => "mean gap",
+            Quantity::Stiffness => "stiffness",
+            Quantity::ThermalConductance => "thermal conductance",
+            Quantity::YovanovichConductance => "thermal conductance of flowed peaks (Yovanovich)",
+            Quantity::CooperMikicYovanovichConductance => {
+                "thermal conductance of flowed peaks (Cooper, Mikic & Yovanovich)"
+            }
+            Quantity::ThermalResistance => "thermal resistance",
+            Quantity::ElectricalConductance => "electrical conductance",
+            Quantity::ElectricalResistance => "electrical resistance",
+            Quantity::ChannelWavelength => "wavelength of the last channel",
+            Quantity::ChannelHeight => "height of the last channel",
+            Quantity::LeakRate => "leak rate, an order of magnitude",
+            Quantity::TightPressure => "pressure that makes it tight",
+            Quantity::FrictionStress => "friction per nominal area",
+            Quantity::FrictionCoefficient => "coefficient of friction",
+            Quantity::FullerTabor => "adhesion parameter of Fuller & Tabor",
+            Quantity::PastewkaRobbins => "left side of Pastewka & Robbins’ criterion, sticky below 1.03",
+        }
+    }
+
+    /// Its unit, empty of a number.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::MeanGap | Quantity::ChannelWavelength | Quantity::ChannelHeight => "m",
+            Quantity::Stiffness => "Pa/m",
+            Quantity::ThermalConductance
+            | Quantity::YovanovichConductance
+            | Quantity::CooperMikicYovanovichConductance => "W/(m² K)",
+            Quantity::ThermalResistance => "K/W",
+            Quantity::ElectricalConductance => "S/m²",
+            Quantity::ElectricalResistance => "Ω",
+            Quantity::LeakRate => "m³/s",
+            Quantity::TightPressure | Quantity::FrictionStress => "Pa",
+            Quantity::FrictionCoefficient | Quantity::FullerTabor | Quantity::PastewkaRobbins => "",
+        }
+    }
+}

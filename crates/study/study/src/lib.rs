@@ -1,0 +1,26 @@
+#![doc = include_str!("../README.md")]
+
+pub mod bodies;
+pub mod choices_in_words;
+pub mod figure;
+pub mod gap_law;
+pub mod given_roughness;
+pub mod hardness_and_strength;
+pub mod hardness_growth;
+pub mod interface;
+pub mod linear_laws;
+pub mod material;
+pub mod material_spreads;
+pub mod materials;
+pub mod measured;
+pub mod models;
+mod note;
+pub mod persson_law;
+pub mod plan;
+pub mod result_tables;
+pub mod spread;
+pub mod surface;
+
+pub use measurements::{self, Files, NoFiles};
+pub use note::Note;
+pub use parallel::{Progress, Unobserved};

@@ -1,0 +1,104 @@
+//! A short table of materials, which comes with the program.
+
+use serde::Deserialize;
+
+/// The table, with the source of every row.
+const TABLE: &str = include_str!("../../../../data/materials.toml");
+
+/// A material of the table: properties as a scene types them, with their units.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TabledMaterial {
+    /// Its name.
+    pub name: String,
+    /// Other names that it answers to.
+    #[serde(default)]
+    pub aliases: Vec<String>,
+    /// Young's modulus.
+    pub youngs_modulus: String,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// The yield strength, where that is what its source has.
+    pub yield_strength: Option<String>,
+    /// The indentation hardness, where that is what its source has.
+    pub indentation_hardness: Option<String>,
+    /// The thermal conductivity.
+    pub thermal_conductivity: Option<String>,
+    /// The electrical resistivity.
+    pub resistivity: Option<String>,
+    /// Its condition, and where each value comes from.
+    pub sources: String,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    material: Vec<TabledMaterial>,
+}
+
+/// The materials in the order of the table; none where the program was built with a broken one.
+#[must_use]
+pub fn materials() -> Vec<TabledMaterial> {
+    toml::from_str::<Table>(TABLE).map_or_else(|_| Vec::new(), |table| table.material)
+}
+
+impl TabledMaterial {
+    /// Whether it answers to this name; case does not count.
+    #[must_use]
+    pub fn answers_to(&self, name: &str) -> bool {
+        let wanted = name.trim().to_lowercase();
+        std::iter::once(&self.name).chain(&self.aliases).any(|known| known.to_lowercase() == wanted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use asperity::ElasticBody;
+    use units::{IndentationHardness, Modulus, Pressure, Resistivity, ThermalConductivity};
+
+    use super::*;
+
+    #[test]
+    fn every_row_has_values_within_bounds_a_source_and_names_of_its_own() {
+        let table: Table = toml::from_str(TABLE).unwrap();
+        assert!(table.material.len() >= 12);
+        let mut names = HashSet::new();
+        for row in &table.material {
+            let modulus: Modulus = row.youngs_modulus.parse().unwrap();
+            ElasticBody::new(modulus.pa, row.poisson_ratio).unwrap();
+            let hardness =
+                row.indentation_hardness.as_ref().map(|text| text.parse::<IndentationHardness>().unwrap());
+            let strength = row.yield_strength.as_ref().map(|text| text.parse::<Pressure>().unwrap());
+            // H is three times S0 in the models, which no two measured values are.
+            assert!(hardness.is_none() || strength.is_none(), "{}", row.name);
+            if let Some(conductivity) = &row.thermal_conductivity {
+                conductivity.parse::<ThermalConductivity>().unwrap();
+            }
+            if let Some(resistivity) = &row.resistivity {
+                resistivity.parse::<Resistivity>().unwrap();
+            }
+            assert!(row.sources.len() > 10, "{}", row.name);
+            for name in std::iter::once(&row.name).chain(&row.aliases) {
+                assert!(names.insert(name.to_lowercase()), "{name} stands twice");
+            }
+        }
+    }
+
+    /// Of pure metals the Lorenz number ties both conductivities: a slip of a digit or a unit shows.
+    #[test]
+    fn the_conductivities_of_metals_obey_wiedemann_and_franz() {
+        const LORENZ_W_OHM_PER_K2: f64 = 2.44e-8;
+        for row in materials() {
+            let (Some(conductivity), Some(resistivity)) = (&row.thermal_conductivity, &row.resistivity)
+            else {
+                continue;
+            };
+            let conductivity: ThermalConductivity = conductivity.parse().unwrap();
+            let resistivity: Resistivity = resistivity.parse().unwrap();
+            let over_lorenz = conductivity.w_per_m_k * resistivity.ohm_m / 293.0 / LORENZ_W_OHM_PER_K2;
+            assert!((0.8..1.6).contains(&over_lorenz), "{}: {over_lorenz}", row.name);
+        }
+    }
+}

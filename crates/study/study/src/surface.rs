@@ -1,0 +1,294 @@
+//! The surface a scene or a command names: its spectrum, and what its file says about itself.
+
+use std::io;
+
+use scans::ScanFormat;
+use sha2::{Digest, Sha256};
+use spectrum::{
+    Convention, ConversionError, Hole, ProfilePsd, Psd, PsdFile, ReadError, ReadOptions, read_psd, superpose,
+};
+use topography::Recipe;
+
+use crate::given_roughness::GivenRoughness;
+use crate::note::Note;
+use measurements::Files;
+use measurements::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
+
+/// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
+/// and licence stand in their comments.
+pub const BUILTIN: [(&str, &str); 2] = [
+    ("builtin:uncd-measured", include_str!("../../../../data/uncd_psd_measured.csv")),
+    ("builtin:uncd-reconstructed", include_str!("../../../../data/uncd_psd_reconstructed.csv")),
+];
+
+/// The one of them that is a reconstruction.
+const RECONSTRUCTION: &str = "builtin:uncd-reconstructed";
+
+/// Why there is no spectrum to work with.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SurfaceError {
+    /// No spectrum of this name comes with the program.
+    #[error("{name}: there is no such spectrum; the built-in ones are {}", BUILTIN.map(|(name, _)| name).join(", "))]
+    NoSuchBuiltin {
+        /// The name.
+        name: String,
+    },
+    /// The file cannot be had.
+    #[error("reading {name}: {error}")]
+    Reading {
+        /// The file.
+        name: String,
+        /// Why.
+        error: io::Error,
+    },
+    /// The file cannot be read as a spectrum.
+    #[error("{name}: {error}")]
+    Spectrum {
+        /// The file.
+        name: String,
+        /// Why.
+        error: Box<ReadError>,
+    },
+    /// The file holds heights.
+    #[error("{name}: this is a scan ({format}), not its spectrum")]
+    Scan {
+        /// The file.
+        name: String,
+        /// The format of the scan.
+        format: ScanFormat,
+    },
+    /// The spectrum is of a convention that cannot become that of a profile.
+    #[error("{name}: {error}")]
+    Conversion {
+        /// The file.
+        name: String,
+        /// Why.
+        error: ConversionError,
+    },
+    /// Scans yield no spectrum.
+    #[error(transparent)]
+    Scans(#[from] TopographyError),
+}
+
+impl SurfaceError {
+    /// Whether a file is not there.
+    #[must_use]
+    pub fn is_missing_file(&self) -> bool {
+        let error = match self {
+            SurfaceError::Reading { error, .. } => error,
+            SurfaceError::Scans(TopographyError { problem: ScanProblem::Reading(error), .. }) => error,
+            _ => return false,
+        };
+        error.kind() == io::ErrorKind::NotFound
+    }
+}
+
+/// A file that a surface was read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Its name, as given.
+    pub name: String,
+    /// The SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
+}
+
+/// A spectrum ready to be worked with.
+#[derive(Debug, Clone)]
+pub struct Surface {
+    /// The spectrum's file or built-in name, as given.
+    pub name: String,
+    /// The spectrum in the working convention.
+    pub psd: ProfilePsd,
+    /// The same as it was given, where that is the spectrum of an area.
+    pub of_area: Option<Psd>,
+    /// The comment lines of the file: origin, licence, what it is.
+    pub remarks: Vec<String>,
+    /// What reading took for granted, and what is doubtful.
+    pub notes: Vec<Note>,
+    /// The scans it is the composite of, where it is not given as a spectrum.
+    pub made_from: Option<CompositeOfFiles>,
+    /// The roughness parameters that it is made from, where they are all that is given.
+    pub roughness: Option<GivenRoughness>,
+    /// The files that it was read from; those of scans are told in the remarks.
+    pub sources: Vec<SourceFile>,
+    /// The two surfaces that it is the sum of, where it is one.
+    pub parts: Option<Box<[Surface; 2]>>,
+    /// See [`Surface::holes`].
+    holes: Vec<Hole>,
+}
+
+impl Surface {
+    /// Reads the spectrum `name`: a built-in one, or a file.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] that names the file, and line, column, value and bound where they are to blame.
+    pub fn load(name: &str, files: &dyn Files, options: &ReadOptions) -> Result<Self, SurfaceError> {
+        let bytes = if name.starts_with("builtin:") {
+            let (_, text) = BUILTIN
+                .iter()
+                .find(|(builtin, _)| *builtin == name)
+                .ok_or_else(|| SurfaceError::NoSuchBuiltin { name: name.to_owned() })?;
+            text.as_bytes().to_vec()
+        } else {
+            files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
+        };
+        let PsdFile { psd, comments, notes } =
+            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of(&bytes) {
+                Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
+                None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
+            })?;
+        let mut surface = Self::of_psd(name.to_owned(), psd)?;
+        surface.remarks = comments;
+        let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
+        if name == RECONSTRUCTION {
+            notes.push(Note::Reconstruction);
+        }
+        surface.notes.splice(..0, notes);
+        surface.sources =
+            vec![SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) }];
+        Ok(surface)
+    }
+
+    /// A spectrum under a name, from no file.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Conversion`] where its convention cannot become that of a profile.
+    pub fn of_psd(name: String, psd: Psd) -> Result<Self, SurfaceError> {
+        let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
+        let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
+        let holes = psd.holes();
+        let notes = (!holes.is_empty()).then(|| Note::Holes(holes.clone())).into_iter().collect();
+        Ok(Surface {
+            name,
+            psd,
+            of_area,
+            remarks: Vec::new(),
+            notes,
+            made_from: None,
+            roughness: None,
+            sources: Vec::new(),
+            parts: None,
+            holes,
+        })
+    }
+
+    /// The composite spectrum of scans.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] that names the file, and place, value and bound where they are to blame.
+    pub fn from_scans(
+        requests: &[ScanRequest],
+        files: &dyn Files,
+        recipe: &Recipe,
+    ) -> Result<Self, SurfaceError> {
+        let names: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();
+        Self::of_composite(CompositeOfFiles::read(requests, files, recipe)?, names.join(" + "))
+    }
+
+    /// A composite spectrum under a name.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] where its values are none that a spectrum may have.
+    pub fn of_composite(scans: CompositeOfFiles, name: String) -> Result<Self, SurfaceError> {
+        let psd = scans
+            .spectrum
+            .psd()
+            .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
+        let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
+        let notes = scans.spectrum.remarks().into_iter().map(Note::Scans).collect();
+        let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());
+        Ok(Surface {
+            name,
+            psd,
+            of_area: None,
+            remarks,
+            notes,
+            made_from: Some(scans),
+            roughness: None,
+            sources: Vec::new(),
+            parts: None,
+            holes,
+        })
+    }
+
+    /// The spectrum of roughness parameters.
+    ///
+    /// # Errors
+    /// None: a spectrum of profiles needs no conversion.
+    pub fn of_roughness(given: GivenRoughness) -> Result<Self, SurfaceError> {
+        let name = given.name();
+        let psd = given.profile.psd();
+        let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
+        Ok(Surface {
+            name,
+            psd,
+            of_area: None,
+            remarks: Vec::new(),
+            notes: vec![Note::OfParameters(given)],
+            made_from: None,
+            roughness: Some(given),
+            sources: Vec::new(),
+            parts: None,
+            holes: Vec::new(),
+        })
+    }
+
+    /// Wavelengths that were not measured, from long to short: where neighbouring samples of the spectrum are a factor of
+    /// [`spectrum::HOLE_FACTOR`] or more apart; of two surfaces, those of either.
+    #[must_use]
+    pub fn holes(&self) -> &[Hole] {
+        &self.holes
+    }
+
+    /// The sum of two surfaces that know nothing of each other: their spectra add where both have one, and elsewhere the
+    /// one that does stands alone.
+    pub fn against(self, other: Surface) -> Self {
+        let sum = superpose(&self.psd, &other.psd);
+        let mut holes = [self.holes.clone(), other.holes.clone(), sum.psd.holes()].concat();
+        holes.sort_by(|a, b| b.longest_m.total_cmp(&a.longest_m));
+        holes.dedup();
+        let mut notes: Vec<Note> = [&self, &other].into_iter().flat_map(Surface::named_notes).collect();
+        let apart: Vec<Hole> =
+            sum.psd.holes().into_iter().filter(|hole| !self.has(hole) && !other.has(hole)).collect();
+        notes.extend((!apart.is_empty()).then_some(Note::Holes(apart)));
+        notes.push(Note::Superposition { shared_m: sum.shared_m });
+        let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
+        let name = format!("{} against {}", self.name, other.name);
+        let sources = [&self.sources[..], &other.sources[..]].concat();
+        let parts = Some(Box::new([self, other]));
+        let (of_area, made_from, roughness) = (None, None, None);
+        Surface { name, psd: sum.psd, of_area, remarks, notes, made_from, roughness, sources, parts, holes }
+    }
+
+    /// The surfaces that it is the sum of, or itself.
+    #[must_use]
+    pub fn each(&self) -> Vec<&Surface> {
+        match &self.parts {
+            Some(parts) => parts.iter().flat_map(Surface::each).collect(),
+            None => vec![self],
+        }
+    }
+
+    fn has(&self, hole: &Hole) -> bool {
+        self.holes.contains(hole)
+    }
+
+    /// Its notes with its name. What is said of scans has their names already.
+    fn named_notes(&self) -> Vec<Note> {
+        let named = |note: &Note| match note {
+            Note::Scans(_) => note.clone(),
+            _ => Note::OfSurface { name: self.name.clone(), note: Box::new(note.clone()) },
+        };
+        self.notes.iter().map(named).collect()
+    }
+
+    /// Its remarks with its name, but for those that name scans.
+    fn named_remarks(&self) -> Vec<String> {
+        let named = |line: &String| match self.made_from {
+            Some(_) => line.clone(),
+            None => format!("{}: {line}", self.name),
+        };
+        self.remarks.iter().map(named).collect()
+    }
+}

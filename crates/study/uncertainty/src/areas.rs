@@ -1,0 +1,119 @@
+//! The plan of a scene carried out on what was drawn.
+
+use std::num::NonZeroU32;
+
+use scene::Scene;
+use study::Unobserved;
+use study::plan::{Curve, CurveResult, Cutoffs, Ground, Needs, Plan, Results, Sampling, Tolerance, Work};
+
+use spectrum::ProfilePsd;
+
+/// Cutoffs a decade at which statistical curves are followed in draws, for bands.
+const STATES_PER_DECADE: u32 = 4;
+
+/// The relative tolerance of statistical states in draws: what it leaves is far below the error of any number of draws.
+const TOLERANCE: f64 = 1e-6;
+
+/// An area along the cutoff.
+pub(crate) type Points = Vec<(f64, f64)>;
+
+/// The scene's curves under its loads, to be computed for many spectra and materials.
+#[derive(Debug)]
+pub(crate) struct Areas {
+    needs: Needs,
+    sampling: Sampling,
+    /// What the curves stand on where the spectrum is the scene's own.
+    own_ground: Ground,
+}
+
+/// The areas of a draw.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    /// ln A of every curve under every load, load by load; none where there is no area.
+    pub ln_areas: Vec<Option<f64>>,
+    /// How much was computed.
+    pub work: Work,
+}
+
+impl Areas {
+    pub fn of(scene: &Scene, results: &Results) -> Self {
+        let own = &scene.needs;
+        let needs = Needs {
+            moments: own.moments,
+            amplitudes: own.amplitudes,
+            curves: own.curves.clone(),
+            loads: own.loads.clone(),
+            tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
+            ..Needs::default()
+        };
+        Areas { needs, sampling: scene.sampling, own_ground: Ground::of(results) }
+    }
+
+    /// The curves.
+    pub fn curves(&self) -> &[Curve] {
+        &self.needs.curves
+    }
+
+    /// How many loads there are.
+    pub fn loads(&self) -> usize {
+        self.needs.loads.len()
+    }
+
+    /// Whether the scene ends its spectrum at a cutoff of its own.
+    pub fn has_cutoff(&self) -> bool {
+        self.sampling.cutoff_m.is_some()
+    }
+
+    /// How many areas a draw has.
+    pub fn count(&self) -> usize {
+        self.curves().len() * self.loads()
+    }
+
+    /// The final areas of a spectrum, of the scene's own where absent, and of curves of these bodies. What leaves the range of a
+    /// model has no area.
+    pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Found {
+        let found = self.results(psd, curves, Cutoffs::Shortest);
+        let ln_area = |curve: &CurveResult, load| {
+            let (_, area_fraction) = *curve.area_fractions(load).last()?;
+            (area_fraction > 0.0).then(|| area_fraction.ln())
+        };
+        match found {
+            Some(results) => Found {
+                ln_areas: results
+                    .curves
+                    .iter()
+                    .flat_map(|curve| (0..self.loads()).map(move |load| ln_area(curve, load)))
+                    .collect(),
+                work: results.work,
+            },
+            None => self.nothing(),
+        }
+    }
+
+    /// The areas of a draw that has none.
+    pub fn nothing(&self) -> Found {
+        Found { ln_areas: vec![None; self.count()], work: Work::default() }
+    }
+
+    /// The areas along the cutoff, at so many cutoffs a decade: for every curve and load points of cutoff \[m\] and area
+    /// fraction.
+    pub fn along(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Option<(Vec<Vec<Points>>, Work)> {
+        let results = self.results(psd, curves, Cutoffs::Every)?;
+        let of_curve =
+            |curve: &CurveResult| (0..self.loads()).map(|load| curve.area_fractions(load)).collect();
+        Some((results.curves.iter().map(of_curve).collect(), results.work))
+    }
+
+    fn results(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>, cutoffs: Cutoffs) -> Option<Results> {
+        let at_cutoffs = |curve: Curve| Curve { cutoffs, ..curve };
+        let curves = curves.into_iter().map(at_cutoffs).collect();
+        let states_per_decade = NonZeroU32::new(STATES_PER_DECADE);
+        let needs = Needs { curves, states_per_decade, ..self.needs.clone() };
+        let psd_of_plan = psd.unwrap_or(self.own_ground.psd());
+        let plan = Plan { psd: psd_of_plan, sampling: self.sampling, needs };
+        match psd {
+            Some(_) => plan.compute().ok(),
+            None => plan.compute_on(self.own_ground.clone(), &Unobserved).ok(),
+        }
+    }
+}

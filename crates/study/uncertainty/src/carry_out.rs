@@ -1,0 +1,287 @@
+//! The draws of a scene, from its inputs to what is told.
+
+use scene::Scene;
+use study::Progress;
+use study::plan::{Cutoffs, PlanError, Results, Work};
+
+use crate::advice::{Adviser, TELLING_SCANS};
+use crate::areas::{Areas, Points};
+use crate::bands::{self, band};
+use crate::draws::{self, Along, Drawn};
+use crate::found::{AreaBand, AreaInterval, Guess, Uncertainty};
+use crate::group::Indices;
+use crate::inputs::Inputs;
+use crate::quantiles::{interval, interval_about};
+use crate::quantities::{Quantities, QuantityDraws};
+use crate::settings::Settings;
+use crate::shares::Design;
+use crate::surface_scatter::{DrawOf, SurfaceScatter};
+
+/// What has to be done to tell how sure the areas of a scene are.
+#[derive(Debug)]
+pub struct UncertaintyPlan<'p> {
+    results: &'p Results,
+    settings: Settings,
+    inputs: Inputs,
+    areas: Areas,
+    quantities: Option<Quantities<'p>>,
+    area_fractions: Vec<Option<f64>>,
+}
+
+/// With fewer draws than this nothing is told.
+const FEWEST_DRAWS: usize = 20;
+
+/// The error that the number of draws leaves, as a share of the interval, from which on the interval is a guess.
+const LOOSE: f64 = 0.25;
+
+/// The share of draws that have to have an area for an interval of them.
+const LEAST_WITH_AREA: f64 = 0.9;
+
+/// The level of the narrower interval, that of one standard uncertainty of a normal distribution.
+const ONE_STANDARD_UNCERTAINTY: f64 = 0.68;
+
+impl<'p> UncertaintyPlan<'p> {
+    /// That of a scene and its results; none where nothing of the scene scatters, or it has no areas.
+    #[must_use]
+    pub fn of(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
+        let inputs = Inputs::of(scene, settings.seed)?;
+        let areas = Areas::of(scene, results);
+        let shortest_m = results.psd.shortest_wavelength_m();
+        let last = |curve: usize, load| {
+            let last = results.curves[curve].area_fractions(load).last().copied();
+            last.filter(|(wavelength_m, _)| *wavelength_m == shortest_m)
+                .map(|(_, area_fraction)| area_fraction)
+        };
+        let area_fractions: Vec<Option<f64>> = (0..areas.curves().len())
+            .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
+            .collect();
+        let has_areas = area_fractions.iter().any(Option::is_some);
+        let quantities = Quantities::of(scene, results);
+        has_areas.then_some(UncertaintyPlan {
+            results,
+            settings: *settings,
+            inputs,
+            areas,
+            quantities,
+            area_fractions,
+        })
+    }
+
+    /// How many steps of progress it takes, at most; most of them are draws.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        let draws = self.settings.draws;
+        let further = self.design().further_draws(draws, self.inputs.groups.len());
+        let of_quantities = if self.quantities.is_some() { draws } else { 0 };
+        draws + of_quantities + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
+    }
+
+    /// Carries it out. Whoever watches may end the draws: what was drawn by then is told, without shares and advice.
+    ///
+    /// # Errors
+    /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
+    pub fn carry_out(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
+        let drawn = self.drawn(progress)?;
+        let draws = drawn.ln_areas.len();
+        let mut work = drawn.work;
+        let mut plans = draws;
+        let (along, of_bands) = self.along(progress);
+        work += of_bands;
+        plans += along.len();
+        let mut bands = Vec::new();
+        let are_all = along.len() == self.draws_of_bands();
+        if let Some((best, of_best)) = self.best_along().filter(|_| are_all) {
+            bands = self.bands(&along, &best);
+            work += of_best;
+            plans += 1;
+        }
+        let shares = self.design().carry_out(&self.inputs, &self.areas, &drawn, progress);
+        let is_incomplete = draws < self.settings.draws || shares.is_none() || progress.is_cancelled();
+        let (indices, of_shares, plans_of_shares) = shares.unwrap_or_default();
+        work += of_shares;
+        plans += plans_of_shares;
+        let (advice, of_advice, plans_of_advice) = match is_incomplete {
+            true => (Vec::new(), Work::default(), 0),
+            false => self.adviser(&drawn, &indices).advice(progress),
+        };
+        let ended_early = is_incomplete || progress.is_cancelled();
+        work += of_advice;
+        plans += plans_of_advice;
+        let (areas, of_best) = self.intervals_of(&drawn, &indices);
+        work += of_best;
+        plans += 1;
+        let mut found = Uncertainty {
+            settings: self.settings,
+            draws,
+            ended_early,
+            groups: self.inputs.groups.clone(),
+            instruments: Vec::new(),
+            overlaps: Vec::new(),
+            spectrum_errors: Vec::new(),
+            guesses: Vec::new(),
+            areas,
+            quantities: Vec::new(),
+            open_channels: Vec::new(),
+            bands,
+            advice,
+            work,
+            plans,
+        };
+        let QuantityDraws { intervals, open_channels } = self.quantities_of(draws, &found.areas, progress);
+        (found.quantities, found.open_channels) = (intervals, open_channels);
+        self.tell_inputs(&mut found);
+        let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
+        let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > LOOSE);
+        if draws < self.settings.draws || beyond_an_end < 1.0 || are_ends_loose {
+            found.guesses.push(Guess::FewDraws { draws });
+        }
+        let without =
+            |area: &AreaInterval| draws - drawn.of(area.curve * self.areas.loads() + area.load).len();
+        let most_without = found.areas.iter().map(without).max().unwrap_or(0);
+        if most_without > 0 {
+            found.guesses.push(Guess::DrawsWithoutArea { draws: most_without, of: draws });
+        }
+        Ok(found)
+    }
+
+    /// The intervals alone, without indices, bands and advice; a step of `progress` is a draw.
+    ///
+    /// # Errors
+    /// Those of [`carry_out`](Self::carry_out).
+    pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
+        Ok(self.intervals_of(&self.drawn(progress)?, &[]).0)
+    }
+
+    /// The draws, as many as were made before somebody ended them.
+    fn drawn(&self, progress: &dyn Progress) -> Result<Drawn, PlanError> {
+        let wanted = self.settings.draws;
+        let drawn = draws::all(&self.inputs, &self.areas, wanted, DrawOf::all, progress);
+        if drawn.ln_areas.len() < FEWEST_DRAWS.min(wanted) {
+            return Err(PlanError::Cancelled);
+        }
+        Ok(drawn)
+    }
+
+    /// The interval of every area that has one, about that of the best estimates.
+    fn intervals_of(&self, drawn: &Drawn, indices: &[Vec<Indices>]) -> (Vec<AreaInterval>, Work) {
+        let best = match self.inputs.best_psd() {
+            Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
+            None => self.areas.nothing(),
+        };
+        let interval = |area: usize| self.interval(area, drawn, best.ln_areas[area], indices);
+        ((0..self.areas.count()).filter_map(interval).collect(), best.work)
+    }
+
+    fn quantities_of(&self, draws: usize, areas: &[AreaInterval], progress: &dyn Progress) -> QuantityDraws {
+        let level = self.settings.level;
+        let intervals =
+            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);
+        self.quantities.as_ref().map(intervals).unwrap_or_default()
+    }
+
+    fn design(&self) -> Design {
+        Design::of(self.settings.draws, self.settings.shares_draws)
+    }
+
+    fn adviser<'a>(&'a self, drawn: &'a Drawn, indices: &'a [Vec<Indices>]) -> Adviser<'a> {
+        let (inputs, areas, results) = (&self.inputs, &self.areas, self.results);
+        Adviser { inputs, areas, results, settings: self.settings, drawn, indices }
+    }
+
+    fn follows_any(&self) -> bool {
+        self.areas.curves().iter().any(|curve| curve.cutoffs == Cutoffs::Every)
+    }
+
+    fn draws_of_bands(&self) -> usize {
+        if self.follows_any() { self.settings.draws.min(bands::MOST_DRAWS) } else { 0 }
+    }
+
+    fn along(&self, progress: &dyn Progress) -> (Vec<Along>, Work) {
+        draws::along(&self.inputs, &self.areas, self.draws_of_bands(), progress)
+    }
+
+    /// What the best estimates have along the cutoff; none where no curve is followed.
+    fn best_along(&self) -> Option<(Along, Work)> {
+        let psd = self.inputs.best_psd().filter(|_| self.follows_any())?;
+        self.areas.along(psd.as_ref(), self.areas.curves().to_vec())
+    }
+
+    fn bands(&self, along: &[Along], best: &Along) -> Vec<AreaBand> {
+        let followed =
+            (0..self.areas.curves().len()).filter(|&at| self.areas.curves()[at].cutoffs == Cutoffs::Every);
+        let of_load = |curve: usize, load: usize| {
+            let draws: Vec<&Points> = along.iter().map(|draw| &draw[curve][load]).collect();
+            band(curve, load, &draws, &best[curve][load], self.settings.level)
+        };
+        followed
+            .flat_map(|curve| (0..self.areas.loads()).filter_map(move |load| of_load(curve, load)))
+            .collect()
+    }
+
+    fn interval(
+        &self,
+        area: usize,
+        drawn: &Drawn,
+        best: Option<f64>,
+        indices: &[Vec<Indices>],
+    ) -> Option<AreaInterval> {
+        let ln_areas = drawn.of(area);
+        if (ln_areas.len() as f64) < LEAST_WITH_AREA * drawn.ln_areas.len() as f64 {
+            return None;
+        }
+        // What calibrations and data sheets alone leave open is told as it is drawn.
+        let best = best.filter(|_| self.inputs.surface_scatters());
+        let at_level = |level| match best {
+            Some(best) => interval_about(best, &ln_areas, level),
+            None => interval(&ln_areas, level),
+        };
+        let found = at_level(self.settings.level)?;
+        let within = at_level(ONE_STANDARD_UNCERTAINTY)?;
+        Some(AreaInterval {
+            curve: area / self.areas.loads(),
+            load: area % self.areas.loads(),
+            area_fraction: self.area_fractions[area]?,
+            median: found.median.value.exp(),
+            low: found.low.value.exp(),
+            high: found.high.value.exp(),
+            within_68: [within.low.value.exp(), within.high.value.exp()],
+            monte_carlo_error: found.relative_error(),
+            ln_area_sd: standard_deviation(&ln_areas, found.median.value),
+            indices: indices.get(area).cloned().unwrap_or_default(),
+        })
+    }
+
+    fn tell_inputs(&self, found: &mut Uncertainty) {
+        for part in self.inputs.surface.parts() {
+            match part {
+                SurfaceScatter::Scans(scans) => {
+                    let first = found.instruments.len();
+                    let few = (0..scans.told.len()).filter_map(|at| {
+                        let places = scans.places_in_a_bin(at);
+                        let guess = Guess::FewScans { instrument: first + at, scans: places };
+                        (places < TELLING_SCANS).then_some(guess)
+                    });
+                    found.guesses.extend(few);
+                    found.instruments.extend(scans.told.iter().cloned());
+                    found.overlaps.extend(scans.overlaps.iter().cloned().map(|mut overlap| {
+                        overlap.instruments = overlap.instruments.map(|instrument| first + instrument);
+                        overlap
+                    }));
+                }
+                SurfaceScatter::Errors(errors) => found.spectrum_errors.push(errors.told.clone()),
+                SurfaceScatter::Certain(_, name) => {
+                    found.guesses.push(Guess::SpectrumWithoutErrors { name: name.clone() });
+                }
+                SurfaceScatter::Sum(_) => {}
+            }
+        }
+    }
+}
+
+/// The standard deviation of draws about their mean, from their distances from their median: of equal draws it is 0.
+fn standard_deviation(draws: &[f64], median: f64) -> f64 {
+    let count = draws.len() as f64;
+    let mean = draws.iter().map(|draw| draw - median).sum::<f64>() / count;
+    let squares = draws.iter().map(|draw| (draw - median).powi(2)).sum::<f64>();
+    (squares / count - mean * mean).max(0.0).sqrt()
+}

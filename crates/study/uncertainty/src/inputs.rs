@@ -1,0 +1,85 @@
+//! What of a scene is drawn: its surface and its bodies.
+
+use scene::Scene;
+use spectrum::ProfilePsd;
+use study::plan::Curve;
+
+use crate::group::Group;
+use crate::material_draws::{DrawnMaterial, MaterialDraws};
+use crate::random::Streams;
+use crate::settings::DEFAULT_SEED;
+use crate::surface_scatter::{DrawOf, SurfaceScatter};
+
+/// Surface and bodies, to be drawn.
+#[derive(Debug)]
+pub(crate) struct Inputs {
+    pub surface: SurfaceScatter,
+    material: Option<MaterialDraws>,
+    streams: Streams,
+    /// The groups that scatter.
+    pub groups: Vec<Group>,
+}
+
+/// The groups of a scene's inputs that scatter, whatever it says of draws; none of a scene without draws.
+#[must_use]
+pub fn scattering_groups(scene: &Scene) -> Vec<Group> {
+    Inputs::of(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
+}
+
+impl Inputs {
+    /// Those of a scene; none where nothing of it scatters.
+    pub fn of(scene: &Scene, seed: u64) -> Option<Self> {
+        let surface = SurfaceScatter::of(&scene.surface);
+        let material = MaterialDraws::of(scene);
+        let of_material = |scatters: fn(&MaterialDraws) -> bool| material.as_ref().is_some_and(scatters);
+        let scatters = |group: &Group| match group {
+            Group::Scans | Group::Instruments => surface.has(*group),
+            Group::Material => of_material(MaterialDraws::elastic_scatters),
+            Group::Strength => of_material(MaterialDraws::strength_scatters),
+        };
+        let groups: Vec<Group> = Group::ALL.iter().copied().filter(scatters).collect();
+        let inputs = Inputs { surface, material, streams: Streams::new(seed), groups };
+        (scene.scatters() && !inputs.groups.is_empty()).then_some(inputs)
+    }
+
+    /// The random numbers.
+    pub fn streams(&self) -> Streams {
+        self.streams
+    }
+
+    /// Whether the surface takes part in draws.
+    pub fn surface_scatters(&self) -> bool {
+        self.groups.iter().any(|group| matches!(group, Group::Scans | Group::Instruments))
+    }
+
+    /// The spectrum of a draw; the first is none where the surface does not scatter, and the whole where the draw has left the
+    /// range of spectra.
+    pub fn psd(&self, draw: DrawOf) -> Option<Option<ProfilePsd>> {
+        if !self.surface_scatters() {
+            return Some(None);
+        }
+        self.surface.psd(self.streams, draw).map(Some)
+    }
+
+    /// The spectrum of the best estimates, as that of a draw.
+    pub fn best_psd(&self) -> Option<Option<ProfilePsd>> {
+        if !self.surface_scatters() {
+            return Some(None);
+        }
+        self.surface.best().map(Some)
+    }
+
+    /// The bodies of a draw; none where they are taken for exact.
+    pub fn material(&self, draw: DrawOf) -> Option<DrawnMaterial> {
+        let mut elastic = self.streams.of(Group::Material, draw.material);
+        let mut strength = self.streams.of(Group::Strength, draw.strength);
+        Some(self.material.as_ref()?.draw(&mut elastic, &mut strength))
+    }
+
+    /// The curves of the bodies of a draw.
+    pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
+        let Some(drawn) = self.material(draw) else { return curves.to_vec() };
+        let moved = |curve: &Curve| Curve { model: drawn.of(&curve.model), ..curve.clone() };
+        curves.iter().map(moved).collect()
+    }
+}

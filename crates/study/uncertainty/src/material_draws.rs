@@ -1,0 +1,131 @@
+//! Draws of the material: other bodies of which the same could have been said.
+
+use asperity::{ElasticBody, MaterialPair, NixGao};
+use rand_chacha::rand_core::Rng;
+use rand_distr::{Beta, Distribution, StandardNormal, StandardUniform};
+use scene::Scene;
+use study::bodies::Body;
+use study::material_spreads::MaterialSpreads;
+use study::models::CurveModel;
+use study::spread::{LARGEST_POISSON_RATIO, Spread};
+
+/// What draws of a scene's material are made from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaterialDraws {
+    spreads: MaterialSpreads,
+    pair: MaterialPair,
+    counterface: Option<ElasticBody>,
+    flows: Body,
+}
+
+/// A material that was drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawnMaterial {
+    /// The bodies in contact.
+    pub pair: MaterialPair,
+    /// The yield strength, and the hardness, over that of the plain run.
+    pub strength_over_centre: f64,
+    /// The strain-gradient length \[m\]; that of the plain run where absent.
+    pub strain_gradient_length_m: Option<f64>,
+}
+
+impl MaterialDraws {
+    /// The draws of a scene; `None` where its material is taken for exact.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let material = scene.material.as_ref().filter(|_| !scene.spreads.is_empty())?;
+        Some(MaterialDraws {
+            spreads: scene.spreads.clone(),
+            pair: material.pair,
+            counterface: material.counterface(),
+            flows: material.flows(),
+        })
+    }
+
+    /// Whether the elastic constants of a body scatter.
+    #[must_use]
+    pub fn elastic_scatters(&self) -> bool {
+        !self.spreads.elastic_are_exact()
+    }
+
+    /// Whether the strength or the strain-gradient length scatters.
+    #[must_use]
+    pub fn strength_scatters(&self) -> bool {
+        self.spreads.strength.is_some() || self.spreads.strain_gradient_length.is_some()
+    }
+
+    /// A material: its elastic constants from one stream, strength and strain-gradient length from the other, each in a fixed
+    /// order.
+    pub fn draw(&self, elastic: &mut impl Rng, strength: &mut impl Rng) -> DrawnMaterial {
+        let spreads = &self.spreads;
+        let body = drawn_body(self.pair.body(), &spreads.youngs_modulus, &spreads.poisson_ratio, elastic);
+        let counterface = self.counterface.map(|counterface| {
+            drawn_body(
+                counterface,
+                &spreads.counterface_youngs_modulus,
+                &spreads.counterface_poisson_ratio,
+                elastic,
+            )
+        });
+        DrawnMaterial {
+            pair: self.flows.pair(body, counterface),
+            strength_over_centre: drawn(&spreads.strength, strength).unwrap_or(1.0),
+            strain_gradient_length_m: drawn(&spreads.strain_gradient_length, strength),
+        }
+    }
+}
+
+impl DrawnMaterial {
+    /// A model of this material. A cap of the strength stays what it is, but is never below the strength itself.
+    #[must_use]
+    pub fn of(&self, model: &CurveModel) -> CurveModel {
+        let moved = model.with_pair(self.pair);
+        let strength = moved.strength().and_then(|plain| self.strength(plain));
+        strength.and_then(|strength| moved.with_strength(strength)).unwrap_or(moved)
+    }
+
+    /// The strength in place of a plain one; `None` beyond the range of magnitudes.
+    fn strength(&self, plain: NixGao) -> Option<NixGao> {
+        let strength_pa = self.strength_over_centre * plain.macroscopic_strength_pa();
+        let mut strength = NixGao::constant(strength_pa).ok()?;
+        if let Some(length_m) = plain.strain_gradient_length_m() {
+            strength =
+                strength.with_strain_gradient(self.strain_gradient_length_m.unwrap_or(length_m)).ok()?;
+        }
+        match plain.cap_pa() {
+            Some(cap_pa) => strength.with_cap(cap_pa.max(strength_pa)).ok(),
+            None => Some(strength),
+        }
+    }
+}
+
+/// A body in place of a plain one, which stays where a draw leaves the range of magnitudes; the bounds of spreads keep it inside.
+fn drawn_body(
+    plain: ElasticBody,
+    youngs_modulus: &Option<Spread>,
+    poisson_ratio: &Option<Spread>,
+    stream: &mut impl Rng,
+) -> ElasticBody {
+    let modulus_pa = drawn(youngs_modulus, stream).unwrap_or(plain.youngs_modulus_pa());
+    let ratio = drawn(poisson_ratio, stream).unwrap_or(plain.poisson_ratio());
+    ElasticBody::new(modulus_pa, ratio).unwrap_or(plain)
+}
+
+/// A draw from a spread, where there is one.
+fn drawn(spread: &Option<Spread>, stream: &mut impl Rng) -> Option<f64> {
+    let evenly = |stream: &mut _| -> f64 { StandardUniform.sample(stream) };
+    Some(match spread.as_ref()? {
+        Spread::LogNormal { median, sigma_ln } => {
+            let normal: f64 = StandardNormal.sample(stream);
+            median * (sigma_ln * normal).exp()
+        }
+        Spread::Beta { alpha, beta, .. } => {
+            LARGEST_POISSON_RATIO * Beta::new(*alpha, *beta).ok()?.sample(stream)
+        }
+        Spread::Uniform { from, to } => from + (to - from) * evenly(stream),
+        Spread::Values(values) => {
+            let at = (evenly(stream) * values.len() as f64) as usize;
+            *values.get(at).or(values.last())?
+        }
+    })
+}

@@ -1,0 +1,167 @@
+//! Draws of what the interface does besides touching.
+
+use findings::interface::{InterfaceStates, Pressed};
+use scene::Scene;
+use study::Progress;
+use study::interface::{Quantity, Slot};
+use study::plan::{Needs, Plan, Results};
+
+use spectrum::ProfilePsd;
+
+use crate::found::{AreaInterval, OpenChannel, QuantityInterval};
+use crate::inputs::Inputs;
+use crate::material_draws::DrawnMaterial;
+use crate::quantiles::{Interval, interval, interval_about};
+use crate::surface_scatter::DrawOf;
+
+/// What a scene asks of its interface, to be computed for many spectra and bodies.
+#[derive(Debug)]
+pub(crate) struct Quantities<'p> {
+    scene: &'p Scene,
+    results: &'p Results,
+    slots: Vec<Slot>,
+}
+
+/// The share of draws that have to have a value for an interval of them.
+const LEAST_WITH_VALUE: f64 = 0.9;
+
+/// What draws say of the interface.
+#[derive(Debug, Default)]
+pub(crate) struct QuantityDraws {
+    pub intervals: Vec<QuantityInterval>,
+    pub open_channels: Vec<OpenChannel>,
+}
+
+impl<'p> Quantities<'p> {
+    /// Those of a scene; none where it asks for none.
+    pub fn of(scene: &'p Scene, results: &'p Results) -> Option<Self> {
+        let slots = InterfaceStates::of_scene(scene, results)?.slots();
+        Some(Quantities { scene, results, slots })
+    }
+
+    /// The intervals of everything that has a value, from so many draws, at a level; none where somebody has ended them. What is
+    /// made from the area of a curve has the interval of that area. A step of `progress` is a draw.
+    pub fn intervals(
+        &self,
+        inputs: &Inputs,
+        draws: usize,
+        level: f64,
+        areas: &[AreaInterval],
+        progress: &dyn Progress,
+    ) -> QuantityDraws {
+        let numbers: Vec<u64> = (0..draws as u64).collect();
+        let of_draw = |&number: &u64| {
+            if progress.is_cancelled() {
+                return None;
+            }
+            let found = self.draw(inputs, DrawOf::all(number));
+            progress.advance(1);
+            found
+        };
+        let drawn: Vec<Vec<Option<f64>>> = parallel::map(&numbers, of_draw).into_iter().flatten().collect();
+        if progress.is_cancelled() || drawn.is_empty() {
+            return QuantityDraws::default();
+        }
+        let best = inputs.surface_scatters().then(|| self.best(inputs)).flatten();
+        let Some(plain) = InterfaceStates::of_scene(self.scene, self.results) else {
+            return QuantityDraws::default();
+        };
+        let of_slot = |(at, slot): (usize, &Slot)| {
+            let value = plain.value(*slot).ok().flatten()?;
+            if let Some(curve) = slot.curve {
+                let is_its = |area: &&AreaInterval| area.curve == curve && Some(area.load) == slot.load;
+                return areas
+                    .iter()
+                    .find(is_its)
+                    .map(|area| QuantityInterval::in_proportion(*slot, value, area));
+            }
+            let ln_values: Vec<f64> = drawn.iter().filter_map(|draw| draw[at]).collect();
+            let found = match best.as_ref().and_then(|best| best[at]) {
+                Some(best) => interval_about(best, &ln_values, level),
+                None => interval(&ln_values, level),
+            };
+            let is_told = ln_values.len() as f64 >= LEAST_WITH_VALUE * draws as f64;
+            found.filter(|_| is_told).map(|found| QuantityInterval::of(*slot, value, &found))
+        };
+        let open = |(at, slot): (usize, &Slot)| {
+            let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
+            let is_channel = slot.quantity == Quantity::ChannelWavelength;
+            let load = slot.load.filter(|_| is_channel)?;
+            let share = drawn.iter().filter(is_open).count() as f64 / drawn.len() as f64;
+            Some(OpenChannel { load, share })
+        };
+        QuantityDraws {
+            intervals: self.slots.iter().enumerate().filter_map(of_slot).collect(),
+            open_channels: self.slots.iter().enumerate().filter_map(open).collect(),
+        }
+    }
+
+    /// ln of every value in a draw; none where the draw has left the range of spectra.
+    fn draw(&self, inputs: &Inputs, of: DrawOf) -> Option<Vec<Option<f64>>> {
+        let material = inputs.material(of);
+        match inputs.psd(of)? {
+            None => self.ln_values(&self.scene.plan(), self.results, material),
+            Some(psd) => self.of_spectrum(&psd, material),
+        }
+    }
+
+    /// Those of the best estimates.
+    fn best(&self, inputs: &Inputs) -> Option<Vec<Option<f64>>> {
+        self.of_spectrum(&inputs.best_psd()??, None)
+    }
+
+    fn ln_values(
+        &self,
+        plan: &Plan<'_>,
+        results: &Results,
+        drawn: Option<DrawnMaterial>,
+    ) -> Option<Vec<Option<f64>>> {
+        let scene = self.scene;
+        let material = scene.material.as_ref()?;
+        let over_centre = drawn.map_or(1.0, |drawn| drawn.strength_over_centre);
+        let pressed = Pressed {
+            results,
+            normalisation: scene.needs.moments?,
+            pair: drawn.map_or(material.pair, |drawn| drawn.pair),
+            hardness_pa: material.hardness_pa().map(|hardness_pa| over_centre * hardness_pa),
+            pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
+        };
+        let states = InterfaceStates::of(scene.interface.as_ref()?, plan, pressed)?;
+        let ln_value = |slot: &Slot| match slot.curve {
+            Some(_) => None,
+            None => states.value(*slot).ok().flatten().map(f64::ln),
+        };
+        Some(self.slots.iter().map(ln_value).collect())
+    }
+
+    fn of_spectrum(&self, psd: &ProfilePsd, drawn: Option<DrawnMaterial>) -> Option<Vec<Option<f64>>> {
+        let needs = Needs { moments: self.scene.needs.moments, ..Needs::default() };
+        let plan = Plan { psd, sampling: self.scene.sampling, needs };
+        self.ln_values(&plan, &plan.compute().ok()?, drawn)
+    }
+}
+
+impl QuantityInterval {
+    fn of(slot: Slot, value: f64, found: &Interval) -> Self {
+        QuantityInterval {
+            slot,
+            value,
+            median: found.median.value.exp(),
+            low: found.low.value.exp(),
+            high: found.high.value.exp(),
+            monte_carlo_error: found.relative_error(),
+        }
+    }
+
+    fn in_proportion(slot: Slot, value: f64, area: &AreaInterval) -> Self {
+        let factor = value / area.area_fraction;
+        QuantityInterval {
+            slot,
+            value,
+            median: factor * area.median,
+            low: factor * area.low,
+            high: factor * area.high,
+            monte_carlo_error: area.monte_carlo_error,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Intervals of what the interface does, against the linear law.
+
+use std::collections::BTreeMap;
+
+use scene::{Overrides, Scene};
+use study::Unobserved;
+use study::interface::{Quantity, Slot};
+use uncertainty::{Settings, Uncertainty, UncertaintyPlan};
+
+fn found(modulus: &str) -> Uncertainty {
+    let row = |at: i32| {
+        let wavelength_m = 10f64.powf(-4.0 - 0.1 * f64::from(at));
+        format!("{wavelength_m:e},{:e}\n", 1e-18 * (wavelength_m / 3e-5).min(1.0).powf(2.6))
+    };
+    let psd: String = std::iter::once("wavelength_m,C1D_m3\n".to_owned()).chain((0..=20).map(row)).collect();
+    let text = format!(
+        "surface = {{ psd = \"psd.csv\" }}\nloads = {{ pressures = [\"1 MPa\"] }}\n\
+         [material]\nyoungs_modulus = \"{modulus}\"\npoisson_ratio = 0.3\nthermal_conductivity = \"20 W/(m K)\"\n\
+         [counterface]\nthermal_conductivity = \"20 W/(m K)\"\n[interface]\nshear_strength = \"1 GPa\"\n[[curve]]\nmodel = \"persson\"\n"
+    );
+    let files = BTreeMap::from([("psd.csv".to_owned(), psd.into_bytes())]);
+    let scene = Scene::parse(&text, &files, &Overrides::default()).unwrap();
+    let results = scene.plan().compute().unwrap();
+    let settings = Settings { draws: 4000, ..Settings::default() };
+    UncertaintyPlan::of(&scene, &results, &settings).unwrap().carry_out(&Unobserved).unwrap()
+}
+
+#[test]
+fn conductance_under_a_light_load_falls_with_the_modulus() {
+    let found = found("100 GPa +- 1 GPa");
+    let interval = |quantity, curve| found.quantity(Slot { quantity, load: Some(0), curve }).unwrap();
+    // K/E* = p/(E* u0), and ln p00/E* moves the gap by u0 alone.
+    let conductance = interval(Quantity::ThermalConductance, None);
+    let length = (conductance.high / conductance.low).ln();
+    assert!((length / (2.0 * 1.96 * 0.01) - 1.0).abs() < 0.05, "{conductance:?}");
+    assert!((conductance.median / conductance.value - 1.0).abs() < 1e-3, "{conductance:?}");
+    // K itself does not depend on the modulus then.
+    let stiffness = interval(Quantity::Stiffness, None);
+    assert!((stiffness.high / stiffness.low).ln() < 0.05 * length, "{stiffness:?}");
+    // Friction is in proportion to the area.
+    let (friction, area) = (interval(Quantity::FrictionStress, Some(0)), &found.areas[0]);
+    for (found, expected) in
+        [(friction.low, area.low), (friction.high, area.high), (friction.value, area.area_fraction)]
+    {
+        assert!((found / (1e9 * expected) - 1.0).abs() < 1e-12, "{friction:?} {area:?}");
+    }
+}
