@@ -1,6 +1,4 @@
 #![doc = include_str!("../README.md")]
-//!
-//!
 //! A scene file is read in two stages: `raw` is what may be typed, [`Scene`] what it means, in SI units and checked.
 
 mod bodies;
