@@ -66,7 +66,7 @@ type Sources = BTreeMap<PathBuf, Vec<u8>>;
 
 #[test]
 fn the_page_touches_few_files_and_what_it_leads_to_compiles_and_runs() {
-    let page = fs::read_to_string(committed_file("docs/adding-a-law.md")).unwrap();
+    let page = fs::read_to_string(committed_file("docs/develop/adding-a-law.md")).unwrap();
     let mut sources = sources();
     let touched = follow(&page, &mut sources);
     assert!((5..=MOST_FILES).contains(&touched.len()), "{touched:?}");
