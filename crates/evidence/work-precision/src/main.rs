@@ -99,7 +99,8 @@ fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
 
 /// The page's tables; its verdicts are printed as well.
 fn write_page(path: &Path, measured: &Measured) -> Result<(), String> {
-    let mut page = std::fs::read_to_string(path).map_err(|error| format!("docs/develop/performance.md: {error}"))?;
+    let mut page =
+        std::fs::read_to_string(path).map_err(|error| format!("docs/develop/performance.md: {error}"))?;
     for (name, contents) in sections::all(measured) {
         page = page::with_section(&page, name, &contents)?;
     }
