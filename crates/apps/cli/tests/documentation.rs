@@ -16,7 +16,7 @@ ep-sphere,2.1e11,0.3,1e9,,5e-6,2e11,5e-8,,1e6,1e-6,0.01,1e-9
 ";
 
 /// Lines of console blocks that begin with one of these are run.
-const PROGRAMS: [&str; 2] = ["truearea ", "head "];
+const PROGRAMS: [&str; 2] = ["truearea ", "grep "];
 
 /// Lines of console blocks that begin with one of these are commands for people, and end the output above them.
 const NOT_RUN: [&str; 2] = ["cargo ", "pip "];
