@@ -1,6 +1,6 @@
 """Single-asperity laws at arbitrary precision.
 
-Every function below restates one formula of docs/models.md, whose section
+Every function below restates one formula of docs/theory/models.md, whose section
 numbers the docstrings cite.  Nothing here is shared with the package under
 test: the two only have the formulas in common, which is the point.
 

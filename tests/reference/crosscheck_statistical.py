@@ -1,6 +1,6 @@
 """A second road to part of the statistical table, sharing no quadrature with the first.
 
-* hertz: closed form with parabolic cylinder functions (docs/models.md, section 3).
+* hertz: closed form with parabolic cylinder functions (docs/theory/models.md, section 3).
 * ep-sine without strain gradient: integral over x = p/p*_ep, where the
   interference is explicit, so that neither inversion nor search is involved.
 * ep-sphere without strain gradient: library quadrature between explicit kinks.

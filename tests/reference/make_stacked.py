@@ -1,4 +1,4 @@
-"""Stacked model, level by level (docs/models.md, section 4 with 2.3 to 2.5 and 2.7)."""
+"""Stacked model, level by level (docs/theory/models.md, section 4 with 2.3 to 2.5 and 2.7)."""
 import argparse
 import pathlib
 

@@ -1,4 +1,4 @@
-"""States of the summits of Gaussian surfaces (docs/models.md, section 3.6): summits.csv, and elliptic averages.
+"""States of the summits of Gaussian surfaces (docs/theory/models.md, section 3.6): summits.csv, and elliptic averages.
 
     python3 make_summits.py OUT [--jobs N]
 

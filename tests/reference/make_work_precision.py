@@ -1,4 +1,4 @@
-"""The states at which run time is held against error: docs/performance.md.
+"""The states at which run time is held against error: docs/develop/performance.md.
 
 Three populations of three materials, every law with and without strain gradient,
 five separations from far below the mean plane to where almost nothing touches.

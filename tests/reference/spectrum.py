@@ -1,6 +1,6 @@
 """Piecewise power-law spectra: moments, McCool's parameters, amplitudes, resampling.
 
-Sections 1.4 to 1.6 and the resampling rule of section 4 of docs/models.md.  A spectrum is two
+Sections 1.4 to 1.6 and the resampling rule of section 4 of docs/theory/models.md.  A spectrum is two
 lists, wavelengths (long to short) and PSD values in the C1D convention; the
 wavevectors are 2 pi / wavelength, whatever else a file may list.
 """

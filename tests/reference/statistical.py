@@ -1,4 +1,4 @@
-"""Statistical model, section 3 of docs/models.md: pressure and area fraction at a separation.
+"""Statistical model, section 3 of docs/theory/models.md: pressure and area fraction at a separation.
 
 The integrals over the interference w run over panels bounded by every kink and
 jump of the asperity law, and by a ladder of points that follows the Gaussian

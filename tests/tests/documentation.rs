@@ -16,7 +16,7 @@ fn pictures_stay_small_and_every_one_is_shown_with_words() {
     let pages: Vec<String> = pages().map(|page| std::fs::read_to_string(page).unwrap()).collect();
     for picture in pictures() {
         assert!(picture.svg.len() <= MOST_BYTES, "{} has {} bytes", picture.name, picture.svg.len());
-        let shown = format!("](pictures/{}.svg)", picture.name);
+        let shown = format!("](../pictures/{}.svg)", picture.name);
         let page = pages.iter().find(|page| page.contains(&shown));
         let page = page.unwrap_or_else(|| panic!("{} is shown nowhere", path(picture.name).display()));
         assert!(
@@ -29,8 +29,10 @@ fn pictures_stay_small_and_every_one_is_shown_with_words() {
 
 #[test]
 fn every_link_between_the_pages_leads_somewhere() {
-    let top = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"].map(committed_file);
-    for page in top.into_iter().chain(pages()) {
+    let top = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "data/README.md"].map(committed_file);
+    let floors = std::fs::read_dir(committed_file("crates")).unwrap();
+    let floors = floors.map(|floor| floor.unwrap().path().join("README.md"));
+    for page in top.into_iter().chain(floors).chain(pages()) {
         let text = std::fs::read_to_string(&page).unwrap();
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             let (file, section) = link.split_once('#').unwrap_or((link, ""));
@@ -48,7 +50,7 @@ fn every_link_between_the_pages_leads_somewhere() {
 }
 
 fn pages() -> impl Iterator<Item = PathBuf> {
-    let folders = ["docs", "docs/python"].map(committed_file);
+    let folders = ["docs", "docs/guide", "docs/theory", "docs/develop", "docs/python"].map(committed_file);
     let files = folders
         .into_iter()
         .flat_map(|folder| std::fs::read_dir(folder).unwrap())

@@ -1,4 +1,5 @@
-//! Which model to believe: presses what has not been pressed, and rewrites the tables and figures of `docs/which-model.md`.
+//! Which model to believe: presses what has not been pressed, and rewrites the tables and figures of
+//! `docs/guide/which-model.md`.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -33,7 +34,7 @@ fn judge(anew: bool) -> Result<(), Box<dyn Error>> {
     let (ratios, windows) = (ratios::rows(&elements)?, windows::rows(&elements)?);
     let evidence = [Template::UncdReconstructed, Template::UncdMeasured].map(Evidence::compute);
     let uncd = paper::other_models(&evidence.into_iter().collect::<Result<Vec<_>, _>>()?)?;
-    let page = committed_file("docs/which-model.md");
+    let page = committed_file("docs/guide/which-model.md");
     let findings =
         Findings { elements: &elements, ratios: &ratios, windows: &windows, gluing: &gluing, uncd: &uncd };
     let text = sections::written(&std::fs::read_to_string(&page)?, &findings)?;
@@ -42,12 +43,12 @@ fn judge(anew: bool) -> Result<(), Box<dyn Error>> {
     stage(beside("ratios"), table(&ratios)?)?;
     stage(beside("windows"), table(&windows)?)?;
     for (name, svg) in pictures(&ratios) {
-        stage(committed_file(&format!("docs/which-model/{name}.svg")), svg.into_bytes())?;
+        stage(committed_file(&format!("docs/guide/which-model/{name}.svg")), svg.into_bytes())?;
     }
     stage(page, text.into_bytes())?;
     files.publish()?;
     println!(
-        "{} ratios in docs/which-model, and the tables and figures of docs/which-model.md",
+        "{} ratios in docs/guide/which-model, and the tables and figures of docs/guide/which-model.md",
         ratios.len()
     );
     Ok(())
@@ -93,5 +94,5 @@ fn table<R: Serialize>(rows: &[R]) -> Result<Vec<u8>, Box<dyn Error>> {
 }
 
 fn beside(name: &str) -> PathBuf {
-    committed_file(&format!("docs/which-model/{name}.csv"))
+    committed_file(&format!("docs/guide/which-model/{name}.csv"))
 }

@@ -27,13 +27,13 @@ cargo xtask instructions [--accept]
 cargo xtask layers             which crate may know which, and what stays out of the core
 cargo xtask shared             the tests that need the folder shared/ beside the checkout
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
-                               random extreme states against what every result promises: docs/stress.md
+                               random extreme states against what every result promises: docs/develop/stress.md
 cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice]
                                synthetic studies of known surfaces: do intervals of the area hold the truth as often as
-                               they say? Prints the tables of docs/uncertainty.md (minutes)
-cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/performance.md
+                               they say? Prints the tables of docs/guide/uncertainty.md (minutes)
+cargo xtask bench              run time against error, beside scipy and others; rewrites the tables of docs/develop/performance.md
 cargo xtask judge [--anew]       every model held against boundary elements: rewrites the tables and figures of
-                               docs/which-model.md; presses what has not been pressed, --anew everything (minutes)
+                               docs/guide/which-model.md; presses what has not been pressed, --anew everything (minutes)
 cargo xtask python [--anew]    builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
                                (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again
 ";

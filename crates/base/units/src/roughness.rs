@@ -10,7 +10,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Aspect ratio B = Delta/lambda (Jackson & Jacobs, section 1.6 of `docs/models.md`).
+    /// Aspect ratio B = Delta/lambda (Jackson & Jacobs, section 1.6 of `docs/theory/models.md`).
     #[must_use]
     #[inline]
     pub fn aspect_ratio(&self) -> f64 {

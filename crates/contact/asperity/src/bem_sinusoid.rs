@@ -60,7 +60,7 @@ const ROWS: usize = 22;
 const FIRST: &Solution = &SOLVED[0];
 const LAST: &Solution = &SOLVED[ROWS - 1];
 
-/// A sinusoidal surface in elastic contact with a flat (`docs/models.md`, section 3.3), interpolated between 22
+/// A sinusoidal surface in elastic contact with a flat (`docs/theory/models.md`, section 3.3), interpolated between 22
 /// boundary-element solutions: monotone cubics of the logarithms of the area fraction and of deformation over gap,
 /// against that of the pressure.
 ///

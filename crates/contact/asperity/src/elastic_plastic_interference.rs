@@ -1,4 +1,4 @@
-//! The elastic-plastic sinusoid pressed to an interference w: `docs/models.md`, section 2.6.
+//! The elastic-plastic sinusoid pressed to an interference w: `docs/theory/models.md`, section 2.6.
 //!
 //! The mean gap is g/Delta = (1 - t)^(5/2) both ways: elastically with t = (p/p*)^(1/2), and where plastic flow sets it with
 //! t = x^(A1 x + A2), x = p/p*_ep. So an interference gives t, and each way a pressure, of which the smaller one holds, since

@@ -20,7 +20,8 @@ pub(crate) const LIGHT_EXPONENT: f64 = 1.51;
 pub(crate) const HEAVY_EXPONENT: f64 = 1.04;
 
 /// A sinusoidal surface, of one aspect ratio, in elastic contact with a flat: Johnson, Greenwood & Higginson (1985), as
-/// in `docs/models.md`, section 2.3, with the mean gap of section 2.5. Every function of p/p* alone but for p* itself.
+/// in `docs/theory/models.md`, section 2.3, with the mean gap of section 2.5. Every function of p/p* alone but for p*
+/// itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElasticSinusoid {
     complete_contact_pressure_pa: f64,

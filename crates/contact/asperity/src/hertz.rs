@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use crate::MaterialPair;
 
-/// A sphere pressed elastically by a flat (`docs/models.md`, section 2.1). Exact for contact radii well below R; it has
-/// no fitted range and no breaks.
+/// A sphere pressed elastically by a flat (`docs/theory/models.md`, section 2.1). Exact for contact radii well below R;
+/// it has no fitted range and no breaks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hertz {
     composite_modulus_pa: f64,

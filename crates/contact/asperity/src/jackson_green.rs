@@ -56,8 +56,8 @@ impl Hardness {
     }
 }
 
-/// A sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in `docs/models.md`,
-/// section 2.2.
+/// A sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in
+/// `docs/theory/models.md`, section 2.2.
 ///
 /// Hertz's below 1.9 w_c, fitted to finite elements above, for contact radii up to 0.41 R and Sy/E* up to 0.01 or so
 /// ([`in_fitted_range`](Self::in_fitted_range)); evaluated for every w >= 0, a/R being held at 1. With w' = w/w_c and

@@ -3,8 +3,8 @@
 use crate::{AsperityError, Bound};
 
 /// Yield strength Sy = S0 sqrt(1 + h*/h_p) \[Pa\], constant where no strain-gradient length is given: Nix & Gao (1998);
-/// Jackson & Jacobs, Eq. (8); `docs/models.md`, section 2.7. A continuum law: depths of a few atoms are outside its
-/// sense, though not refused.
+/// Jackson & Jacobs, Eq. (8); `docs/theory/models.md`, section 2.7. A continuum law: depths of a few atoms are outside
+/// its sense, though not refused.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct NixGao {
     macroscopic_strength_pa: f64,

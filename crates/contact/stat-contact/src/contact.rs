@@ -8,9 +8,9 @@ use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
 use crate::{AsperityLaw, ContactState, NayakSummits, Population, Sweep};
 
-/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3), under any of
-/// the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1. Or the
-/// summits of a surface, of any curvature and height.
+/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/theory/models.md`, section 3), under
+/// any of the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1. Or
+/// the summits of a surface, of any curvature and height.
 #[derive(Debug)]
 pub struct StatisticalContact {
     asperities: Box<dyn Asperities>,
@@ -26,8 +26,8 @@ impl StatisticalContact {
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 
-    /// The contact of the summits of a surface, elastic (Bush, Gibson & Thomas 1975; `docs/models.md`, section 3.6). Its
-    /// separations are from the mean plane of the surface.
+    /// The contact of the summits of a surface, elastic (Bush, Gibson & Thomas 1975; `docs/theory/models.md`, section
+    /// 3.6). Its separations are from the mean plane of the surface.
     #[must_use]
     pub fn of_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {
         StatisticalContact {

@@ -3,7 +3,7 @@
 use asperity::{AsperityError, Bound};
 
 /// Asperities of one radius, spread evenly over the nominal area, with Gaussian heights of zero mean (Greenwood &
-/// Williamson 1966). McCool's parameters of a spectrum (`docs/models.md`, section 1.5) are one way to them.
+/// Williamson 1966). McCool's parameters of a spectrum (`docs/theory/models.md`, section 1.5) are one way to them.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Population {
     radius_m: f64,

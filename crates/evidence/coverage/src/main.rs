@@ -1,4 +1,5 @@
-//! `cargo xtask coverage`: carries out synthetic studies and prints what they say, as tables for `docs/uncertainty.md`.
+//! `cargo xtask coverage`: carries out synthetic studies and prints what they say, as tables for
+//! `docs/guide/uncertainty.md`.
 
 use std::process::ExitCode;
 

@@ -1,4 +1,4 @@
-//! The tables of `docs/uncertainty.md`.
+//! The tables of `docs/guide/uncertainty.md`.
 
 use crate::advised::Shrinkage;
 use crate::bias::DecadeBias;

@@ -1,4 +1,4 @@
-//! The table of what boundary elements gave, kept in the repository: `docs/which-model/elements.csv`.
+//! The table of what boundary elements gave, kept in the repository: `docs/guide/which-model/elements.csv`.
 
 use std::io::{Read, Write};
 
@@ -60,8 +60,8 @@ impl ElementsRow {
         }
     }
 
-    /// Standard error over the area, with what the grid leaves in quadrature: 0.7 % (`docs/judge.md`), or half of what the
-    /// step to finer grids changes where that is more, as it is where contacts are a few points wide.
+    /// Standard error over the area, with what the grid leaves in quadrature: 0.7 % (`docs/guide/judge.md`), or half of
+    /// what the step to finer grids changes where that is more, as it is where contacts are a few points wide.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
         let step = (self.area_fraction_corrected / self.area_fraction - 1.0).abs();

@@ -1,4 +1,4 @@
-//! Every model over boundary elements: `docs/which-model/ratios.csv`.
+//! Every model over boundary elements: `docs/guide/which-model/ratios.csv`.
 
 use serde::Serialize;
 

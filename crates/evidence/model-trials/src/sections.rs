@@ -1,4 +1,4 @@
-//! The tables of `docs/which-model.md`.
+//! The tables of `docs/guide/which-model.md`.
 
 use units::display::three_digits;
 use work_precision::page::{table, with_section};
@@ -13,7 +13,7 @@ use crate::ratios::RatioRow;
 use crate::refit::NayakForm;
 use crate::windows::WindowsRow;
 
-/// The factor within which a model agrees (`docs/judge.md`).
+/// The factor within which a model agrees (`docs/guide/judge.md`).
 const AGREEMENT: f64 = 4.0 / 3.0;
 
 /// What the tables are made from.

@@ -1,5 +1,5 @@
 //! Whether the error of a contact law on a wide band lies within its errors on the windows of that band, which is what the
-//! judge of a study goes by (`docs/judge.md`): `docs/which-model/windows.csv`.
+//! judge of a study goes by (`docs/guide/judge.md`): `docs/guide/which-model/windows.csv`.
 
 use serde::Serialize;
 

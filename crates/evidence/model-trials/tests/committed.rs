@@ -7,7 +7,7 @@ use model_trials::programme::programme;
 use model_trials::ratios;
 
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/which-model").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/guide/which-model").join(name)
 }
 
 fn committed() -> Vec<ElementsRow> {

@@ -1,4 +1,4 @@
-"""The asperity laws of docs/models.md as a user of numpy and scipy writes them.
+"""The asperity laws of docs/theory/models.md as a user of numpy and scipy writes them.
 
 Interferences are in units of sigma; every law gives pressure and area fraction per
 asperity height, that is force and area times the density of asperities. The scalar

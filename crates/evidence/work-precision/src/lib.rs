@@ -15,7 +15,8 @@
 //! * [`kernels`], [`stack`] and [`scaling`]: what single asperities and scales of a stack cost, and how the program grows;
 //! * [`verdicts`]: whether a competitor is ever both faster and more accurate, and by how much we are ahead;
 //! * `surrogate`, behind the feature of that name: what an interval costs by plain sampling and by fitted polynomials;
-//! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/performance/` and the tables of `docs/performance.md`.
+//! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/develop/performance/` and the tables of
+//!   `docs/develop/performance.md`.
 //!
 //! Times are of one thread, the shortest of many repetitions: machines are shared, and the shortest is the least disturbed.
 #![deny(missing_docs)]

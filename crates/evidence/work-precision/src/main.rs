@@ -1,4 +1,5 @@
-//! Measures everything and rewrites `docs/performance/` and the tables of `docs/performance.md`: `cargo xtask bench`.
+//! Measures everything and rewrites `docs/develop/performance/` and the tables of `docs/develop/performance.md`: `cargo
+//! xtask bench`.
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -44,8 +45,8 @@ fn run() -> Result<(), String> {
     let stack = stack::costs();
     let scaling = scaling::measure(&repository("target/work-precision/tables"));
     let measured = Measured { facts, missing, points, kernels, stack, scaling };
-    write_files(&repository("docs/performance"), &measured)?;
-    write_page(&repository("docs/performance.md"), &measured)
+    write_files(&repository("docs/develop/performance"), &measured)?;
+    write_page(&repository("docs/develop/performance.md"), &measured)
 }
 
 /// The competitors' process; who is not there is told.
@@ -98,7 +99,8 @@ fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
 
 /// The page's tables; its verdicts are printed as well.
 fn write_page(path: &Path, measured: &Measured) -> Result<(), String> {
-    let mut page = std::fs::read_to_string(path).map_err(|error| format!("docs/performance.md: {error}"))?;
+    let mut page =
+        std::fs::read_to_string(path).map_err(|error| format!("docs/develop/performance.md: {error}"))?;
     for (name, contents) in sections::all(measured) {
         page = page::with_section(&page, name, &contents)?;
     }

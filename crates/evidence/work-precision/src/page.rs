@@ -1,4 +1,5 @@
-//! Pages as `docs/performance.md`, whose words are written by hand and whose tables, between markers, by a program.
+//! Pages as `docs/develop/performance.md`, whose words are written by hand and whose tables, between markers, by a
+//! program.
 
 /// The page with a section's contents replaced: what stands between `<!-- measured: NAME -->` and `<!-- end -->`.
 ///

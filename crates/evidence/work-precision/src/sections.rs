@@ -1,4 +1,4 @@
-//! The tables of `docs/performance.md`, from what was measured.
+//! The tables of `docs/develop/performance.md`, from what was measured.
 
 use crate::competitors::Missing;
 use crate::kernels::{Cost, KernelCost};
@@ -328,7 +328,7 @@ mod tests {
         let scaling = Err("not asked for".to_owned());
         let (facts, missing, points, kernels, stack) = Default::default();
         let measured = Measured { facts, missing, points, kernels, stack, scaling };
-        let path = crate::reference::repository("docs/performance.md");
+        let path = crate::reference::repository("docs/develop/performance.md");
         let mut page = std::fs::read_to_string(path).unwrap();
         let markers = page.matches("<!-- measured: ").count();
         let sections = all(&measured);

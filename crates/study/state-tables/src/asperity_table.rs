@@ -105,7 +105,7 @@ const SINUSOID_RANGE: &str = "B/B_c <= 100, up to which the elastic-plastic sinu
 /// The laws by the names of their tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AsperityTable {
-    /// A sphere at an interference (`docs/models.md`, sections 2.1 and 2.2).
+    /// A sphere at an interference (`docs/theory/models.md`, sections 2.1 and 2.2).
     Sphere,
     /// A sinusoid at a mean pressure (sections 2.3 to 2.5).
     Sinusoid,

@@ -74,7 +74,7 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
 ///
 /// A z0 beyond half a standard deviation counts as that: where a result is the larger or the smaller of two that nearly agree, z0
 /// follows its own error, and twice of it would lead away from the truth. Synthetic studies bear the bound out
-/// (`docs/uncertainty.md`): with it intervals hold the truth as often as they say for spectra of all slopes.
+/// (`docs/guide/uncertainty.md`): with it intervals hold the truth as often as they say for spectra of all slopes.
 pub fn interval_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let plain = interval(draws, level)?;
     if plain.low.value == plain.high.value {

@@ -1,6 +1,6 @@
 //! Area and pressure of Nayak's summits under Hertz's ellipses: Bush, Gibson & Thomas (1975).
 //!
-//! In units of sqrt(m0), sqrt(m4) and with x = 3 T^2/2 (`docs/models.md`, section 3.6):
+//! In units of sqrt(m0), sqrt(m4) and with x = 3 T^2/2 (`docs/theory/models.md`, section 3.6):
 //!
 //! ```text
 //! A/A0          = (3/2) sqrt(alpha)      Int_0^inf g(T) T^3     h_A(x) <w>       dT
