@@ -38,7 +38,7 @@ impl ElasticPlasticSinusoid {
         }
         let t = power_at(interference_over_amplitude);
         if self.can_yield() {
-            self.pressed_to_power(t, gap, self.log_softening()).pressure_pa
+            self.state_at_power(t, gap, self.log_softening()).pressure_pa
         } else {
             self.elastic_pressure_pa(t)
         }
@@ -65,7 +65,7 @@ impl ElasticPlasticSinusoid {
         }
         let log_softening = self.log_softening();
         let StateAtInterference { pressure_pa, x, log_x } =
-            self.pressed_to_power(t, self.gap_exponent(), log_softening);
+            self.state_at_power(t, self.gap_exponent(), log_softening);
         let area_fraction = if !self.yields_at(pressure_pa) {
             self.elastic().area_fraction(pressure_pa)
         } else if log_x < 0.0 {
@@ -123,7 +123,7 @@ impl ElasticPlasticSinusoid {
     /// Smaller of the elastic and the plastic pressure at t in (0, 1), for r > 1, from the exponent of the gap and
     /// ln(p*_ep/p*).
     #[inline(always)]
-    fn pressed_to_power(&self, t: f64, gap: GapExponent, log_softening: f64) -> StateAtInterference {
+    fn state_at_power(&self, t: f64, gap: GapExponent, log_softening: f64) -> StateAtInterference {
         let elastic_pa = self.elastic_pressure_pa(t);
         let log_t = elementary::ln(t);
         let log_x = 2.0 * log_t - log_softening;

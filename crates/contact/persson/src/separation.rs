@@ -77,10 +77,10 @@ impl SeparationLaw {
     #[must_use]
     pub fn along(&self, pressure_pa: f64) -> Vec<Separation> {
         let (mut gap, mut compliance) = (0.0, 0.0);
-        let mut all = vec![self.from_sums(pressure_pa, gap, compliance)];
+        let mut all = vec![self.separation_from_sums(pressure_pa, gap, compliance)];
         all.extend(self.stretches.iter().map(|stretch| {
             self.add(stretch, pressure_pa, &mut gap, &mut compliance);
-            self.from_sums(pressure_pa, gap, compliance)
+            self.separation_from_sums(pressure_pa, gap, compliance)
         }));
         all
     }
@@ -95,7 +95,7 @@ impl SeparationLaw {
         });
     }
 
-    fn from_sums(&self, pressure_pa: f64, gap: f64, compliance: f64) -> Separation {
+    fn separation_from_sums(&self, pressure_pa: f64, gap: f64, compliance: f64) -> Separation {
         let factor = self.factor();
         Separation { mean_gap_m: factor * gap, stiffness_pa_per_m: pressure_pa / (factor * compliance) }
     }
@@ -108,7 +108,7 @@ impl SeparationLaw {
         for stretch in &self.stretches {
             self.add(stretch, pressure_pa, &mut gap, &mut compliance);
         }
-        self.from_sums(pressure_pa, gap, compliance)
+        self.separation_from_sums(pressure_pa, gap, compliance)
     }
 
     /// Largest pressure \[Pa\] up to which the limit of light loads gives the pressure of the whole theory within a

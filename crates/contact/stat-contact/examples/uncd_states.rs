@@ -1,4 +1,4 @@
-//! The statistical states of the scene `data/scenes/uncd-reconstructed.toml` and no more, to be counted by instructions:
+//! The statistical states of the scene `data/scenes/uncd-reconstructed.toml` alone, for counting instructions:
 //!
 //! ```text
 //! cargo build --release -p truearea-stat-contact --example uncd_states
@@ -13,7 +13,8 @@ use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, Stati
 const SPECTRUM: &str = include_str!("../../../../data/uncd_psd_reconstructed.csv");
 const HARDNESS_PA: f64 = 5.4e9;
 
-/// One state: a population and a load, after the state at the same load of the population before.
+/// State to compute: a population and a load. The search starts from the state of the previous population at the same
+/// load.
 struct Asked {
     population: Population,
     pressure_pa: f64,
@@ -29,7 +30,7 @@ fn main() {
         if arguments.iter().skip(1).any(|wanted| wanted != "--digits" && wanted != name) {
             continue;
         }
-        // The rules of the quadrature are made at their first use, which is not counted.
+        // The quadrature rules are built at their first use, which is not counted.
         uncounted(&pair, &law, &asked, tolerance);
         let states = counted_states(&pair, &law, &asked, tolerance);
         if digits {
@@ -83,7 +84,7 @@ fn states(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f6
         .collect()
 }
 
-/// The six curves over cutoffs at four loads, and the two sweeps over 41 loads at three cutoffs of figure 5.
+/// Six curves over cutoffs at four loads, and the two sweeps over 41 loads at three cutoffs of figure 5.
 fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
     let strength = NixGao::constant(1.8e9).expect("diamond");
     let gradient = strength.with_strain_gradient(5e-6).expect("diamond");
@@ -130,7 +131,8 @@ fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
     ]
 }
 
-/// McCool's parameters at every cutoff from the third sample on (`docs/models.md`, sections 1.4 and 1.5), with the cutoff.
+/// Returns McCool's parameters at every cutoff from the third sample on (`docs/models.md`, sections 1.4 and 1.5),
+/// with the cutoff.
 fn populations() -> Vec<(f64, Population)> {
     let samples: Vec<[f64; 3]> = SPECTRUM
         .lines()
