@@ -15,7 +15,7 @@ const HARDNESS_PA: f64 = 5.4e9;
 
 /// State to compute: a population and a load. The search starts from the state of the previous population at the same
 /// load.
-struct Asked {
+struct StateRequest {
     population: Population,
     pressure_pa: f64,
     first_of_its_curve: bool,
@@ -57,19 +57,24 @@ fn main() {
 fn counted_states(
     pair: &MaterialPair,
     law: &AsperityLaw,
-    asked: &[Asked],
+    asked: &[StateRequest],
     tolerance: f64,
 ) -> Vec<ContactState> {
     states(pair, law, asked, tolerance)
 }
 
 #[inline(never)]
-fn uncounted(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f64) {
+fn uncounted(pair: &MaterialPair, law: &AsperityLaw, asked: &[StateRequest], tolerance: f64) {
     std::hint::black_box(states(pair, law, asked, tolerance));
 }
 
 #[inline(never)]
-fn states(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f64) -> Vec<ContactState> {
+fn states(
+    pair: &MaterialPair,
+    law: &AsperityLaw,
+    asked: &[StateRequest],
+    tolerance: f64,
+) -> Vec<ContactState> {
     let mut neighbour: Option<ContactState> = None;
     asked
         .iter()
@@ -85,14 +90,14 @@ fn states(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f6
 }
 
 /// Six curves over cutoffs at four loads, and the two sweeps over 41 loads at three cutoffs of figure 5.
-fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
+fn curves() -> Vec<(&'static str, AsperityLaw, Vec<StateRequest>)> {
     let strength = NixGao::constant(1.8e9).expect("diamond");
     let gradient = strength.with_strain_gradient(5e-6).expect("diamond");
     let hardness = Hardness::default();
     let interference = InterferenceLaw::RostamiJackson;
     let populations = populations();
     let curve = |pressure_pa: f64| {
-        populations.iter().enumerate().map(move |(i, &(_, population))| Asked {
+        populations.iter().enumerate().map(move |(i, &(_, population))| StateRequest {
             population,
             pressure_pa,
             first_of_its_curve: i == 0,
@@ -111,7 +116,7 @@ fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
                 .1
         });
         let at = |population: Population| {
-            (0..41).map(move |i| Asked {
+            (0..41).map(move |i| StateRequest {
                 population,
                 pressure_pa: HARDNESS_PA * 10f64.powf(-6.0 + 0.15 * f64::from(i)),
                 first_of_its_curve: i == 0,

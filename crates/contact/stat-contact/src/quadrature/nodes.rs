@@ -29,7 +29,7 @@ pub(crate) struct Rows<'a> {
 }
 
 /// Summands over the nodes of a panel, in lanes.
-pub(crate) struct Summed<'a> {
+pub(crate) struct Summands<'a> {
     pub places: &'a [[f64; LANES]],
     pub pressures_pa: &'a [[f64; LANES]],
     pub area_fractions: &'a [[f64; LANES]],
@@ -65,11 +65,11 @@ impl Nodes {
     }
 
     /// Rows of a panel as summands, with zeros where the lanes outnumber the nodes.
-    pub fn summed(&self, block: Block) -> Summed<'_> {
+    pub fn summed(&self, block: Block) -> Summands<'_> {
         let (places, rest) = self.values[block.at..].split_at(block.row());
         let (pressures_pa, rest) = rest.split_at(block.row());
         let (area_fractions, rest) = rest.split_at(block.row());
-        Summed {
+        Summands {
             places: places.as_chunks().0,
             pressures_pa: pressures_pa.as_chunks().0,
             area_fractions: area_fractions.as_chunks().0,

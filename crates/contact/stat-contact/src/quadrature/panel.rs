@@ -3,7 +3,7 @@
 use wide::f64x2;
 
 use super::coordinate::Coordinate;
-use super::nodes::{Block, Summed, total};
+use super::nodes::{Block, Summands, total};
 use super::rules::{Rule, error_of_rule};
 use crate::asperities::pieces::LawChart;
 use crate::gaussian::density::DENSITY_SCALE;
@@ -47,7 +47,7 @@ pub(crate) struct Panel<'a> {
 impl Panel<'_> {
     /// Estimated errors of the contributions to pressure \[Pa\] and area fraction, from the values at the nodes. Over
     /// decades, singularities of the law that lie closer than those of the density, but are weak, take over late.
-    pub fn errors(&self, values: &Summed<'_>) -> [f64; 2] {
+    pub fn errors(&self, values: &Summands<'_>) -> [f64; 2] {
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
         let Some(rule) = self.rule else { return [0.0; 2] };
         let onward = if self.variable.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };

@@ -3,7 +3,7 @@
 use wide::f64x2;
 
 use super::heights::Density;
-use super::nodes::{Nodes, Rows, Summed, total};
+use super::nodes::{Nodes, Rows, Summands, total};
 use super::panel::Panel;
 use super::sums::Sums;
 use crate::asperities::answers::{Asperities, Response};
@@ -55,7 +55,7 @@ impl<'a> Panels<'a> {
         let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
         let mut sums = [f64x2::ZERO; 5];
         for panel in &self.list {
-            let Summed { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
+            let Summands { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
             for (((place, pressure_pa), area_fraction), density) in
                 places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
             {
@@ -109,7 +109,7 @@ impl<'a> Panels<'a> {
             .list
             .iter()
             .map(|panel| {
-                let Summed { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
+                let Summands { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
                 let loads = pressures_pa.as_flattened().iter().zip(densities.as_flattened());
                 let loads = loads.map(|(pressure_pa, density)| density * pressure_pa);
                 panel.sum_above(loads, panel.variable.of(s, interference_m))

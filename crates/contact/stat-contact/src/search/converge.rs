@@ -10,7 +10,7 @@ const MOST_STEPS: usize = 60;
 const MOST_ROUGH_STEPS: usize = 12;
 
 /// End of a search.
-struct Settled {
+struct SearchEnd {
     found: Found,
     /// True if it came from another cell.
     moved: bool,
@@ -49,7 +49,7 @@ impl Search<'_, '_> {
     /// nearer.
     pub fn settle(&mut self, near: f64, bracket: Bracket) -> Option<Found> {
         let whole = bracket.on_fine_quadratures();
-        let Settled { found, moved } = self.move_to_cell(near, whole)?;
+        let SearchEnd { found, moved } = self.move_to_cell(near, whole)?;
         let found = if moved { self.solve_again(found.cell, whole).unwrap_or(found) } else { found };
         let Some(leeway) = self.leeway(found) else { return Some(found) };
         let edge = found.cell.nearest();
@@ -62,7 +62,7 @@ impl Search<'_, '_> {
     }
 
     /// Moves from cell to cell until one places the solution in itself.
-    fn move_to_cell(&mut self, near: f64, mut bracket: Bracket) -> Option<Settled> {
+    fn move_to_cell(&mut self, near: f64, mut bracket: Bracket) -> Option<SearchEnd> {
         let (mut u, mut cell) = (bracket.inside(Cell::of(near)), Cell::of(near));
         let (mut from, mut steps) = (None, 0);
         loop {
@@ -71,7 +71,7 @@ impl Search<'_, '_> {
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
             let undecided = from == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || steps == MOST_STEPS {
-                return Some(Settled { found: Found { cell, u }, moved: steps > 0 });
+                return Some(SearchEnd { found: Found { cell, u }, moved: steps > 0 });
             }
             from = Some(cell);
             cell = next;

@@ -66,7 +66,7 @@ impl SummitIntegrals {
     pub fn sums_at(&self, u: f64) -> SummitSums {
         let stretches = Stretches::around(u, self.alpha, self.spread);
         let rule = Rule::of_at_least(NODES);
-        let (mut totals, mut errors, mut evaluations) = (Weighed::default(), [0.0; 2], 0);
+        let (mut totals, mut errors, mut evaluations) = (WeightedSums::default(), [0.0; 2], 0);
         for stretch in stretches.iter() {
             let (summed, error) = self.sum_over(stretch, &stretches, u, rule);
             totals.add(&summed);
@@ -84,15 +84,21 @@ impl SummitIntegrals {
     /// Pressure \[Pa\] and area fraction if all summits are pressed to about the interference -u, far below the mean
     /// plane; the spread of the heights would change a relative 1/u^2.
     pub fn far_below(&self, u: f64) -> [f64; 2] {
-        let Far { load, area, load_curvature, area_curvature } = *Far::of_all();
+        let DeepLimit { load, area, load_curvature, area_curvature } = *DeepLimit::shared();
         let below = |curvature: f64| 1.5 * curvature / self.alpha.sqrt() - u;
         let (for_load, for_area) = (below(load_curvature), below(area_curvature));
         [self.pressure_pa * load * for_load * for_load.sqrt(), self.area_fraction * area * for_area]
     }
 
     /// The sums over the nodes of a stretch, and their estimated errors of load and area.
-    fn sum_over(&self, stretch: Stretch, stretches: &Stretches, u: f64, rule: &Rule) -> (Weighed, [f64; 2]) {
-        let (mut totals, mut probed) = (Weighed::default(), [[0.0; 4]; 2]);
+    fn sum_over(
+        &self,
+        stretch: Stretch,
+        stretches: &Stretches,
+        u: f64,
+        rule: &Rule,
+    ) -> (WeightedSums, [f64; 2]) {
+        let (mut totals, mut probed) = (WeightedSums::default(), [[0.0; 4]; 2]);
         for (at, (curvature, weight)) in nodes(stretch, stretches.origin, rule).enumerate() {
             let weighed = self.at(curvature, stretches, u).times(weight);
             totals.add(&weighed);
@@ -107,14 +113,18 @@ impl SummitIntegrals {
     }
 
     /// Integrands at a mean curvature, counted from the origin of the stretches.
-    fn at(&self, curvature: f64, stretches: &Stretches, u: f64) -> Weighed {
+    fn at(&self, curvature: f64, stretches: &Stretches, u: f64) -> WeightedSums {
         let whole = stretches.origin + curvature;
         let height = stretches.height_at(curvature);
-        let reached = Reached::at(height);
+        let reached = ContactIntegrals::at(height);
         let [area, force] = Ellipticity::table().at(1.5 * whole * whole);
         let weight = self.density(curvature, height, u).exp() * whole * whole * whole;
         let load = weight * whole.sqrt() * force * reached.load;
-        Weighed { load, area: weight * area * reached.area, slopes: reached.slopes.map(|slope| load * slope) }
+        WeightedSums {
+            load,
+            area: weight * area * reached.area,
+            slopes: reached.slopes.map(|slope| load * slope),
+        }
     }
 
     /// Logarithm of the density of summits at a mean curvature, counted from the origin, whose mean height is
@@ -133,7 +143,7 @@ impl SummitIntegrals {
     }
 
     /// Integrals in their units, with the means of the heights that the derivatives of ln p by u need.
-    fn sums(&self, totals: &Weighed) -> Sums {
+    fn sums(&self, totals: &WeightedSums) -> Sums {
         let s = self.spread;
         let [first, second, third] = totals.slopes.map(|slope| slope / totals.load);
         let mean = -first / s;
@@ -174,21 +184,21 @@ fn nodes(stretch: Stretch, origin: f64, rule: &Rule) -> impl Iterator<Item = (f6
 
 /// Load and area of summits, and the derivatives of the load by the height of the flat.
 #[derive(Debug, Clone, Copy, Default)]
-struct Weighed {
+struct WeightedSums {
     load: f64,
     area: f64,
     slopes: [f64; 3],
 }
 
-impl Weighed {
-    fn add(&mut self, other: &Weighed) {
+impl WeightedSums {
+    fn add(&mut self, other: &WeightedSums) {
         self.load += other.load;
         self.area += other.area;
         self.slopes.iter_mut().zip(other.slopes).for_each(|(slope, other)| *slope += other);
     }
 
-    fn times(&self, weight: f64) -> Weighed {
-        Weighed {
+    fn times(&self, weight: f64) -> WeightedSums {
+        WeightedSums {
             load: weight * self.load,
             area: weight * self.area,
             slopes: self.slopes.map(|slope| weight * slope),
@@ -198,7 +208,7 @@ impl Weighed {
 
 /// Integrals over normal heights of unit spread that a flat at a height above their mean reaches, for positive
 /// heights over exp(-height^2/2).
-struct Reached {
+struct ContactIntegrals {
     /// Load Int s^(3/2) exp(-(height + s)^2/2) ds.
     load: f64,
     /// Area Int s exp(-(height + s)^2/2) ds/sqrt(2 pi).
@@ -207,14 +217,14 @@ struct Reached {
     slopes: [f64; 3],
 }
 
-impl Reached {
+impl ContactIntegrals {
     fn at(height: f64) -> Self {
         // Below this height the recurrence between the means loses the digits that the series has: both have nine of
         // the third derivative there. Narrow spectra need them, because their third derivatives nearly cancel.
         const SERIES_BELOW: f64 = -30.0;
         let (load, mean) = load_and_mean_height(height);
         let slopes = if height < SERIES_BELOW { deep_slopes(height) } else { slopes(height, mean) };
-        Reached { load, area: first_moment(height), slopes }
+        ContactIntegrals { load, area: first_moment(height), slopes }
     }
 }
 
@@ -249,17 +259,17 @@ fn deep_slopes(height: f64) -> [f64; 3] {
 }
 
 /// Loads and areas if every summit is reached, and the mean curvatures under their weights.
-struct Far {
+struct DeepLimit {
     load: f64,
     area: f64,
     load_curvature: f64,
     area_curvature: f64,
 }
 
-impl Far {
+impl DeepLimit {
     /// Values of Nayak's distribution of curvatures, computed at their first use.
-    fn of_all() -> &'static Far {
-        static FAR: LazyLock<Far> = LazyLock::new(|| {
+    fn shared() -> &'static DeepLimit {
+        static FAR: LazyLock<DeepLimit> = LazyLock::new(|| {
             let rule = Rule::of_at_least(NODES);
             let stretches = Stretches::around(0.0, 1.5, LEAST_SPREAD);
             let [mut load, mut area, mut load_curvature, mut area_curvature] = [0.0; 4];
@@ -275,7 +285,12 @@ impl Far {
                     area_curvature += of_area * curvature;
                 }
             }
-            Far { load, area, load_curvature: load_curvature / load, area_curvature: area_curvature / area }
+            DeepLimit {
+                load,
+                area,
+                load_curvature: load_curvature / load,
+                area_curvature: area_curvature / area,
+            }
         });
         &FAR
     }
