@@ -1,4 +1,4 @@
-//! Whether intervals shrink as they are said to when scans are added.
+//! Shrinkage of intervals when scans are added, predicted and found.
 
 use uncertainty::{Settings, StepKind};
 
@@ -8,29 +8,29 @@ use crate::instrument::INSTRUMENTS;
 use crate::synthetic::Laboratory;
 use crate::trial::{Held, Trial};
 
-/// How the intervals of one curve and load shrink when scans of one instrument are added.
+/// Shrinkage of the intervals of one curve and load when scans of one instrument are added.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shrinkage {
-    /// The name of the curve.
+    /// Name of the curve.
     pub curve: String,
-    /// The name of the load.
+    /// Name of the load.
     pub load: String,
-    /// The instrument.
+    /// Name of the instrument.
     pub instrument: &'static str,
-    /// How many scans are added.
+    /// Number of scans added.
     pub added: u32,
-    /// Median of the width after over that before, as predicted.
+    /// Median of the predicted ratio of widths, after over before.
     pub predicted: f64,
-    /// The same as found.
+    /// Median of the ratio of widths found.
     pub real: f64,
-    /// Median of real over predicted, study by study.
+    /// Median of found over predicted, study by study.
     pub ratio: f64,
 }
 
-/// Carries out studies with so many scans by each instrument, adds so many of one of them, and carries them out again.
+/// Runs studies with `scans` by each instrument, adds scans of one of them, and runs them again.
 ///
 /// # Errors
-/// That of the first study that fails.
+/// The error of the first study that fails.
 pub fn shrinkages(
     laboratory: &Laboratory,
     studies: u32,
@@ -81,7 +81,7 @@ pub fn shrinkages(
     Ok(rows)
 }
 
-/// Predicted and real, for every interval that has both.
+/// Predicted and found ratios, for every interval that has both.
 type Ratios = Vec<Option<(f64, f64)>>;
 
 fn ratios_of(before: &Trial, after: &Trial, instrument: usize, added: usize) -> Ratios {

@@ -1,4 +1,4 @@
-//! Every contact model of the program held against boundary elements on the same surfaces: the study behind
+//! Every contact model of the program compared with boundary elements on the same surfaces: the study behind
 //! `docs/which-model.md`.
 #![deny(missing_docs)]
 

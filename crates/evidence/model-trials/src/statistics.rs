@@ -1,24 +1,24 @@
-//! Means of a few surfaces, and how far they are to be trusted.
+//! Means over a few surfaces, and their standard errors.
 
-/// Half the width of the interval that holds 95 % of Student's distribution, over that of the normal one, by degrees of
-/// freedom from 1 on.
+/// Half the width of the interval that holds 95 % of Student's distribution, over that of the normal one, by degrees
+/// of freedom from 1 on.
 const STUDENT_OVER_NORMAL: [f64; 15] = [
     6.4829, 2.1953, 1.6237, 1.4166, 1.3116, 1.2485, 1.2065, 1.1766, 1.1542, 1.1368, 1.1230, 1.1117, 1.1023,
     1.0943, 1.0875,
 ];
 
-/// The mean over some surfaces and its standard error.
+/// Mean over some surfaces and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean {
-    /// The mean.
+    /// Mean value.
     pub value: f64,
-    /// t s/sqrt(n), with t the factor by which Student's distribution is wider than the normal one at 95 %, so that twice
-    /// this covers what it says; infinite for a single value.
+    /// Standard error t s/sqrt(n), with t the factor by which Student's distribution is wider than the normal one at
+    /// 95 %, so that twice this covers 95 %; infinite for a single value.
     pub standard_error: f64,
 }
 
 impl Mean {
-    /// The mean of values.
+    /// Computes the mean of values.
     #[must_use]
     pub fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
         let count = values.clone().count() as f64;
