@@ -1,5 +1,5 @@
-//! Prints what intervals and shares cost by plain sampling and by fitted polynomials, as a table for `docs/uncertainty.md`:
-//! `cargo run --release -p work-precision --features surrogate --bin surrogate`.
+//! Prints the cost of intervals and shares by plain sampling and by fitted polynomials, as a table for
+//! `docs/uncertainty.md`: `cargo run --release -p truearea-work-precision --features surrogate --bin surrogate`.
 
 use std::process::ExitCode;
 
