@@ -67,7 +67,7 @@ impl Default for PercolationThreshold {
 /// Contact at one magnification: with the waves up to a wavevector only.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
-pub struct Seen {
+pub struct MagnifiedContact {
     /// The wavevector q \[rad/m\].
     pub wavevector_rad_per_m: f64,
     /// Share in contact A(q), in (0, 1\].
@@ -79,7 +79,7 @@ pub struct Seen {
     pub opening_gap_m: Option<f64>,
 }
 
-impl Seen {
+impl MagnifiedContact {
     /// Wavelength 2 pi/q \[m\].
     #[must_use]
     pub fn wavelength_m(&self) -> f64 {
@@ -126,7 +126,7 @@ impl SealingLaw {
     /// `opening_gap_m` is u_c. Returns `None` if the seal is tight: with all waves, the threshold or more is in
     /// contact.
     #[must_use]
-    pub fn critical_constriction(&self, pressure_pa: f64) -> Option<Seen> {
+    pub fn critical_constriction(&self, pressure_pa: f64) -> Option<MagnifiedContact> {
         let wavevectors: Vec<f64> =
             self.roughness.places().iter().map(|place| place.wavevector_rad_per_m).collect();
         let is_open = |wavevector_rad_per_m: f64| self.opened(wavevector_rad_per_m, pressure_pa) > 0.0;
@@ -145,7 +145,7 @@ impl SealingLaw {
 
     /// Contact with the waves up to a wavevector within the spectrum \[rad/m\] under a nominal pressure p > 0 \[Pa\].
     #[must_use]
-    pub fn seen_at(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> Seen {
+    pub fn contact_at(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> MagnifiedContact {
         let variance_pa2 = self.separation.variance_pa2(wavevector_rad_per_m);
         let effective_pa2 = match self.correction {
             None => variance_pa2,
@@ -170,7 +170,7 @@ impl SealingLaw {
     }
 
     /// Contact at a wavevector where A = erf(`argument`).
-    fn with_argument(&self, wavevector_rad_per_m: f64, pressure_pa: f64, argument: f64) -> Seen {
+    fn with_argument(&self, wavevector_rad_per_m: f64, pressure_pa: f64, argument: f64) -> MagnifiedContact {
         let area_fraction = libm::erf(argument);
         let inside = self.separation.beyond(wavevector_rad_per_m);
         let real_pressure_pa = pressure_pa / area_fraction;
@@ -182,7 +182,7 @@ impl SealingLaw {
                     + real_pressure_pa / separation.stiffness_pa_per_m
                     + area_fraction * per_area * left_out
             });
-        Seen {
+        MagnifiedContact {
             wavevector_rad_per_m,
             area_fraction,
             mean_gap_m: separation.mean_gap_m,
