@@ -23,18 +23,18 @@ impl HertzEllipse {
     /// Creates the ellipse of a summit whose principal curvatures have the ratio k1/k2, given as ln(k1/k2) from 0 to
     /// 60.
     #[must_use]
-    pub fn of_curvatures(log_curvature_ratio: f64) -> Self {
+    pub fn from_curvatures(log_curvature_ratio: f64) -> Self {
         // ln(k1/k2) is 3/2 of -ln(b/a) for nearly round ellipses, and nearly twice it for slender ones.
         let [least, most] = [0.5, 1.0].map(|share| share * log_curvature_ratio);
         let missing = |slenderness: f64| {
-            Self::of_axes((-slenderness).exp()).log_curvature_ratio() - log_curvature_ratio
+            Self::from_axes((-slenderness).exp()).log_curvature_ratio() - log_curvature_ratio
         };
-        Self::of_axes((-zero_in_bracket(least, most, missing)).exp())
+        Self::from_axes((-zero_in_bracket(least, most, missing)).exp())
     }
 
     /// Creates the ellipse of a ratio of minor to major axis in (0, 1].
     #[must_use]
-    pub fn of_axes(axis_ratio: f64) -> Self {
+    pub fn from_axes(axis_ratio: f64) -> Self {
         debug_assert!(0.0 < axis_ratio && axis_ratio <= 1.0);
         // Means of 1 and a number above 1e-9 agree to rounding after at most seven steps.
         const STEPS: usize = 8;
@@ -104,18 +104,18 @@ mod tests {
             (0.01, 7.602_316_389_154_986, 16.694_645_203_204_49, 10.711_898_144_378_36),
             (1e-6, 24.977_652_052_413_4, 65_781.662_462_444_13, 26_501.908_149_888_75),
         ] {
-            let ellipse = HertzEllipse::of_axes(axis_ratio);
+            let ellipse = HertzEllipse::from_axes(axis_ratio);
             assert!((ellipse.log_curvature_ratio() / log_ratio - 1.0).abs() < 1e-11, "{ellipse:?}");
             assert!((ellipse.area_factor() / area - 1.0).abs() < 1e-14, "{ellipse:?}");
             assert!((ellipse.force_factor() / force - 1.0).abs() < 1e-14, "{ellipse:?}");
-            let same = HertzEllipse::of_curvatures(log_ratio);
+            let same = HertzEllipse::from_curvatures(log_ratio);
             assert!((same.axis_ratio / axis_ratio - 1.0).abs() < 1e-13, "{same:?}");
         }
     }
 
     #[test]
     fn equal_curvatures_make_a_circle() {
-        for ellipse in [HertzEllipse::of_axes(1.0), HertzEllipse::of_curvatures(0.0)] {
+        for ellipse in [HertzEllipse::from_axes(1.0), HertzEllipse::from_curvatures(0.0)] {
             assert_eq!((ellipse.log_curvature_ratio(), ellipse.area_factor()), (0.0, 1.0));
             assert!((ellipse.force_factor() - 1.0).abs() < 1e-15);
         }

@@ -72,7 +72,7 @@ fn nodes() -> Vec<Node> {
     const ENDS: [f64; 8] = [0.0, 0.01, 0.04, 0.16, 0.64, 2.0, 5.0, 14.0];
     let rule = GaussLegendre::new(24);
     let node = |(eta, weight): (f64, f64)| {
-        let ellipse = HertzEllipse::of_curvatures(2.0 * eta);
+        let ellipse = HertzEllipse::from_curvatures(2.0 * eta);
         let rho = eta.tanh();
         let spheres = weight * rho * eta.cosh().powi(-4);
         Node {
