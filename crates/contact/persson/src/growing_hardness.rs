@@ -69,7 +69,7 @@ pub fn areas_of_squared_growth(
     if growth > 0.0 && elapsed > STEADY {
         return steady(pressure_pa / (hardness_pa * (1.0 + grown).sqrt()), growth);
     }
-    let path = HardnessPath::of_squared_growth(hardness_pa, growth);
+    let path = HardnessPath::with_squared_growth(hardness_pa, growth);
     areas_along(&path, pressure_pa, &[spread_pa * spread_pa])[0]
 }
 
@@ -396,7 +396,7 @@ mod tests {
 
     #[test]
     fn the_whole_curve_is_what_each_of_its_places_is_alone() {
-        let path = HardnessPath::of_squared_growth(1.0, 2.0);
+        let path = HardnessPath::with_squared_growth(1.0, 2.0);
         let variances_pa2: Vec<f64> = (0..40).map(|i| 1e-4 * 10f64.powf(f64::from(i) / 8.0)).collect();
         let together = areas_along(&path, 0.2, &variances_pa2);
         for (at, areas) in together.iter().enumerate() {
@@ -409,7 +409,7 @@ mod tests {
     #[test]
     fn growth_that_ends_leaves_the_law_of_constant_hardness_to_take_over() {
         // Grows to sqrt(3) at V = 1 and is constant beyond: at late times A = p/H.
-        let path = HardnessPath::of_squared_growth(1.0, 2.0).capped(3f64.sqrt());
+        let path = HardnessPath::with_squared_growth(1.0, 2.0).capped(3f64.sqrt());
         let areas = areas_along(&path, 0.1, &[0.5, 1.0, 40.0]);
         let growing = areas_of_squared_growth(0.1, 0.5f64.sqrt(), 1.0, 2.0);
         assert!((areas[0].contact() / growing.contact() - 1.0).abs() < 1e-11, "{areas:?} {growing:?}");

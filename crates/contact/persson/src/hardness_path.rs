@@ -36,7 +36,7 @@ pub struct HardnessKnot {
 impl HardnessPath {
     /// Creates H^2 = H_0^2 + c V with H_0 > 0 \[Pa\] and c >= 0.
     #[must_use]
-    pub fn of_squared_growth(hardness_pa: f64, growth: f64) -> Self {
+    pub fn with_squared_growth(hardness_pa: f64, growth: f64) -> Self {
         let growth_per_pa2 = growth / (hardness_pa * hardness_pa);
         HardnessPath {
             pieces: vec![Piece { from_variance_pa2: 0.0, hardness_pa, growth_per_pa2, exponent: 0.5 }],
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_square_that_grows_with_the_variance() {
-        assert_eq!(HardnessPath::of_squared_growth(3.0, 2.0).hardness_pa(8.0), 5.0);
-        assert!(HardnessPath::of_squared_growth(3.0, 0.0).is_constant());
+        assert_eq!(HardnessPath::with_squared_growth(3.0, 2.0).hardness_pa(8.0), 5.0);
+        assert!(HardnessPath::with_squared_growth(3.0, 0.0).is_constant());
     }
 }
