@@ -67,7 +67,7 @@ impl CutSurface {
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
-    pub fn of_rms_slope(rms_height_m: f64, rms_slope: f64) -> Result<Self, OutOfBounds> {
+    pub fn from_rms_slope(rms_height_m: f64, rms_slope: f64) -> Result<Self, OutOfBounds> {
         let rms_slope = Bound::Magnitude.check("rms slope", rms_slope)?;
         Self::new(rms_height_m, FRAC_2_PI.sqrt() * rms_slope)
     }

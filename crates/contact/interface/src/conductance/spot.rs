@@ -25,13 +25,13 @@ impl Spot {
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
-    pub fn of_stiffness(stiffness_n_per_m: f64, contact_modulus_pa: f64) -> Result<Self, OutOfBounds> {
+    pub fn from_stiffness(stiffness_n_per_m: f64, contact_modulus_pa: f64) -> Result<Self, OutOfBounds> {
         let stiffness_n_per_m = Bound::Magnitude.check("stiffness in N/m", stiffness_n_per_m)?;
-        Ok(Self::of_relative_stiffness_m(stiffness_n_per_m / modulus(contact_modulus_pa)?))
+        Ok(Self::from_relative_stiffness_m(stiffness_n_per_m / modulus(contact_modulus_pa)?))
     }
 
     /// Creates the spot of a relative stiffness (dF/d delta)/E* > 0 \[m\].
-    pub(super) fn of_relative_stiffness_m(relative_stiffness_m: f64) -> Self {
+    pub(super) fn from_relative_stiffness_m(relative_stiffness_m: f64) -> Self {
         Spot { radius_m: 0.5 * relative_stiffness_m }
     }
 

@@ -26,7 +26,7 @@ impl RelativeStiffness {
     ///
     /// # Errors
     /// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
-    pub fn of_light_load(
+    pub fn from_light_load(
         nominal_pressure_pa: f64,
         contact_modulus_pa: f64,
         decay_length_m: f64,
@@ -61,7 +61,7 @@ impl RelativeStiffness {
     /// [`OutOfBounds`] unless the area is positive and within thirty decades of 1.
     pub fn equivalent_spot(&self, nominal_area_m2: f64) -> Result<Spot, OutOfBounds> {
         let area_m2 = Bound::Magnitude.check("nominal area in m^2", nominal_area_m2)?;
-        Ok(Spot::of_relative_stiffness_m(self.per_m * area_m2))
+        Ok(Spot::from_relative_stiffness_m(self.per_m * area_m2))
     }
 }
 

@@ -299,7 +299,7 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
-        CutSurface::of_rms_slope(self.moments.rms_height_m(), self.moments.rms_slope())
+        CutSurface::from_rms_slope(self.moments.rms_height_m(), self.moments.rms_slope())
     }
 
     fn relative_stiffness(&self, load: usize) -> Result<Option<RelativeStiffness>, InterfaceError> {
