@@ -11,7 +11,7 @@ pub struct FullerTabor {
 
 impl FullerTabor {
     /// Value above which the surfaces in their experiments did not stick (approximate).
-    pub const GONE_ABOVE: f64 = 10.0;
+    pub const NOT_STICKY_ABOVE: f64 = 10.0;
 
     /// Creates the parameter from a contact modulus E* \[Pa\], the standard deviation sigma_s of the summits' heights
     /// \[m\], the mean radius R of the summits \[m\] and the work of adhesion w \[J/m^2\].
