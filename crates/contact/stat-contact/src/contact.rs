@@ -29,7 +29,7 @@ impl StatisticalContact {
     /// Creates the elastic contact of the summits of a surface (Bush, Gibson & Thomas 1975; `docs/models.md`, section
     /// 3.6). Its separations are measured from the mean plane of the surface.
     #[must_use]
-    pub fn of_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {
+    pub fn from_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {
         StatisticalContact {
             asperities: Box::new(ElasticSummits::new(pair, summits)),
             sigma_s_m: summits.m0_m2().sqrt(),
