@@ -114,7 +114,7 @@ impl SeparationLaw {
     /// Largest pressure \[Pa\] up to which the limit of light loads gives the pressure of the whole theory within a
     /// relative error `share`. `None` without roughness.
     #[must_use]
-    pub fn light_loads_hold_up_to_pa(&self, share: f64) -> Option<f64> {
+    pub fn light_load_limit_pa(&self, share: f64) -> Option<f64> {
         // The limit is approached from below: a millionth of p_00 lies well within, and the steps are finer than it
         // bends.
         const FROM: f64 = 1e-6;
@@ -340,12 +340,12 @@ mod tests {
             light.reference_pressure_pa * (-gap_m / light.decay_length_m).exp() / pressure_pa - 1.0
         };
         for share in [1e-3, 0.01, 0.1] {
-            let most_pa = law.light_loads_hold_up_to_pa(share).unwrap();
+            let most_pa = law.light_load_limit_pa(share).unwrap();
             assert!((off(most_pa).abs() / share - 1.0).abs() < 1e-3, "{share}: {}", off(most_pa));
             assert!((0..40).all(|step| off(most_pa * 0.8f64.powi(step)).abs() <= share * (1.0 + 1e-3)));
         }
         let flat = SeparationLaw::new(&[], 1e11, 0.45);
-        assert_eq!(flat.light_loads_hold_up_to_pa(0.01), None);
+        assert_eq!(flat.light_load_limit_pa(0.01), None);
     }
 
     #[test]
