@@ -6,7 +6,7 @@ use crate::coverage::median;
 use crate::error::StudyError;
 use crate::instrument::INSTRUMENTS;
 use crate::synthetic::Laboratory;
-use crate::trial::{Held, Trial};
+use crate::trial::{IntervalOutcome, Trial};
 
 /// Shrinkage of the intervals of one curve and load when scans of one instrument are added.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +59,7 @@ pub fn shrinkages(
         (0..INSTRUMENTS.len()).flat_map(|instrument| added.iter().map(move |&added| (instrument, added)));
     let mut rows = Vec::new();
     for (step, (instrument, added)) in steps.enumerate() {
-        for (place, held) in first.held.iter().enumerate() {
+        for (place, held) in first.intervals.iter().enumerate() {
             let here = found.iter().filter_map(|(_, steps)| steps[step].get(place).copied().flatten());
             let (predicted, real): (Vec<f64>, Vec<f64>) = here.unzip();
             if predicted.is_empty() {
@@ -85,12 +85,12 @@ pub fn shrinkages(
 type Ratios = Vec<Option<(f64, f64)>>;
 
 fn ratios_of(before: &Trial, after: &Trial, instrument: usize, added: usize) -> Ratios {
-    let of_interval = |(held, after): (&Held, &Held)| {
+    let of_interval = |(held, after): (&IntervalOutcome, &IntervalOutcome)| {
         let advice =
             before.advice.iter().find(|advice| (advice.curve, advice.load) == (held.curve, held.load))?;
         let kind = StepKind::MoreScans { instrument, added };
         let step = advice.steps.iter().find(|step| step.kind == kind)?;
         Some((step.width_ratio, after.width() / held.width()))
     };
-    before.held.iter().zip(&after.held).map(of_interval).collect()
+    before.intervals.iter().zip(&after.intervals).map(of_interval).collect()
 }

@@ -4,7 +4,7 @@ use uncertainty::Settings;
 
 use crate::error::StudyError;
 use crate::synthetic::Laboratory;
-use crate::trial::{Held, Trial};
+use crate::trial::{IntervalOutcome, Trial};
 
 /// Coverage over many studies for one curve and load.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,19 +60,19 @@ pub fn coverages(trials: &[Trial]) -> Vec<Coverage> {
     let (curves, loads) = (first.curves.iter().enumerate(), first.loads.len());
     let places = curves.flat_map(|(curve, name)| (0..loads).map(move |load| (curve, name, load)));
     let of_place = |(curve, name, load): (usize, &String, usize)| {
-        let here = |held: &&Held| held.curve == curve && held.load == load;
-        let found: Vec<Held> =
-            trials.iter().flat_map(|trial| trial.held.iter().filter(here)).copied().collect();
+        let here = |held: &&IntervalOutcome| held.curve == curve && held.load == load;
+        let found: Vec<IntervalOutcome> =
+            trials.iter().flat_map(|trial| trial.intervals.iter().filter(here)).copied().collect();
         let count = found.len() as f64;
-        let mean = |of: fn(&Held) -> f64| found.iter().map(of).sum::<f64>() / count;
+        let mean = |of: fn(&IntervalOutcome) -> f64| found.iter().map(of).sum::<f64>() / count;
         (!found.is_empty()).then(|| Coverage {
             curve: name.clone(),
             load: first.loads[load].clone(),
             studies: found.len(),
             held: found.iter().filter(|held| held.holds()).count(),
-            width: median(found.iter().map(Held::width).collect()),
+            width: median(found.iter().map(IntervalOutcome::width).collect()),
             deviation: mean(|held| held.deviation().powi(2)).sqrt(),
-            bias: mean(Held::deviation),
+            bias: mean(IntervalOutcome::deviation),
         })
     };
     places.filter_map(of_place).collect()

@@ -34,5 +34,5 @@ pub use instrument::{AFM, GAIN_SD, INSTRUMENTS, Instrument, STYLUS, Shape};
 pub use page::{bias_table, coverage_table, shrinkage_table};
 pub use surface::{KnownSurface, LONGEST_M, RMS_GRADIENT, ROLLOFF_M};
 pub use synthetic::{Laboratory, SyntheticStudy};
-pub use trial::{Held, Trial};
+pub use trial::{IntervalOutcome, Trial};
 pub use truth::known_composite;

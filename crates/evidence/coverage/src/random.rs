@@ -10,7 +10,7 @@ pub(crate) struct Normals(ChaCha8Rng);
 
 impl Normals {
     /// Creates the stream of a seed and a number, independent of earlier draws.
-    pub(crate) fn of(seed: u64, number: u64) -> Self {
+    pub(crate) fn new(seed: u64, number: u64) -> Self {
         let mut stream = ChaCha8Rng::seed_from_u64(seed);
         stream.set_stream(number);
         Normals(stream)

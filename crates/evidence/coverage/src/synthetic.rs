@@ -55,7 +55,7 @@ impl Laboratory {
         let (mut files, mut requests) = (BTreeMap::new(), Vec::new());
         for (place, (instrument, scans)) in INSTRUMENTS.into_iter().zip(scans).enumerate() {
             let first = (number * INSTRUMENTS.len() as u64 + place as u64) * MOST_SCANS;
-            let gain = 1.0 + GAIN_SD * Normals::of(self.seed, first).next();
+            let gain = 1.0 + GAIN_SD * Normals::new(self.seed, first).next();
             for scan in 1..=u64::from(scans) {
                 let mut heights_m = self.heights_m(&instrument, first + scan)?;
                 heights_m.iter_mut().for_each(|height_m| *height_m *= gain);
@@ -68,7 +68,7 @@ impl Laboratory {
     }
 
     fn heights_m(&self, instrument: &Instrument, number: u64) -> Result<Vec<f64>, StudyError> {
-        let mut normals = Normals::of(self.seed, number);
+        let mut normals = Normals::new(self.seed, number);
         match instrument.shape {
             Shape::Line => Ok(self.lines.line(&mut normals)),
             Shape::Map => self.maps.map(self.seed, number, &mut normals),

@@ -11,7 +11,7 @@ use crate::truth::known_composite;
 
 /// Interval and the true value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Held {
+pub struct IntervalOutcome {
     /// Index of the curve.
     pub curve: usize,
     /// Index of the load.
@@ -32,7 +32,7 @@ pub struct Trial {
     /// Names of the loads.
     pub loads: Vec<String>,
     /// All intervals.
-    pub held: Vec<Held>,
+    pub intervals: Vec<IntervalOutcome>,
     /// Advice on the next measurement, if requested.
     pub advice: Vec<Advice>,
 }
@@ -40,7 +40,7 @@ pub struct Trial {
 /// Relative difference below which areas are equal.
 const ROUNDING: f64 = 1e-9;
 
-impl Held {
+impl IntervalOutcome {
     /// True if the interval holds the truth.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -99,15 +99,15 @@ impl Laboratory {
         let plan = UncertaintyPlan::of(&scene, &results, &settings).ok_or(StudyError::Certain)?;
         let (areas, advice) = carry_out(&plan)?;
         let known = self.known(&scene)?;
-        let held = areas.iter().filter_map(|area| {
+        let intervals = areas.iter().filter_map(|area| {
             let (_, truth) = *known.curves[area.curve].area_fractions(area.load).last()?;
             let ends = [area.low, area.high];
-            Some(Held { curve: area.curve, load: area.load, truth, median: area.median, ends })
+            Some(IntervalOutcome { curve: area.curve, load: area.load, truth, median: area.median, ends })
         });
         Ok(Trial {
             curves: scene.needs.curves.iter().map(|curve| curve.name.clone()).collect(),
             loads: scene.needs.loads.iter().map(|load| load.label.clone()).collect(),
-            held: held.collect(),
+            intervals: intervals.collect(),
             advice,
         })
     }
