@@ -9,7 +9,7 @@ pub struct Draw(ChaCha8Rng);
 
 impl Draw {
     /// Creates the stream of the state `index` of a run with a seed.
-    pub fn of(seed: u64, index: u64) -> Self {
+    pub fn new(seed: u64, index: u64) -> Self {
         let mut stream = ChaCha8Rng::seed_from_u64(seed);
         stream.set_stream(index);
         Draw(stream)
@@ -70,7 +70,7 @@ mod tests {
 
     #[test]
     fn a_stream_depends_on_seed_and_number_alone() {
-        let first = |seed, index| Draw::of(seed, index).between(0.0, 1.0);
+        let first = |seed, index| Draw::new(seed, index).between(0.0, 1.0);
         assert_eq!(first(1, 7), first(1, 7));
         assert_ne!(first(1, 7), first(1, 8));
         assert_ne!(first(1, 7), first(2, 7));
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn numbers_lie_where_they_should() {
-        let mut draw = Draw::of(3, 0);
+        let mut draw = Draw::new(3, 0);
         for _ in 0..1000 {
             assert!((-2.0..5.0).contains(&draw.between(-2.0, 5.0)));
             assert!((1e-4..1e3).contains(&draw.decades(-4.0, 3.0)));

@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn a_broken_promise_is_a_row_with_its_inputs() {
         let mut tally = Tally::default();
-        let mut trial = Trial::of(&mut tally, "family", 5, (&0.1, Reach::Usual));
+        let mut trial = Trial::new(&mut tally, "family", 5, (&0.1, Reach::Usual));
         trial.bound("small", 3.0, 2.0);
         trial.note("size", 3.0);
         let mut written = Vec::new();

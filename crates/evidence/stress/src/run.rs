@@ -61,13 +61,13 @@ fn try_range(scope: Scope, seed: u64, range: Range<u64>) -> Tally {
 }
 
 fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
-    let mut draw = Draw::of(seed, index);
+    let mut draw = Draw::new(seed, index);
     let kind = Kind::ALL[(index % Kind::ALL.len() as u64) as usize];
     if ![Scope::Everything, Scope::Law(kind)].contains(&scope) {
         return;
     }
     // Samples are taken evenly from all kinds.
-    let sample = Sample::of(index / Kind::ALL.len() as u64);
+    let sample = Sample::for_state(index / Kind::ALL.len() as u64);
     let (case, reach) = StatisticalCase::draw(&mut draw, kind);
     one(kind.name(), index, (&case, reach), tally, catch, |trial| {
         try_state(&case, reach, sample, &mut draw, trial)
@@ -77,13 +77,13 @@ fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) 
     }
     if index.is_multiple_of(ASPERITY_EVERY) {
         let (case, reach): (AsperityCase, Reach) =
-            AsperityCase::draw(&mut Draw::of(seed ^ ASPERITY_SEED, index));
+            AsperityCase::draw(&mut Draw::new(seed ^ ASPERITY_SEED, index));
         one("single asperity", index, (&case, reach), tally, catch, |trial| {
             try_asperity(&case, reach, trial)
         });
     }
     if index.is_multiple_of(STACK_EVERY) {
-        let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::of(seed ^ STACK_SEED, index));
+        let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::new(seed ^ STACK_SEED, index));
         one("stack", index, (&case, reach), tally, catch, |trial| try_stack(&case, reach, trial));
     }
 }
@@ -98,14 +98,14 @@ fn one<C: Debug>(
     test: impl FnOnce(&mut Trial<C>),
 ) {
     if !catch {
-        return test(&mut Trial::of(tally, family, index, case));
+        return test(&mut Trial::new(tally, family, index, case));
     }
     let mut own = Tally::default();
     let survived =
-        catch_unwind(AssertUnwindSafe(|| test(&mut Trial::of(&mut own, family, index, case)))).is_ok();
+        catch_unwind(AssertUnwindSafe(|| test(&mut Trial::new(&mut own, family, index, case)))).is_ok();
     if !survived {
         own = Tally::default();
-        Trial::of(&mut own, family, index, case).hold("no panic", false);
+        Trial::new(&mut own, family, index, case).hold("no panic", false);
     }
     *tally = std::mem::take(tally).joined(own);
 }

@@ -33,7 +33,7 @@ impl Sample {
     const EVERY: [u64; 3] = [2000, 20, 5000];
 
     /// Selects the checks of the state `index`.
-    pub fn of(index: u64) -> Self {
+    pub fn for_state(index: u64) -> Self {
         let [quadrature, finest, conditions] = Self::EVERY.map(|every| index.is_multiple_of(every));
         Sample { quadrature, finest, conditions }
     }

@@ -164,7 +164,7 @@ pub struct Trial<'a, C> {
 
 impl<'a, C: Debug> Trial<'a, C> {
     /// Begins the tests of a state by its family and number.
-    pub fn of(
+    pub fn new(
         tally: &'a mut Tally,
         family: &'static str,
         index: Place,
@@ -226,7 +226,7 @@ mod tests {
     fn tally_of(values: &[(u64, f64)]) -> Tally {
         let mut tally = Tally::default();
         for (index, value) in values {
-            let mut trial = Trial::of(&mut tally, "family", *index, (value, Reach::Usual));
+            let mut trial = Trial::new(&mut tally, "family", *index, (value, Reach::Usual));
             trial.bound("small", *value, 2.0);
             trial.note("size", *value);
         }
