@@ -44,7 +44,7 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
     let mut rows = Vec::new();
     for hurst_exponent in HURST_EXPONENTS {
         let band = two_decades(hurst_exponent);
-        let Some(law) = WindowLaw::of(elements, &one_decade(hurst_exponent)) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &one_decade(hurst_exponent)) else { continue };
         let seam_m = 0.1 * BOX_M / band.first_wave;
         let spectrum = band.spectrum()?;
         let long = spectrum.cut(BOX_M / band.first_wave, seam_m)?.mean_square_gradient().sqrt();
@@ -65,7 +65,7 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
                 Ok(2.0 * on_grid(GRIDS[0])? - on_grid(GRIDS[1])?)
             };
             let numbers: Vec<u64> = (0..REALISATIONS).collect();
-            let glued = Mean::of(parallel::try_map(&numbers, glued)?.into_iter());
+            let glued = Mean::new(parallel::try_map(&numbers, glued)?.into_iter());
             rows.push(GluingRow {
                 hurst_exponent,
                 pressure_over_gradient: row.pressure_over_gradient,

@@ -39,7 +39,7 @@ pub fn pressed(trial: &Trial) -> Result<Vec<Pressed>, TrialError> {
     let numbers: Vec<u64> = (0..trial.realisations).collect();
     let of_surfaces = parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
     let of_load = |(at, &load): (usize, &TrialLoad)| {
-        let mean = |of: fn(&Areas) -> f64| Mean::of(of_surfaces.iter().map(|areas| of(&areas[at])));
+        let mean = |of: fn(&Areas) -> f64| Mean::new(of_surfaces.iter().map(|areas| of(&areas[at])));
         Pressed {
             load,
             area: mean(|areas| areas.extrapolated),

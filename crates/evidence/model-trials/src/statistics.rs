@@ -20,7 +20,7 @@ pub struct Mean {
 impl Mean {
     /// Computes the mean of values.
     #[must_use]
-    pub fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
+    pub fn new(values: impl Iterator<Item = f64> + Clone) -> Self {
         let count = values.clone().count() as f64;
         let value = values.clone().sum::<f64>() / count;
         let squares: f64 = values.map(|one| (one - value) * (one - value)).sum();
@@ -43,11 +43,11 @@ mod tests {
 
     #[test]
     fn few_values_are_trusted_less() {
-        let mean = Mean::of([1.0, 2.0, 3.0].into_iter());
+        let mean = Mean::new([1.0, 2.0, 3.0].into_iter());
         assert_eq!(mean.value, 2.0);
         // Student's t of 2 degrees of freedom is 4.3027, that of the normal distribution 1.95996.
         assert!((mean.standard_error - 4.3027 / 1.95996 / 3f64.sqrt()).abs() < 1e-4);
-        assert_eq!(Mean::of([1.0].into_iter()).standard_error, f64::INFINITY);
+        assert_eq!(Mean::new([1.0].into_iter()).standard_error, f64::INFINITY);
         assert!((wider(16) / (2.1199 / 1.95996) - 1.0).abs() < 2e-3);
     }
 }

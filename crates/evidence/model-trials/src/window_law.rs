@@ -18,7 +18,7 @@ pub struct WindowLaw {
 impl WindowLaw {
     /// Creates the law of a band; `None` if it has not been pressed.
     #[must_use]
-    pub fn of(elements: &[ElementsRow], band: &WaveBand) -> Option<Self> {
+    pub fn from_elements(elements: &[ElementsRow], band: &WaveBand) -> Option<Self> {
         let mut rows: Vec<&ElementsRow> =
             elements.iter().filter(|row| row.band() == *band && row.spread_over_hardness.is_none()).collect();
         rows.sort_by(|a, b| a.pressure_over_gradient.total_cmp(&b.pressure_over_gradient));
@@ -79,13 +79,13 @@ mod tests {
     #[test]
     fn a_law_goes_through_what_was_pressed_and_is_proportional_to_lighter_loads() {
         let rows = [row(0.1, 0.2), row(0.01, 0.022), row(1.0, 0.96)];
-        let law = WindowLaw::of(&rows, &rows[0].band()).unwrap();
+        let law = WindowLaw::from_elements(&rows, &rows[0].band()).unwrap();
         for row in &rows {
             assert!((law.area_fraction(row.pressure_over_gradient) / row.area_fraction - 1.0).abs() < 1e-12);
         }
         // A law that is k times Persson's everywhere stays k times it between the loads.
         let scaled = [0.01, 1.0].map(|load| row(load, 1.02 * persson(load)));
-        let law = WindowLaw::of(&scaled, &scaled[0].band()).unwrap();
+        let law = WindowLaw::from_elements(&scaled, &scaled[0].band()).unwrap();
         assert!((law.area_fraction(0.1) / persson(0.1) - 1.02).abs() < 1e-12);
         assert!((law.area_fraction(1e-6) / law.area_fraction(1e-5) - 0.1).abs() < 1e-8);
         assert_eq!(law.area_fraction(30.0), 1.0);

@@ -48,7 +48,7 @@ fn wide_bands() -> Vec<WaveBand> {
 pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
     let mut rows = Vec::new();
     for band in wide_bands() {
-        let Some(law) = WindowLaw::of(elements, &one_decade(band.hurst_exponent)) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &one_decade(band.hurst_exponent)) else { continue };
         let whole: Vec<&ElementsRow> =
             elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()).collect();
         let loads: Vec<TrialLoad> = whole.iter().map(|row| row.load()).collect();
@@ -98,7 +98,7 @@ fn last_windows(
     ];
     let mut found = Vec::new();
     for (name, form) in bands {
-        let Some(law) = WindowLaw::of(elements, &form) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &form) else { continue };
         let short_m = BOX_M / band.last_wave;
         let long_m = short_m * (form.last_wave / form.first_wave);
         found.push((name, window(band, pressure_over_gradient, long_m, short_m)?, law));
