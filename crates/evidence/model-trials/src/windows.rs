@@ -48,7 +48,9 @@ fn wide_bands() -> Vec<WaveBand> {
 pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
     let mut rows = Vec::new();
     for band in wide_bands() {
-        let Some(law) = WindowLaw::from_elements(elements, &one_decade(band.hurst_exponent)) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &one_decade(band.hurst_exponent)) else {
+            continue;
+        };
         let whole: Vec<&ElementsRow> =
             elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()).collect();
         let loads: Vec<TrialLoad> = whole.iter().map(|row| row.load()).collect();

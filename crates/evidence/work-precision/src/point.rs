@@ -147,7 +147,7 @@ pub enum Outcome {
 
 impl Outcome {
     /// Compares an answer with its reference.
-    pub fn of(given: Given, answer: &Answer, exact: &State) -> Self {
+    pub fn new(given: Given, answer: &Answer, exact: &State) -> Self {
         match given.error(answer, exact) {
             error if error <= WRONG_FROM => Outcome::Right(error),
             error => Outcome::Wrong(error),
@@ -207,8 +207,8 @@ mod tests {
         assert!((Given::Pressure.error(&answer, &EXACT) - 1e-3).abs() < 1e-12);
         assert!((Given::Separation.error(&answer, &EXACT) - 1e-5).abs() < 1e-12);
         let undefined = Answer { area_fraction: f64::NAN, ..answer };
-        assert_eq!(Outcome::of(Given::Pressure, &undefined, &EXACT), Outcome::Wrong(f64::INFINITY));
+        assert_eq!(Outcome::new(Given::Pressure, &undefined, &EXACT), Outcome::Wrong(f64::INFINITY));
         let zero = Answer { pressure_pa: 0.0, area_fraction: 0.0, ..answer };
-        assert_eq!(Outcome::of(Given::Separation, &zero, &EXACT), Outcome::Wrong(1.0));
+        assert_eq!(Outcome::new(Given::Separation, &zero, &EXACT), Outcome::Wrong(1.0));
     }
 }

@@ -37,7 +37,7 @@ fn our_points(group: &Group, given: Given) -> Vec<Point> {
         for at in 0..group.states.len() {
             let (answer, seconds) =
                 ours::timed_answer(group, &group.states[at], given, tolerance, OUR_BUDGET_S);
-            let outcome = Outcome::of(given, &answer, &group.states[at]);
+            let outcome = Outcome::new(given, &answer, &group.states[at]);
             points.push(point(group, at, given, Engine::Ours, tolerance, seconds, outcome));
         }
     }
@@ -49,7 +49,7 @@ fn our_batches(group: &Group, given: Given) -> Vec<Point> {
     for &tolerance in Engine::OursBatch.settings() {
         let (answers, seconds) = ours::timed_batch(group, given, tolerance, OUR_BUDGET_S);
         points.extend(answers.iter().enumerate().map(|(at, answer)| {
-            let outcome = Outcome::of(given, answer, &group.states[at]);
+            let outcome = Outcome::new(given, answer, &group.states[at]);
             point(group, at, given, Engine::OursBatch, tolerance, seconds, outcome)
         }));
     }
@@ -69,7 +69,7 @@ fn their_points(
     });
     let asked = Question {
         engine: worker_name(engine),
-        setting: Setting::of(setting),
+        setting: Setting::from_number(setting),
         by_pressure: given == Given::Pressure,
         case: &group.case,
         at: At::Many(at.collect()),
@@ -78,7 +78,7 @@ fn their_points(
     let rows = worker.ask(&asked);
     let outcome = |at: usize| match &rows {
         Ok(rows) => match rows.get(at) {
-            Some(row) => (row.seconds, Outcome::of(given, &answer(row), &group.states[at])),
+            Some(row) => (row.seconds, Outcome::new(given, &answer(row), &group.states[at])),
             None => (0.0, Outcome::Failed("no answer".to_owned())),
         },
         Err(reason) => (0.0, Outcome::Failed(reason.clone())),

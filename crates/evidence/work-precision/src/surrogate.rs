@@ -85,7 +85,7 @@ pub enum Method {
 
 /// Errors of a method for a number of plans.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
+pub struct MethodErrors {
     /// Method used.
     pub method: Method,
     /// Number of plans run.
@@ -114,7 +114,7 @@ struct Design {
 ///
 /// # Errors
 /// A message if the scene fails.
-pub fn found() -> Result<Vec<Found>, String> {
+pub fn method_errors() -> Result<Vec<MethodErrors>, String> {
     let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).map_err(|error| error.to_string())?;
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut draws = || -> Vec<Draw> {
@@ -160,7 +160,7 @@ fn compared(
     method: Method,
     plans: usize,
     answers: impl Fn(usize) -> Option<Vec<Answer>> + Sync,
-) -> Option<Found> {
+) -> Option<MethodErrors> {
     let repeats = REPEATS.min(REFERENCE_DRAWS / plans);
     let answers: Vec<Vec<Answer>> =
         parallel::map_indices(repeats, answers).into_iter().collect::<Option<_>>()?;
@@ -173,7 +173,7 @@ fn compared(
     let shares = pairs().flat_map(|(found, reference)| {
         (0..INPUTS).map(move |input| (found.shares[input] - reference.shares[input]).powi(2))
     });
-    Some(Found {
+    Some(MethodErrors {
         method,
         plans,
         ends: root_mean_square(ends.collect()),

@@ -4,12 +4,12 @@
 use std::process::ExitCode;
 
 use work_precision::page::{error, table};
-use work_precision::surrogate::{Found, Method, found};
+use work_precision::surrogate::{Method, MethodErrors, method_errors};
 
 fn main() -> ExitCode {
-    match found() {
+    match method_errors() {
         Ok(rows) => {
-            let row = |found: &Found| {
+            let row = |found: &MethodErrors| {
                 let method = match found.method {
                     Method::Plain => "plain sampling".to_owned(),
                     Method::Polynomial(degree) => format!("polynomial of degree {degree}"),

@@ -39,7 +39,7 @@ pub enum Setting {
 
 impl Setting {
     /// Converts a number of a table.
-    pub fn of(number: f64) -> Self {
+    pub fn from_number(number: f64) -> Self {
         if number < 1.0 { Setting::Tolerance(number) } else { Setting::Nodes(number as u32) }
     }
 }
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn tolerances_and_nodes_are_told_apart() {
-        let written = |number| serde_json::to_string(&Setting::of(number)).unwrap();
+        let written = |number| serde_json::to_string(&Setting::from_number(number)).unwrap();
         assert_eq!((written(1e-4).as_str(), written(1e5).as_str()), ("0.0001", "100000"));
     }
 }
