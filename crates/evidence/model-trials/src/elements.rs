@@ -5,7 +5,7 @@ use std::io::{Read, Write};
 use serde::{Deserialize, Serialize};
 
 use crate::TrialError;
-use crate::pressing::{Pressed, pressed};
+use crate::pressing::{LoadResult, press};
 use crate::programme::Trial;
 use crate::spectra::{TrialLoad, WaveBand};
 
@@ -79,23 +79,23 @@ const GRID_REST: f64 = 0.007;
 pub fn rows_of(trial: &Trial) -> Result<Vec<ElementsRow>, TrialError> {
     let alpha = trial.band.alpha()?;
     let WaveBand { hurst_exponent, first_wave, rolloff_wave, last_wave } = trial.band;
-    let row = |pressed: &Pressed| ElementsRow {
+    let row = |result: &LoadResult| ElementsRow {
         hurst_exponent,
         first_wave,
         rolloff_wave,
         last_wave,
         alpha: digits(alpha),
-        pressure_over_gradient: pressed.load.pressure_over_gradient,
-        spread_over_hardness: pressed.load.spread_over_hardness,
-        area_fraction: digits(pressed.area.value),
-        area_fraction_corrected: digits(pressed.corrected.value),
-        plastic_area_fraction: digits(pressed.plastic.value),
-        standard_error: digits(pressed.area.standard_error),
-        plastic_standard_error: digits(pressed.plastic.standard_error),
+        pressure_over_gradient: result.load.pressure_over_gradient,
+        spread_over_hardness: result.load.spread_over_hardness,
+        area_fraction: digits(result.area.value),
+        area_fraction_corrected: digits(result.corrected.value),
+        plastic_area_fraction: digits(result.plastic.value),
+        standard_error: digits(result.area.standard_error),
+        plastic_standard_error: digits(result.plastic.standard_error),
         realisations: trial.realisations,
         grid: trial.grid,
     };
-    Ok(pressed(trial)?.iter().map(row).collect())
+    Ok(press(trial)?.iter().map(row).collect())
 }
 
 /// Rows of a trial in a table; `None` unless the table has all of them as the trial would make them.

@@ -20,7 +20,7 @@ const FEWEST_POINTS_PER_WAVE: f64 = 2.5;
 
 /// Mean result of boundary elements over the surfaces under a load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pressed {
+pub struct LoadResult {
     /// Load on the surfaces.
     pub load: TrialLoad,
     /// Area, extrapolated from two grids if both resolve the shortest wavelength.
@@ -35,12 +35,12 @@ pub struct Pressed {
 ///
 /// # Errors
 /// The error of making or pressing a surface.
-pub fn pressed(trial: &Trial) -> Result<Vec<Pressed>, TrialError> {
+pub fn press(trial: &Trial) -> Result<Vec<LoadResult>, TrialError> {
     let numbers: Vec<u64> = (0..trial.realisations).collect();
     let of_surfaces = parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
     let of_load = |(at, &load): (usize, &TrialLoad)| {
         let mean = |of: fn(&Areas) -> f64| Mean::new(of_surfaces.iter().map(|areas| of(&areas[at])));
-        Pressed {
+        LoadResult {
             load,
             area: mean(|areas| areas.extrapolated),
             corrected: mean(|areas| areas.corrected),
