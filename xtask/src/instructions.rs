@@ -33,7 +33,7 @@ fn compare(accept: bool) -> io::Result<bool> {
     let (mut counts, mut within) = (Vec::new(), true);
     for work in pieces()? {
         let count = count(&work)?;
-        let verdict = accepted.get(&work).map_or(Verdict::New, |&before| Verdict::of(count, before));
+        let verdict = accepted.get(&work).map_or(Verdict::New, |&before| Verdict::moved(count, before));
         println!("{count:>13}  {work:32} {}", verdict.text());
         within &= verdict.is_within();
         counts.push((work, count));
@@ -60,7 +60,7 @@ enum Verdict {
 }
 
 impl Verdict {
-    fn of(count: u64, before: u64) -> Self {
+    fn moved(count: u64, before: u64) -> Self {
         Verdict::Moved { growth: count as f64 / before as f64 - 1.0 }
     }
 
@@ -158,7 +158,7 @@ mod test {
     #[test]
     fn growth_beyond_the_bound_fails_and_less_work_does_not() {
         for (count, before, within) in [(1049, 1000, true), (1051, 1000, false), (50, 100, true)] {
-            assert_eq!(Verdict::of(count, before).is_within(), within, "{count} after {before}");
+            assert_eq!(Verdict::moved(count, before).is_within(), within, "{count} after {before}");
         }
         assert!(!Verdict::New.is_within());
     }

@@ -57,8 +57,8 @@ impl ContactState {
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
-        let pressure = Product::of(sums.pressure_pa, scale, log_density);
-        let area_fraction = Product::of(sums.area_fraction, scale, log_density);
+        let pressure = Product::new(sums.pressure_pa, scale, log_density);
+        let area_fraction = Product::new(sums.area_fraction, scale, log_density);
         ContactState {
             separation_m: None,
             pressure_pa: pressure.value,
@@ -134,7 +134,7 @@ struct Product {
 
 impl Product {
     /// Multiplies a positive integral over the reference density by that density, given with its logarithm.
-    fn of(sum: f64, density: f64, log_density: f64) -> Self {
+    fn new(sum: f64, density: f64, log_density: f64) -> Self {
         // If the density is subnormal, its product with a large number may not be.
         let value = sum * density;
         if density.is_normal() && value.is_normal() {

@@ -102,7 +102,7 @@ impl<'a> Sweep<'a> {
         };
         let evaluations = self.frames.evaluations() - spent;
         let sigma_s_m = self.frames.sigma_s_m;
-        let here = self.frames.of(cell).at(u);
+        let here = self.frames.frame(cell).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
         let state = ContactState::on_frame(&here, 0.0, sigma_s_m);
         let error_estimate = state.error_estimate + missed_by;

@@ -65,11 +65,11 @@ pub(crate) fn rough<'a>(
     let mut builder = Builder { panels, quantities: Quantities::Pressure, scratch };
     let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
     let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
-        let ends = [window.low, window.high].map(|s| coordinate.of(s));
+        let ends = [window.low, window.high].map(|s| coordinate.at(s));
         builder.add_trapezoid(coordinate, ends, Trapezoid::between(ends[0], ends[1], precision.digits));
         return builder.panels;
     };
-    let [low, middle, high] = [window.low, kink, window.high].map(|s| coordinate.of(s));
+    let [low, middle, high] = [window.low, kink, window.high].map(|s| coordinate.at(s));
     builder.add(Variable::Own(coordinate), [low, middle], 0, Rule::of_at_least(NODES_BELOW));
     builder.panels.saturation = asperities.saturation().map(|(_, response)| (kink, response));
     if builder.panels.saturation.is_none() {
@@ -113,7 +113,7 @@ fn add_piece<'a>(
         }
         Chart::Law(chart) => (Variable::Law(chart), chart.resolution(low == 0.0), chart.growth()),
     };
-    let ends = [low, high].map(|s| variable.of(s, s * sigma_s_m));
+    let ends = [low, high].map(|s| variable.at(s, s * sigma_s_m));
     let nodes = resolution * nodes_between([low, high], growth, centre, digits);
     builder.add(variable, ends, 0, Rule::of_at_least(nodes.ceil() as usize));
 }

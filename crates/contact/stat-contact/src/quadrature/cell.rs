@@ -20,7 +20,7 @@ impl Cell {
     pub const ANY: Cell = Cell { index: 0.0 };
 
     /// Cell of a separation.
-    pub fn of(u: f64) -> Cell {
+    pub fn containing(u: f64) -> Cell {
         let position = if u > 0.0 { elementary::ln_1p(u) } else { u };
         Cell { index: (position / Self::WIDTH).round() }
     }
@@ -63,9 +63,9 @@ mod tests {
     #[test]
     fn a_cell_holds_the_separations_that_it_is_the_cell_of() {
         for u in [-1e4, -60.0, -0.03, 0.0, 0.07, 1.0, 59.9, 1e5] {
-            let cell = Cell::of(u);
+            let cell = Cell::containing(u);
             assert!(cell.nearest() <= u && u <= cell.farthest(), "{u}");
-            assert_eq!(Cell::of(cell.centre()), cell);
+            assert_eq!(Cell::containing(cell.centre()), cell);
         }
     }
 }

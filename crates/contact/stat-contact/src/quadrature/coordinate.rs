@@ -72,7 +72,7 @@ impl Coordinate {
     }
 
     /// The coordinate of an interference.
-    pub fn of(self, s: f64) -> f64 {
+    pub fn at(self, s: f64) -> f64 {
         match self {
             Coordinate::Root { c } => (s * (s + 2.0 * c)).sqrt(),
             Coordinate::Height { u } => s + u,
@@ -126,13 +126,13 @@ mod tests {
         for coordinate in [Coordinate::around(-3.0, -3.0, 30.0), Coordinate::around(60.0, 63.0, 30.0)] {
             for v in [1e-9, 0.1, 3.0, 40.0] {
                 let (s, slope) = interference(coordinate, v);
-                assert!((coordinate.of(s) / v - 1.0).abs() < 1e-14);
+                assert!((coordinate.at(s) / v - 1.0).abs() < 1e-14);
                 let difference = interference(coordinate, v * (1.0 + 1e-6)).0
                     - interference(coordinate, v * (1.0 - 1e-6)).0;
                 assert!((difference / (2e-6 * v) / slope - 1.0).abs() < 1e-9);
             }
         }
         let far = Coordinate::around(-60.0, -60.0, 30.0);
-        assert_eq!(interference(far, far.of(61.0)), (61.0, 1.0));
+        assert_eq!(interference(far, far.at(61.0)), (61.0, 1.0));
     }
 }

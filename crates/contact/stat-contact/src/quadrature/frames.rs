@@ -50,7 +50,7 @@ impl<'a> Frames<'a> {
     }
 
     /// Frame of a cell, built if missing.
-    pub fn of(&mut self, cell: Cell) -> &mut Frame<'a> {
+    pub fn frame(&mut self, cell: Cell) -> &mut Frame<'a> {
         if !self.are_one() && self.cells.get(self.last) != Some(&cell) {
             self.last =
                 self.cells.iter().position(|&other| other == cell).unwrap_or_else(|| self.build(cell));
@@ -63,7 +63,7 @@ impl<'a> Frames<'a> {
 
     /// Frame of the cell of a separation.
     pub fn at(&mut self, u: f64) -> &mut Frame<'a> {
-        if self.are_one() { self.of(Cell::ANY) } else { self.of(Cell::of(u)) }
+        if self.are_one() { self.frame(Cell::ANY) } else { self.frame(Cell::containing(u)) }
     }
 
     /// Law evaluations spent.
@@ -132,9 +132,9 @@ mod tests {
         for place in 1..MOST_FRAMES {
             frames.sums_at(-0.1 * place as f64);
         }
-        assert!(frames.have(Cell::of(0.0)));
+        assert!(frames.have(Cell::containing(0.0)));
         frames.sums_at(-0.1 * MOST_FRAMES as f64);
-        assert!(!frames.have(Cell::of(0.0)));
+        assert!(!frames.have(Cell::containing(0.0)));
         assert_eq!(frames.built.len(), MOST_FRAMES);
         let before = frames.evaluations();
         assert_eq!(frames.sums_at(0.0).pressure_pa, first);

@@ -19,9 +19,9 @@ pub(crate) enum Variable<'a> {
 
 impl Variable<'_> {
     /// Value at an interference, given in units of sigma_s and in metres.
-    pub fn of(self, s: f64, interference_m: f64) -> f64 {
+    pub fn at(self, s: f64, interference_m: f64) -> f64 {
         match self {
-            Variable::Own(coordinate) => coordinate.of(s),
+            Variable::Own(coordinate) => coordinate.at(s),
             Variable::Law(chart) => chart.coordinate(interference_m),
         }
     }

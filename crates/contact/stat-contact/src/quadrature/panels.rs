@@ -112,7 +112,7 @@ impl<'a> Panels<'a> {
                 let Summands { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
                 let loads = pressures_pa.as_flattened().iter().zip(densities.as_flattened());
                 let loads = loads.map(|(pressure_pa, density)| density * pressure_pa);
-                panel.sum_above(loads, panel.variable.of(s, interference_m))
+                panel.sum_above(loads, panel.variable.at(s, interference_m))
             })
             .sum();
         let saturated =

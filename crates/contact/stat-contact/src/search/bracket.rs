@@ -111,6 +111,6 @@ mod tests {
         for outside in [-3.0, 3.0, f64::NAN] {
             assert!(bracket.step(1.0, outside, Side::Nearer).abs() < 1e-7);
         }
-        assert_eq!(bracket.inside(Cell::of(7.0)), bracket.high);
+        assert_eq!(bracket.inside(Cell::containing(7.0)), bracket.high);
     }
 }

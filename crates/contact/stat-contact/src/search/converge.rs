@@ -56,18 +56,18 @@ impl Search<'_, '_> {
         if found.u - edge > leeway {
             return Some(found);
         }
-        let nearer = self.solve_again(Cell::of(edge - leeway), whole);
-        let nearer = nearer.filter(|at| found.u < edge || Cell::of(at.u) == at.cell);
+        let nearer = self.solve_again(Cell::containing(edge - leeway), whole);
+        let nearer = nearer.filter(|at| found.u < edge || Cell::containing(at.u) == at.cell);
         Some(nearer.unwrap_or(found))
     }
 
     /// Moves from cell to cell until one places the solution in itself.
     fn move_to_cell(&mut self, near: f64, mut bracket: Bracket) -> Option<SearchEnd> {
-        let (mut u, mut cell) = (bracket.inside(Cell::of(near)), Cell::of(near));
+        let (mut u, mut cell) = (bracket.inside(Cell::containing(near)), Cell::containing(near));
         let (mut from, mut steps) = (None, 0);
         loop {
             u = self.solve_on(cell, u, &mut bracket)?;
-            let next = Cell::of(u);
+            let next = Cell::containing(u);
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
             let undecided = from == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || steps == MOST_STEPS {
@@ -83,7 +83,7 @@ impl Search<'_, '_> {
     /// where two cells disagree. `None` if that leads away.
     fn solve_again(&mut self, cell: Cell, mut bracket: Bracket) -> Option<Found> {
         let u = self.solve_on(cell, bracket.inside(cell), &mut bracket)?;
-        (Cell::of(u) == cell || Cell::of(u).is_beside(cell)).then_some(Found { cell, u })
+        (Cell::containing(u) == cell || Cell::containing(u).is_beside(cell)).then_some(Found { cell, u })
     }
 
     /// Solves on the quadrature of a cell, or returns a separation that needs another one; `None` above the highest
@@ -93,12 +93,12 @@ impl Search<'_, '_> {
         const LAST_STEP: f64 = 1e-4;
         let mut u = start;
         for _ in 0..MOST_STEPS {
-            let frame = self.frames.of(cell);
+            let frame = self.frames.frame(cell);
             let sums = if u == frame.centre { frame.sums_at_centre() } else { frame.sums_at(u) };
             let next = self.next(u, &sums, bracket)?;
             let step = next - u;
             u = next;
-            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !self.frames.of(cell).serves(u) {
+            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !self.frames.frame(cell).serves(u) {
                 break;
             }
         }
@@ -114,7 +114,7 @@ impl Search<'_, '_> {
     /// Relative residual of the pressure ([`Answer`](super::problem::Answer)).
     pub fn missed_by(&mut self, Found { cell, u }: Found) -> f64 {
         const CLOSE: f64 = 1e-11;
-        let sums = self.frames.of(cell).sums_at(u);
+        let sums = self.frames.frame(cell).sums_at(u);
         let missing = self.missing(u, &sums).abs();
         let rounding = CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs();
         if missing <= rounding { 0.0 } else { missing }
@@ -126,7 +126,7 @@ impl Search<'_, '_> {
         const CAUTION: f64 = 4.0;
         // Share of a cell from which on the quadratures do not determine the cell of the solution.
         const SMALL: f64 = 0.25;
-        let slope = self.frames.of(cell).sums_at(u).log_pressure_slope();
+        let slope = self.frames.frame(cell).sums_at(u).log_pressure_slope();
         let leeway = -CAUTION * self.frames.precision.around(cell.centre()).tolerance / slope;
         (0.0 < leeway && leeway < SMALL * (cell.farthest() - cell.nearest())).then_some(leeway)
     }

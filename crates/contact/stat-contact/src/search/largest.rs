@@ -51,7 +51,7 @@ impl Search<'_, '_> {
             neighbour.sums.and_then(|sums| self.next(neighbour.u, &sums, &mut { Bracket::EVERYTHING }));
         let Some(next) = next else { return self.approach(neighbour.u, Bracket::EVERYTHING) };
         // An existing frame costs less than a rough one.
-        let is_near = is_near(neighbour.u, next) || self.frames.have(Cell::of(next));
+        let is_near = is_near(neighbour.u, next) || self.frames.have(Cell::containing(next));
         if is_near { next } else { self.approach(next, Bracket::EVERYTHING) }
     }
 
@@ -87,6 +87,6 @@ impl Search<'_, '_> {
         // the error of the quadrature.
         let falls_before_end =
             self.frames.asperities.falls_from_m().is_some_and(|at_m| at_m <= FAR * self.frames.sigma_s_m);
-        (!falls_before_end).then_some(Found { cell: Cell::of(-FAR), u: -FAR })
+        (!falls_before_end).then_some(Found { cell: Cell::containing(-FAR), u: -FAR })
     }
 }

@@ -57,13 +57,13 @@ impl Search<'_, '_> {
             low = high;
         }
         // The last distance is past any separation whose pressure is above the smallest number.
-        Found { cell: Cell::of(low), u: low }
+        Found { cell: Cell::containing(low), u: low }
     }
 
     /// Crossing between two separations; the nearer one carries the pressure or more, the other one less.
     fn bisect(&mut self, low: f64, high: f64) -> Found {
         let u = zero_in_bracket(low, high, |u| self.missing_at(u));
-        Found { cell: Cell::of(u), u }
+        Found { cell: Cell::containing(u), u }
     }
 
     /// Bracket of the largest solution for a force that steps down at an interference, in units of sigma_s.

@@ -149,7 +149,7 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
     },
     |evidence| {
         let spread = spread(evidence);
-        let Shape { dips, plateaus, slopes } = Shape::of(&evidence.areas(SPHERE));
+        let Shape { dips, plateaus, slopes } = Shape::new(&evidence.areas(SPHERE));
         let one_curve = spread < 2.0;
         let dips_there = dips.iter().flatten().any(|dip| (0.3e-6..=3e-6).contains(&dip.wavelength_m));
         let level = plateaus.len() == evidence.loads_pa().len()
@@ -265,7 +265,7 @@ pub(super) const LAST_FALL: (Statement, Check) = (
     },
     |evidence| {
         let curves = evidence.areas(SPHERE);
-        let Shape { dips, .. } = Shape::of(&curves);
+        let Shape { dips, .. } = Shape::new(&curves);
         let ratio = |(curve, dips): (&Vec<Point>, &Vec<Dip>)| {
             let lowest = dips.iter().map(|dip| dip.value).reduce(f64::min)?;
             Some(curve.last()?.1 / lowest)
@@ -310,7 +310,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(curves: &[Vec<Point>]) -> Self {
+    fn new(curves: &[Vec<Point>]) -> Self {
         Shape {
             dips: curves.iter().map(|curve| dips(curve, VISIBLE)).collect(),
             plateaus: curves.iter().filter_map(|curve| level_part(curve)).collect(),
