@@ -93,13 +93,13 @@ def powers(coefficients, of_w=False):
 # Name, function, number of Chebyshev points, number of coefficients, whether in powers of w, what it is.
 STRETCHES = [
     ("NEAR", near, 32, 32, False,
-     ["Of t = (u - 3)/(u + 3) for u >= 0: the load over exp(-u^2/2), times (1 + u)^(5/2)."]),
-    ("FROM_0_TO_3", within(mp.mpf(3) / 2), 24, 24, False, ["Of t = -(u + 1.5)/1.5 for -3 <= u < 0: the load."]),
-    ("FROM_3_TO_6", within(mp.mpf(9) / 2), 24, 24, False, ["Of t = -(u + 4.5)/1.5 for -6 <= u < -3: the load."]),
-    ("FROM_6_TO_9", within(mp.mpf(15) / 2), 20, 20, False, ["Of t = -(u + 7.5)/1.5 for -9 <= u < -6: the load."]),
-    ("FAR", far, 12, 12, True, ["Of w = (9/u)^2 for u < -9: the load over (-u)^(3/2)."]),
+     ["In t = (u - 3)/(u + 3) for u >= 0: the load over exp(-u^2/2), times (1 + u)^(5/2)."]),
+    ("FROM_0_TO_3", within(mp.mpf(3) / 2), 24, 24, False, ["In t = -(u + 1.5)/1.5 for -3 <= u < 0: the load."]),
+    ("FROM_3_TO_6", within(mp.mpf(9) / 2), 24, 24, False, ["In t = -(u + 4.5)/1.5 for -6 <= u < -3: the load."]),
+    ("FROM_6_TO_9", within(mp.mpf(15) / 2), 20, 20, False, ["In t = -(u + 7.5)/1.5 for -9 <= u < -6: the load."]),
+    ("FAR", far, 12, 12, True, ["In w = (9/u)^2 for u < -9: the load over (-u)^(3/2)."]),
     ("FIRST_MOMENT", first_moment, 40, 26, False,
-     ["Of t = (u - 5)/(u + 5) for u >= 0: phi(u) - u Q(u) over phi(u), times (1 + u)^2; filled up with zeros to make up",
+     ["In t = (u - 5)/(u + 5) for u >= 0: phi(u) - u Q(u) over phi(u), times (1 + u)^2; filled up with zeros to make up",
       "fours."]),
 ]
 

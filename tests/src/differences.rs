@@ -1,4 +1,4 @@
-//! A page that shows how golden curves have changed: old and new drawn over each other, and how far each line moved.
+//! Page of changed golden curves: old and new drawn over each other, with the deviation of each line.
 
 use std::path::PathBuf;
 
@@ -9,10 +9,10 @@ use study::figure::{FigureData, Series};
 use crate::committed_file;
 use crate::golden::{GoldenCurve, TOLERANCE, columns, deviations};
 
-/// Writes the page on the curves that are not as accepted, and yields where it is; nothing where all are.
+/// Writes the page on the curves that differ from the accepted ones, and returns its path; `None` if all agree.
 ///
 /// # Panics
-/// Where the page cannot be written.
+/// If the page cannot be written.
 pub fn write_differences(curves: &[GoldenCurve]) -> Option<PathBuf> {
     let changed: Vec<&GoldenCurve> = curves.iter().filter(|curve| !curve.is_as_accepted()).collect();
     let path = committed_file("target/golden-differences.html");
@@ -59,7 +59,7 @@ fn section(curve: &GoldenCurve) -> Markup {
     }
 }
 
-/// The accepted lines beneath the computed ones.
+/// Draws the accepted lines beneath the computed ones.
 fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
     let columns = accepted.and_then(columns).unwrap_or_default();
     let abscissas = columns.first().map(|(_, values)| values.as_slice()).unwrap_or_default();

@@ -17,19 +17,19 @@ use crate::committed_file;
 /// Relative deviation from which a golden value counts as changed.
 pub const TOLERANCE: f64 = 1e-9;
 
-/// The picture the README shows, and the figure it is.
+/// Picture of the README, and its figure.
 const README_PICTURE: (&str, Template, &str) =
     ("docs/contact-area.svg", Template::UncdReconstructed, "figure-4");
 
-/// One curve of a figure, under all its conditions, and the name of its snapshot.
+/// Curve of a figure, under all its conditions, with the name of its snapshot.
 pub struct GoldenCurve {
-    /// `scene__figure__curve`; `scene__figure` where the figure is of one quantity.
+    /// Name `scene__figure__curve`, or `scene__figure` for a figure of one quantity.
     pub name: String,
-    /// The figure with this curve alone.
+    /// Figure with this curve alone.
     pub data: FigureData,
 }
 
-/// Every curve of every figure of every scene, computed now, by the code that `cargo xtask reproduce` runs.
+/// Computes every curve of every figure of every scene, by the code that `cargo xtask reproduce` runs.
 pub fn curves() -> Vec<GoldenCurve> {
     let of_scene = |template: Template| {
         let (scene, results) = computed(template);
@@ -66,7 +66,7 @@ fn computed(template: Template) -> (Scene, study::plan::Results) {
 }
 
 impl GoldenCurve {
-    /// The curve as text: a line of column names, then a line per abscissa, with twelve digits.
+    /// Returns the curve as text: a line of column names, then a line per abscissa, with twelve digits.
     pub fn text(&self) -> String {
         let table = self.data.table();
         let mut lines = vec![table.columns().map(|(name, _)| name.to_owned()).collect::<Vec<_>>().join(",")];
@@ -82,26 +82,27 @@ impl GoldenCurve {
         lines.join("\n")
     }
 
-    /// The file of the snapshot.
+    /// Path of the snapshot.
     pub fn path(&self) -> PathBuf {
         committed_file(&format!("tests/golden/{}.snap", self.name))
     }
 
-    /// The accepted text, where there is one.
+    /// Accepted text, if any.
     pub fn accepted(&self) -> Option<String> {
         let file = std::fs::read_to_string(self.path()).ok()?;
         // A snapshot is a block of metadata between two lines of dashes, and the text.
         file.splitn(3, "---\n").nth(2).map(|text| text.trim_end().to_owned())
     }
 
-    /// Whether the curve is as accepted.
+    /// True if the curve agrees with the accepted one.
     pub fn is_as_accepted(&self) -> bool {
         let columns = self.accepted().and_then(|accepted| deviations(&accepted, &self.text()));
         columns.is_some_and(|columns| columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE))
     }
 }
 
-/// What a reviewer reads first: a line per line of a figure, with its ends, its extremes, and where it settles.
+/// Summary for reviewers: a line per line of a figure, with its ends, its extremes, and the point from which it
+/// settles.
 pub fn summary(curves: &[GoldenCurve]) -> String {
     let mut lines =
         vec!["curve | line | points | first | last | least | most | within 1 % of the last from".to_owned()];
@@ -146,7 +147,7 @@ impl Comparator for Numbers {
     }
 }
 
-/// The largest relative deviation of each column; `None` where names or lengths differ.
+/// Largest relative deviation of each column; `None` if names or lengths differ.
 pub fn deviations(accepted: &str, computed: &str) -> Option<Vec<(String, f64)>> {
     let (accepted, computed) = (columns(accepted)?, columns(computed)?);
     let same_shape = accepted.len() == computed.len()
@@ -168,12 +169,12 @@ fn deviation(accepted: f64, computed: f64) -> f64 {
     if relative.is_nan() { f64::INFINITY } else { relative }
 }
 
-/// Empty cells read as NaN.
+/// Returns true if both are NaN, as empty cells are read.
 fn both_empty(accepted: f64, computed: f64) -> bool {
     accepted.is_nan() && computed.is_nan()
 }
 
-/// The columns of a snapshot's text by name; empty cells are NaN.
+/// Columns of a snapshot's text by name; empty cells are NaN.
 pub(crate) fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
     let mut lines = text.lines();
     let mut columns: Vec<(String, Vec<f64>)> =
@@ -190,7 +191,7 @@ pub(crate) fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
     Some(columns)
 }
 
-/// Whether the README's picture is the figure as drawn now.
+/// Returns true if the README's picture is the figure as drawn now.
 pub fn readme_picture_is_current() -> bool {
     std::fs::read_to_string(committed_file(README_PICTURE.0))
         .is_ok_and(|committed| committed == readme_picture())

@@ -2,19 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
-/// A table of reference values read by column name.
+/// Table of reference values read by column name.
 pub struct ReferenceTable {
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
 }
 
 impl ReferenceTable {
-    /// A table committed with these tests, in `tests/reference`.
+    /// Reads a table committed with these tests, in `tests/reference`.
     pub fn committed(name: &str) -> Self {
         Self::read(&committed_file(&format!("tests/reference/{name}")))
     }
 
-    /// The table in a file.
+    /// Reads the table in a file.
     pub fn read(path: &Path) -> Self {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
@@ -31,17 +31,17 @@ impl ReferenceTable {
         self.rows.len()
     }
 
-    /// Whether the table has no rows.
+    /// True if the table has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Whether there is such a column.
+    /// True if the table has the column.
     pub fn has(&self, column: &str) -> bool {
         self.columns.iter().any(|name| name == column)
     }
 
-    /// The column as typed.
+    /// Column as text.
     pub fn text(&self, column: &str) -> Vec<&str> {
         let at = self
             .columns
@@ -51,7 +51,7 @@ impl ReferenceTable {
         self.rows.iter().map(|row| row[at].as_str()).collect()
     }
 
-    /// The column as numbers.
+    /// Column as numbers.
     pub fn numbers(&self, column: &str) -> Vec<f64> {
         self.text(column)
             .iter()
@@ -60,13 +60,13 @@ impl ReferenceTable {
     }
 }
 
-/// A file of the shared folder beside the checkout, which tests that are ignored without it read.
+/// Path of a file of the shared folder beside the checkout, used by tests that are ignored without it.
 pub fn shared_file(name: &str) -> PathBuf {
     committed_file("..").join("shared").join(name)
 }
 
-/// A file of this repository, from its top. The checkout is the one that cargo was called in, which need not be the one that
-/// compiled this: two of them may share a folder for what is built.
+/// Path of a file of this repository, from its top. The checkout is the one in which cargo was called, not
+/// necessarily the one that compiled this: two of them may share a target folder.
 pub fn committed_file(path: &str) -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR")
         .map_or(PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
@@ -79,12 +79,12 @@ pub fn committed_file(path: &str) -> PathBuf {
 pub struct Deviations(Vec<f64>);
 
 impl Deviations {
-    /// Notes the deviation of one value. An exact match, of zeros too, deviates by nothing.
+    /// Notes the deviation of one value. An exact match, also of zeros, has no deviation.
     pub fn note(&mut self, computed: f64, reference: f64) {
         self.note_beyond(0.0, computed, reference);
     }
 
-    /// Notes by how much the deviation of one value exceeds what no double-precision result could avoid.
+    /// Notes by how much the deviation of one value exceeds the unavoidable error of double precision.
     pub fn note_beyond(&mut self, unavoidable: f64, computed: f64, reference: f64) {
         let deviation = if computed == reference { 0.0 } else { (computed / reference - 1.0).abs() };
         // A comparison with NaN is false, and would pass any bound.

@@ -1,13 +1,14 @@
-//! Run time against error, beside what users have today: `docs/develop/performance.md`.
+//! Run time against error, compared with what users have today: `docs/performance.md`.
 
 use std::process::{Command, ExitCode};
 
 use tests::committed_file;
 
-/// Builds the study optimised and runs it: it measures for some minutes and rewrites the page's tables and plots.
+/// Builds the study in release mode and runs it: it measures for some minutes and rewrites the page's tables and
+/// plots.
 pub(crate) fn run() -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    // The program as well: how it scales is measured from outside.
+    // The program as well, because its scaling is measured from outside.
     for arguments in [
         ["build", "--release", "--package", "truearea-cli"].as_slice(),
         ["run", "--release", "--package", "truearea-work-precision"].as_slice(),

@@ -1,4 +1,4 @@
-//! The pictures of `docs/`, drawn from the program's own laws.
+//! Pictures of `docs/`, drawn from the program's own laws.
 
 use std::process::ExitCode;
 

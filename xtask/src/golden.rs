@@ -1,4 +1,4 @@
-//! How far every golden curve has moved since it was accepted.
+//! Deviations of the golden curves from the accepted ones.
 
 use std::process::{Command, ExitCode};
 
@@ -33,7 +33,7 @@ pub(crate) fn run(accept: bool) -> ExitCode {
     }
 }
 
-/// Prints the largest deviation of each line of a curve; tells whether all are within the tolerance.
+/// Prints the largest deviation of each line of a curve; returns true if all are within the tolerance.
 fn show(curve: &GoldenCurve) -> bool {
     let Some(accepted) = curve.accepted() else {
         println!("  new");
@@ -50,7 +50,7 @@ fn show(curve: &GoldenCurve) -> bool {
     columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE)
 }
 
-/// Lets the golden test write what it computes, and draws the README's picture.
+/// Lets the golden test write its curves, and draws the README's picture.
 fn rewrite() -> ExitCode {
     rewrite_readme_picture();
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

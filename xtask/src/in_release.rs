@@ -1,9 +1,9 @@
-//! Tasks of minutes, by crates of their own in their release profile: such work is not for the dev profile.
+//! Long tasks, run by programs of their own crates in release mode.
 
 use std::ffi::OsString;
 use std::process::{Command, ExitCode};
 
-/// Hands everything on to the program of a crate; what is not understood is refused there.
+/// Passes the arguments on to the program of a crate, which refuses unknown ones.
 pub(crate) fn run(package: &str, arguments: &[OsString]) -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)

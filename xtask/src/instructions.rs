@@ -1,7 +1,7 @@
-//! What the main kernels and the whole paper cost in instructions, against what was accepted.
+//! Instruction counts of the main kernels and of the whole paper, compared with the accepted ones.
 //!
-//! Instructions do not depend on what else the machine is doing, so they can be a gate where times cannot. They are those
-//! of the profile that the tests are built with.
+//! Instructions do not depend on the load of the machine, so that they can be a gate where times cannot. The profile
+//! is the one that tests are built with.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -9,9 +9,9 @@ use std::process::{Command, ExitCode, Output};
 
 use tests::committed_file;
 
-/// The growth of a count that fails, as a share of the accepted one.
+/// Growth of a count from which it fails, as a share of the accepted one.
 const MOST_GROWTH: f64 = 0.05;
-/// The accepted counts, by piece of work.
+/// Accepted counts, by piece of work.
 const ACCEPTED: &str = "tests/instructions.csv";
 const HEADER: &str = "work,instructions";
 
@@ -26,14 +26,14 @@ pub(crate) fn run(accept: bool) -> ExitCode {
     }
 }
 
-/// Counts every piece of work and prints it beside what was accepted; tells whether all stay within the bound.
+/// Counts every piece of work and prints it beside the accepted count; returns true if all stay within the bound.
 fn compare(accept: bool) -> io::Result<bool> {
     build()?;
     let accepted = accepted()?;
     let (mut counts, mut within) = (Vec::new(), true);
     for work in pieces()? {
         let count = count(&work)?;
-        let verdict = accepted.get(&work).map_or(Verdict::New, |&before| Verdict::of(count, before));
+        let verdict = accepted.get(&work).map_or(Verdict::New, |&before| Verdict::moved(count, before));
         println!("{count:>13}  {work:32} {}", verdict.text());
         within &= verdict.is_within();
         counts.push((work, count));
@@ -53,14 +53,14 @@ fn compare(accept: bool) -> io::Result<bool> {
     Ok(within)
 }
 
-/// How a count lies to the accepted one.
+/// Comparison of a count with the accepted one.
 enum Verdict {
     New,
     Moved { growth: f64 },
 }
 
 impl Verdict {
-    fn of(count: u64, before: u64) -> Self {
+    fn moved(count: u64, before: u64) -> Self {
         Verdict::Moved { growth: count as f64 / before as f64 - 1.0 }
     }
 
@@ -91,7 +91,7 @@ fn accepted() -> io::Result<BTreeMap<String, u64>> {
     counts(&text)
 }
 
-/// The rows below the header.
+/// Parses the rows below the header.
 fn counts(text: &str) -> io::Result<BTreeMap<String, u64>> {
     let row = |line: &str| {
         let (work, count) = line.split_once(',')?;
@@ -112,7 +112,7 @@ fn pieces() -> io::Result<Vec<String>> {
     Ok(String::from_utf8_lossy(&listed.stdout).lines().map(str::to_owned).collect())
 }
 
-/// Instructions of one piece of work.
+/// Counts the instructions of one piece of work.
 fn count(work: &str) -> io::Result<u64> {
     const COUNTED: &str = "instruction_counts::counted";
     let counted = output(
@@ -121,7 +121,7 @@ fn count(work: &str) -> io::Result<u64> {
             .arg(format!("--toggle-collect={COUNTED}"))
             .arg(program())
             .arg(work)
-            // The mathematical functions of the C library come in several variants; which one it takes depends on the processor.
+            // The mathematical functions of the C library come in several variants, chosen by processor.
             .env("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"),
     )
     .map_err(|error| match error.kind() {
@@ -136,13 +136,13 @@ fn count(work: &str) -> io::Result<u64> {
     }
 }
 
-/// The program that does the work, beside this one.
+/// Path of the program that does the work, beside this one.
 fn program() -> std::path::PathBuf {
     let here = std::env::current_exe().expect("this program has a path");
     here.with_file_name(format!("instruction_counts{}", std::env::consts::EXE_SUFFIX))
 }
 
-/// Runs a command to its end; one that fails is an error with what it said.
+/// Runs a command to its end; the error of a failing one is its output.
 fn output(command: &mut Command) -> io::Result<Output> {
     let output = command.output()?;
     if output.status.success() {
@@ -158,7 +158,7 @@ mod test {
     #[test]
     fn growth_beyond_the_bound_fails_and_less_work_does_not() {
         for (count, before, within) in [(1049, 1000, true), (1051, 1000, false), (50, 100, true)] {
-            assert_eq!(Verdict::of(count, before).is_within(), within, "{count} after {before}");
+            assert_eq!(Verdict::moved(count, before).is_within(), within, "{count} after {before}");
         }
         assert!(!Verdict::New.is_within());
     }

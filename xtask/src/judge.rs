@@ -1,5 +1,5 @@
-//! Which model to believe: presses what has not been pressed, and rewrites the tables and figures of
-//! `docs/guide/which-model.md`.
+//! Comparison of models with boundary elements: presses missing surfaces, and rewrites the tables and figures of
+//! `docs/which-model.md`.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -54,8 +54,7 @@ fn judge(anew: bool) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The areas of boundary elements: those of the table that the programme still has, the others pressed now, each kept once
-/// it is known.
+/// Areas of boundary elements: those of the table that are still in the programme, the others pressed now and kept.
 fn pressed(anew: bool) -> Result<Vec<ElementsRow>, Box<dyn Error>> {
     let path = beside("elements");
     let old = if anew || !path.exists() { Vec::new() } else { elements::read(&std::fs::read(&path)?[..])? };

@@ -13,16 +13,16 @@ const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evide
 /// The floors whose crates are fit for a browser: bytes in, values out.
 const CORE_FLOORS: usize = 4;
 
-/// Crates of contact that take numbers and know no spectrum and no scan: all but these.
+/// Crates of contact that know spectra or scans; all others take numbers.
 const JOINS_SURFACE_AND_CONTACT: [&str; 1] = ["truearea-rough-bem"];
 
-/// What only the command line may know, however far down the tree; a pool of threads stands behind a feature.
+/// Crates for the command line only, however far down the tree; a thread pool is behind a feature.
 const STRANGERS: [&str; 5] = ["annotate-snippets", "clap", "indicatif", "rayon", "tempfile"];
 
-/// The crates that write files and are therefore no part of the core.
+/// Crates that write files and are therefore outside of the core.
 const OUTSIDE: &[&str] = &["truearea-staging"];
 
-/// What a crate of bytes and values does not call.
+/// Calls that crates of bytes and values must not make.
 const FORBIDDEN_CALLS: [&str; 9] = [
     "std::fs",
     "std::env",
@@ -55,7 +55,7 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
-/// Rules that do not hold, a line each.
+/// Violated rules, a line each.
 fn faults(house: &House) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut faults = Vec::new();
     for (name, member) in &house.members {
@@ -115,17 +115,17 @@ fn crates_on_disk() -> Result<Vec<PathBuf>, Box<dyn std::error::Error>> {
     Ok(found)
 }
 
-/// The workspace as cargo knows it.
+/// The workspace as reported by cargo.
 struct House {
     members: BTreeMap<String, Member>,
 }
 
 struct Member {
-    /// The folder of its manifest.
+    /// Folder of its manifest.
     folder: PathBuf,
-    /// Its floor, counted from the ground; none for what stands outside `crates/`.
+    /// Floor, counted from the ground; `None` outside of `crates/`.
     floor: Option<usize>,
-    /// The crates that its library names.
+    /// Crates that its library names.
     named: BTreeSet<String>,
 }
 
@@ -187,7 +187,7 @@ fn member(package: &Value) -> (String, Member) {
     (name(package), member)
 }
 
-/// The crates in the tree of this one, with its default features, that only the command line may know.
+/// Crates in the dependency tree of this one, with its default features, that are for the command line only.
 fn strangers(name: &str) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let tree =
         cargo(&["tree", "--package", name, "--edges", "normal", "--prefix", "none", "--format", "{p}"])?;
@@ -196,7 +196,7 @@ fn strangers(name: &str) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     Ok(known.map(|stranger| format!("{name} must not have {stranger} in its tree")).collect())
 }
 
-/// Calls in a crate's sources, but for their tests, that only the command line may make.
+/// Calls in a crate's sources, except in tests, that are for the command line only.
 fn forbidden_calls(folder: &Path) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut faults = Vec::new();
     let mut folders = vec![folder.join("src")];
@@ -218,9 +218,9 @@ fn forbidden_calls(folder: &Path) -> Result<Vec<String>, Box<dyn std::error::Err
     Ok(faults)
 }
 
-/// The lines of a source with their numbers from 0, less comments and the items that only tests compile.
+/// Lines of a source with their numbers from 0, without comments and test-only items.
 fn library_lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    // As rustfmt sets it, an item ends with a semicolon, or with a closing brace at its own indentation.
+    // As formatted by rustfmt, an item ends with a semicolon, or with a closing brace at its own indentation.
     let mut test_item: Option<usize> = None;
     text.lines().enumerate().filter(move |(_, line)| {
         let code = line.trim_start();

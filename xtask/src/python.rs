@@ -1,14 +1,14 @@
-//! The Python package: its wheel, built and tried in a virtual environment of its own.
+//! The Python package: its wheel, built and tested in a virtual environment.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-/// More bytes than this a wheel may not have.
+/// Largest size of a wheel in bytes.
 const LARGEST_WHEEL: u64 = 8_000_000;
 
-/// Builds the wheel, installs it with everything that its tests need, and runs them: tests and examples, notebooks, and
-/// types by three checkers.
+/// Builds the wheel, installs it with the dependencies of its tests, and runs them: tests and examples, notebooks,
+/// and types by three checkers.
 pub(crate) fn run(anew: bool) -> ExitCode {
     match carry_out(anew) {
         Ok(()) => ExitCode::SUCCESS,
@@ -37,7 +37,7 @@ fn carry_out(anew: bool) -> Result<(), String> {
         place.call(&python, &["-m".as_ref(), "venv".as_ref(), place.environment().as_os_str()])?;
     }
     let wheel = place.wheel()?;
-    // What an earlier wheel of the same version left there is replaced; what the new one needs is added.
+    // An earlier wheel of the same version is replaced, and new dependencies are added.
     place.python(&["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", &wheel])?;
     place.python(&["-m", "pip", "install", "--quiet", &format!("{wheel}[tests,notebooks]")])?;
     let config = place.package.join("pyproject.toml").display().to_string();
@@ -51,7 +51,7 @@ fn carry_out(anew: bool) -> Result<(), String> {
     place.run("pyright", &["--pythonpath", &python, "--project", &config])
 }
 
-/// The command line of this checkout, whose digits the tests compare with.
+/// Builds the command line of this checkout, whose digits the tests compare with.
 fn command_line(root: &Path) -> Result<PathBuf, String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
@@ -67,7 +67,7 @@ fn command_line(root: &Path) -> Result<PathBuf, String> {
     }
 }
 
-/// Where the package stands, where what is made of it goes, and the command line beside it.
+/// Folders of the package and of its environment, and the command line beside it.
 struct Place {
     package: PathBuf,
     built: PathBuf,
@@ -84,7 +84,7 @@ impl Place {
         self.environment().join(programs).join(program)
     }
 
-    /// Builds the wheel, and looks at its size.
+    /// Builds the wheel, and checks its size.
     fn wheel(&self) -> Result<String, String> {
         let wheels = self.built.join("wheels");
         if wheels.exists() {
@@ -108,7 +108,7 @@ impl Place {
         self.run("python", arguments)
     }
 
-    /// Runs a program of the environment, away from the sources, so that what is imported is what was installed.
+    /// Runs a program of the environment, away from the sources, so that the installed package is imported.
     fn run(&self, program: &str, arguments: &[&str]) -> Result<(), String> {
         let arguments: Vec<&OsStr> = arguments.iter().map(OsStr::new).collect();
         self.call(self.in_environment(program).as_os_str(), &arguments)

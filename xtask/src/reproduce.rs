@@ -1,4 +1,4 @@
-//! The paper's figures, for every scene that comes with the program, and what becomes of its statements.
+//! Figures of the paper, for every scene that comes with the program, and the verdicts on its statements.
 
 use std::error::Error;
 use std::path::Path;
@@ -30,7 +30,7 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
-/// Writes figures, tables and claims, and says where they are.
+/// Writes figures, tables and claims, and prints their folder.
 fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
@@ -82,7 +82,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What a spectrum is called in the report.
+/// Name of a spectrum in the report.
 fn label(spectrum: &str) -> &str {
     match spectrum {
         "uncd-reconstructed" => "reconstruction",
@@ -91,7 +91,7 @@ fn label(spectrum: &str) -> &str {
     }
 }
 
-/// The ledger as the report shows it.
+/// Ledger in the form of the report.
 fn checked(ledger: &[paper::Row], others: &[paper::OtherModel]) -> page::Ledger {
     let finding = |(spectrum, finding): &(&'static str, paper::Finding)| page::Finding {
         label: label(spectrum).to_owned(),
@@ -128,7 +128,7 @@ fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {
     plan.carry_out(&Unobserved).map_err(Into::into)
 }
 
-/// How many statements each spectrum reproduces.
+/// Summary of how many statements each spectrum reproduces.
 fn verdicts(ledger: &[paper::Row]) -> String {
     let findings = || ledger.iter().flat_map(|row| row.findings.iter());
     let mut spectra: Vec<&str> = findings().map(|(spectrum, _)| *spectrum).collect();

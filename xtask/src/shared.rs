@@ -1,4 +1,4 @@
-//! The tests that need the folder of shared samples and references beside the checkout: all that are ignored without it.
+//! Tests that need the folder of shared samples and references beside the checkout, and are ignored without it.
 
 use std::process::{Command, ExitCode};
 

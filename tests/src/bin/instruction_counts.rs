@@ -1,8 +1,8 @@
-//! The work of the main kernels and of the whole paper, one piece at a time, to be counted by instructions:
-//! `cargo xtask instructions` runs this under valgrind and holds the counts against the accepted ones.
+//! Work of the main kernels and of the whole paper, one piece at a time, for counting instructions: `cargo xtask
+//! instructions` runs this under valgrind and compares the counts with the accepted ones.
 //!
-//! Without an argument it prints the names of the pieces. With one it does that piece twice: at first for what is made at
-//! its first use, and then inside [`counted`], which is where valgrind looks.
+//! Without an argument it prints the names of the pieces. With one it does that piece twice: first to initialise what
+//! is built at its first use, then inside [`counted`], where valgrind counts.
 
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -21,10 +21,10 @@ use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
 use topography::{Preparation, areal_spectrum, map_line_spectrum};
 
-/// What is counted.
+/// Work that is counted.
 type Work = Box<dyn Fn()>;
 
-/// A name and the preparation of its work.
+/// Name and preparation of a piece of work.
 type Piece = (&'static str, fn() -> Work);
 
 const PIECES: [Piece; 22] = [
@@ -69,7 +69,7 @@ fn main() -> ExitCode {
         eprintln!("error: {wanted} is not a piece of work; without an argument all of them are named");
         return ExitCode::from(2);
     };
-    // All on this thread: valgrind counts thread by thread.
+    // All on this thread, because valgrind counts per thread.
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
     one_thread.expect("a pool of the thread there is").install(|| {
         let work = prepare();
@@ -79,7 +79,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// The name that valgrind is told.
+/// Function in which valgrind counts, by name.
 #[inline(never)]
 fn counted(work: &dyn Fn()) {
     work();
@@ -98,7 +98,7 @@ fn growing_strength() -> NixGao {
     strength().with_strain_gradient(5e-6).expect("diamond")
 }
 
-/// So many numbers over the decades from `first` on, evenly.
+/// Returns `count` numbers, evenly over the decades from `first` on.
 fn over_decades(count: usize, first: f64, decades: f64) -> impl Iterator<Item = f64> + Clone {
     (0..count).map(move |i| first * 10f64.powf(decades * i as f64 / (count - 1) as f64))
 }
@@ -214,7 +214,8 @@ fn crossing_waves_m() -> Vec<f64> {
     (0..SIZE * SIZE).map(height_m).collect()
 }
 
-/// The two waves, repeated with their cliffs at the edges, pressed onto a half-space at a load that closes a fifth of it.
+/// The two waves, repeated with their cliffs at the edges, pressed onto a half-space at a load that closes a fifth of
+/// it.
 fn half_space(saturation_pa: Option<f64>) -> Work {
     let side_m = SIZE as f64 * 1e-9;
     let grid = Grid::new(SIZE, SIZE, side_m, side_m).expect("a grid");
@@ -227,7 +228,7 @@ fn half_space(saturation_pa: Option<f64>) -> Work {
     })
 }
 
-/// A map of 128 rows of 128 heights.
+/// Map of 128 rows of 128 heights.
 fn map(transform: fn(&HeightMap)) -> Work {
     let heights_m = crossing_waves_m();
     let map = HeightMap::new(SIZE, 1e-9, 1e-9, heights_m).expect("a map without gaps");

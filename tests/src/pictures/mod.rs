@@ -1,4 +1,4 @@
-//! The pictures of `docs/`, drawn from the program's own laws: `cargo xtask docs` writes them, a test compares them.
+//! Pictures of `docs/`, drawn from the program's own laws: `cargo xtask docs` writes them, a test compares them.
 //!
 //! ```
 //! let picture = tests::pictures::pictures().into_iter().find(|picture| picture.name == "strength").unwrap();
@@ -24,18 +24,18 @@ use study::figure::{Axis, FigureData, Series, Shows};
 
 use crate::committed_file;
 
-/// No picture is to weigh more: they are reviewed as text and loaded with every page.
+/// Largest size of a picture: pictures are reviewed as text and loaded with every page.
 pub const MOST_BYTES: usize = 30 * 1024;
 
-/// A picture of the documentation.
+/// Picture of the documentation.
 pub struct Picture {
-    /// The name of its file, without extension.
+    /// Name of its file, without extension.
     pub name: &'static str,
-    /// The document.
+    /// Contents of the file.
     pub svg: String,
 }
 
-/// Every picture of the documentation, drawn now.
+/// Draws every picture of the documentation.
 pub fn pictures() -> Vec<Picture> {
     [
         spectrum_and_stack::moments(),
@@ -54,12 +54,12 @@ pub fn pictures() -> Vec<Picture> {
     .into()
 }
 
-/// The file of a picture.
+/// Path of a picture.
 pub fn path(name: &str) -> PathBuf {
     committed_file(&format!("docs/pictures/{name}.svg"))
 }
 
-/// The committed pictures that are not what the program draws now: those that differ, are absent, or are none of its.
+/// Committed pictures that differ from those drawn now, are missing, or are not drawn any more.
 pub fn stale() -> Vec<String> {
     let drawn = pictures();
     let differs = |picture: &&Picture| {
@@ -75,10 +75,10 @@ pub fn stale() -> Vec<String> {
     stale
 }
 
-/// Draws every picture anew; none is touched where one cannot be written.
+/// Draws every picture anew; writes none if one cannot be written.
 ///
 /// # Errors
-/// What could not be written.
+/// The error of writing.
 pub fn rewrite() -> Result<(), Box<dyn std::error::Error>> {
     std::fs::create_dir_all(committed_file("docs/pictures"))?;
     let mut files = StagedFiles::default();
@@ -88,7 +88,7 @@ pub fn rewrite() -> Result<(), Box<dyn std::error::Error>> {
     Ok(files.publish()?)
 }
 
-/// A body to look at laws with: steel, E* = 231 GPa against a rigid flat.
+/// Body of the pictures: steel, E* = 231 GPa against a rigid flat.
 fn steel() -> MaterialPair {
     body(210e9, 0.3)
 }
@@ -122,12 +122,12 @@ fn picture(
     Picture { name, svg: plot::svg(&figure, subject, &provenance) }
 }
 
-/// A line under a condition, which its colour stands for.
+/// Line under a condition, which its colour denotes.
 fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
     Series::under(condition, colour, points)
 }
 
-/// The same line among others of its colour, told apart by its dash.
+/// Line distinguished by its dash from others of its colour.
 fn dashed(curve: &str, dash: usize, line: Series) -> Series {
     Series { curve: curve.to_owned(), dash, ..line }
 }
@@ -139,7 +139,7 @@ fn geometric([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     std::iter::once(from).chain(inner).chain([to]).collect()
 }
 
-/// The values, and both sides of every break between them, so that a jump is drawn upright.
+/// Adds both sides of every break between the values, so that a jump is drawn upright.
 fn with_breaks(mut values: Vec<f64>, breaks: impl IntoIterator<Item = Break>) -> Vec<f64> {
     let (first, last) = (values[0], values[values.len() - 1]);
     let inside = breaks.into_iter().filter(|b| first < b.at && b.at < last);

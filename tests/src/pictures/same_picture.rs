@@ -1,17 +1,17 @@
-//! Two SVG documents held against each other by their numbers, since the last digit of a coordinate may depend on a
+//! Comparison of two SVG documents by their numbers, because the last digit of a coordinate may depend on a
 //! platform's `exp`.
 
-/// How far two numbers may be apart, relative to the larger, or by one in the last digit that both are printed with.
+/// Largest difference of two numbers, relative to the larger, or by one in the last digit that both are printed with.
 const TOLERANCE: f64 = 1e-6;
 
-/// Whether two documents have the same text and the same numbers to within the tolerance.
+/// Returns true if two documents have the same text and the same numbers to within the tolerance.
 #[must_use]
 pub fn is_same_picture(a: &str, b: &str) -> bool {
     let (a, b) = (parts(a), parts(b));
     a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| a == b || agree(a, b))
 }
 
-/// The numbers of a document, and what stands between them; a colour such as `#0072b2` holds no number.
+/// Splits a document into numbers and the text between them; a colour such as `#0072b2` holds no number.
 fn parts(document: &str) -> Vec<&str> {
     let mut parts = Vec::new();
     let (mut begin, mut in_number, mut in_colour) = (0, false, false);

@@ -16,7 +16,7 @@ fn at_ratio(ratio: f64) -> ElasticPlasticSinusoid {
     ElasticPlasticSinusoid::new(&steel(), ratio * critical, STRENGTH_PA)
 }
 
-/// The breaks of a law, its pressures over p*.
+/// Breaks of a law, with pressures over p*.
 fn over(complete_pa: f64, breaks: impl Iterator<Item = Break>) -> impl Iterator<Item = Break> {
     breaks.map(move |b| Break { at: b.at / complete_pa, ..b })
 }
@@ -71,7 +71,7 @@ pub(super) fn plastic_area() -> Picture {
     )
 }
 
-/// How far the flat has come down, for several aspect ratios, and by boundary elements.
+/// Draws the descent of the flat, for several aspect ratios, and by boundary elements.
 pub(super) fn deformation() -> Picture {
     let shares = geometric([1e-5, 1.0], 61);
     let (law, solved) = (ElasticSinusoid::new(&steel(), 0.01), BemSinusoid::new(&steel(), 0.01));

@@ -11,7 +11,7 @@ const SIGMA_S_M: f64 = 50e-9;
 const TOLERANCE: f64 = 1e-10;
 const POPULATION: &str = "R = 5 µm, η = 0.2 µm⁻², σ_s = 50 nm";
 
-/// The four laws under the material and the population of these pictures.
+/// Contacts of the four laws, with the material and the population of these pictures.
 fn contacts() -> [(&'static str, StatisticalContact); 4] {
     let strength = NixGao::constant(STRENGTH_PA).expect("a strength within its bounds");
     let interference = InterferenceLaw::default();

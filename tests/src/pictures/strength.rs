@@ -1,4 +1,4 @@
-//! The strength that grows where the deformation is shallow.
+//! Strength that grows as the deformation gets shallower.
 
 use asperity::NixGao;
 

@@ -9,9 +9,9 @@ use crate::elastic_sinusoid::log_of_fraction;
 use crate::monotone_cubic::MonotoneCubic;
 use crate::{Break, ElasticSinusoid, MaterialPair};
 
-/// One boundary-element solution.
+/// Boundary-element solution at one pressure.
 struct Solution {
-    /// p/p*.
+    /// Pressure ratio p/p*.
     x: f64,
     /// Area fraction on a mesh of 1024^2.
     area_fraction: f64,
@@ -30,7 +30,7 @@ impl Solution {
     }
 }
 
-/// Computed for this project by boundary elements, in rising order of the pressure.
+/// Solutions computed for this project by boundary elements, in rising order of the pressure.
 const SOLVED: [Solution; ROWS] = [
     Solution::new(0.0001, 0.001647, 0.990084),
     Solution::new(0.0003, 0.003399, 0.979739),
@@ -56,7 +56,7 @@ const SOLVED: [Solution; ROWS] = [
     Solution::new(0.99, 0.995199, 2e-06),
 ];
 const ROWS: usize = 22;
-/// The lightest and the heaviest of them.
+/// Lightest and heaviest solution.
 const FIRST: &Solution = &SOLVED[0];
 const LAST: &Solution = &SOLVED[ROWS - 1];
 
@@ -64,17 +64,17 @@ const LAST: &Solution = &SOLVED[ROWS - 1];
 /// boundary-element solutions: monotone cubics of the logarithms of the area fraction and of deformation over gap,
 /// against that of the pressure.
 ///
-/// Below the first solution, at p* 1e-4, both are Hertz's, times a factor 1 + c (p/p*)^(1/3) that meets it: the neighbours
-/// push the surface down in proportion to p, w is of the order of p^(2/3), and the second solution confirms c to 0.1 % of
-/// w. Above the last, at 0.99 p*, they follow the analytic limits 1 - phi ~ 1 - x and g ~ (1 - x)^(5/2) from it on.
-/// Everything is continuous.
+/// Below the first solution, at p* 1e-4, both follow Hertz times a factor 1 + c (p/p*)^(1/3) that meets it: the
+/// neighbours push the surface down in proportion to p, w is of the order of p^(2/3), and the second solution
+/// confirms c to 0.1 % of w. Above the last, at 0.99 p*, they follow the analytic limits 1 - phi ~ 1 - x and g ~ (1 -
+/// x)^(5/2) from that solution on. Everything is continuous.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BemSinusoid {
     complete_contact_pressure_pa: f64,
 }
 
 impl BemSinusoid {
-    /// A sinusoid of aspect ratio B = Delta/lambda > 0.
+    /// Creates a sinusoid of aspect ratio B = Delta/lambda > 0.
     #[must_use]
     pub fn new(pair: &MaterialPair, aspect_ratio: f64) -> Self {
         let elastic = ElasticSinusoid::new(pair, aspect_ratio);
@@ -98,7 +98,7 @@ impl BemSinusoid {
         self.below_complete_contact(pressure_pa).map_or(1.0, |log_x| deformation_and_slope(log_x).0)
     }
 
-    /// Deformation over amplitude, and its derivative by ln x, at the mean pressure p* x, ln x < 0.
+    /// Returns the deformation over amplitude, and its derivative by ln x, at the mean pressure p* x, ln x < 0.
     #[must_use]
     pub fn deformation_and_slope(&self, log_x: f64) -> (f64, f64) {
         deformation_and_slope(log_x)
@@ -113,7 +113,7 @@ impl BemSinusoid {
         self.complete_contact_pressure_pa * log_x_at(interference_over_amplitude).exp()
     }
 
-    /// The mean pressures \[Pa\] at which the interpolation passes from one piece to the next, in rising order.
+    /// Mean pressures \[Pa\] at which the interpolation passes from one piece to the next, in rising order.
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let complete = self.complete_contact_pressure_pa;
         SOLVED
@@ -122,7 +122,7 @@ impl BemSinusoid {
             .chain([Break::kink(complete, "complete contact at p*")])
     }
 
-    /// ln x where that is below zero.
+    /// ln(p/p*) if it is below zero, else `None`.
     fn below_complete_contact(&self, pressure_pa: f64) -> Option<f64> {
         log_of_fraction(pressure_pa, self.complete_contact_pressure_pa)
     }
@@ -140,7 +140,7 @@ fn area_fraction(log_x: f64) -> f64 {
     }
 }
 
-/// Hertz's area, and its correction.
+/// Hertz's area times its correction.
 fn light_area_fraction(x: f64) -> f64 {
     let hertz = |x: f64| PI * (3.0 * x / (8.0 * PI)).cbrt().powi(2);
     let beyond_hertz = FIRST.area_fraction / hertz(FIRST.x) - 1.0;
@@ -163,7 +163,7 @@ fn deformation_and_slope(log_x: f64) -> (f64, f64) {
     }
 }
 
-/// Hertz's w/Delta = (6 sqrt(2) pi^2 x/8)^(2/3), and its correction.
+/// Hertz's w/Delta = (6 sqrt(2) pi^2 x/8)^(2/3) times its correction, and the derivative by ln x.
 fn light_deformation_and_slope(x: f64) -> (f64, f64) {
     let hertz = |x: f64| (0.75 * SQRT_2 * PI * PI * x).cbrt().powi(2);
     let beyond_hertz = FIRST.deformation() / hertz(FIRST.x) - 1.0;
@@ -190,7 +190,7 @@ fn log_x_at(deformation: f64) -> f64 {
     })
 }
 
-/// What is interpolated, against ln x.
+/// Interpolants over ln x.
 struct Tables {
     log_area: MonotoneCubic,
     log_deformation_over_gap: MonotoneCubic,

@@ -1,14 +1,14 @@
-//! Where a law is not smooth: what a quadrature over it must not step across.
+//! Kinks and jumps of laws, which a quadrature must not step across.
 
 /// A kink or a jump of a law, at one value of its variable (an interference in m, or a pressure in Pa, as the law's own
 /// documentation says). A quadrature ends a panel there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Break {
-    /// The value of the law's variable \[m or Pa\], above 0.
+    /// Value of the law's variable \[m or Pa\], above 0.
     pub at: f64,
-    /// What happens there, in the law's own words.
+    /// Description of the kink or jump, in the law's own terms.
     pub what: &'static str,
-    /// Relative step of the law's result, value above over value below minus one; zero where the law only bends.
+    /// Relative step of the law's result, value above over value below minus one; zero at a kink.
     pub step: f64,
 }
 

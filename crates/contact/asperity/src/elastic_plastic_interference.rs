@@ -1,17 +1,17 @@
 //! The elastic-plastic sinusoid pressed to an interference w: `docs/theory/models.md`, section 2.6.
 //!
-//! The mean gap is g/Delta = (1 - t)^(5/2) both ways: elastically with t = (p/p*)^(1/2), and where plastic flow sets it with
-//! t = x^(A1 x + A2), x = p/p*_ep. So an interference gives t, and each way a pressure, of which the smaller one holds, since
-//! plastic flow can only soften. The elastic one, p* t^2, is explicit; the other one is solved for in ln x, and only where
-//! the elastic one is not seen to be the smaller.
+//! The mean gap is g/Delta = (1 - t)^(5/2) on both branches: on the elastic one with t = (p/p*)^(1/2), on the plastic
+//! one with t = x^(A1 x + A2), x = p/p*_ep. An interference gives t, and each branch a pressure; the smaller one
+//! holds, because plastic flow can only soften. The elastic one, p* t^2, is explicit. The plastic one is solved for
+//! in ln x, and only if the elastic one may be the larger.
 
 use crate::ElasticPlasticSinusoid;
 use crate::elementary;
 use crate::mean_gap::{GapExponent, power_at};
 
-/// Where a sinusoid that can yield is at an interference.
-struct Pressed {
-    /// The smaller of the elastic and the plastic pressure \[Pa\].
+/// State of a sinusoid at an interference.
+struct StateAtInterference {
+    /// Smaller of the elastic and the plastic pressure \[Pa\].
     pressure_pa: f64,
     /// That pressure over p*_ep, and the logarithm of the ratio.
     x: f64,
@@ -19,14 +19,14 @@ struct Pressed {
 }
 
 impl ElasticPlasticSinusoid {
-    /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and the
-    /// elastic-plastic one, since plastic flow can only soften; p*_ep from w = Delta on.
+    /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and
+    /// the elastic-plastic one, because plastic flow can only soften; p*_ep from w = Delta on.
     #[must_use]
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         self.pressure_at_interference_by_pa(self.gap_exponent(), interference_over_amplitude)
     }
 
-    /// The same with the exponent of the gap worked out.
+    /// [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) with the exponent of the gap precomputed.
     #[inline]
     pub(crate) fn pressure_at_interference_by_pa(
         &self,
@@ -38,15 +38,15 @@ impl ElasticPlasticSinusoid {
         }
         let t = power_at(interference_over_amplitude);
         if self.can_yield() {
-            self.pressed_to_power(t, gap, self.log_softening()).pressure_pa
+            self.state_at_power(t, gap, self.log_softening()).pressure_pa
         } else {
             self.elastic_pressure_pa(t)
         }
     }
 
-    /// Mean pressure \[Pa\] and area fraction when the flat has descended by w > 0, given as w/Delta: those of
-    /// [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) and [`area_fraction`](Self::area_fraction), at
-    /// two thirds of their cost.
+    /// Returns [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) and
+    /// [`area_fraction`](Self::area_fraction) when the flat has descended by w > 0, given as w/Delta, at two thirds
+    /// of the cost of the two calls.
     #[must_use]
     pub fn pressure_and_area_at_interference(&self, interference_over_amplitude: f64) -> (f64, f64) {
         if interference_over_amplitude >= 1.0 {
@@ -55,7 +55,8 @@ impl ElasticPlasticSinusoid {
         self.pressure_and_area_at_power(power_at(interference_over_amplitude))
     }
 
-    /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for those who have it already.
+    /// Returns mean pressure \[Pa\] and area fraction at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), for callers that
+    /// already have t.
     #[must_use]
     pub fn pressure_and_area_at_power(&self, t: f64) -> (f64, f64) {
         if !self.can_yield() {
@@ -63,7 +64,8 @@ impl ElasticPlasticSinusoid {
             return (pressure_pa, self.elastic().area_fraction(pressure_pa));
         }
         let log_softening = self.log_softening();
-        let Pressed { pressure_pa, x, log_x } = self.pressed_to_power(t, self.gap_exponent(), log_softening);
+        let StateAtInterference { pressure_pa, x, log_x } =
+            self.state_at_power(t, self.gap_exponent(), log_softening);
         let area_fraction = if !self.yields_at(pressure_pa) {
             self.elastic().area_fraction(pressure_pa)
         } else if log_x < 0.0 {
@@ -74,15 +76,16 @@ impl ElasticPlasticSinusoid {
         (pressure_pa, area_fraction)
     }
 
-    /// Positive where plastic flow sets the pressure at an interference over amplitude in (0, 1): the logarithm of t,
-    /// in the law x^(A1 x + A2) = t, that the elastic pressure would need, over the one that it has.
+    /// Returns a number that is positive where plastic flow sets the pressure at an interference over amplitude in
+    /// (0, 1): in the law x^(A1 x + A2) = t, the ln t that the elastic pressure would need over the ln t that it has.
     #[inline]
     #[must_use]
     pub fn flow_margin_at_interference(&self, interference_over_amplitude: f64) -> f64 {
         self.flow_margin_at_power(power_at(interference_over_amplitude))
     }
 
-    /// The same at t = 1 - (1 - w/Delta)^(2/5) in (0, 1), without a branch.
+    /// [`flow_margin_at_interference`](Self::flow_margin_at_interference) at t = 1 - (1 - w/Delta)^(2/5) in (0, 1),
+    /// without a branch.
     #[inline(always)]
     #[must_use]
     pub fn flow_margin_at_power(&self, t: f64) -> f64 {
@@ -98,9 +101,9 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference, where r > 1.
+    /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference; `None` unless r > 1.
     ///
-    /// There is one: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
+    /// It exists: A2 > 1/2 makes the elastic pressure the smaller one at first, p*_ep < p* the larger one at complete
     /// contact, and the difference of the exponents has a single zero between.
     #[must_use]
     pub fn flow_onset_pressure_pa(&self) -> Option<f64> {
@@ -111,29 +114,29 @@ impl ElasticPlasticSinusoid {
         })
     }
 
-    /// The elastic pressure p* t^2 \[Pa\] at t in (0, 1).
+    /// Elastic pressure p* t^2 \[Pa\] at t in (0, 1).
     #[inline(always)]
     fn elastic_pressure_pa(&self, t: f64) -> f64 {
         self.elastic().complete_contact_pressure_pa() * t * t
     }
 
-    /// The smaller of the elastic and the plastic pressure at t in (0, 1), for r > 1, from the exponent of the gap and
+    /// Smaller of the elastic and the plastic pressure at t in (0, 1), for r > 1, from the exponent of the gap and
     /// ln(p*_ep/p*).
     #[inline(always)]
-    fn pressed_to_power(&self, t: f64, gap: GapExponent, log_softening: f64) -> Pressed {
+    fn state_at_power(&self, t: f64, gap: GapExponent, log_softening: f64) -> StateAtInterference {
         let elastic_pa = self.elastic_pressure_pa(t);
         let log_t = elementary::ln(t);
         let log_x = 2.0 * log_t - log_softening;
-        // Flow at the elastic pressure would go as deep or less: that pressure is the smaller one.
+        // At the elastic pressure plastic flow would deform as much or less: the elastic pressure is the smaller one.
         if log_x < 0.0 {
             let x = elementary::exp(log_x);
             if gap.log_power(log_x, x) <= log_t {
-                return Pressed { pressure_pa: elastic_pa, x, log_x };
+                return StateAtInterference { pressure_pa: elastic_pa, x, log_x };
             }
         }
         let log_x = gap.log_x_at_power(log_t);
         let plastic_pa = self.softened_pressure_pa(log_softening + log_x);
-        Pressed { pressure_pa: elastic_pa.min(plastic_pa), x: elementary::exp(log_x), log_x }
+        StateAtInterference { pressure_pa: elastic_pa.min(plastic_pa), x: elementary::exp(log_x), log_x }
     }
 }
 

@@ -5,19 +5,19 @@ use std::f64::consts::PI;
 
 use crate::elastic_sinusoid::log_of_fraction;
 use crate::mean_gap::GapExponent;
-use crate::yielding_area::{Yielding, YieldingArea};
+use crate::yielding_area::{YieldParameters, YieldingArea};
 use crate::{Break, ElasticSinusoid, MaterialPair, elementary};
 
 /// Aspect ratio over the critical one above which results are flagged; no fitted range is published.
 pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
 
-/// Where r is held, so that nothing made of it overflows: some 300 decades beyond trust.
+/// Upper limit of r, so that no derived number overflows: some 300 decades beyond the fits.
 const LARGEST_RATIO: f64 = 1e300;
 
-/// A sinusoidal surface, of one aspect ratio and strength, in contact with a flat: Krithivasan & Jackson (2007), as in
-/// `docs/theory/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
+/// Sinusoidal surface, of one aspect ratio and strength, in contact with a flat: Krithivasan & Jackson (2007), as in
+/// `docs/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
 ///
-/// It is elastic where its aspect ratio is at most the critical one, and below the critical pressure p_c; elsewhere
+/// It is elastic if its aspect ratio is at most the critical one, and below the critical pressure p_c; elsewhere
 /// plastic flow lowers the pressure of complete contact and raises the area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElasticPlasticSinusoid {
@@ -32,7 +32,8 @@ pub struct ElasticPlasticSinusoid {
 }
 
 impl ElasticPlasticSinusoid {
-    /// A sinusoid of aspect ratio B = Delta/lambda > 0 and yield strength Sy > 0 \[Pa\]; an infinite strength is elastic.
+    /// Creates a sinusoid of aspect ratio B = Delta/lambda > 0 and yield strength Sy > 0 \[Pa\]; with an infinite
+    /// strength it is elastic.
     #[inline]
     #[must_use]
     pub fn new(pair: &MaterialPair, aspect_ratio: f64, yield_strength_pa: f64) -> Self {
@@ -53,7 +54,7 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// The same sinusoid without its strength.
+    /// Returns the elastic sinusoid of the same shape and material.
     #[must_use]
     pub fn elastic(&self) -> ElasticSinusoid {
         self.elastic
@@ -66,42 +67,42 @@ impl ElasticPlasticSinusoid {
         self.critical_aspect_ratio
     }
 
-    /// r = B/B_c >= 0; at most 1 is elastic, and above
-    /// [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`] results are not to be trusted.
+    /// Ratio r = B/B_c >= 0; at most 1 is elastic, and results above [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`] are not
+    /// to be trusted.
     #[must_use]
     pub fn aspect_ratio_over_critical(&self) -> f64 {
         self.aspect_ratio_over_critical
     }
 
-    /// Mean pressure of complete contact \[Pa\]: p*_ep = p* (11/(4 r + 7))^(3/5) for r > 1, else p*. The area is complete
-    /// at [`flattening_pressure_pa`](Self::flattening_pressure_pa) already.
+    /// Mean pressure of complete contact \[Pa\]: p*_ep = p* (11/(4 r + 7))^(3/5) for r > 1, else p*. The area
+    /// fraction reaches 1 earlier, at [`flattening_pressure_pa`](Self::flattening_pressure_pa).
     #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.softened_pressure_pa(self.log_softening())
     }
 
-    /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It counts only
-    /// where r > 1.
+    /// Mean pressure p_c = (C Sy/2)^3/(6 pi (E* B)^2) \[Pa\] of first yield, C = 1.295 exp(0.736 nu). It matters only
+    /// for r > 1.
     #[must_use]
     pub fn critical_pressure_pa(&self) -> f64 {
         self.critical_pressure_pa
     }
 
-    /// Whether the sinusoid yields anywhere at the mean pressure p \[Pa\].
+    /// True if the sinusoid yields anywhere at the mean pressure p \[Pa\].
     #[must_use]
     pub fn yields_at(&self, pressure_pa: f64) -> bool {
         self.can_yield() && pressure_pa > self.critical_pressure_pa
     }
 
-    /// Whether r lies below the value from which results are flagged, [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`].
+    /// True if r lies below the value from which results are flagged, [`FLAGGED_ASPECT_RATIO_OVER_CRITICAL`].
     #[must_use]
     pub fn in_fitted_range(&self) -> bool {
         self.aspect_ratio_over_critical <= FLAGGED_ASPECT_RATIO_OVER_CRITICAL
     }
 
-    /// Fraction of the nominal area in contact, in (0, 1\], at the mean pressure p > 0 \[Pa\]: the elastic one for r <=
-    /// 1 and up to p_c, else min(1, phi_p (1 - x^1.51) + phi_2 x^1.04), x = p/p*_ep < 1, and 1 from there on. The
-    /// published fit is held at 1, and steps up by up to 4 % at the critical pressure.
+    /// Fraction of the nominal area in contact, in (0, 1\], at the mean pressure p > 0 \[Pa\]: the elastic one for r
+    /// <= 1 and up to p_c, else min(1, phi_p (1 - x^1.51) + phi_2 x^1.04), x = p/p*_ep < 1, and 1 from x = 1 on. The
+    /// published fit is limited to 1, and steps up by up to 4 % at the critical pressure.
     #[must_use]
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
         if self.yields_at(pressure_pa) {
@@ -111,16 +112,18 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// The area of the yielding sinusoid, r > 1 and p > p_c, with its constants worked out: for many pressures.
+    /// Returns the area of the yielding sinusoid, r > 1 and p > p_c, with its constants precomputed for many
+    /// pressures.
     #[must_use]
     pub fn yielding_area(&self) -> YieldingArea {
         self.yielding_area_at(self.log_softening())
     }
 
-    /// The same with ln(p*_ep/p*) worked out. Always inlined, so that a caller who asks for no pressure works none out.
+    /// [`yielding_area`](Self::yielding_area) with ln(p*_ep/p*) given. Always inlined, so that constants that the
+    /// caller does not use are not computed.
     #[inline(always)]
     pub(crate) fn yielding_area_at(&self, log_softening: f64) -> YieldingArea {
-        YieldingArea::of(Yielding {
+        YieldingArea::new(YieldParameters {
             complete_contact_pressure_pa: self.softened_pressure_pa(log_softening),
             log_softening,
             slope_over_yield_slope: self.slope_over_yield_slope,
@@ -128,8 +131,8 @@ impl ElasticPlasticSinusoid {
         })
     }
 
-    /// Mean pressure \[Pa\] from which the area fraction is 1: below p*_ep for r > 1.5 or so because the fitted area, held
-    /// at 1, overshoots.
+    /// Mean pressure \[Pa\] from which the area fraction is 1. For r > 1.5 or so it is below p*_ep, because the
+    /// fitted area overshoots before it is limited to 1.
     #[must_use]
     pub fn flattening_pressure_pa(&self) -> f64 {
         if self.can_yield() {
@@ -139,17 +142,18 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, at mean
-    /// pressures up to that of complete contact, for r > 1: a root of it is cheaper than the pressure itself.
+    /// Returns a smooth number that is positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa) and
+    /// negative below it, at mean pressures up to that of complete contact, for r > 1. A root of it is cheaper than
+    /// the pressure itself.
     #[must_use]
     pub fn flattening_margin(&self, pressure_pa: f64) -> f64 {
         self.yielding_area().flattening_margin(pressure_pa)
     }
 
-    /// Mean gap over amplitude g/Delta = (1 - x^(A1 x + A2))^(5/2) in \[0, 1), x = p/p*_ep, at the mean pressure p > 0
-    /// \[Pa\] (Rostami & Jackson 2013; Jackson & Jacobs, Eqs. 9-12); the elastic one for r <= 1 and up to p_c. It jumps
-    /// at the critical pressure, upwards, by the share of the deformation that
-    /// [`deformation_breaks`](Self::deformation_breaks) tells.
+    /// Mean gap over amplitude g/Delta = (1 - x^(A1 x + A2))^(5/2) in \[0, 1), x = p/p*_ep, at the mean pressure p >
+    /// 0 \[Pa\] (Rostami & Jackson 2013; Jackson & Jacobs, Eqs. 9-12); the elastic one for r <= 1 and up to p_c. It
+    /// jumps upwards at the critical pressure, by the step of the deformation in
+    /// [`deformation_breaks`](Self::deformation_breaks).
     #[must_use]
     pub fn mean_gap_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
@@ -159,8 +163,8 @@ impl ElasticPlasticSinusoid {
             .map_or(0.0, |log_x| self.gap_exponent().gap_over_amplitude(log_x))
     }
 
-    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in \[0, 1\] at the mean pressure p > 0 \[Pa\]; 0 where it
-    /// underflows, which takes r beyond 1e4.
+    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in \[0, 1\] at the mean pressure p > 0 \[Pa\]; 0 if it
+    /// underflows, which takes r > 1e4.
     #[must_use]
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
         if !self.yields_at(pressure_pa) {
@@ -170,8 +174,9 @@ impl ElasticPlasticSinusoid {
         if x < 1.0 { self.gap_exponent().deformation_over_amplitude(x.ln(), x) } else { 1.0 }
     }
 
-    /// [`area_fraction`](Self::area_fraction) and [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the
-    /// mean pressure p > 0 \[Pa\], of which the second costs little beside the first.
+    /// Returns [`area_fraction`](Self::area_fraction) and
+    /// [`deformation_over_amplitude`](Self::deformation_over_amplitude) at the mean pressure p > 0 \[Pa\]; the second
+    /// costs little beside the first.
     #[must_use]
     pub fn area_and_deformation(&self, pressure_pa: f64) -> (f64, f64) {
         if !self.yields_at(pressure_pa) {
@@ -187,7 +192,7 @@ impl ElasticPlasticSinusoid {
         (area.fraction_alone(x, log_x), self.gap_exponent().deformation_over_amplitude(log_x, x))
     }
 
-    /// The mean pressures \[Pa\] at which the area is not smooth, in rising order.
+    /// Mean pressures \[Pa\] at which the area is not smooth, in rising order.
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let breaks = if self.can_yield() {
             [
@@ -200,7 +205,7 @@ impl ElasticPlasticSinusoid {
         breaks.into_iter()
     }
 
-    /// The mean pressures \[Pa\] at which the deformation, and so the mean gap, is not smooth, in rising order.
+    /// Mean pressures \[Pa\] at which the deformation, and so the mean gap, is not smooth, in rising order.
     pub fn deformation_breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let first_yield = self.can_yield().then(|| {
             self.jump_at_first_yield(
@@ -212,7 +217,7 @@ impl ElasticPlasticSinusoid {
         first_yield.into_iter().chain([complete])
     }
 
-    /// How a result jumps at p_c, from its elastic value there to its value just above.
+    /// Jump of a result at p_c, from its elastic value there to its value just above.
     fn jump_at_first_yield(
         &self,
         elastic: fn(&ElasticSinusoid, f64) -> f64,
@@ -224,13 +229,13 @@ impl ElasticPlasticSinusoid {
         Break::jump(critical_pa, "first yield at the critical pressure p_c", below, above)
     }
 
-    /// Whether r > 1: else it is elastic at any pressure.
+    /// True if r > 1; otherwise the sinusoid is elastic at any pressure.
     #[inline(always)]
     pub(crate) fn can_yield(&self) -> bool {
         self.aspect_ratio_over_critical > 1.0
     }
 
-    /// The exponent of the mean gap where plastic flow sets it, for r > 1.
+    /// Exponent of the mean gap under plastic flow, for r > 1.
     #[inline(always)]
     pub(crate) fn gap_exponent(&self) -> GapExponent {
         GapExponent::elastic_plastic(self.aspect_ratio_over_critical)
@@ -246,7 +251,7 @@ impl ElasticPlasticSinusoid {
         }
     }
 
-    /// p* by a factor \[Pa\] given as its logarithm.
+    /// Pressure \[Pa\] that is p* times a factor, given as the logarithm of the factor.
     #[inline(always)]
     pub(crate) fn softened_pressure_pa(&self, log_factor: f64) -> f64 {
         self.elastic.complete_contact_pressure_pa() * elementary::exp(log_factor)

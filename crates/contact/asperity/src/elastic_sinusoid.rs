@@ -2,33 +2,32 @@
 //! Wear 261:1337; Jackson & Jacobs, Eqs. (6)-(7).
 //!
 //! The shape is Delta cos(2 pi x/lambda) cos(2 pi y/lambda): two peaks per lambda^2, density eta = 2/lambda^2, and
-//! Delta = (lambda/2 pi)^2/R. Areas are fractions of the nominal area, which avoids every factor-two trap.
+//! Delta = (lambda/2 pi)^2/R. Areas are fractions of the nominal area, which avoids factor-two errors.
 
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::mean_gap::{complement, power_at};
 use crate::{Break, MaterialPair, elementary};
 
-/// x = p/p* from which the law is its full-contact limit alone; the area steps down by 4.2e-4 there.
+/// Ratio p/p* from which the law is its full-contact limit alone; the area steps down by 4.2e-4 there.
 const JOINED_UP_TO: f64 = 0.8;
 /// Slope of the full-contact limit 1 - (3/(2 pi)) (1 - x).
 pub(crate) const FULL_CONTACT_SLOPE: f64 = 3.0 / (2.0 * PI);
-/// pi (3/(8 pi))^(2/3), of Hertz's limit phi_1 = pi (3x/(8 pi))^(2/3).
+/// Factor pi (3/(8 pi))^(2/3) of Hertz's limit phi_1 = pi (3x/(8 pi))^(2/3).
 const HERTZ_LIMIT: f64 = 0.761_618_473_172_444_5;
 /// Exponents of the weights that join the two limits: see [`joining_powers`].
 pub(crate) const LIGHT_EXPONENT: f64 = 1.51;
 pub(crate) const HEAVY_EXPONENT: f64 = 1.04;
 
-/// A sinusoidal surface, of one aspect ratio, in elastic contact with a flat: Johnson, Greenwood & Higginson (1985), as
-/// in `docs/theory/models.md`, section 2.3, with the mean gap of section 2.5. Every function of p/p* alone but for p*
-/// itself.
+/// Sinusoidal surface, of one aspect ratio, in elastic contact with a flat: Johnson, Greenwood & Higginson (1985), as
+/// in `docs/models.md`, section 2.3, with the mean gap of section 2.5. Its results depend on p/p* alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElasticSinusoid {
     complete_contact_pressure_pa: f64,
 }
 
 impl ElasticSinusoid {
-    /// A sinusoid of aspect ratio B = Delta/lambda > 0.
+    /// Creates a sinusoid of aspect ratio B = Delta/lambda > 0.
     #[must_use]
     pub fn new(pair: &MaterialPair, aspect_ratio: f64) -> Self {
         debug_assert!(aspect_ratio > 0.0);
@@ -53,8 +52,8 @@ impl ElasticSinusoid {
         joined_area_fraction(pressure_pa / self.complete_contact_pressure_pa)
     }
 
-    /// The fraction of the area, without a branch, where p/p* = t^2 is below 0.8, and t^(4/3) is known; t is at least the
-    /// root of the smallest normal number.
+    /// Area fraction, without a branch, where p/p* = t^2 is below 0.8 and t^(4/3) is known; t is at least the root of
+    /// the smallest normal number.
     #[inline(always)]
     #[must_use]
     pub fn light_area_fraction(t: f64, t_to_four_thirds: f64) -> f64 {
@@ -63,14 +62,14 @@ impl ElasticSinusoid {
         HERTZ_LIMIT * t_to_four_thirds * (1.0 - light) + heavy_limit(x) * heavy
     }
 
-    /// The fraction of the area where p/p* = x lies between 0.8 and 1.
+    /// Area fraction where p/p* = x lies between 0.8 and 1.
     #[inline(always)]
     #[must_use]
     pub fn heavy_area_fraction(x: f64) -> f64 {
         heavy_limit(x)
     }
 
-    /// p/p* from which the fraction of the area is that of the full-contact limit.
+    /// Ratio p/p* from which the area fraction is that of the full-contact limit.
     pub const JOINED_UP_TO: f64 = JOINED_UP_TO;
 
     /// Mean gap over amplitude g/Delta = (1 - (p/p*)^(1/2))^(5/2) in \[0, 1) at the mean pressure p > 0 \[Pa\], 0 from
@@ -100,7 +99,7 @@ impl ElasticSinusoid {
         self.complete_contact_pressure_pa * t * t
     }
 
-    /// The mean pressures \[Pa\] at which the area is not smooth, in rising order.
+    /// Mean pressures \[Pa\] at which the area is not smooth, in rising order.
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         self.area_breaks().into_iter()
     }
@@ -114,7 +113,7 @@ impl ElasticSinusoid {
         ]
     }
 
-    /// t = (p/p*)^(1/2) and 1 - t, which keeps its digits when p is close to p*; 1 and 0 from there on.
+    /// Returns t = (p/p*)^(1/2) and 1 - t, which keeps its digits when p is close to p*; 1 and 0 from p* on.
     fn root_and_opening(&self, pressure_pa: f64) -> (f64, f64) {
         let complete_pa = self.complete_contact_pressure_pa;
         if pressure_pa >= complete_pa {
@@ -125,7 +124,7 @@ impl ElasticSinusoid {
     }
 }
 
-/// ln(p/full) where p < full, keeping its digits when p is close to full.
+/// Computes ln(p/full) for p < full, keeping its digits when p is close to full.
 pub(crate) fn log_of_fraction(pressure_pa: f64, full_pa: f64) -> Option<f64> {
     let x = pressure_pa / full_pa;
     (x < 1.0).then(|| if x > 0.5 { ((pressure_pa - full_pa) / full_pa).ln_1p() } else { x.ln() })
@@ -141,19 +140,19 @@ fn joined_area_fraction(x: f64) -> f64 {
     }
 }
 
-/// phi_1 (1 - x^1.51) + phi_2 x^1.04, phi_1 = pi (3x/(8 pi))^(2/3) being Hertz's limit.
+/// Joined law phi_1 (1 - x^1.51) + phi_2 x^1.04 with Hertz's limit phi_1 = pi (3x/(8 pi))^(2/3).
 fn light_joined(x: f64) -> f64 {
     let x = x.max(f64::MIN_POSITIVE);
     let log_x = elementary::ln(x);
-    // The cube root from the logarithm that the powers need anyway, one Newton step taking it to rounding: a third of
-    // the cost of `cbrt`.
+    // Cube root from the logarithm that the powers need anyway, with one Newton step to rounding: a third of the cost
+    // of `cbrt`.
     let rough = elementary::exp(log_x / 3.0);
     let root = rough - (rough * rough * rough - x) / (3.0 * rough * rough);
     let [light, heavy] = joining_powers(x, log_x);
     HERTZ_LIMIT * (root * root) * (1.0 - light) + heavy_limit(x) * heavy
 }
 
-/// x^1.51 and x^1.04 for 0 < x <= 1, from one exponential: x^1.5 (x^0.01) and x (x^0.01)^4.
+/// Computes x^1.51 and x^1.04 for 0 < x <= 1 from one exponential: x^1.5 (x^0.01) and x (x^0.01)^4.
 #[inline(always)]
 pub(crate) fn joining_powers(x: f64, log_x: f64) -> [f64; 2] {
     joining_powers_by(&elementary::exp, x, log_x)
@@ -166,7 +165,7 @@ pub(crate) fn joining_powers_by(exp: &impl Fn(f64) -> f64, x: f64, log_x: f64) -
     [x * x.sqrt() * hundredth, x * (square * square)]
 }
 
-/// phi_2 = 1 - (3/(2 pi)) (1 - x), the limit near complete contact.
+/// Limit near complete contact, phi_2 = 1 - (3/(2 pi)) (1 - x).
 #[inline(always)]
 pub(crate) fn heavy_limit(x: f64) -> f64 {
     1.0 - FULL_CONTACT_SLOPE * (1.0 - x)

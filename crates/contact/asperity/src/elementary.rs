@@ -1,12 +1,12 @@
 //! Exponentials and logarithms without calls or branches, for loops over many arguments.
 //!
-//! The compiler turns a loop over them into one over its vectors; a lane of a vector rounds as a single number does, so that
-//! no digit depends on how wide they are. The mathematical library is called once per argument, and four to six times as
+//! The compiler turns a loop over them into one over vectors. A lane of a vector rounds like a single number, so that
+//! no digit depends on the width. The mathematical library is called once per argument, and is four to six times as
 //! expensive there.
 
-/// 1.5 * 2^52: added to a number it leaves the nearest integer in the lowest bits.
+/// Constant 1.5 * 2^52: adding it leaves the nearest integer in the lowest bits.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
-/// ln 2, its first part with 32 zeros at the end, so that its product with an exponent is exact.
+/// ln 2 in two parts; the first ends in 32 zeros, so that its product with an exponent is exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 /// Coefficients of (e^r - 1 - r)/r^2, interpolated at ten Chebyshev points of |r| <= ln(2)/2: within 2e-17 of e^r.
 const EXPONENTIAL: [f64; 10] = [
@@ -32,8 +32,8 @@ const LOGARITHM: [f64; 7] = [
     0.147_981_986_051_165_86,
 ];
 
-/// e^x to one unit in the last place, x taken as -708 below and as 709 above these: 3e-308 and 8e307, and never zero or
-/// infinite.
+/// Computes e^x to one unit in the last place. x is limited to \[-708, 709\], so that the result, 3e-308 to 8e307, is
+/// never zero or infinite.
 #[inline(always)]
 #[must_use]
 pub fn exp(x: f64) -> f64 {
@@ -41,7 +41,7 @@ pub fn exp(x: f64) -> f64 {
     scale + scale * rest
 }
 
-/// e^x - 1, to one unit or two in the last place also around zero; x is taken as -708 below and as 709 above these.
+/// Computes e^x - 1 to one or two units in the last place, also around zero. x is limited to \[-708, 709\].
 #[inline(always)]
 #[must_use]
 pub fn exp_m1(x: f64) -> f64 {
@@ -49,7 +49,7 @@ pub fn exp_m1(x: f64) -> f64 {
     (scale - 1.0) + scale * rest
 }
 
-/// A power of two and r for which e^x is the power times 1 + r, r between -0.3 and 0.42.
+/// Returns a power of two and r, -0.3 < r < 0.42, such that e^x is the power times 1 + r.
 #[inline(always)]
 fn scale_and_rest(x: f64) -> (f64, f64) {
     let x = if x < -708.0 { -708.0 } else { x };
@@ -57,7 +57,7 @@ fn scale_and_rest(x: f64) -> (f64, f64) {
     let shifted = x * std::f64::consts::LOG2_E + SHIFT;
     let exponent = shifted - SHIFT;
     let r = (x - exponent * LN_2[0]) - exponent * LN_2[1];
-    // In pairs, which do not wait for one another.
+    // Evaluated in pairs that do not wait for one another.
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = EXPONENTIAL;
     let square = r * r;
     let fourth = square * square;
@@ -68,7 +68,7 @@ fn scale_and_rest(x: f64) -> (f64, f64) {
     (scale, r + square * series)
 }
 
-/// ln x to one unit in the last place, for every x from the smallest normal number up to the largest.
+/// Computes ln x to one unit in the last place, for every normal x > 0.
 #[inline(always)]
 #[must_use]
 pub fn ln(x: f64) -> f64 {
@@ -91,12 +91,12 @@ pub fn ln(x: f64) -> f64 {
     s * (half + series) + exponent * LN_2[1] - half + f + exponent * LN_2[0]
 }
 
-/// ln(1 + x), to one unit or two in the last place also around zero, for x > -1.
+/// Computes ln(1 + x) to one or two units in the last place, also around zero, for x > -1.
 #[inline(always)]
 #[must_use]
 pub fn ln_1p(x: f64) -> f64 {
     let sum = 1.0 + x;
-    // What the rounding of the sum took away, as the first term of its series.
+    // First term of the series in the rounding error of the sum.
     ln(sum) + (x - (sum - 1.0)) / sum
 }
 
@@ -104,7 +104,7 @@ pub fn ln_1p(x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Deviation in units of the last place of the exact one, which the library's is taken for.
+    /// Deviation in units of the last place from the library's value, which is taken as exact.
     fn units_off(value: f64, exact: f64) -> f64 {
         (value - exact).abs() / (exact.abs() * f64::EPSILON).max(f64::MIN_POSITIVE)
     }

@@ -13,7 +13,7 @@ pub struct Hertz {
 }
 
 impl Hertz {
-    /// A sphere of radius R > 0 \[m\].
+    /// Creates a sphere of radius R > 0 \[m\].
     #[must_use]
     pub fn new(pair: &MaterialPair, radius_m: f64) -> Self {
         debug_assert!(radius_m > 0.0);

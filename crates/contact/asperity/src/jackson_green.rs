@@ -4,23 +4,23 @@ use std::f64::consts::PI;
 
 use crate::{Break, Hertz, MaterialPair, elementary};
 
-/// w/w_c up to which the law is Hertz's; its force jumps there (see [`JacksonGreen::breaks`]).
+/// Ratio w/w_c up to which the law is Hertz's; its force jumps there (see [`JacksonGreen::breaks`]).
 pub const YIELD_INTERFERENCE_RATIO: f64 = 1.9;
-/// Largest contact radius over sphere radius in the finite-element results the law was fitted to (about).
+/// Largest contact radius over sphere radius in the finite-element results that the law was fitted to (approximate).
 pub const FITTED_CONTACT_RADIUS_OVER_RADIUS: f64 = 0.41;
-/// Largest Sy/E* in the finite-element results the law was fitted to (about).
+/// Largest Sy/E* in the finite-element results that the law was fitted to (approximate).
 pub const FITTED_STRENGTH_OVER_MODULUS: f64 = 0.01;
 
-/// How the mean pressure at full plasticity falls as the contact grows, H_G/Sy against a/R.
+/// Decrease of the mean pressure at full plasticity with the size of the contact, H_G/Sy over a/R.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum Hardness {
-    /// 2.84 [1 - exp(-0.82 (a/R)^-0.7)] (Jackson & Green 2005).
+    /// Jackson & Green (2005): 2.84 [1 - exp(-0.82 (a/R)^-0.7)].
     #[default]
     #[serde(rename = "2005")]
     JacksonGreen2005,
-    /// 2.84 - 0.92 [1 - cos(pi a/R)]: up to 2 % above the other for small contacts, below it from a/R = 0.36 on (1.00
-    /// against 1.59 at a/R = 1).
+    /// Cosine form 2.84 - 0.92 [1 - cos(pi a/R)]: up to 2 % above `JacksonGreen2005` for small contacts, below it
+    /// from a/R = 0.36 on (1.00 against 1.59 at a/R = 1).
     #[serde(rename = "cosine")]
     Cosine,
 }
@@ -29,7 +29,7 @@ impl Hardness {
     /// Both forms.
     pub const ALL: [Hardness; 2] = [Hardness::JacksonGreen2005, Hardness::Cosine];
 
-    /// The name users type.
+    /// Name that users type.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -38,7 +38,7 @@ impl Hardness {
         }
     }
 
-    /// H_G/Sy at ln(A/(pi R^2)) <= 0, twice the logarithm of a/R.
+    /// Ratio H_G/Sy at ln(A/(pi R^2)) <= 0, which is twice the logarithm of a/R.
     fn over_strength(self, log_area_share: f64) -> f64 {
         match self {
             Hardness::JacksonGreen2005 => Self::jackson_green_2005(log_area_share),
@@ -56,12 +56,12 @@ impl Hardness {
     }
 }
 
-/// A sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in
-/// `docs/theory/models.md`, section 2.2.
+/// Sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in `docs/models.md`,
+/// section 2.2.
 ///
-/// Hertz's below 1.9 w_c, fitted to finite elements above, for contact radii up to 0.41 R and Sy/E* up to 0.01 or so
-/// ([`in_fitted_range`](Self::in_fitted_range)); evaluated for every w >= 0, a/R being held at 1. With w' = w/w_c and
-/// C = 1.295 exp(0.736 nu).
+/// Hertz's law below 1.9 w_c; above, a fit to finite elements for contact radii up to 0.41 R and Sy/E* up to about
+/// 0.01 ([`in_fitted_range`](Self::in_fitted_range)). Evaluated for every w >= 0, with a/R limited to 1. With w' =
+/// w/w_c and C = 1.295 exp(0.736 nu).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JacksonGreen {
     hertz: Hertz,
@@ -81,7 +81,8 @@ pub struct JacksonGreen {
 }
 
 impl JacksonGreen {
-    /// A sphere of radius R > 0 \[m\] and yield strength Sy > 0 \[Pa\]. An infinite strength is a Hertzian sphere.
+    /// Creates a sphere of radius R > 0 \[m\] and yield strength Sy > 0 \[Pa\]. With an infinite strength it is
+    /// Hertzian.
     #[inline]
     #[must_use]
     pub fn new(pair: &MaterialPair, radius_m: f64, yield_strength_pa: f64, hardness: Hardness) -> Self {
@@ -114,11 +115,11 @@ impl JacksonGreen {
         YIELD_INTERFERENCE_RATIO * self.critical_interference_m
     }
 
-    /// Force F \[N\] at the interference w >= 0 \[m\]: Hertz's below 1.9 w_c, and from there on
-    /// P_c {exp(-w'^(5/12)/4) w'^(3/2) + 4 H_G/(C Sy) \[1 - exp(-w'^(5/9)/25)\] w'}, P_c = (2/3) C Sy pi R w_c.
+    /// Force F \[N\] at the interference w >= 0 \[m\]: Hertz's below 1.9 w_c, above it P_c {exp(-w'^(5/12)/4)
+    /// w'^(3/2) + 4 H_G/(C Sy) \[1 - exp(-w'^(5/9)/25)\] w'}, P_c = (2/3) C Sy pi R w_c.
     ///
-    /// It jumps at 1.9 w_c, downwards for nu > 0.32 or so when Sy is small against E* ([`breaks`](Self::breaks) tells
-    /// by how much), and is not capped with the area.
+    /// It jumps at 1.9 w_c, downwards for nu > 0.32 or so when Sy is small against E* (by the step in
+    /// [`breaks`](Self::breaks)), and is not capped with the area.
     #[must_use]
     pub fn force_n(&self, interference_m: f64) -> f64 {
         if self.is_elastic(interference_m) {
@@ -131,8 +132,8 @@ impl JacksonGreen {
         }
     }
 
-    /// Forces \[N\] and contact areas \[m^2\] at interferences w >= 1.9 w_c \[m\], each under the law `at_depth` of it, all
-    /// of the same hardness.
+    /// Forces \[N\] and contact areas \[m^2\] at interferences w >= 1.9 w_c \[m\], each under its own law `at_depth`;
+    /// all laws have the same hardness form.
     #[inline]
     pub fn plastic_forces_and_areas(
         hardness: Hardness,
@@ -141,8 +142,8 @@ impl JacksonGreen {
         forces_n: &mut [f64],
         areas_m2: &mut [f64],
     ) {
-        // A loop for each hardness, so that the cosine of one does not keep the compiler from working on several
-        // interferences of the other at once.
+        // One loop per hardness form, so that the cosine of one does not keep the compiler from vectorising the
+        // other.
         let nodes = interferences_m.iter().zip(forces_n).zip(areas_m2);
         match hardness {
             Hardness::JacksonGreen2005 => nodes.for_each(|((&w, force_n), area_m2)| {
@@ -154,7 +155,7 @@ impl JacksonGreen {
         }
     }
 
-    /// The same at one interference, without a branch; `over_strength` is H_G/Sy at ln(A/(pi R^2)).
+    /// Force and area at one interference, without a branch; `over_strength` is H_G/Sy at ln(A/(pi R^2)).
     #[inline(always)]
     fn plastic_force_and_area(&self, interference_m: f64, over_strength: impl Fn(f64) -> f64) -> (f64, f64) {
         let log_ratio = self.log_over_onset(interference_m);
@@ -177,16 +178,16 @@ impl JacksonGreen {
     }
 
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
-    /// \[m\], Hertz's below 1.9 w_c, and never more than the sphere's cross-section pi R^2 (Jackson & Jacobs), on
-    /// Hertz's branch too. Continuous.
+    /// \[m\]; Hertz's below 1.9 w_c, and limited to the cross-section pi R^2 (Jackson & Jacobs), also on Hertz's
+    /// branch. Continuous.
     #[must_use]
     pub fn area_m2(&self, interference_m: f64) -> f64 {
         let area_m2 = self.hertz.area_m2(interference_m) * self.area_over_hertz(interference_m);
         area_m2.min(PI * self.radius_m * self.radius_m)
     }
 
-    /// Whether the contact at this interference lies within the results the law was fitted to:
-    /// a/R <= 0.41 and Sy/E* <= 0.01. Hertz's branch, which is no fit, always does.
+    /// True if the contact at this interference lies within the results that the law was fitted to: a/R <= 0.41 and
+    /// Sy/E* <= 0.01. Always true on Hertz's branch, which is no fit.
     #[must_use]
     pub fn in_fitted_range(&self, interference_m: f64) -> bool {
         self.is_elastic(interference_m)
@@ -194,8 +195,8 @@ impl JacksonGreen {
                 && self.contact_radius_over_radius(interference_m) <= FITTED_CONTACT_RADIUS_OVER_RADIUS)
     }
 
-    /// The interferences \[m\] at which the force or the area is not smooth, in rising order: the departure
-    /// from Hertz's law, where the force jumps, and the cap of the area at pi R^2.
+    /// Interferences \[m\] at which the force or the area is not smooth, in rising order: the departure from Hertz's
+    /// law, where the force jumps, and the cap of the area at pi R^2.
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let onset = self.plastic_onset_m();
         let departure = onset.is_finite().then(|| {
@@ -217,7 +218,7 @@ impl JacksonGreen {
     }
 
     /// Interference \[m\] at which the area reaches a share of pi R^2 in (0, 1]: w = share R while Hertzian, else
-    /// (w/R)(w'/1.9)^b = share in logarithms.
+    /// (w/R)(w'/1.9)^b = share, solved in logarithms.
     #[must_use]
     pub fn interference_of_area_share_m(&self, share: f64) -> f64 {
         let onset = self.plastic_onset_m();
@@ -229,7 +230,7 @@ impl JacksonGreen {
         onset * (log_room / (1.0 + self.area_exponent)).exp()
     }
 
-    /// ln(A/(pi R^2)) at the interference w > 0 \[m\], the cap left aside: positive where the cap holds.
+    /// Computes ln(A/(pi R^2)) at the interference w > 0 \[m\] without the cap: positive if the cap holds.
     #[must_use]
     pub fn log_area_over_cross_section(&self, interference_m: f64) -> f64 {
         let log_growth =
@@ -241,7 +242,7 @@ impl JacksonGreen {
         interference_m < self.plastic_onset_m()
     }
 
-    /// (w'/1.9)^b, 1 below the onset; through the logarithm, since b reaches thousands when Sy nears E*.
+    /// Factor (w'/1.9)^b, 1 below the onset; through the logarithm, because b reaches thousands when Sy nears E*.
     fn area_over_hertz(&self, interference_m: f64) -> f64 {
         if self.is_elastic(interference_m) { 1.0 } else { self.log_area_over_hertz(interference_m).exp() }
     }
@@ -250,27 +251,27 @@ impl JacksonGreen {
         self.log_growth(self.log_over_onset(interference_m))
     }
 
-    /// ln(w'/1.9), keeping its digits near the onset.
+    /// Computes ln(w'/1.9), keeping its digits near the onset.
     #[inline(always)]
     fn log_over_onset(&self, interference_m: f64) -> f64 {
         let onset_m = self.plastic_onset_m();
         elementary::ln_1p((interference_m - onset_m) / onset_m)
     }
 
-    /// b ln(w'/1.9).
+    /// Computes b ln(w'/1.9).
     #[inline(always)]
     fn log_growth(&self, log_ratio: f64) -> f64 {
         self.area_exponent * log_ratio
     }
 
-    /// a/R = min(1, sqrt(A/(pi R^2))).
+    /// Contact radius over sphere radius, a/R = min(1, sqrt(A/(pi R^2))).
     fn contact_radius_over_radius(&self, interference_m: f64) -> f64 {
         ((interference_m / self.radius_m).sqrt() * (0.5 * self.log_area_over_hertz(interference_m)).exp())
             .min(1.0)
     }
 
-    /// The force \[N\] from the onset on, in logarithms: `log_ratio` is ln(w'/1.9), and `over_strength` gives H_G/Sy at
-    /// ln(A/(pi R^2)), which is ln(1.9 w_c/R) + (1 + b) ln(w'/1.9), held at 0.
+    /// Force \[N\] from the onset on, in logarithms: `log_ratio` is ln(w'/1.9), and `over_strength` gives H_G/Sy at
+    /// ln(A/(pi R^2)), which is ln(1.9 w_c/R) + (1 + b) ln(w'/1.9), limited to 0.
     #[inline(always)]
     fn plastic_force_n(
         &self,

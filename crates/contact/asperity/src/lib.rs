@@ -1,13 +1,13 @@
 #![doc = include_str!("../README.md")]
 //!
-//! The nouns:
-//! * [`MaterialPair`]: the body that yields and what presses on it; its composite modulus.
+//! Main types:
+//! * [`MaterialPair`]: the body that yields, its counterface, and their composite modulus.
 //! * the laws: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`HertzEllipse`] for a summit of two
 //!   curvatures, [`ElasticSinusoid`] and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an
 //!   interference, with its mean gap, and [`BemSinusoid`], the elastic one by boundary elements.
-//! * [`NixGao`]: the yield strength, growing where the deformation is shallow.
+//! * [`NixGao`]: the yield strength, which grows as the deformation gets shallower.
 //! * [`elementary`]: exponentials and logarithms for many arguments at once.
-//! * [`Break`]: where a law bends or jumps, for those who integrate it.
+//! * [`Break`]: kinks and jumps of a law, for quadratures over it.
 //!
 //! The material types check their values once; the laws' arguments carry their range in their documentation.
 #![deny(missing_docs)]

@@ -1,10 +1,10 @@
-//! The two bodies in contact, and the numbers the laws draw from them.
+//! The two bodies in contact, and the coefficients that the laws derive from them.
 
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::{AsperityError, Bound};
 
-/// An isotropic elastic body; its values were checked when it was made.
+/// Isotropic elastic body with checked constants.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct ElasticBody {
     youngs_modulus_pa: f64,
@@ -12,10 +12,10 @@ pub struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// The range of Poisson's ratio in which an isotropic body is stable; 0.5 is incompressible.
+    /// Range of Poisson's ratio in which an isotropic body is stable; 0.5 is incompressible.
     pub const POISSON_RATIO: Bound = Bound::LeftOpen { above: -1.0, at_most: 0.5 };
 
-    /// A body of Young's modulus E \[Pa\] and Poisson's ratio nu.
+    /// Creates a body of Young's modulus E \[Pa\] and Poisson's ratio nu.
     ///
     /// # Errors
     /// [`AsperityError`] unless E is positive and within thirty decades of 1, and nu lies in (-1, 0.5].
@@ -38,8 +38,8 @@ impl ElasticBody {
         self.poisson_ratio
     }
 
-    /// C = 1.295 exp(0.736 nu): the largest pressure under a sphere at first yield, over the yield strength
-    /// (Jackson & Green 2005). Two bodies in contact yield at C S_y = min C(nu_i) S_y,i.
+    /// Coefficient C = 1.295 exp(0.736 nu): the largest pressure under a sphere at first yield, over the yield
+    /// strength (Jackson & Green 2005). Two bodies in contact yield at C S_y = min C(nu_i) S_y,i.
     #[must_use]
     pub fn spherical_yield_coefficient(&self) -> f64 {
         1.295 * (0.736 * self.poisson_ratio).exp()
@@ -51,7 +51,7 @@ impl ElasticBody {
     }
 }
 
-/// The rough body and the counterface that presses on it, one of which may yield.
+/// Rough body and the counterface that presses on it; one of them may yield.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct MaterialPair {
     body: ElasticBody,
@@ -66,20 +66,20 @@ pub struct MaterialPair {
 }
 
 impl MaterialPair {
-    /// The body against a rigid counterface, which adds nothing to the compliance: E* = E/(1 - nu^2).
+    /// Pairs the body with a rigid counterface, which adds no compliance: E* = E/(1 - nu^2).
     #[must_use]
     pub fn against_rigid(body: ElasticBody) -> Self {
         Self::with_composite_modulus(body, body, body.plane_strain_modulus_pa())
     }
 
-    /// The body against an elastic counterface: 1/E* = sum (1 - nu^2)/E over both. Only the body yields.
+    /// Pairs the body with an elastic counterface: 1/E* = sum (1 - nu^2)/E over both. Only the body yields.
     #[must_use]
     pub fn against(body: ElasticBody, counterface: ElasticBody) -> Self {
         Self::with_composite_modulus(body, body, composite_modulus_pa(body, counterface))
     }
 
-    /// The body against an elastic counterface that yields in its place: E* is that of [`Self::against`], and the
-    /// criteria of yield take Poisson's ratio of the counterface.
+    /// Pairs the body with an elastic counterface that yields in its place: E* is that of [`Self::against`], and the
+    /// yield criteria take Poisson's ratio of the counterface.
     #[must_use]
     pub fn against_yielding(body: ElasticBody, counterface: ElasticBody) -> Self {
         Self::with_composite_modulus(body, counterface, composite_modulus_pa(body, counterface))
@@ -119,7 +119,7 @@ impl MaterialPair {
         self.composite_modulus_pa
     }
 
-    /// C = 1.295 exp(0.736 nu) of the body that yields ([`ElasticBody::spherical_yield_coefficient`]).
+    /// Coefficient C = 1.295 exp(0.736 nu) of the body that yields ([`ElasticBody::spherical_yield_coefficient`]).
     pub(crate) fn spherical_yield_coefficient(&self) -> f64 {
         self.spherical_yield_coefficient
     }
@@ -129,8 +129,8 @@ impl MaterialPair {
         self.log_spherical_yield_coefficient
     }
 
-    /// E* B_c / Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3): the aspect ratio at which a sinusoid first yields before
-    /// complete contact (Krithivasan & Jackson 2007).
+    /// Coefficient E* B_c/Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3), with B_c the aspect ratio at which a sinusoid first
+    /// yields before complete contact (Krithivasan & Jackson 2007).
     pub(crate) fn sinusoidal_yield_coefficient(&self) -> f64 {
         self.sinusoidal_yield_coefficient
     }

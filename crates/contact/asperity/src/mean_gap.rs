@@ -1,14 +1,14 @@
 //! Mean gap left by a sinusoid under pressure, and its inverse: Rostami & Jackson (2013), Proc IMechE J 227:1376;
 //! Jackson & Jacobs, Eqs. (9)-(12).
 //!
-//! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits where
-//! the gap is almost the amplitude; the strength goes like h_p^(-1/2), so they show.
+//! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits
+//! where the gap is almost the amplitude. They matter because the strength goes like h_p^(-1/2).
 
 use numerics::newton_in_bracket;
 
 use crate::elementary;
 
-/// The exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
+/// Exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GapExponent {
     a1: f64,
@@ -16,8 +16,8 @@ pub(crate) struct GapExponent {
 }
 
 impl GapExponent {
-    /// A1 = -0.1 ln r, A2 = (r-1)^0.44/15 + 0.99^(0.44 (r-1)) - 1/2 for the aspect ratio r >= 1 over the critical one;
-    /// elastic at r = 1.
+    /// Creates A1 = -0.1 ln r, A2 = (r-1)^0.44/15 + 0.99^(0.44 (r-1)) - 1/2 for the aspect ratio r >= 1 over the
+    /// critical one; elastic at r = 1.
     #[inline(always)]
     pub fn elastic_plastic(aspect_ratio_over_critical: f64) -> Self {
         const LOG_OF_99_HUNDREDTHS: f64 = -0.010_050_335_853_501_44;
@@ -30,19 +30,19 @@ impl GapExponent {
         }
     }
 
-    /// g/Delta at ln x <= 0.
+    /// Mean gap over amplitude g/Delta at ln x <= 0.
     pub fn gap_over_amplitude(self, log_x: f64) -> f64 {
         let opening = -self.log_power(log_x, log_x.exp()).exp_m1();
         opening * opening * opening.sqrt()
     }
 
-    /// h_p/Delta = 1 - g/Delta at ln x <= 0 and its exponential.
+    /// Deformation over amplitude h_p/Delta = 1 - g/Delta at ln x <= 0 and x.
     pub fn deformation_over_amplitude(self, log_x: f64, x: f64) -> f64 {
         let t = self.log_power(log_x, x).exp();
         complement(t, 1.0 - t)
     }
 
-    /// h_p/Delta and its derivative by ln x, at ln x < 0 and its exponential.
+    /// Deformation over amplitude h_p/Delta and its derivative by ln x, at ln x < 0 and x.
     #[inline(always)]
     pub fn deformation_and_slope(self, log_x: f64, x: f64) -> (f64, f64) {
         let exponent = self.a1 * x + self.a2;
@@ -52,10 +52,9 @@ impl GapExponent {
         (complement(t, opening), slope)
     }
 
-    /// ln x < 0 at which x^(A1 x + A2) is the square root of x times e^`log_factor`, the factor being below 1 and A2 above
-    /// 1/2.
+    /// Solves x^(A1 x + A2) = x^(1/2) e^`log_factor` for ln x < 0, with a factor below 1 and A2 > 1/2.
     pub fn log_x_where_half_power_is(self, log_factor: f64) -> f64 {
-        // (A1 x + A2 - 1/2) ln x = ln(factor)/2 < 0. The left side comes up from minus infinity at x = 0 and never falls
+        // (A1 x + A2 - 1/2) ln x = ln(factor)/2 < 0. The left side rises from minus infinity at x = 0 and never falls
         // below zero once above it; without A1 x <= 0 it is smaller, and its zero an upper bound.
         let excess = self.a2 - 0.5;
         let target = 0.5 * log_factor;
@@ -77,8 +76,8 @@ impl GapExponent {
         if self.a1 == 0.0 {
             return upper;
         }
-        // A1 <= 0 makes the exponent largest at x = 0 and the left side rise with ln x, so that `upper` is an upper
-        // bound, and the exponent there yields a lower one.
+        // A1 <= 0 makes the exponent largest at x = 0 and the left side rise with ln x. So `upper` is an upper bound,
+        // and the exponent there yields a lower one.
         let lower = log_t / (self.a1 * elementary::exp(upper) + self.a2);
         newton_in_bracket(lower, upper, upper, |log_x| {
             let x = elementary::exp(log_x);
@@ -87,14 +86,14 @@ impl GapExponent {
         })
     }
 
-    /// ln x^(A1 x + A2).
+    /// Logarithm of x^(A1 x + A2).
     #[inline(always)]
     pub fn log_power(self, log_x: f64, x: f64) -> f64 {
         (self.a1 * x + self.a2) * log_x
     }
 }
 
-/// t = 1 - (1 - h_p/Delta)^(2/5), the power of x in g/Delta = (1 - t)^(5/2), at h_p/Delta in [0, 1).
+/// Power t = 1 - (1 - h_p/Delta)^(2/5) of g/Delta = (1 - t)^(5/2), at h_p/Delta in [0, 1).
 ///
 /// With y = (1 - h_p/Delta)^(2/5), 1 - y is (1 - y^5)/(1 + y + y^2 + y^3 + y^4), where nothing cancels.
 #[inline(always)]
@@ -104,8 +103,8 @@ pub(crate) fn power_at(deformation_over_amplitude: f64) -> f64 {
     h * (2.0 - h) / (1.0 + y * (1.0 + y * (1.0 + y * (1.0 + y))))
 }
 
-/// 1 - (1-t)^(5/2) for t in [0, 1] and 1 - t: (1 - (1-t)^5)/(1 + (1-t)^(5/2)) where t is small, without cancellation, and
-/// with a root in the place of a logarithm and an exponential.
+/// Computes 1 - (1-t)^(5/2) from t in [0, 1] and 1 - t: as (1 - (1-t)^5)/(1 + (1-t)^(5/2)) for small t, without
+/// cancellation, and with a root instead of a logarithm and an exponential.
 #[inline(always)]
 pub(crate) fn complement(t: f64, opening: f64) -> f64 {
     let gap = opening * opening * opening.sqrt();

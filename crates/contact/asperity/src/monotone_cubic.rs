@@ -1,7 +1,7 @@
 //! Piecewise cubic interpolation that keeps the monotonicity of its data: PCHIP, i.e. the three-point slopes of Fritsch &
 //! Butland (1984), SIAM J. Sci. Stat. Comput. 5:300, within the bounds of Fritsch & Carlson (1980).
 
-/// A monotone interpolant of monotone data, with a continuous slope.
+/// Monotone interpolant of monotone data, with a continuous slope.
 #[derive(Debug, Clone)]
 pub(crate) struct MonotoneCubic {
     x: Vec<f64>,
@@ -10,7 +10,7 @@ pub(crate) struct MonotoneCubic {
 }
 
 impl MonotoneCubic {
-    /// Through the points, of which there are at least three, x rising.
+    /// Interpolates at least three points of rising x.
     pub fn through(x: Vec<f64>, y: Vec<f64>) -> Self {
         let steps: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let secants: Vec<f64> = y.windows(2).zip(&steps).map(|(pair, h)| (pair[1] - pair[0]) / h).collect();
@@ -34,7 +34,7 @@ impl MonotoneCubic {
     }
 }
 
-/// The weighted harmonic mean of the secants, zero where they differ in sign.
+/// Weighted harmonic mean of the secants; zero if they differ in sign.
 fn inner_slope([before, after]: [f64; 2], [left, right]: [f64; 2]) -> f64 {
     if left * right <= 0.0 {
         return 0.0;
@@ -43,7 +43,7 @@ fn inner_slope([before, after]: [f64; 2], [left, right]: [f64; 2]) -> f64 {
     (w_left + w_right) / (w_left / left + w_right / right)
 }
 
-/// The slope of the parabola through three points at an end, held within what keeps the end piece monotone.
+/// Slope of the parabola through three points at an end, limited so that the end piece stays monotone.
 fn end_slope([near, far]: [f64; 2], [secant, next]: [f64; 2]) -> f64 {
     let slope = ((2.0 * near + far) * secant - near * next) / (near + far);
     if slope * secant <= 0.0 {

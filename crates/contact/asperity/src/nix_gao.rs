@@ -2,9 +2,9 @@
 
 use crate::{AsperityError, Bound};
 
-/// Yield strength Sy = S0 sqrt(1 + h*/h_p) \[Pa\], constant where no strain-gradient length is given: Nix & Gao (1998);
-/// Jackson & Jacobs, Eq. (8); `docs/theory/models.md`, section 2.7. A continuum law: depths of a few atoms are outside
-/// its sense, though not refused.
+/// Yield strength Sy = S0 sqrt(1 + h*/h_p) \[Pa\], constant if no strain-gradient length is given: Nix & Gao (1998);
+/// Jackson & Jacobs, Eq. (8); `docs/models.md`, section 2.7. As a continuum law it loses its meaning at depths of a
+/// few atoms, which are not refused.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct NixGao {
     macroscopic_strength_pa: f64,
@@ -13,7 +13,7 @@ pub struct NixGao {
 }
 
 impl NixGao {
-    /// The strength S0 \[Pa\] at every depth.
+    /// Creates a strength S0 \[Pa\] that is the same at every depth.
     ///
     /// # Errors
     /// [`AsperityError`] unless S0 is positive and within thirty decades of 1.
@@ -23,7 +23,7 @@ impl NixGao {
         Ok(NixGao { macroscopic_strength_pa, strain_gradient_length_m: None, cap_pa: None })
     }
 
-    /// The same, growing with the strain-gradient length h* \[m\].
+    /// Returns this strength growing with the strain-gradient length h* \[m\].
     ///
     /// # Errors
     /// [`AsperityError`] unless h* is positive and within thirty decades of 1.
@@ -32,7 +32,7 @@ impl NixGao {
         Ok(NixGao { strain_gradient_length_m: Some(length_m), ..self })
     }
 
-    /// The same, never above `cap_pa` (E/10 is the usual bound). The published law has no cap.
+    /// Returns this strength limited to `cap_pa` (E/10 is the usual limit). The published law has no cap.
     ///
     /// # Errors
     /// [`AsperityError`] unless the cap is at least S0 and within thirty decades of 1.
@@ -42,33 +42,33 @@ impl NixGao {
         Ok(NixGao { cap_pa: Some(cap_pa), ..self })
     }
 
-    /// S0 \[Pa\], the strength at large depth.
+    /// Macroscopic strength S0 \[Pa\], at large depth.
     #[must_use]
     pub fn macroscopic_strength_pa(&self) -> f64 {
         self.macroscopic_strength_pa
     }
 
-    /// h* \[m\], where the strength depends on depth.
+    /// Strain-gradient length h* \[m\]; `None` if the strength does not depend on depth.
     #[must_use]
     pub fn strain_gradient_length_m(&self) -> Option<f64> {
         self.strain_gradient_length_m
     }
 
-    /// The bound on the strength \[Pa\], where there is one.
+    /// Upper limit of the strength \[Pa\], if any.
     #[must_use]
     pub fn cap_pa(&self) -> Option<f64> {
         self.cap_pa
     }
 
-    /// The depth \[m\] below which the cap holds, and at which the strength therefore bends.
+    /// Depth \[m\] below which the cap holds, and at which the strength has a kink.
     #[must_use]
     pub fn cap_depth_m(&self) -> Option<f64> {
         self.strain_gradient_length_m?;
         self.depth_of_strength_m(self.cap_pa?)
     }
 
-    /// The depth \[m\] from which on the strength is at most `strength_pa`: 0 where it is so everywhere, `None` where it
-    /// is nowhere.
+    /// Smallest depth \[m\] from which on the strength is at most `strength_pa`: 0 if it is so everywhere, `None` if
+    /// it is nowhere.
     #[must_use]
     pub fn depth_of_strength_m(&self, strength_pa: f64) -> Option<f64> {
         if self.cap_pa.is_some_and(|cap| cap < strength_pa) {
@@ -81,8 +81,8 @@ impl NixGao {
         }
     }
 
-    /// Strength \[Pa\] at the deformation depth h_p >= 0 \[m\]. Without a cap it grows beyond all bounds as the depth
-    /// vanishes: no deformation, no plasticity.
+    /// Strength \[Pa\] at the deformation depth h_p >= 0 \[m\]. Without a cap it diverges as the depth vanishes: no
+    /// deformation, no plasticity.
     #[inline]
     #[must_use]
     pub fn at_depth_pa(&self, depth_m: f64) -> f64 {
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn diamond_hardens_to_tens_of_gigapascals_at_nanometres() {
-        // Jackson & Jacobs speak of 29 GPa at 10-40 nm and of 40-45 GPa at a few nm.
+        // Jackson & Jacobs state 29 GPa at 10-40 nm and 40-45 GPa at a few nm.
         assert!((20e9..41e9).contains(&uncd().at_depth_pa(20e-9)));
         assert!((39e9..90e9).contains(&uncd().at_depth_pa(5e-9)));
     }

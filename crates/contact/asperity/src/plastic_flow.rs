@@ -1,16 +1,15 @@
-//! The elastic-plastic sinusoid where plastic flow sets its mean gap: explicit in the pressure, for many pressures of one
-//! sinusoid.
+//! Plastic branch of the elastic-plastic sinusoid: explicit in the pressure, for many pressures of one sinusoid.
 
 use crate::ElasticPlasticSinusoid;
 use crate::elementary;
 use crate::mean_gap::GapExponent;
 use crate::yielding_area::YieldingArea;
 
-/// The plastic branch of a sinusoid, with what does not depend on the pressure worked out
+/// Plastic branch of a sinusoid, with the pressure-independent constants precomputed
 /// ([`ElasticPlasticSinusoid::plastic_flow`]).
 ///
-/// A sinusoid with r <= 1 has none: of it only the functions that are documented as those of
-/// [`ElasticPlasticSinusoid`] mean something.
+/// A sinusoid with r <= 1 has no plastic branch: only the functions documented as equal to those of
+/// [`ElasticPlasticSinusoid`] are meaningful for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlasticFlow {
     law: ElasticPlasticSinusoid,
@@ -18,13 +17,13 @@ pub struct PlasticFlow {
     area: YieldingArea,
 }
 
-/// What a sinusoid answers where plastic flow sets its pressure.
+/// State of a sinusoid on its plastic branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FlowPoint {
-    /// w/Delta at which the elastic-plastic mean gap is reached.
+    /// Interference over amplitude w/Delta at which the elastic-plastic mean gap is reached.
     pub interference_over_amplitude: f64,
-    /// Its derivative by ln p.
+    /// Derivative of w/Delta by ln p.
     pub slope_by_log_pressure: f64,
     /// Mean pressure \[Pa\].
     pub pressure_pa: f64,
@@ -33,7 +32,7 @@ pub struct FlowPoint {
 }
 
 impl ElasticPlasticSinusoid {
-    /// The plastic branch with its constants worked out, for r > 1: for many pressures of one sinusoid.
+    /// Returns the plastic branch with its constants precomputed for many pressures, for r > 1.
     #[must_use]
     pub fn plastic_flow(&self) -> PlasticFlow {
         PlasticFlow { law: *self, gap: self.gap_exponent(), area: self.yielding_area() }
@@ -41,13 +40,13 @@ impl ElasticPlasticSinusoid {
 }
 
 impl PlasticFlow {
-    /// [`ElasticPlasticSinusoid::complete_contact_pressure_pa`].
+    /// Equals [`ElasticPlasticSinusoid::complete_contact_pressure_pa`].
     #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.area.complete_contact_pressure_pa()
     }
 
-    /// [`ElasticPlasticSinusoid::area_fraction`].
+    /// Equals [`ElasticPlasticSinusoid::area_fraction`].
     #[must_use]
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
         if self.law.yields_at(pressure_pa) {
@@ -57,13 +56,13 @@ impl PlasticFlow {
         }
     }
 
-    /// [`ElasticPlasticSinusoid::pressure_at_interference_pa`].
+    /// Equals [`ElasticPlasticSinusoid::pressure_at_interference_pa`].
     #[must_use]
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         self.law.pressure_at_interference_by_pa(self.gap, interference_over_amplitude)
     }
 
-    /// The point at ln x < 0, p = p*_ep x. Explicit, where the pressure at an interference has to be solved for.
+    /// State at p = p*_ep x, given ln x < 0. Explicit, whereas the pressure at an interference has to be solved for.
     #[must_use]
     pub fn at_log_pressure(&self, log_x: f64) -> FlowPoint {
         let flowing = self.yielding_at(log_x.exp(), log_x);
@@ -73,7 +72,7 @@ impl PlasticFlow {
         FlowPoint { area_fraction: self.law.elastic().area_fraction(flowing.pressure_pa), ..flowing }
     }
 
-    /// The same at ln x < 0 and x, without a branch, where the sinusoid yields.
+    /// State at ln x < 0 and x, without a branch, where the sinusoid yields.
     #[inline(always)]
     #[must_use]
     pub fn yielding_at(&self, x: f64, log_x: f64) -> FlowPoint {
@@ -86,14 +85,15 @@ impl PlasticFlow {
         }
     }
 
-    /// The fraction of the area at p = p*_ep x, x < 1, without a branch, where the sinusoid yields.
+    /// Area fraction at p = p*_ep x, x < 1, without a branch, where the sinusoid yields.
     #[inline(always)]
     #[must_use]
     pub fn yielding_area_fraction(&self, x: f64) -> f64 {
         self.area.fraction(x, elementary::ln(x))
     }
 
-    /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0, 1).
+    /// ln x, p = p*_ep x, at which the elastic-plastic mean gap corresponds to an interference over amplitude in (0,
+    /// 1).
     #[must_use]
     pub fn log_pressure_at_interference(&self, interference_over_amplitude: f64) -> f64 {
         self.gap.log_x_at(interference_over_amplitude)

@@ -1,4 +1,4 @@
-//! Sinusoids that the tests of several files press.
+//! Sinusoids shared by the tests of several files.
 
 use crate::{ElasticBody, ElasticPlasticSinusoid, MaterialPair};
 
@@ -7,7 +7,7 @@ pub(crate) fn pair() -> MaterialPair {
     MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap())
 }
 
-/// A sinusoid of that diamond, of r times the critical aspect ratio.
+/// Sinusoid of that diamond with r times the critical aspect ratio.
 pub(crate) fn at_ratio(r: f64) -> ElasticPlasticSinusoid {
     let critical = ElasticPlasticSinusoid::new(&pair(), 1.0, 1.8e9).critical_aspect_ratio();
     ElasticPlasticSinusoid::new(&pair(), r * critical, 1.8e9)

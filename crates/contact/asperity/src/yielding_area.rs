@@ -1,6 +1,6 @@
-//! The area of a sinusoid that yields: Jackson, Krithivasan & Wilson (2008); `docs/theory/models.md`, section 2.4.
+//! Area of a sinusoid that yields: Jackson, Krithivasan & Wilson (2008); `docs/models.md`, section 2.4.
 //!
-//! With x = p/p*_ep the fraction of the area is min(1, phi_p (1 - x^1.51) + phi_2 x^1.04): a power of x at light pressures,
+//! With x = p/p*_ep the area fraction is min(1, phi_p (1 - x^1.51) + phi_2 x^1.04): a power of x at light pressures,
 //! joined to the limit phi_2 of the elastic law near complete contact.
 
 use std::f64::consts::LN_2;
@@ -12,40 +12,41 @@ use crate::elastic_sinusoid::{
 };
 use crate::elementary;
 
-/// The area of a sinusoid that yields, with what does not depend on the pressure worked out
+/// Area of a sinusoid that yields, with the pressure-independent constants precomputed
 /// ([`ElasticPlasticSinusoid::yielding_area`](crate::ElasticPlasticSinusoid::yielding_area)).
 ///
-/// It knows nothing of the pressure of first yield: below that the elastic area holds.
+/// It does not check for first yield: below that pressure the elastic area holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldingArea {
-    /// p*_ep \[Pa\].
+    /// Mean pressure of complete contact p*_ep \[Pa\].
     complete_contact_pressure_pa: f64,
-    /// phi_p = exp(`log_factor`) x^`exponent`.
+    /// Factor of phi_p = exp(`log_factor`) x^`exponent`.
     log_factor: f64,
     exponent: f64,
 }
 
-/// What sets the area of a sinusoid that yields.
-pub(crate) struct Yielding {
-    /// p*_ep \[Pa\].
+/// Parameters of the area of a sinusoid that yields.
+pub(crate) struct YieldParameters {
+    /// Mean pressure of complete contact p*_ep \[Pa\].
     pub complete_contact_pressure_pa: f64,
     /// ln(p*_ep/p*).
     pub log_softening: f64,
-    /// s = E* B/Sy, the slope over the slope that the strength admits.
+    /// Slope ratio s = E* B/Sy: the slope over the slope that the strength admits.
     pub slope_over_yield_slope: f64,
     /// ln C.
     pub log_yield_coefficient: f64,
 }
 
 impl YieldingArea {
-    /// phi_p = 2 (phi_c/2)^(1/(1+d)) \[3 p/(4 C Sy)\]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and
-    /// d = 3.8 (E* B/Sy)^0.11, as a power of x: 3 p*_ep/(4 C Sy) is (3 sqrt(2) pi/4) s/C times the softening.
+    /// Creates phi_p = 2 (phi_c/2)^(1/(1+d)) \[3 p/(4 C Sy)\]^(d/(1+d)), with phi_c/2 = (C Sy/(8 E* B))^2/pi and d =
+    /// 3.8 (E* B/Sy)^0.11, as a power of x: 3 p*_ep/(4 C Sy) is (3 sqrt(2) pi/4) s/C times the softening.
     #[inline(always)]
-    pub(crate) fn of(yielding: Yielding) -> Self {
+    pub(crate) fn new(yielding: YieldParameters) -> Self {
         const LN_8: f64 = 2.079_441_541_679_835_9;
         const LN_PI: f64 = 1.144_729_885_849_400_2;
         const LN_3_SQRT_2_PI_OVER_4: f64 = 1.203_621_403_677_591_9;
-        let Yielding { complete_contact_pressure_pa, log_softening, log_yield_coefficient, .. } = yielding;
+        let YieldParameters { complete_contact_pressure_pa, log_softening, log_yield_coefficient, .. } =
+            yielding;
         let log_slope = elementary::ln(yielding.slope_over_yield_slope);
         let d = 3.8 * elementary::exp(0.11 * log_slope);
         let log_half_critical_area = 2.0 * (log_yield_coefficient - LN_8 - log_slope) - LN_PI;
@@ -57,27 +58,28 @@ impl YieldingArea {
         }
     }
 
-    /// p*_ep \[Pa\], the mean pressure of complete contact.
+    /// Mean pressure of complete contact p*_ep \[Pa\].
     #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {
         self.complete_contact_pressure_pa
     }
 
-    /// [`ElasticPlasticSinusoid::area_fraction`](crate::ElasticPlasticSinusoid::area_fraction) where the sinusoid yields
-    /// at the mean pressure p > 0 \[Pa\].
+    /// Equals [`ElasticPlasticSinusoid::area_fraction`](crate::ElasticPlasticSinusoid::area_fraction) where the
+    /// sinusoid yields at the mean pressure p > 0 \[Pa\].
     #[must_use]
     pub fn fraction_at(&self, pressure_pa: f64) -> f64 {
         let x = pressure_pa / self.complete_contact_pressure_pa;
         if x < 1.0 { self.fraction_alone(x, x.ln()) } else { 1.0 }
     }
 
-    /// The fraction in (0, 1\] at x < 1 and ln x, for loops over many pressures.
+    /// Area fraction in (0, 1\] at x < 1 and ln x, for loops over many pressures.
     #[inline(always)]
     pub(crate) fn fraction(&self, x: f64, log_x: f64) -> f64 {
         self.fraction_by(elementary::exp, x, log_x)
     }
 
-    /// The same for one pressure that others wait for, as down a stack: alone, the library's exponential is the faster one.
+    /// Area fraction at one pressure on which others depend, as down a stack: for a single number the library's
+    /// exponential is faster.
     pub(crate) fn fraction_alone(&self, x: f64, log_x: f64) -> f64 {
         self.fraction_by(f64::exp, x, log_x)
     }
@@ -90,19 +92,20 @@ impl YieldingArea {
         if fitted < 1.0 { fitted.max(f64::MIN_POSITIVE) } else { 1.0 }
     }
 
-    /// The mean pressure \[Pa\] from which on the fraction is held at 1: p*_ep, or where the fit first reaches 1 below it.
+    /// Mean pressure \[Pa\] from which on the fraction is limited to 1: p*_ep, or the smaller pressure at which the
+    /// fit first reaches 1.
     pub(crate) fn flattening_pressure_pa(&self) -> f64 {
         self.flattening_share() * self.complete_contact_pressure_pa
     }
 
-    /// Positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa), negative below it, and smooth, for mean
-    /// pressures \[Pa\] up to p*_ep.
+    /// Returns a smooth number that is positive above [`flattening_pressure_pa`](Self::flattening_pressure_pa) and
+    /// negative below it, for mean pressures \[Pa\] up to p*_ep.
     pub(crate) fn flattening_margin(&self, pressure_pa: f64) -> f64 {
         let complete_pa = self.complete_contact_pressure_pa;
         self.overshoot_over_rest(((complete_pa - pressure_pa) / complete_pa).max(0.0)).0
     }
 
-    /// x in (0, 1\] from which on the fraction is held at 1.
+    /// Smallest x in (0, 1\] from which on the fraction is limited to 1.
     fn flattening_share(&self) -> f64 {
         if self.overshoot_over_rest(0.0).0 <= 0.0 {
             return 1.0;
@@ -111,11 +114,11 @@ impl YieldingArea {
             let (overshoot, slope) = self.overshoot_over_rest(rest);
             (-overshoot, -slope)
         });
-        // Far below complete contact the rest has no digits for the share itself.
+        // Far below complete contact 1 - rest has no digits.
         if rest < 0.5 { 1.0 - rest } else { self.flattening_share_below_half() }
     }
 
-    /// The same where it is at most 1/2, from ln x.
+    /// [`flattening_share`](Self::flattening_share) if it is at most 1/2, from ln x.
     fn flattening_share_below_half(&self) -> f64 {
         const LEAST_LOG: f64 = -700.0;
         let start = (-self.log_factor / self.exponent).clamp(LEAST_LOG, -LN_2);
@@ -131,10 +134,10 @@ impl YieldingArea {
         .exp()
     }
 
-    /// (fraction - 1)/u, before it is held at 1, and the derivative by u, at the rest u = 1 - x in \[0, 1).
+    /// Computes (fraction - 1)/u, before the limit to 1, and its derivative by u, at the rest u = 1 - x in \[0, 1).
     ///
-    /// The fraction minus one has a zero at x = 1. Over u it has none there, and another one, at smaller x, just where it
-    /// is positive at x = 1.
+    /// The fraction minus one has a zero at x = 1. Divided by u it has none there. It has another one, at smaller x,
+    /// just if it is positive at x = 1.
     fn overshoot_over_rest(&self, rest: f64) -> (f64, f64) {
         let (x, log_x) = (1.0 - rest, (-rest).ln_1p());
         let plastic = elementary::exp(self.log_factor + self.exponent * log_x);
@@ -148,9 +151,9 @@ impl YieldingArea {
     }
 }
 
-/// (1 - x^a)/u at u = 1 - x in \[0, 1) and ln x, a at u = 0, and its derivative by u.
+/// Computes (1 - x^a)/u at u = 1 - x in \[0, 1) and ln x, a at u = 0, and its derivative by u.
 fn lost_over_rest(a: f64, rest: f64, log_x: f64) -> (f64, f64) {
-    // The derivative cancels at small u, and has its limit there.
+    // At small u the derivative cancels; its limit is used.
     const LINEAR_BELOW: f64 = 1e-5;
     let limit = -0.5 * a * (a - 1.0);
     if rest == 0.0 {
@@ -179,7 +182,7 @@ mod tests {
         }
     }
 
-    /// What lets a stack tell a flattened scale from a steeper one that was flattened before.
+    /// Lets a stack distinguish a flattened scale from a steeper one that was flattened before.
     #[test]
     fn a_steeper_sinusoid_takes_more_pressure_to_flatten_up_to_four_thousand_critical_aspect_ratios() {
         for poisson_ratio in [-0.99, 0.0, 0.2, 0.5] {

@@ -1,4 +1,4 @@
-//! Laws in the words of codes.
+//! Laws in the input formats of finite element codes.
 
 use units::{named, number};
 
@@ -6,12 +6,12 @@ use crate::error::ContactLawError;
 use crate::fields::field;
 use crate::{ContactLaw, ExponentialLaw, Heading, UnitSystem};
 
-/// Who is to read a law.
+/// Format of a law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Dialect {
-    /// Abaqus: keywords, and a row a line.
+    /// Abaqus: keywords, and one row per line.
     Abaqus,
-    /// CalculiX: the same keywords, with bounds of its own.
+    /// CalculiX: the keywords of Abaqus, with limits of its own.
     Calculix,
     /// Comma-separated values under a header.
     Csv,
@@ -19,25 +19,25 @@ pub enum Dialect {
 
 named!(Dialect, "dialect", { Abaqus => "abaqus", Calculix => "calculix", Csv => "csv" });
 
-/// A quantity of every point beside those of the law, which only a plain table has.
+/// Additional quantity of every point, for plain tables only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// Its name, with its unit.
+    /// Name, with the unit.
     pub name: String,
-    /// Its values, one for each of [`ContactLaw::points`]; none where it has none.
+    /// Values, one for each of [`ContactLaw::points`]; `None` where there is none.
     pub values: Vec<Option<f64>>,
 }
 
 impl Dialect {
-    /// Rows of a table that CalculiX has room for: its node-to-surface contact takes that many at one temperature.
+    /// Largest number of rows of a CalculiX table: its node-to-surface contact takes that many at one temperature.
     pub const MOST_CALCULIX_ROWS: usize = 200;
-    /// Overclosures that differ by less, in units of length, CalculiX moves apart.
+    /// Smallest difference of overclosures, in units of length; CalculiX moves closer ones apart.
     pub const LEAST_CALCULIX_STEP: f64 = 1e-10;
 
-    /// A law as a table, comment in front.
+    /// Writes a law as a table, with comments in front.
     ///
     /// # Errors
-    /// [`ContactLawError`] where the code has no room for the table, or none for columns.
+    /// [`ContactLawError`] if the code has no room for the table, or takes no additional columns.
     pub fn table(
         self,
         law: &ContactLaw,
@@ -56,7 +56,7 @@ impl Dialect {
         let mut before: Option<f64> = None;
         for ((pressure, overclosure), point) in law.rows(units).zip(law.points()) {
             let row = [field(pressure), field(overclosure)];
-            // What is read is what is written.
+            // Uses the overclosure as the code reads it.
             let overclosure = row[1].parse().unwrap_or(overclosure);
             let step = before.map_or(f64::INFINITY, |before| overclosure - before);
             if step <= 0.0 || (self == Dialect::Calculix && step < Self::LEAST_CALCULIX_STEP) {
@@ -79,10 +79,10 @@ impl Dialect {
         Ok(text)
     }
 
-    /// The law of light loads as two numbers, comment in front.
+    /// Writes the limit of light loads as two numbers, with comments in front.
     ///
     /// # Errors
-    /// [`ContactLawError::NoExponential`] of a code that does not have this form.
+    /// [`ContactLawError::NoExponential`] for a code without this form.
     pub fn exponential(
         self,
         law: &ExponentialLaw,
@@ -107,13 +107,13 @@ impl Dialect {
     }
 }
 
-/// The keywords in front of the numbers.
+/// Keywords in front of the numbers.
 fn interaction(heading: &Heading, form: &str) -> String {
     let name = &heading.name;
     format!("*SURFACE INTERACTION, NAME={name}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={form}\n")
 }
 
-/// Pressure, overclosure, mean gap, area fraction, and what else is given; numbers with all their digits.
+/// Pressure, overclosure, mean gap, area fraction, and additional columns; numbers with all their digits.
 fn csv(
     law: &ContactLaw,
     units: UnitSystem,
@@ -145,7 +145,7 @@ fn csv(
 const NODE_TO_SURFACE: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE: in face-to-face contact CalculiX 2.20 finds \
                                no pressure in a table, and says nothing of it.";
 
-/// What a code makes of the table.
+/// Describes how a code reads the table.
 fn of_code(dialect: Dialect, law: &ContactLaw, units: UnitSystem) -> Vec<String> {
     let last_pa = law.points().last().map_or(0.0, |point| point.pressure_pa);
     let last = format!("{} {}", number(units.pressure(last_pa)), units.pressure_symbol());

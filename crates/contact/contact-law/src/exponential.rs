@@ -1,28 +1,29 @@
-//! The law of light loads as two numbers.
+//! Limit of light loads as two numbers.
 
 use crate::UnitSystem;
 
-/// p = p00 exp(-u/u0), the law that Persson's theory has at light loads.
+/// Law p = p00 exp(-u/u0), the limit of Persson's theory at light loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExponentialLaw {
-    /// u0 > 0 \[m\].
+    /// Decay length u0 > 0 \[m\].
     pub decay_length_m: f64,
-    /// p00 > 0 \[Pa\].
+    /// Reference pressure p00 > 0 \[Pa\].
     pub reference_pressure_pa: f64,
-    /// The pressure \[Pa\] up to which it is the law of all loads within the relative error of [`share`](Self::share).
+    /// Pressure \[Pa\] up to which it agrees with the whole law within the relative error [`share`](Self::share).
     pub holds_up_to_pa: f64,
-    /// That error.
+    /// Relative error of the pressure up to [`holds_up_to_pa`](Self::holds_up_to_pa).
     pub share: f64,
 }
 
 impl ExponentialLaw {
-    /// The pressure \[Pa\] at a gap \[m\].
+    /// Pressure \[Pa\] at a gap \[m\].
     #[must_use]
     pub fn pressure_pa(&self, mean_gap_m: f64) -> f64 {
         self.reference_pressure_pa * (-mean_gap_m / self.decay_length_m).exp()
     }
 
-    /// c0 and p0 of CalculiX in these units: p = p0 exp(-ln(100) x/c0) at the clearance x, so that c0 = ln(100) u0.
+    /// Parameters c0 and p0 of CalculiX in the given units: p = p0 exp(-ln(100) x/c0) at the clearance x, so that c0
+    /// = ln(100) u0.
     #[must_use]
     pub fn calculix(&self, units: UnitSystem) -> [f64; 2] {
         [units.length(100f64.ln() * self.decay_length_m), units.pressure(self.reference_pressure_pa)]

@@ -1,15 +1,15 @@
 //! Numbers as finite element codes read them: at most twenty characters, with a point.
 
-/// Characters of a number that Abaqus and CalculiX read; both take what follows for nothing.
+/// Number of characters that Abaqus and CalculiX read of a number; both ignore the rest.
 pub(crate) const WIDTH: usize = 20;
 
-/// The fewest digits that read back to the same double, or thirteen where those are too many.
+/// Formats with the fewest digits that read back to the same double, or thirteen if those are too many.
 pub(crate) fn field(value: f64) -> String {
     let whole = with_point(&format!("{value:E}"));
     if whole.len() <= WIDTH { whole } else { format!("{value:.12E}") }
 }
 
-/// A number with a point in it, without which it may count as a whole one.
+/// Adds a decimal point, without which the number may be read as an integer.
 fn with_point(text: &str) -> String {
     match text.split_once('E') {
         Some((mantissa, "0")) if mantissa.contains('.') => mantissa.to_owned(),

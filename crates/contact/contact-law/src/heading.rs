@@ -1,39 +1,38 @@
-//! What stands in front of the numbers.
+//! Comments in front of the numbers.
 
 use crate::{ContactLaw, ContactLawError, ExponentialLaw, UnitSystem};
 use units::display::three_digits;
 use units::number;
 
-/// Longest line of words; Abaqus reads 256 characters.
+/// Longest line of comments; Abaqus reads 256 characters.
 const WIDTH: usize = 100;
 /// Letters of a name that Abaqus reads.
 const LONGEST_NAME: usize = 80;
 
-/// What the caller says of a law, before what the law says of itself.
+/// Caller's part of the comments, which comes before the description of the law.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Heading {
-    /// Where the law comes from, a line each.
+    /// Provenance of the law, in lines.
     pub provenance: Vec<String>,
-    /// The name of the surface interaction.
+    /// Name of the surface interaction.
     pub name: String,
 }
 
 impl Heading {
-    /// The name of the surface interaction where none is given.
+    /// Default name of the surface interaction.
     pub const NAME: &'static str = "ROUGH";
 
-    /// A name that every code takes.
+    /// Returns a name if it is valid in every code.
     ///
     /// # Errors
-    /// [`ContactLawError::Name`] for any other.
+    /// [`ContactLawError::Name`] otherwise.
     pub fn checked_name(name: &str) -> Result<&str, ContactLawError> {
         let fits = name.len() <= LONGEST_NAME && name.starts_with(|c: char| c.is_ascii_alphabetic());
         let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
         if fits && is_plain { Ok(name) } else { Err(ContactLawError::Name { most: LONGEST_NAME }) }
     }
 
-    /// All lines of comment in front of a table, without the signs that begin a comment; `of_code` is what its reader makes
-    /// of it.
+    /// All comment lines in front of a table, without comment signs; `of_code` describes how the code reads it.
     pub(crate) fn of_table(&self, law: &ContactLaw, units: UnitSystem, of_code: Vec<String>) -> Vec<String> {
         let [first, last] = [1, law.points().len() - 1].map(|at| law.points()[at].pressure_pa);
         let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
@@ -61,7 +60,7 @@ impl Heading {
         self.wrapped(&sentences)
     }
 
-    /// The same in front of CalculiX' exponential form.
+    /// All comment lines in front of CalculiX' exponential form, without comment signs.
     pub(crate) fn of_exponential(&self, law: &ExponentialLaw, units: UnitSystem) -> Vec<String> {
         let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
         let sentences = [

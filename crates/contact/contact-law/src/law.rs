@@ -1,23 +1,23 @@
-//! A law by its points.
+//! Law given by its points.
 
 use crate::UnitSystem;
 
-/// A rough surface under a nominal pressure.
+/// State of a rough surface under a nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LawPoint {
     /// Nominal pressure > 0 \[Pa\].
     pub pressure_pa: f64,
-    /// Mean gap \[m\], of either sign: only differences of it count.
+    /// Mean gap \[m\], of either sign: only differences matter.
     pub mean_gap_m: f64,
     /// Real over nominal area of contact.
     pub area_fraction: f64,
 }
 
-/// Pressure against overclosure, straight between its points.
+/// Pressure over overclosure, linear between its points.
 ///
-/// The overclosure of a point is u_ref - u, u being its mean gap and u_ref that of the first point, which stands for first
-/// touch: what pressure there is at larger gaps is cut off. The smallest pressure asked for is that of the second point;
-/// the first point is there at 1/e of it, so that a law that falls exponentially ends in its tangent.
+/// The overclosure of a point is u_ref - u, with u its mean gap and u_ref that of the first point, which is taken as
+/// first touch: the pressure at larger gaps is cut off. The second point has the smallest requested pressure and the
+/// first one 1/e of it, so that an exponential law ends in its tangent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactLaw {
     pub(crate) points: Vec<LawPoint>,
@@ -26,38 +26,38 @@ pub struct ContactLaw {
 }
 
 impl ContactLaw {
-    /// The points, by rising pressure; the first of them is where the law is cut off, and three at least.
+    /// Points by rising pressure, at least three; the law is cut off at the first.
     #[must_use]
     pub fn points(&self) -> &[LawPoint] {
         &self.points
     }
 
-    /// The relative error of the pressure that was asked for.
+    /// Requested relative error of the pressure.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// The largest relative error of the pressure that was met halfway between two points, from the second on.
+    /// Largest relative error of the pressure found halfway between two points, from the second on.
     #[must_use]
     pub fn interpolation_error(&self) -> f64 {
         self.interpolation_error
     }
 
-    /// Where the law is cut off: the mean gap there has the overclosure 0, and no pressure.
+    /// Point at which the law is cut off: its mean gap has the overclosure 0, and no pressure.
     #[must_use]
     pub fn cut(&self) -> LawPoint {
         self.points[0]
     }
 
-    /// The overclosure \[m\] at a mean gap \[m\].
+    /// Overclosure \[m\] at a mean gap \[m\].
     #[must_use]
     pub fn overclosure_m(&self, mean_gap_m: f64) -> f64 {
         self.cut().mean_gap_m - mean_gap_m
     }
 
-    /// The pressure \[Pa\] of the table at an overclosure \[m\]: 0 before first touch, and beyond the last point on the last
-    /// line.
+    /// Pressure \[Pa\] of the table at an overclosure \[m\]: 0 before first touch; beyond the last point the last
+    /// line is continued.
     #[must_use]
     pub fn pressure_pa(&self, overclosure_m: f64) -> f64 {
         if overclosure_m <= 0.0 {
@@ -73,7 +73,7 @@ impl ContactLaw {
         low_pa + (high_pa - low_pa) * (overclosure_m - low_m) / (high_m - low_m)
     }
 
-    /// Pressure and overclosure of every point in these units: both 0 at first.
+    /// Pressure and overclosure of every point in the given units: both 0 at first.
     pub fn rows(&self, units: UnitSystem) -> impl Iterator<Item = (f64, f64)> {
         let cut = std::iter::once((0.0, 0.0));
         cut.chain(self.points.iter().skip(1).map(move |point| {

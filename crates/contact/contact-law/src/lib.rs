@@ -1,9 +1,9 @@
 #![doc = include_str!("../README.md")]
 //!
-//! * [`ContactLaw`]: pressures and gaps as close together as straight lines between them need, [`LawPoint`] by point.
-//! * [`ExponentialLaw`]: the law of light loads, which one code takes as two numbers.
+//! * [`ContactLaw`]: pressures and gaps as close together as linear interpolation needs, [`LawPoint`] by point.
+//! * [`ExponentialLaw`]: the limit of light loads, which CalculiX takes as two numbers.
 //! * [`UnitSystem`]: the units of a finite element model.
-//! * [`Dialect`]: the words of a code, and [`Heading`], what is said in front of the numbers.
+//! * [`Dialect`]: the format of a code, and [`Heading`], the comments in front of the numbers.
 #![deny(missing_docs)]
 
 mod dialect;

@@ -1,4 +1,4 @@
-//! Where a law has its points: as few as straight lines between them need.
+//! Choice of the points of a law: as few as linear interpolation needs.
 
 use std::f64::consts::E;
 
@@ -7,25 +7,26 @@ use units::Bound;
 use crate::error::SamplingError;
 use crate::law::{ContactLaw, LawPoint};
 
-/// How far the points of a first look are apart: a factor e in pressure, at most.
+/// Largest ratio of pressures between the first points, as a logarithm: a factor e.
 const FIRST_STEP: f64 = 1.0;
-/// A line is off most somewhat below the middle of its logarithms, by so much more.
+/// Factor by which the largest error of a line exceeds that in the middle of its logarithms.
 const BEYOND_MIDDLE: f64 = 1.03;
-/// In so many parts at most a stretch is cut at once.
+/// Largest number of parts into which a stretch is cut at once.
 const MOST_PARTS: f64 = 8.0;
 
 impl ContactLaw {
-    /// The relative error of the pressure where none is asked for.
+    /// Default relative error of the pressure.
     pub const TOLERANCE: f64 = 0.01;
-    /// Relative errors of the pressure that may be asked for.
+    /// Range of the relative error of the pressure.
     pub const TOLERANCES: Bound = Bound::Within { at_least: 1e-5, at_most: 0.5 };
 
-    /// A law from one pressure \[Pa\] to a larger one, with as many points as keep the pressure on the straight lines between
-    /// them within a relative `tolerance`. `at` tells mean gap and area at a pressure \[Pa\], where there is a gap.
+    /// Samples a law from one pressure \[Pa\] to a larger one, with as many points as keep the pressure on the
+    /// straight lines between them within a relative `tolerance`. `at` returns mean gap and area at a pressure
+    /// \[Pa\], or `None` without a gap.
     ///
     /// # Errors
-    /// [`SamplingError`] for a range or tolerance that is none, for a law that has no gap within the range or does not
-    /// close, and where `at` fails.
+    /// [`SamplingError`] for an invalid range or tolerance, for a law that has no gap within the range or does not
+    /// close, and if `at` fails.
     pub fn sampled<E>(
         [from_pa, to_pa]: [f64; 2],
         tolerance: f64,
@@ -54,7 +55,7 @@ impl ContactLaw {
     }
 }
 
-/// What a law is taken from.
+/// Source of a law.
 struct Source<F> {
     at: F,
     tolerance: f64,
@@ -69,7 +70,7 @@ impl<E, F: FnMut(f64) -> Result<Option<LawPoint>, E>> Source<F> {
         Ok(LawPoint { pressure_pa, ..point })
     }
 
-    /// The points that cut a stretch into parts of equal ratio, without its beginning.
+    /// Points that cut a stretch into parts of equal ratio, without its beginning.
     fn between(
         &mut self,
         from: &LawPoint,
@@ -81,8 +82,8 @@ impl<E, F: FnMut(f64) -> Result<Option<LawPoint>, E>> Source<F> {
         inner.chain([to_pa]).map(|pressure_pa| self.point(pressure_pa)).collect()
     }
 
-    /// Adds the points that a stretch needs behind its beginning. However a law bends, its pressure stays between those of the
-    /// ends, so that a stretch need not be cut for long.
+    /// Adds the points that a stretch needs behind its beginning. The pressure stays between those of the ends
+    /// however the law bends, so that few cuts suffice.
     fn line(
         &mut self,
         from: &LawPoint,
@@ -99,7 +100,7 @@ impl<E, F: FnMut(f64) -> Result<Option<LawPoint>, E>> Source<F> {
             points.push(*to);
             return Ok(());
         }
-        // The error of a line goes with the square of its length.
+        // The error of a line is proportional to the square of its length.
         let parts = (off / self.tolerance).sqrt().ceil().clamp(2.0, MOST_PARTS);
         let mut last = *from;
         for next in self.between(from, to.pressure_pa, parts)? {

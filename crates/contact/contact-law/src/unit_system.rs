@@ -1,8 +1,8 @@
-//! The units that a finite element model is written in.
+//! Unit systems of finite element models.
 
 use units::named;
 
-/// Units of length and force, and the pressure that they make.
+/// Units of length and force, and the resulting pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum UnitSystem {
     /// Metres and newtons: pascals.
@@ -12,7 +12,7 @@ pub enum UnitSystem {
     Millimetres,
     /// Micrometres and micronewtons: megapascals.
     Micrometres,
-    /// Inches and pounds-force: pounds-force a square inch.
+    /// Inches and pounds-force: pounds-force per square inch.
     Inches,
 }
 
@@ -24,7 +24,7 @@ named!(UnitSystem, "system of units", {
 });
 
 impl UnitSystem {
-    /// How many metres a unit of length is.
+    /// Unit of length in metres.
     #[must_use]
     pub const fn length_m(self) -> f64 {
         match self {
@@ -35,7 +35,7 @@ impl UnitSystem {
         }
     }
 
-    /// How many pascals a unit of pressure is.
+    /// Unit of pressure in pascals.
     #[must_use]
     pub const fn pressure_pa(self) -> f64 {
         match self {
@@ -46,7 +46,7 @@ impl UnitSystem {
         }
     }
 
-    /// The unit of length.
+    /// Symbol of the unit of length.
     #[must_use]
     pub const fn length_symbol(self) -> &'static str {
         match self {
@@ -57,7 +57,7 @@ impl UnitSystem {
         }
     }
 
-    /// The unit of force.
+    /// Symbol of the unit of force.
     #[must_use]
     pub const fn force_symbol(self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ impl UnitSystem {
         }
     }
 
-    /// The unit of pressure.
+    /// Symbol of the unit of pressure.
     #[must_use]
     pub const fn pressure_symbol(self) -> &'static str {
         match self {
@@ -77,13 +77,13 @@ impl UnitSystem {
         }
     }
 
-    /// A length \[m\] in these units.
+    /// Converts a length \[m\] to these units.
     #[must_use]
     pub fn length(self, length_m: f64) -> f64 {
         length_m / self.length_m()
     }
 
-    /// A pressure \[Pa\] in these units.
+    /// Converts a pressure \[Pa\] to these units.
     #[must_use]
     pub fn pressure(self, pressure_pa: f64) -> f64 {
         pressure_pa / self.pressure_pa()

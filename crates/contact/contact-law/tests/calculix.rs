@@ -130,7 +130,7 @@ fn the_exponential_form_is_the_law_of_light_loads_at_a_clearance() {
     let law = ExponentialLaw {
         decay_length_m: light.decay_length_m,
         reference_pressure_pa: light.reference_pressure_pa,
-        holds_up_to_pa: exact.light_loads_hold_up_to_pa(0.01).unwrap(),
+        holds_up_to_pa: exact.light_load_limit_pa(0.01).unwrap(),
         share: 0.01,
     };
     let interaction = Dialect::Calculix.exponential(&law, UnitSystem::Millimetres, &heading()).unwrap();

@@ -162,7 +162,7 @@ fn the_exponential_form_is_that_of_the_light_loads() {
     let law = ExponentialLaw {
         decay_length_m: light.decay_length_m,
         reference_pressure_pa: light.reference_pressure_pa,
-        holds_up_to_pa: separation().light_loads_hold_up_to_pa(0.01).unwrap(),
+        holds_up_to_pa: separation().light_load_limit_pa(0.01).unwrap(),
         share: 0.01,
     };
     let text = Dialect::Calculix.exponential(&law, UnitSystem::Millimetres, &heading()).unwrap();

@@ -1,24 +1,24 @@
-//! Areas from the number of points that touch.
+//! Areas from the number of points in contact.
 
 use crate::Grid;
 
-/// What the staircase around a spot adds to its area, as a share of its steps: (pi - 1 + ln 2)/24.
+/// Contribution of the staircase around a spot to its area, as a share of its steps: (pi - 1 + ln 2)/24.
 ///
 /// Yastrebov, Anciaux & Molinari (2017), Tribology International 114, 161.
 const PERIMETER_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
-/// Points of a kind, and how often rows and columns change between them and the others.
+/// Count of points of one kind, with the number of changes between them and the others along rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Count {
-    /// Their share of all points.
+    /// Share of all points.
     pub(crate) share: f64,
-    /// The share of the grid by which their perimeter makes the count too large or too small.
+    /// Share of the grid by which their perimeter makes the count too large or too small.
     pub(crate) perimeter: f64,
 }
 
-/// Counts points, around whose edges the grid closes where it is `periodic`.
+/// Counts points; the edges of the grid close if it is `periodic`.
 ///
-/// On a line nothing is lost or gained at the ends of a segment on average, so its perimeter counts for nothing.
+/// On a line the ends of a segment lose or gain nothing on average, so its perimeter counts for nothing.
 pub(crate) fn count(grid: &Grid, periodic: bool, is: impl Fn(usize) -> bool) -> Count {
     let (rows, columns) = (grid.rows(), grid.columns());
     let (mut points, mut changes) = (0usize, 0usize);
@@ -41,21 +41,21 @@ pub(crate) fn count(grid: &Grid, periodic: bool, is: impl Fn(usize) -> bool) -> 
     Count { share: points as f64 / total, perimeter }
 }
 
-/// The next of `count` in a row; none beyond an edge that does not close.
+/// Next of `count` places in a row; `None` beyond an edge that does not close.
 fn neighbour(at: usize, count: usize, periodic: bool) -> Option<usize> {
     if at + 1 < count { Some(at + 1) } else { periodic.then_some(0) }
 }
 
-/// The area of a surface whose roughness is resolved without end, from the corrected areas on a grid and on every second
-/// point of it: what is left of the error after the perimeter is taken off is of first order in the spacing.
+/// Extrapolates the area to infinite resolution, from the corrected areas on a grid and on every second point of it:
+/// once the perimeter is taken off, the error is of first order in the spacing.
 ///
-/// Stays between 0 and 1.
+/// The result is limited to \[0, 1\].
 #[must_use]
 pub fn extrapolated_area(corrected_fine: f64, corrected_coarse: f64) -> f64 {
     (2.0 * corrected_fine - corrected_coarse).clamp(0.0, 1.0)
 }
 
 impl Count {
-    /// Nothing of a kind.
+    /// No points of the kind.
     pub(crate) const NONE: Count = Count { share: 0.0, perimeter: 0.0 };
 }

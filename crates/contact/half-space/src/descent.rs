@@ -1,23 +1,24 @@
 //! Pressures in equilibrium: the convex problem of contact, solved by projected and preconditioned conjugate gradients.
 //!
-//! Of all pressures 0 <= p <= cap with the given mean the right ones minimise (1/2) p.Kp - h.p. Every step runs from p
-//! towards q = P(p + tau t), t being a direction among the free points and P the projection of `projection`, and the energy
-//! is minimised exactly between them: it falls with every step, whatever the surface. Where q meets new bounds and is itself
-//! better than p, the step goes all the way, so that points leave and join in numbers. Once the set of free points is found,
-//! these are the conjugate gradients of Stanley & Kato (1997) and Polonsky & Keer (1999), preconditioned with |q|; where a
-//! direction is none of descent it falls back on the spectral projected gradients of Birgin, Martinez & Raydan (2000).
+//! Among all pressures 0 <= p <= cap with the given mean the solution minimises (1/2) p.Kp - h.p. Every step goes
+//! from p towards q = P(p + tau t), with a direction t among the free points and the projection P of `projection`.
+//! The energy is minimised exactly between them, so it falls with every step on any surface. If q meets new bounds
+//! and is itself better than p, the step goes all the way, so that many points leave and join at once. Once the set
+//! of free points is found, these are the conjugate gradients of Stanley & Kato (1997) and Polonsky & Keer (1999),
+//! preconditioned with |q|. If a direction does not lower the energy, the spectral projected gradients of Birgin,
+//! Martinez & Raydan (2000) take over.
 //!
-//! One compliance and one preconditioner are applied per step: the gap is kept up to date with K s for the very change s of
-//! the pressures, and is computed anew from them only before it is believed.
+//! One compliance and one preconditioner are applied per step: the gap is updated with K s for the actual change s of
+//! the pressures, and is computed anew from them only before a solve ends.
 
 use crate::contact::Ending;
 use crate::problem::{Operators, Problem, State};
 use crate::projection::bring_to_sum;
 use crate::sums;
 
-/// How a solve ended.
+/// Outcome of a solve.
 pub(crate) struct Outcome {
-    /// What the gaps are counted from.
+    /// Offset from which the gaps are counted.
     pub(crate) offset: f64,
     pub(crate) iterations: usize,
     pub(crate) operators: usize,
@@ -25,27 +26,27 @@ pub(crate) struct Outcome {
     pub(crate) ending: Ending,
 }
 
-/// A solve under way.
+/// State of a solve.
 struct Descent<'a> {
     problem: &'a Problem<'a>,
     operators: &'a mut Operators,
     state: &'a mut State,
-    /// What the gaps are counted from.
+    /// Offset from which the gaps are counted.
     offset: f64,
-    /// Points that carry the cap and stay there.
+    /// Number of points that carry the cap and stay there.
     capped: usize,
     /// Length of the next step along a direction.
     length: f64,
     applied: usize,
 }
 
-/// Steps after which the gaps are computed anew, since they gather rounding.
+/// Steps after which the gaps are computed anew, because they accumulate rounding.
 const STEPS_UNTIL_RENEWED: usize = 100;
 
-/// Steps within which the residual must have halved; rounding stands in the way otherwise.
+/// Steps within which the residual must halve; otherwise rounding prevents it.
 const STEPS_TO_HALVE: usize = 300;
 
-/// Pressures in equilibrium, into `state`; `None` where `watch`, which is told every residual, ends it.
+/// Computes pressures in equilibrium, into `state`; `None` if `watch`, which receives every residual, cancels.
 pub(crate) fn descend(
     problem: &Problem,
     operators: &mut Operators,
@@ -95,7 +96,7 @@ pub(crate) fn descend(
 }
 
 impl Descent<'_> {
-    /// The same pressure everywhere.
+    /// Sets the same pressure everywhere.
     fn start(&mut self) {
         let points = self.problem.heights.len();
         self.state.pressures.fill(self.problem.mean);
@@ -106,15 +107,14 @@ impl Descent<'_> {
         self.renew();
     }
 
-    /// The gaps of the pressures, free of gathered rounding.
+    /// Computes the gaps of the pressures anew, without accumulated rounding.
     fn renew(&mut self) {
         self.operators.compliance.apply(&self.state.pressures, &mut self.state.gaps);
         self.applied += 1;
         self.state.gaps.iter_mut().zip(self.problem.heights).for_each(|(gap, height)| *gap -= height);
     }
 
-    /// Takes `share` of the change that was tried, and looks where it has led: the offset, the gaps, the free points, and the
-    /// residual.
+    /// Takes `share` of the tried change, and updates the offset, the gaps, the free points, and the residual.
     fn look(&mut self, share: f64) -> f64 {
         self.take(share);
         let (overlap, opening) = self.close_gaps(share);
@@ -123,7 +123,7 @@ impl Descent<'_> {
         unbalanced.max(overlap / OVERLAP_SHARE).max(opening / OVERLAP_SHARE)
     }
 
-    /// The pressures after `share` of the change, and the offset under them: the mean gap of the points between the bounds.
+    /// Updates the pressures by `share` of the change, and the offset: the mean gap of the points between the bounds.
     fn take(&mut self, share: f64) {
         let cap = self.problem.cap;
         let tiny = self.problem.rounding_of_pressure();
@@ -144,7 +144,7 @@ impl Descent<'_> {
         self.offset = if count > 0.0 { sum / count } else { self.offset_without_free_points(share) };
     }
 
-    /// Where no point lies between the bounds, the offset is midway between what those at either ask for.
+    /// Offset if no point lies between the bounds: midway between the offsets that the points at either bound need.
     fn offset_without_free_points(&self, share: f64) -> f64 {
         let State { pressures, gaps, response, .. } = &*self.state;
         let (mut open, mut sunk) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -159,7 +159,8 @@ impl Descent<'_> {
         if open < f64::INFINITY { 0.5 * (open + sunk) } else { sunk }
     }
 
-    /// The gaps after `share` of the change; the largest overlap without pressure, and the largest gap at the cap.
+    /// Updates the gaps by `share` of the change; returns the largest overlap without pressure, and the largest gap
+    /// at the cap.
     fn close_gaps(&mut self, share: f64) -> (f64, f64) {
         const LANES: usize = 4;
         let cap = self.problem.cap;
@@ -183,7 +184,8 @@ impl Descent<'_> {
         ((self.offset - least).max(0.0), (largest - self.offset).max(0.0))
     }
 
-    /// The points that may change: those between the bounds, and at a bound those that it holds back from closing a gap.
+    /// Gathers the points that may change: those between the bounds, and those at a bound that keeps them from
+    /// closing a gap.
     fn gather_free(&mut self) {
         let (cap, offset) = (self.problem.cap, self.offset);
         let State { pressures, gaps, free, .. } = &mut *self.state;
@@ -192,7 +194,7 @@ impl Descent<'_> {
         for (point, (&pressure, &gap)) in pressures.iter().zip(&*gaps).enumerate() {
             let is_open = (pressure <= 0.0) & (gap >= offset);
             let is_sunk = (pressure >= cap) & (gap <= offset);
-            // Written in any case, and kept if free: at the edges of spots a branch would be guessed wrong.
+            // Written in any case, and kept if free: at the edges of spots a branch would be mispredicted.
             free[gathered] = point as u32;
             gathered += usize::from(!is_open & !is_sunk);
             capped += usize::from(is_sunk);
@@ -201,7 +203,8 @@ impl Descent<'_> {
         self.capped = capped;
     }
 
-    /// The gap on the free points, 0 on the others; the sum of p|g| over the points between the bounds.
+    /// Gathers the gap on the free points, 0 on the others; returns the sum of p|g| over the points between the
+    /// bounds.
     fn gather_gradient(&mut self) -> f64 {
         let (cap, offset) = (self.problem.cap, self.offset);
         let State { pressures, gaps, gradient, free, .. } = &mut *self.state;
@@ -215,7 +218,7 @@ impl Descent<'_> {
         unbalanced
     }
 
-    /// Finds a change that lowers the energy, and the share of it to take; `None` where rounding leaves none.
+    /// Finds a change that lowers the energy, and the share of it to take; `None` if rounding leaves none.
     fn step(&mut self) -> Option<f64> {
         self.operators.preconditioner.apply_in_place(&mut self.state.gradient);
         let memory = self.memory();
@@ -226,7 +229,7 @@ impl Descent<'_> {
         Some(self.search(&aim))
     }
 
-    /// How much of the last change the next direction keeps.
+    /// Weight of the last change in the next direction.
     fn memory(&self) -> Memory {
         let State { gradient, change, response, free, .. } = &*self.state;
         let [z, zr, r, s, sr] = sums::over(free.len(), |at| {
@@ -240,7 +243,7 @@ impl Descent<'_> {
         Memory { kept, mean_gradient: z / count, mean_change: s / count }
     }
 
-    /// Aims along the preconditioned gap and what is kept of the last change.
+    /// Aims along the preconditioned gap plus the kept part of the last change.
     fn aim_along_conjugate(&mut self, memory: &Memory) -> Option<Aim> {
         let Memory { kept, mean_gradient, mean_change } = *memory;
         let length = self.length;
@@ -254,7 +257,7 @@ impl Descent<'_> {
         self.aim()
     }
 
-    /// Aims along the gap itself, by the curvature met last.
+    /// Aims along the gap itself, with the length from the last curvature.
     fn aim_along_gap(&mut self) -> Option<Aim> {
         let offset = self.offset;
         let State { pressures, gaps, change, response, free, trial, .. } = &mut *self.state;
@@ -270,7 +273,7 @@ impl Descent<'_> {
         self.aim()
     }
 
-    /// Brings the trial between the bounds and to the load; `None` where the energy does not fall that way.
+    /// Brings the trial between the bounds and to the load; `None` if the energy does not fall that way.
     fn aim(&mut self) -> Option<Aim> {
         let Problem { mean, cap, heights, .. } = *self.problem;
         let offset = self.offset;
@@ -288,7 +291,7 @@ impl Descent<'_> {
         (slope < 0.0).then_some(Aim { slope, meets_bounds: at_bounds > 0.0 })
     }
 
-    /// Turns the trial into a change and its response, and finds the share of it that is best.
+    /// Turns the trial into a change and its response, and returns the best share of it.
     fn search(&mut self, aim: &Aim) -> f64 {
         let State { change, response, free, trial, .. } = &mut *self.state;
         change.fill(0.0);
@@ -300,14 +303,14 @@ impl Descent<'_> {
         self.length =
             (self.length * best.clamp(1.0 / LARGEST_FACTOR, LARGEST_FACTOR)).clamp(SHORTEST, LONGEST);
         match best {
-            far if far > LEAST_OF_ALL && aim.meets_bounds => 1.0,
-            // Not far at once: what rounding leaves of the change's sum would grow with it.
+            far if far > FULL_STEP_MIN && aim.meets_bounds => 1.0,
+            // Limited at once: rounding in the sum of the change grows with the factor.
             far if far > 1.0 => far.min(self.reach()).min(LARGEST_FACTOR),
             near => near,
         }
     }
 
-    /// How often the change can be taken before a point meets a bound.
+    /// Largest multiple of the change before a point meets a bound.
     fn reach(&self) -> f64 {
         let cap = self.problem.cap;
         let State { pressures, free, trial, .. } = &*self.state;
@@ -319,32 +322,32 @@ impl Descent<'_> {
     }
 }
 
-/// What is kept of the last change s in the next direction t, so that t does not undo it: t.Ks = 0.
+/// Part of the last change s in the next direction t, chosen so that t does not undo s: t.Ks = 0.
 struct Memory {
     kept: f64,
-    /// Means over the free points, which carry no load together.
+    /// Mean over the free points; without it they carry no load together.
     mean_gradient: f64,
     mean_change: f64,
 }
 
-/// A trial towards which the energy falls.
+/// Trial towards which the energy falls.
 struct Aim {
-    /// How fast it falls to begin with.
+    /// Initial rate of the fall.
     slope: f64,
-    /// Whether points that were between the bounds are at them.
+    /// True if points that were between the bounds are at them.
     meets_bounds: bool,
 }
 
-/// A trial that meets bounds is taken whole where the best share of it is at least this: above a half the energy still falls,
-/// and points that arrive at a bound are worth some of it.
-const LEAST_OF_ALL: f64 = 0.7;
+/// Share from which a trial that meets bounds is taken whole: above a half the energy still falls, and points that
+/// arrive at a bound are worth part of it.
+const FULL_STEP_MIN: f64 = 0.7;
 
-/// Overlaps count for a tenth of what unbalanced gaps do.
+/// Factor by which overlaps count less than unbalanced gaps.
 const OVERLAP_SHARE: f64 = 10.0;
 
-/// How much longer or shorter than the last a step may be tried.
+/// Largest ratio of the lengths of successive trial steps.
 const LARGEST_FACTOR: f64 = 2.0;
 
-/// The preconditioner inverts the compliance up to this.
+/// Relative wavelength down to which the preconditioner inverts the compliance.
 const SHORTEST: f64 = 0.05;
 const LONGEST: f64 = 20.0;

@@ -1,4 +1,4 @@
-//! What periodic and free elements have in common: a surface, its operators, and the way from a load to a contact.
+//! Common part of periodic and free elements: a surface, its operators, and the solution for a load.
 
 use std::f64::consts::TAU;
 
@@ -13,14 +13,13 @@ use crate::problem::{Operators, Problem, State};
 use crate::stiffness::approach_per_pressure;
 use crate::{Grid, HalfSpaceError, sums};
 
-/// The steps that a solve tells its [`Progress`] of: as many as the residual has come nearer to the tolerance, of its whole
-/// way in decades.
+/// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;
 
-/// Flow is where the pressure is within this of the saturation.
+/// Relative distance from the saturation within which a point flows.
 const FLOWING: f64 = 1e-9;
 
-/// A surface laid out for its half-space.
+/// Surface laid out for its half-space.
 pub(crate) struct Elements {
     grid: Grid,
     periodic: bool,
@@ -32,14 +31,14 @@ pub(crate) struct Elements {
     state: State,
 }
 
-/// The wave number by which pressures and displacements are made numbers: one wave along the longer side.
+/// Wave number that makes pressures and displacements dimensionless: one wave along the longer side.
 pub(crate) fn unit_wave_number_per_m(grid: &Grid) -> f64 {
     TAU / grid.length_x_m().max(grid.length_y_m())
 }
 
 impl Elements {
     /// # Errors
-    /// Heights that are not as many as the points, or not finite.
+    /// [`HalfSpaceError`] for heights that do not match the points, or are not finite.
     pub(crate) fn new(
         grid: Grid,
         periodic: bool,
@@ -74,7 +73,7 @@ impl Elements {
         &self.grid
     }
 
-    /// The pressure that is 1 to the solver: that which makes one wave of the unit's height along the longer side.
+    /// Unit of pressure: the pressure that makes one wave of the unit's height along the longer side.
     fn unit_pa(&self, contact_modulus_pa: f64) -> f64 {
         0.5 * contact_modulus_pa * (unit_wave_number_per_m(&self.grid) * self.unit_m)
     }
@@ -93,7 +92,7 @@ impl Elements {
             cap: loading.saturation_pa.map_or(f64::INFINITY, |saturation_pa| saturation_pa / unit_pa),
             tolerance: loading.tolerance,
         };
-        let mut told = Told { tolerance: loading.tolerance, first: None, steps: 0 };
+        let mut told = ReportedProgress { tolerance: loading.tolerance, first: None, steps: 0 };
         let outcome = descend(&problem, &mut self.operators, &mut self.state, |residual| {
             progress.advance(told.steps_after(residual));
             !progress.is_cancelled()
@@ -103,7 +102,7 @@ impl Elements {
         Ok(self.contact(loading, unit_pa, &outcome))
     }
 
-    /// The stiffness of a contact, `None` where it has no gap left to close.
+    /// Stiffness of a contact; `None` if it has no gap left to close.
     pub(crate) fn stiffness_pa_per_m(
         &mut self,
         contact: &Contact,
@@ -129,7 +128,7 @@ impl Elements {
         Ok(Some(self.unit_pa(contact_modulus_pa) / (approach * self.unit_m)))
     }
 
-    /// What the solved state says, in SI.
+    /// Converts the solved state to SI.
     fn contact(&self, loading: &Loading, unit_pa: f64, outcome: &Outcome) -> Contact {
         let Loading { nominal_pressure_pa, saturation_pa, .. } = *loading;
         let points = self.heights.len();
@@ -169,15 +168,15 @@ impl Elements {
     }
 }
 
-/// How much of a solve has been told.
-struct Told {
+/// Progress reported so far.
+struct ReportedProgress {
     tolerance: f64,
     first: Option<f64>,
     steps: usize,
 }
 
-impl Told {
-    /// The steps to tell of at a residual, which may rise and fall.
+impl ReportedProgress {
+    /// Number of steps to report at a residual, which may rise and fall.
     fn steps_after(&mut self, residual: f64) -> usize {
         let first = *self.first.get_or_insert(residual.max(2.0 * self.tolerance));
         let way = (first / residual.max(self.tolerance)).ln() / (first / self.tolerance).ln();

@@ -1,47 +1,47 @@
-//! What cannot be pressed.
+//! Errors of boundary elements.
 
 use thiserror::Error;
 use units::OutOfBounds;
 
-/// A question that boundary elements have no answer to.
+/// Reason why a surface cannot be pressed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HalfSpaceError {
-    /// A side of the grid without points, or with too many.
+    /// A side of the grid has no points, or too many.
     #[error(
         "laying out boundary elements: there are {points} points along {along}, there must be from 1 to {largest}"
     )]
     Points {
-        /// Which side.
+        /// The side.
         along: &'static str,
-        /// How many points were given.
+        /// Number of points given.
         points: usize,
-        /// The most there may be.
+        /// Largest number of points.
         largest: usize,
     },
-    /// A map of another size than the grid.
+    /// A map has another size than the grid.
     #[error("laying out boundary elements: the map has {given} values, the grid {expected} points")]
     Size {
-        /// Values given.
+        /// Number of values given.
         given: usize,
-        /// Points of the grid.
+        /// Number of points of the grid.
         expected: usize,
     },
-    /// A height, modulus, pressure or tolerance out of its bounds.
+    /// A height, modulus, pressure or tolerance is out of its bounds.
     #[error("pressing boundary elements: {0}")]
     OutOfBounds(#[from] OutOfBounds),
-    /// A load that is not below the pressure at which the surface flows.
+    /// The load is not below the pressure at which the surface flows.
     #[error(
         "pressing boundary elements: a nominal pressure of {nominal_pressure_pa:e} Pa cannot be carried, since no point \
          carries more than {saturation_pa:e} Pa; it must be less"
     )]
     CannotBeCarried {
-        /// The nominal pressure in Pa.
+        /// Nominal pressure \[Pa\].
         nominal_pressure_pa: f64,
-        /// The pressure in Pa at which the surface flows.
+        /// Pressure at which the surface flows \[Pa\].
         saturation_pa: f64,
     },
-    /// The work was ended from outside.
+    /// The work was cancelled.
     #[error("pressing boundary elements: ended before the surface was in equilibrium")]
     Cancelled,
 }

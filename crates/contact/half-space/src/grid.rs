@@ -1,10 +1,10 @@
-//! A rectangle of points.
+//! Rectangular grid of points.
 
 use crate::HalfSpaceError;
 use units::Bound;
 
-/// Points in rows and columns over a rectangle, each standing for an element of the same size; a value of point (row, column)
-/// stands at `row * columns + column` of a map.
+/// Points in rows and columns over a rectangle, each the centre of an element of the same size. The value of point
+/// (row, column) is at `row * columns + column` of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     rows: usize,
@@ -14,12 +14,14 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// `columns` points along x over `length_x_m`, `rows` points along y over `length_y_m`; any numbers, odd ones too.
+    /// Creates a grid of `columns` points along x over `length_x_m` and `rows` points along y over `length_y_m`; odd
+    /// numbers are fine.
     ///
-    /// One row or one column is a surface that does not change across: a line under plane strain, as a wave of cylinders.
+    /// One row or one column is a surface that does not change across: a line under plane strain, like a wave of
+    /// cylinders.
     ///
     /// # Errors
-    /// A count of 0 or above 2^16, and lengths that are no magnitudes.
+    /// [`HalfSpaceError`] for a count of 0 or above 2^16, and for lengths that are not finite and positive.
     pub fn new(
         rows: usize,
         columns: usize,
@@ -36,42 +38,42 @@ impl Grid {
         Ok(Self { rows, columns, length_x_m, length_y_m })
     }
 
-    /// Points along y.
+    /// Number of points along y.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// Points along x.
+    /// Number of points along x.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
     }
 
-    /// Length along x in m, from a point to its next image.
+    /// Length along x, from a point to its next image \[m\].
     #[must_use]
     pub fn length_x_m(&self) -> f64 {
         self.length_x_m
     }
 
-    /// Length along y in m, from a point to its next image.
+    /// Length along y, from a point to its next image \[m\].
     #[must_use]
     pub fn length_y_m(&self) -> f64 {
         self.length_y_m
     }
 
-    /// All points.
+    /// Number of all points.
     #[must_use]
     pub fn points(&self) -> usize {
         self.rows * self.columns
     }
 
-    /// Whether the surface is a line, without changes across it.
+    /// True if the surface is a line, without changes across it.
     #[must_use]
     pub fn is_line(&self) -> bool {
         self.rows == 1 || self.columns == 1
     }
 }
 
-/// Maps beyond this many points along a side are not held in memory anyway.
+/// Largest number of points along a side; larger maps do not fit into memory.
 const LARGEST_COUNT: usize = 1 << 16;

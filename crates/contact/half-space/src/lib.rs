@@ -1,11 +1,11 @@
 #![doc = include_str!("../README.md")]
 //!
-//! The nouns:
-//! * [`Grid`]: the points, and how far they are apart.
-//! * [`PeriodicElements`] and [`FreeElements`]: a surface laid out on them, which may be pressed again and again.
+//! Main types:
+//! * [`Grid`]: the points and their spacing.
+//! * [`PeriodicElements`] and [`FreeElements`]: a surface laid out on them, which can be pressed many times.
 //! * [`Loading`]: modulus, pressure, saturation and tolerance.
-//! * [`Contact`]: pressures and gaps in equilibrium, and what follows from them.
-//! * [`OpenPaths`]: whether what is not in contact lets a fluid across.
+//! * [`Contact`]: pressures and gaps in equilibrium, with areas, mean gap and energy.
+//! * [`OpenPaths`]: channels through which a fluid crosses the contact.
 
 mod area;
 mod contact;

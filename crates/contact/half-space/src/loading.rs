@@ -1,24 +1,24 @@
-//! How a surface is pressed.
+//! Load on a surface and its material.
 
 use units::Bound;
 
 use crate::HalfSpaceError;
 
-/// A load, the material that bears it, and how exactly it is balanced.
+/// Load, material, and tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loading {
-    /// E* in Pa, 1/E* being the sum of (1 - nu^2)/E over both bodies.
+    /// Contact modulus E* \[Pa\]; 1/E* is the sum of (1 - nu^2)/E over both bodies.
     pub contact_modulus_pa: f64,
-    /// Load over the area of the grid, in Pa.
+    /// Load over the area of the grid \[Pa\].
     pub nominal_pressure_pa: f64,
-    /// The pressure in Pa at which the surface flows, an indentation hardness; `None` where it is elastic throughout.
+    /// Pressure at which the surface flows, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
-    /// The largest [`residual`](crate::Contact::residual), above 0 and at most 0.1.
+    /// Largest [`residual`](crate::Contact::residual), above 0 and at most 0.1.
     pub tolerance: f64,
 }
 
 impl Loading {
-    /// Refuses a load that no surface can carry.
+    /// Checks the numbers before a solve.
     ///
     /// # Errors
     /// [`HalfSpaceError`] for numbers out of their bounds, and for a load that is not below the saturation.

@@ -5,20 +5,20 @@ use rustfft::{Fft, FftPlanner};
 
 use crate::Grid;
 
-/// What multiplies the waves of a grid that zeros pad to twice its size, so that no load meets its own image.
+/// Factors of the waves of a grid that is padded with zeros to twice its size, so that no load meets its own image.
 pub(crate) struct LoveFactors {
-    /// Waves along y from 0 to the shortest, for each of those along x.
+    /// Factors of waves along y from 0 to the shortest, for each wave along x.
     factors: Vec<f64>,
     rows: usize,
 }
 
 impl LoveFactors {
-    /// The rows and columns that a grid is padded to.
+    /// Rows and columns of the padded grid.
     pub(crate) fn period(grid: &Grid) -> [usize; 2] {
         [2 * grid.rows(), 2 * grid.columns()]
     }
 
-    /// Of displacements in m times pi E*, over the pressure of one element, divided by `unit_m`.
+    /// Creates the factors of displacements in m times pi E*, over the pressure of one element, divided by `unit_m`.
     pub(crate) fn new(grid: &Grid, unit_m: f64) -> Self {
         let [period_rows, period_columns] = Self::period(grid);
         let (rows, columns) = (grid.rows() + 1, grid.columns() + 1);
@@ -26,7 +26,7 @@ impl LoveFactors {
         let mut planner = FftPlanner::new();
         let mut along_x = Cosines::new(&mut planner, period_columns);
         let mut along_y = Cosines::new(&mut planner, period_rows);
-        // Row by row first, then column by column: the coefficients are even along both.
+        // Rows first, then columns: the coefficients are even along both.
         let mut by_row = vec![0.0; rows * columns];
         let mut line = vec![0.0; columns];
         for (row, by_row) in by_row.chunks_exact_mut(columns).enumerate() {
@@ -46,13 +46,13 @@ impl LoveFactors {
         Self { factors, rows }
     }
 
-    /// The factor of the waves with so many periods along y and x.
+    /// Factor of the wave with `row` periods along y and `column` periods along x.
     pub(crate) fn factor(&self, row: usize, column: usize) -> f64 {
         self.factors[column * self.rows + row]
     }
 }
 
-/// The transform of an even sequence, of which the first half and the middle are held.
+/// Transform of an even sequence, stored as its first half and the middle.
 struct Cosines {
     plan: std::sync::Arc<dyn Fft<f64>>,
     values: Vec<Complex<f64>>,
@@ -76,7 +76,7 @@ impl Cosines {
     }
 }
 
-/// Displacement times pi E* over pressure, in m, at a distance of so many elements from the middle of a pressed element.
+/// Displacement times pi E* over pressure \[m\], at a distance in elements from the middle of a pressed element.
 ///
 /// Love, A. E. H. (1929), Philosophical Transactions A 228, 377; Johnson (1985), Contact Mechanics, equation 3.25.
 fn displacement_of_rectangle(columns: f64, rows: f64, [dx_m, dy_m]: [f64; 2]) -> f64 {
@@ -85,7 +85,7 @@ fn displacement_of_rectangle(columns: f64, rows: f64, [dx_m, dy_m]: [f64; 2]) ->
     (corner(right, high) - corner(left, high)) - (corner(right, low) - corner(left, low))
 }
 
-/// The integral of 1/r over x and y, up to terms that cancel; no corner of an element lies on an axis through a middle.
+/// Integral of 1/r over x and y, up to terms that cancel; no corner of an element lies on an axis through a middle.
 fn corner(x_m: f64, y_m: f64) -> f64 {
     x_m * (y_m / x_m.abs()).asinh() + y_m * (x_m / y_m.abs()).asinh()
 }
@@ -96,10 +96,10 @@ mod tests {
 
     #[test]
     fn a_pressed_square_sinks_as_is_known_and_far_away_as_under_a_point() {
-        // The middle of a square of side a: 4 a ln(1 + sqrt 2), over pi E* (Johnson 1985, section 3.3).
+        // Middle of a square of side a: 4 a ln(1 + sqrt 2), over pi E* (Johnson 1985, section 3.3).
         let middle_m = displacement_of_rectangle(0.0, 0.0, [2.0, 2.0]);
         assert!((middle_m - 8.0 * (1.0 + 2.0f64.sqrt()).ln()).abs() < 1e-14);
-        // Far away the load is a point: area over distance.
+        // At a distance the load is a point: area over distance.
         let far_m = displacement_of_rectangle(300.0, 400.0, [1.0, 1.0]);
         assert!((far_m * 500.0 - 1.0).abs() < 1e-6, "{far_m}");
     }

@@ -1,31 +1,31 @@
-//! Whether what is not in contact lets a fluid across.
+//! Channels through which a fluid crosses a contact.
 
 use crate::{Grid, HalfSpaceError};
 
-/// The directions in which the open part of a map connects its opposite edges.
+/// Directions in which the open part of a map connects its opposite edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OpenPaths {
-    /// From the first column to the last.
+    /// True if a path leads from the first column to the last.
     pub along_x: bool,
-    /// From the first row to the last.
+    /// True if a path leads from the first row to the last.
     pub along_y: bool,
 }
 
-/// What lies beyond the sides of a channel, the edges that a path does not connect.
+/// Boundary at the sides of a channel, the edges that a path does not connect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
     /// The opposite side of the map, which repeats itself.
     Periodic,
-    /// Nothing that a fluid passes.
+    /// Walls, which no fluid passes.
     Walls,
 }
 
-/// The paths across a map of contact, row by row. A fluid goes from a point to the next in its row or column, not across
-/// corners: where two points of contact meet at a corner, it is shut. Paths begin at one edge and end at the opposite one
-/// without wrapping around; every point is visited once in each direction.
+/// Finds the paths across a map of contact, row by row. A fluid goes from a point to the next in its row or column,
+/// not across corners: two points of contact that meet at a corner are tight. Paths begin at one edge and end at the
+/// opposite one without wrapping around; every point is visited once in each direction.
 ///
 /// # Errors
-/// A map of another size than the grid.
+/// [`HalfSpaceError`] for a map of another size than the grid.
 pub fn open_paths(grid: &Grid, sides: Sides, is_contact: &[bool]) -> Result<OpenPaths, HalfSpaceError> {
     if is_contact.len() != grid.points() {
         return Err(HalfSpaceError::Size { given: is_contact.len(), expected: grid.points() });
@@ -38,10 +38,11 @@ pub fn open_paths(grid: &Grid, sides: Sides, is_contact: &[bool]) -> Result<Open
     })
 }
 
-/// Whether open points connect the first of `length` places along a channel with the last; it is `breadth` places wide.
+/// Returns true if open points connect the first of `length` places along a channel, `breadth` places wide, with the
+/// last.
 fn crosses(length: usize, breadth: usize, sides: Sides, is_open: impl Fn(usize, usize) -> bool) -> bool {
     let mut is_reached = vec![false; length * breadth];
-    // Points whose neighbours have yet to be looked at.
+    // Points whose neighbours have not been visited.
     let mut front: Vec<(usize, usize)> = Vec::new();
     let mut reach = |along: usize, across: usize, front: &mut Vec<(usize, usize)>| {
         let reached = &mut is_reached[along * breadth + across];
@@ -107,7 +108,7 @@ mod tests {
     #[test]
     fn corners_are_shut() {
         assert_eq!(both(&[".#.#", "#.#.", ".#.#", "#.#."]), [(false, false); 2]);
-        // A diagonal of contact parts two corners; a fluid gets past it only around the sides.
+        // A diagonal of contact separates two corners; a fluid gets past it only around the sides.
         assert_eq!(both(&["#...", ".#..", "..#.", "...#"]), [(true, true), (false, false)]);
         // Two points wide, a diagonal channel is open.
         assert_eq!(both(&["..##", "#..#", "##..", ".##."]), [(true, true); 2]);
@@ -125,7 +126,7 @@ mod tests {
 
     #[test]
     fn turning_a_map_turns_its_paths() {
-        // A map of a multiplicative sequence: about a third of the points are in contact.
+        // A third of the points of this multiplicative sequence are in contact.
         let side = 41;
         for seed in 1..40usize {
             let is_contact =

@@ -1,16 +1,16 @@
-//! The pressures nearest to given ones that carry the load within their bounds.
+//! Projection of pressures onto a load and bounds.
 
 use crate::sums;
 
-/// Shifts `values` alike and keeps them between 0 and `cap`, so that they add up to `sum`, which lies from 0 to `cap` for each
-/// of them: of all such values these are the nearest.
+/// Projects `values` onto the values between 0 and `cap` that add up to `sum`, which is between 0 and `cap` times
+/// their number. The nearest such values are shifted alike and then limited.
 pub(crate) fn bring_to_sum(values: &mut [f64], cap: f64, sum: f64) {
     let shift = shift_to_sum(values, cap, sum);
     let [carried, between] = sums::over(values.len(), |index| {
         values[index] = (values[index] + shift).clamp(0.0, cap);
         [values[index], if 0.0 < values[index] && values[index] < cap { 1.0 } else { 0.0 }]
     });
-    // The shift has the rounding of values that may be far larger than what is left of them.
+    // The shift has the rounding of values that may be far larger than their remainders.
     let rest = (sum - carried) / between;
     if between > 0.0 && rest != 0.0 {
         let inside = values.iter_mut().filter(|value| 0.0 < **value && **value < cap);
@@ -18,10 +18,10 @@ pub(crate) fn bring_to_sum(values: &mut [f64], cap: f64, sum: f64) {
     }
 }
 
-/// The shift after which `values`, kept between 0 and `cap`, add up to `sum`.
+/// Shift after which `values`, limited to \[0, cap\], add up to `sum`.
 ///
-/// Newton's method, which is exact once it knows which values stay between their bounds; kept within a bracket, since with two
-/// bounds the sum is neither convex nor concave in the shift.
+/// Newton's method, which is exact once it knows which values stay between their bounds; within a bracket, because
+/// with two bounds the sum is neither convex nor concave in the shift.
 fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
     if values.is_empty() {
         return 0.0;
@@ -57,10 +57,10 @@ fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
     shift
 }
 
-/// What the sum may be off by, relative to it.
+/// Relative rounding error of the sum.
 const ROUNDING: f64 = 1e-15;
 
-/// Halving alone reaches the last bit within so many passes; Newton's method needs four to eight.
+/// Passes within which bisection alone reaches the last bit; Newton's method needs four to eight.
 const LARGEST_PASSES: usize = 100;
 
 #[cfg(test)]

@@ -1,20 +1,20 @@
-//! How a contact answers a little more load, while the same points touch.
+//! Linear response of a contact to a little more load, while the same points touch.
 
 use crate::problem::{Operators, State};
 use crate::sums;
 
-/// The relative error of the stiffness, as the preconditioner estimates it.
+/// Relative error of the stiffness, as estimated by the preconditioner.
 const ACCURACY: f64 = 1e-8;
 
-/// Steps after which an answer is taken as it is: conjugate gradients need some tens.
+/// Steps after which the solution is taken as it is: conjugate gradients need some tens.
 const MOST_STEPS: usize = 2000;
 
-/// The approach of the bodies per unit of mean pressure, the points in `touching` staying together and no other joining;
-/// `None` where `goes_on` ends the work.
+/// Approach of the bodies per unit of mean pressure. The points in `touching` stay together and no other joins.
+/// `None` if `goes_on` ends the work.
 ///
-/// Of all changes of pressure in contact whose mean is 1, the right one has the least energy (1/2) p.Kp, and the approach is
-/// twice that over the number of points: its error is the square of that of the pressures. Conjugate gradients,
-/// preconditioned with |q| as in the solve itself.
+/// Among all changes of pressure in contact whose mean is 1, the solution has the least energy (1/2) p.Kp, and the
+/// approach is twice that over the number of points: its error is the square of that of the pressures. Conjugate
+/// gradients, preconditioned with |q| as in the solve itself.
 pub(crate) fn approach_per_pressure(
     points: usize,
     touching: &[u32],

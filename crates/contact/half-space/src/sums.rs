@@ -1,12 +1,12 @@
-//! Sums over maps, in an order that their size alone fixes.
+//! Sums over maps, in an order that depends on their size alone.
 
 /// Points of a block: within it, four lanes are added up side by side; blocks follow one another.
 const BLOCK: usize = 512;
 
-/// Added up side by side, so that no addition waits for the one before.
+/// Lanes added up side by side, so that no addition waits for the one before.
 const LANES: usize = 4;
 
-/// Several sums over the indices below `count` at once.
+/// Computes several sums over the indices below `count` at once.
 ///
 /// The order depends on `count` only, and the rounding grows with the number of blocks instead of points.
 #[inline]

@@ -5,16 +5,16 @@ use std::sync::Arc;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftNum, FftPlanner};
 
-/// Columns that are transformed together: a line of the cache, or two, in every row.
+/// Columns that are transformed together: a cache line, or two, in every row.
 const BLOCK: usize = 8;
 
 /// Multiplies a real map by a real and even function of the wave vector.
 ///
-/// Two rows of the map are the real and the imaginary part of one complex row, so nothing is transformed twice and rows of odd
-/// length cost what they should. The mirrored halves of a complex row are taken apart while a block of columns is gathered; the
-/// block is transformed, multiplied and transformed back before it leaves the cache.
+/// Two rows of the map are the real and the imaginary part of one complex row, so that nothing is transformed twice,
+/// and rows of odd length cost no more. The mirrored halves of a complex row are separated while a block of columns
+/// is gathered; the block is transformed, multiplied and transformed back before it leaves the cache.
 pub(crate) struct Convolution<T: FftNum> {
-    /// Rows and columns of the map, which may be smaller than the period: the rest is zero, and not wanted.
+    /// Rows and columns of the map, which may be smaller than the period: the rest is zero, and its result unused.
     map: [usize; 2],
     /// Rows and columns of the period.
     period: [usize; 2],
@@ -24,14 +24,14 @@ pub(crate) struct Convolution<T: FftNum> {
     along_columns: [Arc<dyn Fft<T>>; 2],
     /// Complex rows, each of two rows of the map.
     pairs: Vec<Complex<T>>,
-    /// A block of columns, one behind the other.
+    /// Block of columns, one behind the other.
     block: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
 }
 
 impl<T: FftNum> Convolution<T> {
-    /// Of maps of `map` rows and columns, repeated (or padded with zeros) to `period`; `factor(row, column)` multiplies the
-    /// waves with so many periods along y and x.
+    /// Creates the convolution of maps of `map` rows and columns, repeated (or padded with zeros) to `period`;
+    /// `factor(row, column)` multiplies the wave with so many periods along y and x.
     pub(crate) fn new(map: [usize; 2], period: [usize; 2], factor: impl Fn(usize, usize) -> f64) -> Self {
         let [rows, columns] = period;
         let mut planner = FftPlanner::new();
@@ -39,7 +39,7 @@ impl<T: FftNum> Convolution<T> {
         let along_columns = [planner.plan_fft_forward(rows), planner.plan_fft_inverse(rows)];
         let scratch = along_rows.iter().chain(&along_columns).map(|plan| plan.get_inplace_scratch_len());
         let zero = Complex::new(T::zero(), T::zero());
-        // A half for taking two rows apart, the rest normalises the transforms.
+        // A factor of 1/2 for separating two rows; the rest normalises the transforms.
         let share = 0.5 / (rows as f64 * columns as f64);
         let factors = (0..=columns / 2).flat_map(|column| (0..=rows / 2).map(move |row| (row, column)));
         Self {
@@ -58,7 +58,7 @@ impl<T: FftNum> Convolution<T> {
         }
     }
 
-    /// The convolution of `values`, into `into`.
+    /// Convolves `values` into `into`.
     pub(crate) fn apply(&mut self, values: &[T], into: &mut [T]) {
         self.rows_forward(values);
         for first in (0..=self.period[1] / 2).step_by(BLOCK) {
@@ -67,7 +67,7 @@ impl<T: FftNum> Convolution<T> {
         self.rows_back(into);
     }
 
-    /// The convolution of what stands in `values`, in its place.
+    /// Convolves `values` in place.
     pub(crate) fn apply_in_place(&mut self, values: &mut [T]) {
         self.rows_forward(values);
         for first in (0..=self.period[1] / 2).step_by(BLOCK) {
@@ -141,7 +141,7 @@ impl<T: FftNum> Convolution<T> {
     }
 }
 
-/// The column of the opposite wave.
+/// Column of the opposite wave.
 fn mirrored(column: usize, width: usize) -> usize {
     if column == 0 { 0 } else { width - column }
 }
@@ -155,7 +155,7 @@ fn taken_apart<T: FftNum>(value: Complex<T>, mirror: Complex<T>) -> [Complex<T>;
     ]
 }
 
-/// The transform of even + i odd at a wave and at its opposite.
+/// Transform of even + i odd at a wave and at its opposite.
 #[inline]
 fn put_together<T: FftNum>(even: Complex<T>, odd: Complex<T>) -> [Complex<T>; 2] {
     [Complex::new(even.re - odd.im, even.im + odd.re), Complex::new(even.re + odd.im, odd.re - even.im)]

@@ -1,8 +1,8 @@
-//! Two numbers that are held against adhesion. Neither is a verdict, and neither changes the contact.
+//! Two criteria of adhesion. Neither is a verdict, and neither changes the contact.
 
 use units::{Bound, OutOfBounds};
 
-/// The adhesion parameter of Fuller & Tabor (1975), Proc. R. Soc. A 345:327, for the summits of a surface cut off somewhere:
+/// Adhesion parameter of Fuller & Tabor (1975), Proc. R. Soc. A 345:327, for the summits of a surface with a cutoff:
 /// theta = E* sigma_s^(3/2)/(sqrt(R) w).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct FullerTabor {
@@ -10,11 +10,11 @@ pub struct FullerTabor {
 }
 
 impl FullerTabor {
-    /// Above about this, what they pulled apart did not stick.
-    pub const GONE_ABOVE: f64 = 10.0;
+    /// Value above which the surfaces in their experiments did not stick (approximate).
+    pub const NOT_STICKY_ABOVE: f64 = 10.0;
 
-    /// Of a contact modulus E* \[Pa\], the standard deviation sigma_s of the summits' heights \[m\], the mean radius R of the
-    /// summits \[m\] and the work of adhesion w \[J/m^2\].
+    /// Creates the parameter from a contact modulus E* \[Pa\], the standard deviation sigma_s of the summits' heights
+    /// \[m\], the mean radius R of the summits \[m\] and the work of adhesion w \[J/m^2\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
@@ -32,28 +32,28 @@ impl FullerTabor {
         Ok(FullerTabor { theta })
     }
 
-    /// theta.
+    /// Adhesion parameter theta.
     #[must_use]
     pub fn theta(self) -> f64 {
         self.theta
     }
 }
 
-/// The criterion of Pastewka & Robbins (2014), Proc. Natl. Acad. Sci. 111:3298, for a surface cut off somewhere: it would be
-/// sticky where
+/// Criterion of Pastewka & Robbins (2014), Proc. Natl. Acad. Sci. 111:3298, for a surface with a cutoff. The surface
+/// is sticky if
 ///
 /// (h' dr/(kappa l_a)) (h' d_rep/(4 dr))^(2/3) < pi (3/16)^(2/3), l_a = w/E*, d_rep = 4 h'/h'',
 ///
-/// with h' the rms gradient and h'' the rms Laplacian of the surface (a cap of radius R has 2/R, and d_rep is the width over
-/// which its slope reaches h'), dr the range of the attraction and kappa that of A/A_0 = kappa p/(E* h') without adhesion.
-/// Its constants are quoted at second hand, and it is contested (Ciavarella 2016, arXiv:1602.02555): the left side is told
-/// beside the limit.
+/// with h' the rms gradient and h'' the rms Laplacian of the surface (a cap of radius R has 2/R, and d_rep is the
+/// width over which its slope reaches h'), dr the range of the attraction, and kappa the coefficient of A/A_0 = kappa
+/// p/(E* h') without adhesion. Its constants are quoted at second hand, and it is contested (Ciavarella 2016,
+/// arXiv:1602.02555): report the left side beside the limit.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct PastewkaRobbins {
     left_side: f64,
 }
 
-/// What the criterion asks of a surface and of what acts across the gap.
+/// Inputs of the criterion: the surface, and the attraction across the gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StickyContact {
     /// Rms gradient h' of the surface.
@@ -66,21 +66,21 @@ pub struct StickyContact {
     pub work_of_adhesion_j_per_m2: f64,
     /// Range of the attraction dr \[m\].
     pub range_m: f64,
-    /// kappa; [`PastewkaRobbins::USUAL_KAPPA`] as a rule.
+    /// Coefficient kappa, usually [`PastewkaRobbins::USUAL_KAPPA`].
     pub kappa: f64,
 }
 
 impl PastewkaRobbins {
-    /// pi (3/16)^(2/3), below which the left side would be that of a sticky surface.
+    /// Limit pi (3/16)^(2/3) of the left side; a sticky surface is below it.
     pub const LIMIT: f64 = 1.029_162_738_875_667_7;
 
-    /// kappa of A/A_0 = kappa p/(E* h') at light loads.
+    /// Coefficient kappa of A/A_0 = kappa p/(E* h') at light loads.
     pub const USUAL_KAPPA: f64 = 2.0;
 
-    /// Of a contact.
+    /// Creates the criterion of a contact.
     ///
     /// # Errors
-    /// [`OutOfBounds`] unless all of it is positive and within thirty decades of 1.
+    /// [`OutOfBounds`] unless all inputs are positive and within thirty decades of 1.
     pub fn new(contact: &StickyContact) -> Result<Self, OutOfBounds> {
         let gradient = Bound::Magnitude.check("rms gradient", contact.rms_gradient)?;
         let laplacian_per_m = Bound::Magnitude.check("rms Laplacian in 1/m", contact.rms_laplacian_per_m)?;
@@ -94,7 +94,7 @@ impl PastewkaRobbins {
         Ok(PastewkaRobbins { left_side: strength * shape * shape })
     }
 
-    /// The left side of the criterion.
+    /// Left side of the criterion.
     #[must_use]
     pub fn left_side(self) -> f64 {
         self.left_side

@@ -1,14 +1,14 @@
-//! How well an interface conducts heat and current.
+//! Thermal and electrical conductance of an interface.
 //!
-//! Potential and displacement of a half-space follow from flux and pressure by the same law, so that the conductance of an
-//! interface is its incremental elastic stiffness in other units (Barber 2003, Proc. R. Soc. A 459:53). [`RelativeStiffness`]
-//! is that of a nominal area, [`Spot`] that of one contact, or of a whole interface as the one circle that conducts as much.
-//! Neither needs the number of spots or a cutoff of the spectrum.
+//! The potential and the displacement of a half-space follow from flux and pressure by the same law, so that the
+//! conductance of an interface is its incremental elastic stiffness in other units (Barber 2003, Proc. R. Soc. A
+//! 459:53). [`RelativeStiffness`] is that of a nominal area, [`Spot`] that of one contact, or of the single circle
+//! that conducts as much as a whole interface. Neither needs the number of spots or a cutoff of the spectrum.
 //!
-//! The correlations for plastic contact ([`PlasticCorrelation`]) need the slopes of the surface, which depend on where its
-//! spectrum is cut off ([`CutSurface`]).
+//! The correlations for plastic contact ([`PlasticCorrelation`]) need the slopes of the surface, which depend on the
+//! cutoff of its spectrum ([`CutSurface`]).
 //!
-//! [`Circumstances`] tell what has not been considered.
+//! [`Circumstances`] flag the effects that are left out.
 
 mod bodies;
 mod circumstances;

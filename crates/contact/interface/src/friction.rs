@@ -1,10 +1,10 @@
-//! What it takes to shear a contact of a known area: Bowden & Tabor (1950), The Friction and Lubrication of Solids.
+//! Friction of a contact of a known area: Bowden & Tabor (1950), The Friction and Lubrication of Solids.
 //!
-//! F/A_0 = tau A/A_0 and mu = tau A/(p A_0). The shear strength tau is given, and nothing of it follows from roughness.
+//! F/A_0 = tau A/A_0 and mu = tau A/(p A_0). The shear strength tau is an input; roughness does not determine it.
 
 use units::{Bound, OutOfBounds};
 
-/// A contact about to slide.
+/// Contact about to slide.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Sliding {
     shear_strength_pa: f64,
@@ -13,8 +13,8 @@ pub struct Sliding {
 }
 
 impl Sliding {
-    /// Of a shear strength tau of the contact \[Pa\], the share A/A_0 of the nominal area in contact, and the nominal pressure
-    /// p \[Pa\].
+    /// Creates a contact with the shear strength tau \[Pa\], the share A/A_0 of the nominal area in contact, and the
+    /// nominal pressure p \[Pa\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless tau and p are positive and within thirty decades of 1, and the share lies in \[0, 1\].
@@ -31,13 +31,13 @@ impl Sliding {
         })
     }
 
-    /// F/A_0 = tau A/A_0 \[Pa\].
+    /// Friction stress F/A_0 = tau A/A_0 \[Pa\].
     #[must_use]
     pub fn friction_stress_pa(&self) -> f64 {
         self.shear_strength_pa * self.area_fraction
     }
 
-    /// mu = tau A/(p A_0).
+    /// Friction coefficient mu = tau A/(p A_0).
     #[must_use]
     pub fn friction_coefficient(&self) -> f64 {
         self.friction_stress_pa() / self.nominal_pressure_pa

@@ -1,13 +1,13 @@
-//! What a seal lets through, from the narrowest place of its last channel: Persson & Yang (2008), J. Phys.: Condens. Matter
-//! 20:315011.
+//! Leak rate of a seal, from the narrowest place of its last channel: Persson & Yang (2008), J. Phys.: Condens.
+//! Matter 20:315011.
 //!
-//! Almost all of the pressure drops at that place, a slit about as long as it is wide: Q = (L_y/L_x) u_c^3 dp/(12 eta).
-//! u_c enters by its cube and hangs on a percolation threshold, and near it a single constriction decides (Dapp & Mueser 2016,
-//! Sci. Rep. 6:19513): the rate is an order of magnitude.
+//! Almost all of the pressure drops at that place, a slit about as long as it is wide: Q = (L_y/L_x) u_c^3 dp/(12
+//! eta). u_c enters by its cube and depends on a percolation threshold, near which a single constriction decides
+//! (Dapp & Mueser 2016, Sci. Rep. 6:19513): the rate is an order of magnitude.
 
 use units::{Bound, OutOfBounds};
 
-/// What is sealed, and against what.
+/// Joint, pressure drop and fluid.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct SealedJoint {
     breadth_over_length: f64,
@@ -15,21 +15,21 @@ pub struct SealedJoint {
     viscosity_pa_s: f64,
 }
 
-/// The height u_c of the narrowest place.
+/// Narrowest place of the last channel, of the height u_c.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Constriction {
     height_m: f64,
 }
 
-/// A volume in time, to an order of magnitude.
+/// Volume per time, to an order of magnitude.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct LeakRate {
     m3_per_s: f64,
 }
 
 impl SealedJoint {
-    /// A nominal contact of the breadth L_y across the flow and the length L_x along it \[m\], with a pressure drop dp \[Pa\] of
-    /// a fluid of the dynamic viscosity eta \[Pa s\].
+    /// Creates a nominal contact of the breadth L_y across the flow and the length L_x along it \[m\], with a
+    /// pressure drop dp \[Pa\] of a fluid of the dynamic viscosity eta \[Pa s\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
@@ -48,13 +48,13 @@ impl SealedJoint {
         })
     }
 
-    /// The pressure drop dp \[Pa\].
+    /// Pressure drop dp \[Pa\].
     #[must_use]
     pub fn pressure_drop_pa(&self) -> f64 {
         self.pressure_drop_pa
     }
 
-    /// Q = (L_y/L_x) u_c^3 dp/(12 eta).
+    /// Leak rate Q = (L_y/L_x) u_c^3 dp/(12 eta).
     #[must_use]
     pub fn leak_rate(&self, constriction: Constriction) -> LeakRate {
         let conductance_m3 = self.breadth_over_length * constriction.height_m.powi(3) / 12.0;
@@ -63,7 +63,7 @@ impl SealedJoint {
 }
 
 impl Constriction {
-    /// Of a height u_c \[m\].
+    /// Creates a constriction of a height u_c \[m\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless it is positive and within thirty decades of 1.
@@ -71,7 +71,7 @@ impl Constriction {
         Ok(Constriction { height_m: Bound::Magnitude.check("height of the constriction in m", height_m)? })
     }
 
-    /// u_c \[m\].
+    /// Height u_c \[m\].
     #[must_use]
     pub fn height_m(self) -> f64 {
         self.height_m
@@ -79,16 +79,17 @@ impl Constriction {
 }
 
 impl LeakRate {
-    /// Q \[m^3/s\], of which only the order of magnitude means something.
+    /// Leak rate Q \[m^3/s\]; only its order of magnitude has a meaning.
     #[must_use]
     pub fn m3_per_s(self) -> f64 {
         self.m3_per_s
     }
 
-    /// The power of ten next to it on a logarithmic scale.
+    /// Nearest power of ten on a logarithmic scale.
     #[must_use]
     pub fn power_of_ten(self) -> i32 {
-        // Inputs are magnitudes, so that the rate is neither zero nor infinite, and its power has three digits at most.
+        // Inputs are within thirty decades of 1, so that the rate is neither zero nor infinite, and its power has at
+        // most three digits.
         self.m3_per_s.log10().round() as i32
     }
 }

@@ -1,10 +1,10 @@
 #![doc = include_str!("../README.md")]
 //!
-//! A formula is found by its subject:
-//! * [`conductance`]: heat and current by Barber's analogy and by correlations for plastic contact, one circular spot, and
-//!   what none of them knows;
-//! * [`leak`]: what a seal lets through, to an order of magnitude;
-//! * [`friction`]: what shearing the contact takes;
+//! Modules by subject:
+//! * [`conductance`]: heat and current by Barber's analogy and by correlations for plastic contact, one circular
+//!   spot, and the effects that none of them includes;
+//! * [`leak`]: the leak rate of a seal, to an order of magnitude;
+//! * [`friction`]: friction of a contact of known area;
 //! * [`adhesion`]: Fuller & Tabor's parameter, and the left side of Pastewka & Robbins' criterion.
 #![deny(missing_docs)]
 

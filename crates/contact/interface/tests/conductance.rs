@@ -23,7 +23,7 @@ fn one_hertz_contact_conducts_as_a_circular_spot() {
             (force_n(indentation_m + k * step_m) - force_n(indentation_m - k * step_m)) / (2.0 * k * step_m)
         };
         let stiffness_n_per_m = (15.0 * difference(1.0) - 6.0 * difference(2.0) + difference(3.0)) / 10.0;
-        let spot = Spot::of_stiffness(stiffness_n_per_m, MODULUS_PA).unwrap();
+        let spot = Spot::from_stiffness(stiffness_n_per_m, MODULUS_PA).unwrap();
         assert!(off(stiffness_n_per_m, 2.0 * MODULUS_PA * contact_radius_m) < 1e-10);
         assert!(off(spot.radius_m(), contact_radius_m) < 1e-10);
         // Holm: R = (rho1 + rho2)/(4 a).
@@ -61,12 +61,13 @@ fn heat_and_current_obey_one_law() {
 
 #[test]
 fn a_light_load_conducts_in_proportion() {
-    let light = |pressure_pa: f64| RelativeStiffness::of_light_load(pressure_pa, MODULUS_PA, 0.4e-6).unwrap();
+    let light =
+        |pressure_pa: f64| RelativeStiffness::from_light_load(pressure_pa, MODULUS_PA, 0.4e-6).unwrap();
     assert!(
         off(light(1e6).per_m(), RelativeStiffness::new(1e6 / 0.4e-6, MODULUS_PA).unwrap().per_m()) < 1e-15
     );
     assert!(off(light(2e6).per_m(), 2.0 * light(1e6).per_m()) < 1e-15);
-    assert!(RelativeStiffness::of_light_load(1e6, MODULUS_PA, 0.0).is_err());
+    assert!(RelativeStiffness::from_light_load(1e6, MODULUS_PA, 0.0).is_err());
     assert!(light(1e6).equivalent_spot(-1.0).is_err());
     assert!(RelativeStiffness::new(f64::INFINITY, MODULUS_PA).is_err());
 }
@@ -81,6 +82,6 @@ fn the_correlations_have_the_values_worked_out_by_hand() {
     assert!(off(of(PlasticCorrelation::Yovanovich), 1243.583115) < 5e-10);
     assert!(off(of(PlasticCorrelation::CooperMikicYovanovich), 1090.01773) < 5e-10);
     // Gaussian heights: m = sqrt(2/pi) of the rms slope.
-    let rms = CutSurface::of_rms_slope(1e-6, 0.1 * std::f64::consts::FRAC_PI_2.sqrt()).unwrap();
+    let rms = CutSurface::from_rms_slope(1e-6, 0.1 * std::f64::consts::FRAC_PI_2.sqrt()).unwrap();
     assert!(off(rms.mean_absolute_slope(), surface.mean_absolute_slope()) < 1e-15);
 }

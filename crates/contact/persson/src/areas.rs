@@ -1,13 +1,13 @@
-//! How the nominal area is shared.
+//! Division of the nominal area into elastic contact, plastic contact and gap.
 
 /// The shares of the nominal area that touch elastically, that touch and flow, and that do not touch; their sum is 1.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct ContactAreas {
-    /// In contact below the hardness, in \[0, 1\].
+    /// Share in contact below the hardness, in \[0, 1\].
     pub elastic: f64,
-    /// In contact at the hardness, in \[0, 1\].
+    /// Share in contact at the hardness, in \[0, 1\].
     pub plastic: f64,
-    /// Out of contact, in \[0, 1\]. Kept beside the other two because near full contact 1 less their sum has no digits.
+    /// Share out of contact, in \[0, 1\]. Stored because 1 - elastic - plastic loses all digits near full contact.
     pub gap: f64,
 }
 
@@ -15,7 +15,7 @@ impl ContactAreas {
     /// Elastic contact everywhere.
     pub const FULL: ContactAreas = ContactAreas { elastic: 1.0, plastic: 0.0, gap: 0.0 };
 
-    /// The share in contact, elastic or not.
+    /// Share in contact, elastic plus plastic.
     #[must_use]
     pub fn contact(&self) -> f64 {
         self.elastic + self.plastic

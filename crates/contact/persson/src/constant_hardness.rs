@@ -1,9 +1,9 @@
 //! Elastic-plastic contact of constant hardness H: Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006),
 //! Surf. Sci. Rep. 61:201.
 //!
-//! The density of the stress diffuses between two absorbing walls, at 0 (out of contact) and at H (plastic). Early, while
-//! s < H/2, it is a sum over images, later a sum over eigenfunctions; each converges in at most six terms where it is
-//! used. Both sums are arranged in terms that do not cancel, so that the smallest share keeps its digits.
+//! The density of the stress diffuses between two absorbing walls, at 0 (out of contact) and at H (plastic). For s <
+//! H/2 it is a sum over images, beyond that a sum over eigenfunctions; each converges in at most six terms where it
+//! is used. Both sums are arranged in terms that do not cancel, so that the smallest share keeps its digits.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::LazyLock;
@@ -12,14 +12,15 @@ use numerics::GaussLegendre;
 
 use crate::areas::ContactAreas;
 
-/// Where the eigenfunctions take over, in hardnesses.
+/// Ratio s/H from which the sum over eigenfunctions replaces the sum over images.
 const LATE: f64 = 0.5;
 
-/// For what is between two images that nearly cancel: cosh and exp over less than 1/2 each, to rounding.
+/// Rule for the difference of two images that nearly cancel: integrates cosh and exp over less than 1/2 each, to
+/// rounding.
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(9));
 
-/// The shares of the nominal area under a nominal pressure p > 0 \[Pa\], a spread s >= 0 \[Pa\] and a hardness
-/// H > 0 \[Pa\]. From p = H on everything touches and flows, at every scale.
+/// Returns the shares of the nominal area under a nominal pressure p > 0 \[Pa\], a spread s >= 0 \[Pa\] and a
+/// hardness H > 0 \[Pa\]. For p >= H everything touches and flows, at every scale.
 #[must_use]
 pub fn areas(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> ContactAreas {
     if pressure_pa >= hardness_pa {
@@ -28,8 +29,8 @@ pub fn areas(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> ContactAreas
     if spread_pa == 0.0 {
         return ContactAreas::FULL;
     }
-    // The walls mirror each other: what touches elastically under p does so under H - p, and what flows under p is out
-    // of contact under H - p.
+    // The walls mirror each other: the elastic share under p equals that under H - p, and the plastic share under p
+    // is the gap under H - p.
     let from_above_pa = hardness_pa - pressure_pa;
     let nearer_pa = pressure_pa.min(from_above_pa);
     if spread_pa < LATE * hardness_pa {
@@ -48,10 +49,10 @@ pub fn areas(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> ContactAreas
     }
 }
 
-/// The density \[1/Pa\] of the elastic stress 0 < sigma < H \[Pa\] over the nominal area, for 0 < p < H, s > 0.
+/// Density \[1/Pa\] of the elastic stress 0 < sigma < H \[Pa\] over the nominal area, for 0 < p < H, s > 0.
 #[must_use]
 pub fn stress_density_per_pa(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
-    // Both walls swapped at once, and stress and pressure swapped, leave the density what it is: p <= H/2 in what follows.
+    // Swapping both walls, or stress and pressure, leaves the density unchanged; below, p <= H/2.
     let swap = pressure_pa > 0.5 * hardness_pa;
     let mirrored = |value: f64| if swap { hardness_pa - value } else { value };
     let (stress_pa, pressure_pa) = (mirrored(stress_pa), mirrored(pressure_pa));
@@ -64,12 +65,13 @@ pub fn stress_density_per_pa(stress_pa: f64, pressure_pa: f64, spread_pa: f64, h
     }
 }
 
-/// The share absorbed at H in the beginning: sum over odd j of D_j.
+/// Share absorbed at H at early times: the sum of D_j over odd j.
 fn absorbed_by_images(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     images(1).map(|j| image(j * hardness_pa, pressure_pa, spread_pa)).sum()
 }
 
-/// erf(b) + sum over even j of D_j - sum over odd j of D_j, for p <= H/2, where the first two terms do not cancel.
+/// Elastic share erf(b) + (sum of D_j over even j) - (sum over odd j), for p <= H/2, where the first two terms do not
+/// cancel.
 fn elastic_by_images(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let pairs = images(1)
         .zip(images(2))
@@ -77,12 +79,13 @@ fn elastic_by_images(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 
     crate::elastic::area_fraction(pressure_pa, spread_pa) - pairs.map(|[odd, even]| odd - even).sum::<f64>()
 }
 
-/// Every second image from the first on; the exponential of the last is below rounding for s < H/2.
+/// Multiples of H at which every second image lies; the exponential of the last is below rounding for s < H/2.
 fn images(first: u8) -> impl Iterator<Item = f64> {
     (first..8).step_by(2).map(f64::from)
 }
 
-/// D = erfc((d - p)/(sqrt(2) s)) - erfc((d + p)/(sqrt(2) s)), what an image at the distance d > p adds, to rounding.
+/// Contribution D = erfc((d - p)/(sqrt(2) s)) - erfc((d + p)/(sqrt(2) s)) of an image at the distance d > p, to
+/// rounding.
 pub(crate) fn image(distance_pa: f64, pressure_pa: f64, spread_pa: f64) -> f64 {
     let [near, far] =
         [distance_pa - pressure_pa, distance_pa + pressure_pa].map(|d| FRAC_1_SQRT_2 * (d / spread_pa));
@@ -90,21 +93,21 @@ pub(crate) fn image(distance_pa: f64, pressure_pa: f64, spread_pa: f64) -> f64 {
     if 4.0 * a * b > 1.0 {
         return libm::erfc(near) - libm::erfc(far);
     }
-    // The two nearly cancel: what is between them is an integral of positive terms,
-    // D = (4/sqrt(pi)) exp(-a^2) Int_0^b cosh(2 a t) exp(-t^2) dt with 2 a b <= 1/2.
+    // The two erfc nearly cancel; their difference is an integral of positive terms, D = (4/sqrt(pi)) exp(-a^2)
+    // Int_0^b cosh(2 a t) exp(-t^2) dt with 2 a b <= 1/2.
     let integral: f64 =
         RULE.over(0.0, b).map(|(t, weight)| weight * (2.0 * a * t).cosh() * (-t * t).exp()).sum();
     4.0 / PI.sqrt() * (-a * a).exp() * integral
 }
 
-/// sum over odd n of (4/(n pi)) sin(n pi p/H) e_n, for p <= H/2.
+/// Elastic share at late times, sum over odd n of (4/(n pi)) sin(n pi p/H) e_n, for p <= H/2.
 fn elastic_by_modes(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let term = |n: f64| 4.0 / (n * PI) * (n * PI * (pressure_pa / hardness_pa)).sin();
     modes(1, 2).map(|n| term(n) * decay(n, spread_pa, hardness_pa)).sum()
 }
 
-/// p/H + (2/pi) sum over n of ((-1)^n/n) sin(n pi p/H) e_n; with the sine from whichever end of (0, H) is nearer, so that
-/// it keeps its digits.
+/// Plastic share at late times, p/H + (2/pi) sum over n of ((-1)^n/n) sin(n pi p/H) e_n. The sine is taken from the
+/// nearer end of (0, H), so that it keeps its digits.
 fn absorbed_by_modes(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let from_above_pa = hardness_pa - pressure_pa;
     let sine = |n: f64| {
@@ -124,14 +127,14 @@ fn modes(first: u8, step: usize) -> impl Iterator<Item = f64> {
     (first..9).step_by(step).map(f64::from)
 }
 
-/// e_n = exp(-n^2 pi^2 s^2/(2 H^2)).
+/// Decay e_n = exp(-n^2 pi^2 s^2/(2 H^2)) of mode n.
 fn decay(n: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let ratio = n * PI * (spread_pa / hardness_pa);
     (-0.5 * ratio * ratio).exp()
 }
 
 fn density_by_modes(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
-    // sin(n pi sigma/H) from the nearer end; its sign for the farther one is that of sin(n pi).
+    // sin(n pi sigma/H) from the nearer end; from the farther one its sign is that of sin(n pi).
     let from_above_pa = hardness_pa - stress_pa;
     let sine = |n: f64| {
         if stress_pa <= from_above_pa {
@@ -145,7 +148,8 @@ fn density_by_modes(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_p
     2.0 / hardness_pa * modes(1, 1).map(|n| term(n) * decay(n, spread_pa, hardness_pa)).sum::<f64>()
 }
 
-/// The images grouped about the wall at 0: each stands with its mirror image in it, and nothing cancels for sigma, p <= H/2.
+/// Density by images grouped about the wall at 0: each is paired with its mirror image, and nothing cancels for
+/// sigma, p <= H/2.
 fn density_by_images(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let pair = |at_pa: f64| crate::elastic::stress_density_per_pa(at_pa, pressure_pa, spread_pa);
     let beyond = (1..4).map(|k| 2.0 * f64::from(k) * hardness_pa);
@@ -153,9 +157,9 @@ fn density_by_images(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_
         + beyond.map(|shift_pa| pair(stress_pa + shift_pa) - pair(shift_pa - stress_pa)).sum::<f64>()
 }
 
-/// The images grouped about the wall at H. In units of s, with delta = H - sigma, a group of four at the distance
-/// w = H, 3 H, 5 H is (4/sqrt(2 pi)) exp(-(w - delta - p)^2/2) times
-/// S(w delta) S(w p) - (1/4) \[1 - exp(-2 delta p)\] \[exp(2 delta (p - w)) + exp(2 p (delta - w))\], S(x) = \[1 - exp(-2x)\]/2.
+/// Density by images grouped about the wall at H. In units of s, with delta = H - sigma, a group of four at the
+/// distance w = H, 3 H, 5 H is (4/sqrt(2 pi)) exp(-(w - delta - p)^2/2) times S(w delta) S(w p) - (1/4) \[1 - exp(-2
+/// delta p)\] \[exp(2 delta (p - w)) + exp(2 p (delta - w))\], S(x) = \[1 - exp(-2x)\]/2.
 fn density_near_the_hardness(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let [delta, p, h] = [hardness_pa - stress_pa, pressure_pa, hardness_pa].map(|x| x / spread_pa);
     let rise = |x: f64| -0.5 * libm::expm1(-2.0 * x);

@@ -1,6 +1,7 @@
-//! Corrected forms of the elastic theory: fits to simulations, each by an effective variance V_e in A = erf(p/sqrt(2 V_e)).
+//! Corrected forms of the elastic theory: fits to simulations, each an effective variance V_e in A = erf(p/sqrt(2
+//! V_e)).
 //!
-//! They stand in for drift, re-entry and slower diffusion of the stress, which are sizeable and largely cancel (Dapp,
+//! They account for drift, re-entry and slower diffusion of the stress, which are sizeable and largely cancel (Dapp,
 //! Prodanov & Mueser 2014, J. Phys.: Condens. Matter 26:355002).
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
@@ -9,18 +10,19 @@ use numerics::{GaussLegendre, newton_in_bracket};
 use serde::{Deserialize, Serialize};
 use units::named;
 
-/// A corrected form by name.
+/// Corrected form of the elastic theory, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Correction {
-    /// dV_e = S(A) dV, S = 5/9 - (2/9) A^2 + (2/3) A^4: Wang & Mueser (2017), Tribol. Lett. 65:103.
+    /// Wang & Mueser (2017), Tribol. Lett. 65:103: dV_e = S(A) dV, S = 5/9 - (2/9) A^2 + (2/3) A^4.
     WangMuser,
-    /// dV_e = S(A) dV, S = g + (1 - g) A^2, g = 0.45: Yang & Persson (2008), J. Phys.: Condens. Matter 20:215214.
+    /// Yang & Persson (2008), J. Phys.: Condens. Matter 20:215214: dV_e = S(A) dV, S = g + (1 - g) A^2, g = 0.45.
     YangPersson,
-    /// V_e = \[g + (1 - g) A\] V, g = 0.45: Xu et al. (2024).
+    /// Xu et al. (2024): V_e = \[g + (1 - g) A\] V, g = 0.45.
     Algebraic,
-    /// The same with g = 0.4244 + 0.0357 ln(alpha), alpha = m0 m4/m2^2, fitted to this project's boundary elements.
+    /// V_e = \[g + (1 - g) A\] V with g = 0.4244 + 0.0357 ln(alpha), alpha = m0 m4/m2^2, fitted to this project's
+    /// boundary elements.
     AlgebraicNayak,
 }
 
@@ -31,15 +33,15 @@ named!(Correction, "correction", {
     AlgebraicNayak => "algebraic-nayak",
 });
 
-/// g of `yang-persson` and `algebraic` as published.
+/// Published g of `yang-persson` and `algebraic`.
 const PUBLISHED: f64 = 0.45;
 
 impl Correction {
-    /// The range of alpha = m0 m4/m2^2 of the boundary elements that the forms were fitted to or compared with.
+    /// Range of alpha = m0 m4/m2^2 of the boundary elements that the forms were fitted to or compared with.
     pub const FITTED_ALPHA: [f64; 2] = [1.5, 140.0];
 
-    /// The effective variance \[Pa^2\] at each of some variances that do not fall, under a nominal pressure p > 0 \[Pa\].
-    /// `alpha` is Nayak's m0 m4/m2^2 at each of them.
+    /// Returns the effective variance \[Pa^2\] at each of some non-decreasing variances, under a nominal pressure p >
+    /// 0 \[Pa\]. `alpha` is Nayak's m0 m4/m2^2 at each of them.
     #[must_use]
     pub fn effective_variances_pa2(self, pressure_pa: f64, variances_pa2: &[f64], alpha: &[f64]) -> Vec<f64> {
         let algebraic = |g: f64, variance_pa2: f64| algebraic_variance_pa2(g, pressure_pa, variance_pa2);
@@ -65,26 +67,26 @@ impl Correction {
     }
 }
 
-/// How a corrected form comes by its effective variance.
+/// Equation that determines the effective variance of a corrected form.
 enum Form {
-    /// dV_e = S(A) dV: S.
+    /// dV_e = S(A) dV, as the function S(A).
     Differential(fn(f64) -> f64),
-    /// V_e = \[g + (1 - g) A\] V: g and dg/dln(alpha), of alpha.
+    /// V_e = \[g + (1 - g) A\] V, as g and dg/dln(alpha) of alpha.
     Algebraic(fn(f64) -> [f64; 2]),
 }
 
-/// How much has been flattened where the contact has come down to a share A.
+/// Flattened variance at which the contact has come down to a share A.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Flattened {
     /// V/p^2.
     pub(crate) variance_over_square_pressure: f64,
-    /// Its derivative by A, below 0.
+    /// Derivative of V/p^2 by A, below 0.
     pub(crate) per_area: f64,
-    /// Its derivative by ln(alpha).
+    /// Derivative of V/p^2 by ln(alpha).
     pub(crate) per_ln_alpha: f64,
 }
 
-/// What has been flattened where A = erf(`argument`) with an argument > 0, by the theory or by a corrected form.
+/// Flattened variance at which A = erf(`argument`), argument > 0, by the theory or by a corrected form.
 pub(crate) fn flattened(correction: Option<Correction>, argument: f64, alpha: f64) -> Flattened {
     let area = libm::erf(argument);
     // V_e/p^2 = 1/(2 x^2), and dA = (2/sqrt(pi)) exp(-x^2) dx.
@@ -114,8 +116,8 @@ pub(crate) fn flattened(correction: Option<Correction>, argument: f64, alpha: f6
     }
 }
 
-/// The effective variance \[Pa^2\] of the algebraic forms, V_e = \[g + (1 - g) A\] V with A that of V_e, for 0 < g <= 1, a
-/// nominal pressure p > 0 \[Pa\] and a variance V >= 0 \[Pa^2\]: what their g is fitted with.
+/// Effective variance \[Pa^2\] of the algebraic forms: solves V_e = \[g + (1 - g) A(V_e)\] V for 0 < g <= 1, a
+/// nominal pressure p > 0 \[Pa\] and a variance V >= 0 \[Pa^2\]. Fits of g use it.
 #[must_use]
 pub fn algebraic_variance_pa2(g: f64, pressure_pa: f64, variance_pa2: f64) -> f64 {
     variance_pa2 * slowing(g, pressure_pa, variance_pa2)
@@ -128,7 +130,7 @@ fn nayak(alpha: f64) -> [f64; 2] {
     if g < 1.0 { [g, PER_LN_ALPHA] } else { [1.0, 0.0] }
 }
 
-/// V_e/V = g + (1 - g) A, with A that of V_e.
+/// Solves V_e/V = g + (1 - g) A(V_e).
 fn slowing(g: f64, pressure_pa: f64, variance_pa2: f64) -> f64 {
     let b = FRAC_1_SQRT_2 * pressure_pa / variance_pa2.sqrt();
     if !b.is_finite() {
@@ -141,7 +143,7 @@ fn slowing(g: f64, pressure_pa: f64, variance_pa2: f64) -> f64 {
     })
 }
 
-/// V_e along the variances where dV_e = S(A) dV: by V(V_e) = Int dV_e/S, which is a quadrature, inverted step by step.
+/// V_e along the variances where dV_e = S(A) dV: inverts the quadrature V(V_e) = Int dV_e/S step by step.
 fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: fn(f64) -> f64) -> Vec<f64> {
     let rule = rule();
     let unit_pa2 = pressure_pa * pressure_pa;
@@ -150,7 +152,7 @@ fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: fn(f64) -> f64) ->
         let target = variance_pa2 / unit_pa2 - reached;
         let start = at;
         if target > 0.0 {
-            // S lies between 0 and 1.
+            // 0 < S <= 1.
             at = newton_in_bracket(
                 start,
                 start + target,
@@ -164,12 +166,12 @@ fn marched(pressure_pa: f64, variances_pa2: &[f64], slowness: fn(f64) -> f64) ->
     variances_pa2.iter().map(step).collect()
 }
 
-/// Of ten nodes on each of [`stretches`].
+/// Ten nodes for each of [`stretches`].
 fn rule() -> GaussLegendre {
     GaussLegendre::new(10)
 }
 
-/// What V/p^2 grows by as V_e/p^2 grows.
+/// Growth of V/p^2 as V_e/p^2 grows.
 fn variance_of(rule: &GaussLegendre, from: f64, to: f64, slowness: fn(f64) -> f64) -> f64 {
     let over = |[a, b]: [f64; 2]| -> f64 {
         rule.over(a, b).map(|(t, weight)| weight * variance_rate(slowness, t)).sum()
@@ -182,7 +184,7 @@ fn variance_rate(slowness: fn(f64) -> f64, effective: f64) -> f64 {
     slowness(libm::erf(FRAC_1_SQRT_2 / effective.sqrt())).recip()
 }
 
-/// What S is smooth on: below 1/80 it is 1 to rounding, above it changes with the logarithm of V_e/p^2.
+/// Intervals on which S is smooth: below 1/80 it is 1 to rounding, above it varies with the logarithm of V_e/p^2.
 fn stretches(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
     const CONTACT: f64 = 1.0 / 80.0;
     const RATIO: f64 = 1.5;

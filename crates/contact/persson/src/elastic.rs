@@ -7,37 +7,37 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use numerics::newton_in_bracket;
 
-/// The spread s \[Pa\] of the flattening pressure under a contact modulus E* > 0 \[Pa\] of a surface of mean square
+/// Spread s \[Pa\] of the flattening pressure under a contact modulus E* > 0 \[Pa\] of a surface of mean square
 /// gradient h'^2 >= 0.
 #[must_use]
 pub fn flattening_spread_pa(contact_modulus_pa: f64, mean_square_gradient: f64) -> f64 {
     0.5 * contact_modulus_pa * mean_square_gradient.sqrt()
 }
 
-/// The share in contact, erf(p/(sqrt(2) s)), in \[0, 1\]; 1 where nothing has to be flattened.
+/// Share in contact, erf(p/(sqrt(2) s)), in \[0, 1\]; 1 where nothing has to be flattened.
 #[must_use]
 pub fn area_fraction(pressure_pa: f64, spread_pa: f64) -> f64 {
     if spread_pa == 0.0 { 1.0 } else { libm::erf(FRAC_1_SQRT_2 * (pressure_pa / spread_pa)) }
 }
 
-/// The share out of contact, erfc(p/(sqrt(2) s)), which keeps its digits where it is small.
+/// Share out of contact, erfc(p/(sqrt(2) s)), which keeps its digits where it is small.
 #[must_use]
 pub fn gap_fraction(pressure_pa: f64, spread_pa: f64) -> f64 {
     if spread_pa == 0.0 { 0.0 } else { libm::erfc(FRAC_1_SQRT_2 * (pressure_pa / spread_pa)) }
 }
 
-/// p/(sqrt(2) s) at which a share A in (0, 1) is in contact: the inverse of erf.
+/// Argument p/(sqrt(2) s) at which a share A in (0, 1) is in contact: the inverse of erf.
 #[must_use]
 pub fn argument_of_area(area_fraction: f64) -> f64 {
-    // erf(6) is 1 to rounding. From the left of the zero of a function that bends down Newton's steps stay to its left.
+    // erf(6) is 1 to rounding. The function is concave: Newton's steps from the left of its zero stay on the left.
     let start = 0.5 * PI.sqrt() * area_fraction;
     newton_in_bracket(0.0, 6.0, start, |x: f64| {
         (libm::erf(x) - area_fraction, 2.0 / PI.sqrt() * (-x * x).exp())
     })
 }
 
-/// The density \[1/Pa\] of the stress sigma > 0 \[Pa\] over the nominal area: the Gaussian about p less its image
-/// about -p. Its integral is the share in contact, its first moment is p.
+/// Density \[1/Pa\] of the stress sigma > 0 \[Pa\] over the nominal area: the Gaussian about p less its image about
+/// -p. Its integral is the share in contact, its first moment is p.
 #[must_use]
 pub fn stress_density_per_pa(stress_pa: f64, pressure_pa: f64, spread_pa: f64) -> f64 {
     // The difference of the two Gaussians is the larger one times 1 - exp(-2 sigma p/s^2), which never cancels.
@@ -64,7 +64,7 @@ mod tests {
         for share in [1e-300, 1e-12, 0.42, 0.5, 0.9, 1.0 - 1e-12] {
             assert!((libm::erf(argument_of_area(share)) / share - 1.0).abs() < 1e-15, "{share}");
         }
-        // By mpmath.
+        // Computed with mpmath.
         assert!((argument_of_area(0.42) / 0.391_302_087_802_832_1 - 1.0).abs() < 1e-14);
     }
 

@@ -1,20 +1,20 @@
 //! Elastic-plastic contact of a hardness that grows towards small scales: Persson (2006), Surf. Sci. Rep. 61:201.
 //!
-//! What is plastic stays at the hardness H(V) of the scale and gives area back to the elastic part as H grows; area and
-//! force are conserved at every scale. For the mean excess C(sigma, V) = E[(X - sigma)+] of the stress X of a random
-//! point that is a plain heat equation between two fixed values:
+//! Plastic contact stays at the hardness H(V) of the scale and returns area to the elastic part as H grows; area and
+//! force are conserved at every scale. The mean excess C(sigma, V) = E[(X - sigma)+] of the stress X of a random
+//! point obeys a heat equation between two fixed values:
 //!
 //! C_V = C''/2,  C(0) = p,  C(H(V)) = 0,  C(sigma, 0) = (p - sigma)+;  A = -C'(0),  A_pl = -C'(H).
 //!
-//! Continued by zero above H, C is the elastic solution less what sources of strength A_pl(V')/2 along the path
-//! sigma = H(V') have taken away since. Its slope on that path is an integral equation of the second kind for A_pl alone,
-//! and the area follows from A_pl by an integral of positive terms:
+//! Continued by zero above H, C is the elastic solution less the contribution of sources of strength A_pl(V')/2 along
+//! the path sigma = H(V'). Its slope on that path is an integral equation of the second kind for A_pl alone, and the
+//! area follows from A_pl by an integral of positive terms:
 //!
 //! A_pl(V) = D(V) + Int_0^V A_pl(V') [(H + H') g(H + H') - (H - H') g(H - H')] dV',
 //! A(V) = erf(p/(sqrt2 s)) + Int_0^V A_pl(V') H' g(H') dV',
 //!
-//! with g(d) = exp(-d^2/(2 (V - V')))/(sqrt(2 pi) (V - V')^(3/2)), H' = H(V') and
-//! D = erfc((H - p)/(sqrt2 s)) - erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images.
+//! with g(d) = exp(-d^2/(2 (V - V')))/(sqrt(2 pi) (V - V')^(3/2)), H' = H(V') and D = erfc((H - p)/(sqrt2 s)) -
+//! erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,17 +26,17 @@ use crate::constant_hardness::image;
 use crate::elastic;
 use crate::hardness_path::{HardnessPath, Piece};
 
-/// Unknowns of a panel: the coefficients of a polynomial.
+/// Unknowns per panel: the coefficients of a polynomial.
 const SIZE: usize = 9;
-/// The widest panel, by sqrt(V - V_i) over sqrt(V), with V_i where its piece of the path begins.
+/// Largest width of a panel, in sqrt(V - V_i) over sqrt(V), with V_i the start of its piece of the path.
 const WIDEST: f64 = 0.2;
-/// E = (H - p)^2/(2V) above which nothing is plastic that a double could hold.
+/// Distance E = (H - p)^2/(2V) above which the plastic share underflows a double.
 const UNREACHED: f64 = 600.0;
-/// exp(-45) is nothing beside 1.
+/// Exponent beyond which exp(-x) is negligible beside 1.
 const NEGLIGIBLE: f64 = 45.0;
 
-/// The shares of the nominal area at each of some variances of the flattening pressure, which do not fall, under a nominal
-/// pressure 0 < p < H(0) \[Pa\]. Areas are good to 1e-9 and better.
+/// Returns the shares of the nominal area at each of some non-decreasing variances of the flattening pressure, under
+/// a nominal pressure 0 < p < H(0) \[Pa\]. Areas are accurate to 1e-9 or better.
 #[must_use]
 pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64]) -> Vec<ContactAreas> {
     if path.is_constant() {
@@ -49,11 +49,12 @@ pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64])
             .collect();
     }
     let mut march = March::new(path, pressure_pa);
-    march.go_on_to(variances_pa2.last().copied().unwrap_or(0.0));
+    march.extend_to(variances_pa2.last().copied().unwrap_or(0.0));
     variances_pa2.iter().map(|&variance_pa2| march.areas_at(variance_pa2)).collect()
 }
 
-/// The shares under a nominal pressure 0 < p < H_0, a spread s >= 0 and a hardness of H^2 = H_0^2 + c s^2, c >= 0.
+/// Returns the shares under a nominal pressure 0 < p < H_0, a spread s >= 0 and a hardness H^2 = H_0^2 + c s^2, c >=
+/// 0.
 #[must_use]
 pub fn areas_of_squared_growth(
     pressure_pa: f64,
@@ -63,20 +64,20 @@ pub fn areas_of_squared_growth(
 ) -> ContactAreas {
     let relative = spread_pa / hardness_pa;
     let grown = growth * relative * relative;
-    // The time of the diffusion in units of the interval's length; the slowest mode decays faster than exp(-pi^2/2 of it).
+    // Diffusion time in units of the interval's length; the slowest mode decays faster than exp(-pi^2/2 of it).
     let elapsed = if grown > 0.0 { libm::log1p(grown) / growth } else { relative * relative };
     if growth > 0.0 && elapsed > STEADY {
         return steady(pressure_pa / (hardness_pa * (1.0 + grown).sqrt()), growth);
     }
-    let path = HardnessPath::of_squared_growth(hardness_pa, growth);
+    let path = HardnessPath::with_squared_growth(hardness_pa, growth);
     areas_along(&path, pressure_pa, &[spread_pa * spread_pa])[0]
 }
 
-/// From here on the beginning is forgotten: exp(-8 pi^2/2) = 7e-18.
+/// Diffusion time from which the initial state no longer matters: exp(-8 pi^2/2) = 7e-18.
 const STEADY: f64 = 8.0;
 
-/// What a hardness of H^2 = H_0^2 + c V tends to under p = `pressure` H:
-/// A = (p/H) sqrt(2c/pi)/erf(sqrt(c/2)), A_pl = A exp(-c/2).
+/// Limit of large V for a hardness H^2 = H_0^2 + c V under p = `pressure` H: A = (p/H) sqrt(2c/pi)/erf(sqrt(c/2)),
+/// A_pl = A exp(-c/2).
 fn steady(pressure: f64, growth: f64) -> ContactAreas {
     let root = (0.5 * growth).sqrt();
     let contact = pressure * 2.0 / PI.sqrt() * root / libm::erf(root);
@@ -84,20 +85,20 @@ fn steady(pressure: f64, growth: f64) -> ContactAreas {
     ContactAreas { elastic, plastic, gap: 1.0 - contact }
 }
 
-/// The plastic area up to some variance, panel by panel.
+/// Plastic area up to some variance, panel by panel.
 struct March<'a> {
     path: &'a HardnessPath,
     pressure_pa: f64,
     rules: Rules,
     panels: Vec<Panel>,
-    /// Where the last panel ends \[Pa^2\].
+    /// End of the last panel \[Pa^2\].
     reached_pa2: f64,
-    /// Whether what could be reached has only come nearer so far.
+    /// True as long as the distance E has only decreased.
     approaching: bool,
 }
 
-/// A stretch of V on which A_pl and what it adds to the area are polynomials, or such times exp(-E) where they still
-/// grow as steeply as that.
+/// Interval of V on which A_pl and its contribution to the area are polynomials, or polynomials times exp(-E) where
+/// they still grow that steeply.
 struct Panel {
     from_pa2: f64,
     to_pa2: f64,
@@ -105,16 +106,16 @@ struct Panel {
     steep: bool,
     /// E at the end.
     last_distance: f64,
-    /// Of A_pl; none while it is being solved for.
+    /// Polynomial of A_pl; `None` while it is being solved for.
     plastic: Option<Polynomial>,
-    /// Of A less the elastic theory's.
+    /// Polynomial of A less the elastic theory's A.
     held: Polynomial,
 }
 
 /// Coefficients by rising power.
 type Polynomial = [f64; SIZE];
 
-/// A variance with its hardness.
+/// Variance and the hardness there.
 #[derive(Clone, Copy)]
 struct Place {
     variance_pa2: f64,
@@ -128,7 +129,7 @@ impl<'a> March<'a> {
         March { path, pressure_pa, rules: Rules::new(), panels: Vec::new(), reached_pa2, approaching: true }
     }
 
-    /// The areas at a variance that has been reached.
+    /// Areas at a variance that has been reached.
     fn areas_at(&self, variance_pa2: f64) -> ContactAreas {
         let spread_pa = variance_pa2.sqrt();
         let elastic = elastic::area_fraction(self.pressure_pa, spread_pa);
@@ -149,7 +150,7 @@ impl<'a> March<'a> {
     }
 
     /// Appends the panels up to a variance, split where a piece of the path begins.
-    fn go_on_to(&mut self, variance_pa2: f64) {
+    fn extend_to(&mut self, variance_pa2: f64) {
         while self.reached_pa2 < variance_pa2 {
             let pieces = self.path.pieces();
             let next = pieces.partition_point(|piece| piece.from_variance_pa2 <= self.reached_pa2);
@@ -190,7 +191,7 @@ impl<'a> March<'a> {
         self.solve_last();
     }
 
-    /// The polynomials of the last panel, from the integral equation at as many places of it.
+    /// Solves for the polynomials of the last panel: collocates the integral equation at `SIZE` places.
     fn solve_last(&mut self) {
         let Some(panel) = self.panels.last() else { return };
         let mut matrix = SMatrix::<f64, SIZE, SIZE>::zeros();
@@ -209,7 +210,8 @@ impl<'a> March<'a> {
                 to_held[(row, column)] = contact.powers[column];
             }
         }
-        // The equation is of the second kind: its matrix is that of a polynomial through points, less something small.
+        // The equation is of the second kind: its matrix is that of a polynomial through points, less something
+        // small.
         let plastic = matrix.lu().solve(&right).unwrap_or_default();
         let held = self.rules.powers.lu().solve(&(held + to_held * plastic)).unwrap_or_default();
         if let Some(panel) = self.panels.last_mut() {
@@ -218,7 +220,7 @@ impl<'a> March<'a> {
         }
     }
 
-    /// exp(relief) Int A_pl(V') kernel dV' over the panels for the kernels of A_pl and of A.
+    /// Integrates exp(relief) A_pl(V') kernel dV' over the panels, for the kernels of A_pl and of A.
     fn history(&self, here: Place, relief: f64) -> [Integral; 2] {
         let mut integrals = [Integral::default(); 2];
         let resolved_pa = self.resolved_pa(here);
@@ -227,7 +229,7 @@ impl<'a> March<'a> {
             if back > 0 && (faded || panel.to_pa2 < 1e-17 * here.variance_pa2) {
                 break;
             }
-            let arc = Arc::of(panel, here.variance_pa2);
+            let arc = Arc::new(panel, here.variance_pa2);
             self.rules.over(&arc, resolved_pa, |root_pa, from_kink_pa, weight| {
                 let variance_pa2 = panel.piece.from_variance_pa2 + from_kink_pa * from_kink_pa;
                 let there = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
@@ -249,7 +251,7 @@ impl<'a> March<'a> {
         integrals
     }
 
-    /// The root of V - V' below which every kernel and weight is smooth.
+    /// Root of V - V' below which every kernel and weight is smooth \[Pa\].
     fn resolved_pa(&self, here: Place) -> f64 {
         let steepness_pa = here.variance_pa2 / (here.hardness_pa - self.pressure_pa);
         0.25 * here.hardness_pa.min(steepness_pa)
@@ -257,8 +259,8 @@ impl<'a> March<'a> {
 }
 
 impl Panel {
-    /// -1 at the beginning, 1 at the end, for a distance sqrt(V - V_i) from where its piece of the path begins: A_pl
-    /// answers to a kink of the hardness with the root of that distance.
+    /// Maps a distance sqrt(V - V_i) from the start of the panel's piece of the path to \[-1, 1\]. A_pl responds to a
+    /// kink of the hardness with the root of that distance.
     fn variable(&self, from_kink_pa: f64) -> f64 {
         let [first_pa, last_pa] = self.kink_distances_pa();
         2.0 * (from_kink_pa - first_pa) / (last_pa - first_pa) - 1.0
@@ -272,19 +274,19 @@ impl Panel {
         self.piece.from_variance_pa2 + (first_pa + 0.5 * (1.0 + t) * (last_pa - first_pa)).powi(2)
     }
 
-    /// sqrt(V - V_i) at both ends.
+    /// Distances sqrt(V - V_i) at both ends \[Pa\].
     fn kink_distances_pa(&self) -> [f64; 2] {
         [self.from_pa2, self.to_pa2].map(|variance_pa2| (variance_pa2 - self.piece.from_variance_pa2).sqrt())
     }
 }
 
-/// A polynomial at t.
+/// Evaluates a polynomial at t.
 fn value(polynomial: &Polynomial, t: f64) -> f64 {
     polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * t + coefficient)
 }
 
-/// An integral over the panels: over those whose A_pl is known, and over the last one with each power of its variable in
-/// place of the polynomial.
+/// Integral over the panels: a number over those whose A_pl is known, and over the last one a coefficient for each
+/// power of its variable.
 #[derive(Default, Clone, Copy)]
 struct Integral {
     known: f64,
@@ -302,32 +304,32 @@ impl Integral {
 }
 
 impl Place {
-    /// E = (H - p)^2/(2V): how far the hardness is from the stress.
+    /// Distance E = (H - p)^2/(2V) of the hardness from the stress.
     fn distance(&self, pressure_pa: f64) -> f64 {
         let distance_pa = self.hardness_pa - pressure_pa;
         0.5 * distance_pa * distance_pa / self.variance_pa2
     }
 
-    /// The kernel of A_pl times dV'/dx = 2x, x = sqrt(V - V'); that of A is the passage from H' to 0.
+    /// Kernel of A_pl times dV'/dx = 2x, x = sqrt(V - V'); that of A is the passage from H' to 0.
     fn passage_to_the_hardness(&self, there: Place, root_pa: f64) -> f64 {
         passage(self.hardness_pa + there.hardness_pa, root_pa)
             - passage(self.hardness_pa - there.hardness_pa, root_pa)
     }
 }
 
-/// 2 x d g(d) = sqrt(2/pi) (d/x^2) exp(-d^2/(2x^2)).
+/// Computes 2 x d g(d) = sqrt(2/pi) (d/x^2) exp(-d^2/(2x^2)).
 fn passage(distance_pa: f64, root_pa: f64) -> f64 {
     let ratio = distance_pa / root_pa;
     (2.0 / PI).sqrt() * ratio / root_pa * (-0.5 * ratio * ratio).exp()
 }
 
-/// The rules of Gauss and Legendre that the integrals take, and the places at which the equation is to hold.
+/// Gauss-Legendre rules of the integrals, and the places at which the equation is collocated.
 struct Rules {
     coarse: GaussLegendre,
     medium: GaussLegendre,
     fine: GaussLegendre,
     places: [f64; SIZE],
-    /// Their powers, a row for each.
+    /// Powers of each place, one row per place.
     powers: SMatrix<f64, SIZE, SIZE>,
 }
 
@@ -345,10 +347,10 @@ impl Rules {
         }
     }
 
-    /// Calls `term` with x, sqrt(V' - V_i) and the weight of dx along an arc, in pieces over which x does not fall to less
-    /// than half, down to `resolved_pa`.
+    /// Calls `term` with x, sqrt(V' - V_i) and the weight of dx along an arc, in pieces over which x at most halves,
+    /// down to `resolved_pa`.
     fn over(&self, arc: &Arc, resolved_pa: f64, mut term: impl FnMut(f64, f64, f64)) {
-        // Of panels before the last the hardness has left, which makes the kernel as steep as x is small.
+        // The hardness has left earlier panels, which makes their kernel as steep as x is small.
         let least_pa = if arc.to == FRAC_PI_2 { resolved_pa } else { 0.0 };
         let mut start = arc.from;
         while start < arc.to {
@@ -370,8 +372,8 @@ impl Rules {
     }
 }
 
-/// A panel as seen from a variance V above it: V' = V_i + R^2 sin^2 and x = sqrt(V - V') = R cos of an angle, in which both
-/// the root of the kernel, in x, and that of A_pl, in sqrt(V' - V_i), are smooth.
+/// Panel as seen from a variance V above it: V' = V_i + R^2 sin^2 and x = sqrt(V - V') = R cos of an angle, in which
+/// both the root of the kernel, in x, and that of A_pl, in sqrt(V' - V_i), are smooth.
 struct Arc {
     radius_pa: f64,
     from: f64,
@@ -379,7 +381,7 @@ struct Arc {
 }
 
 impl Arc {
-    fn of(panel: &Panel, variance_pa2: f64) -> Self {
+    fn new(panel: &Panel, variance_pa2: f64) -> Self {
         let kink_pa2 = panel.piece.from_variance_pa2;
         let angle = |at_pa2: f64| (at_pa2 - kink_pa2).sqrt().atan2((variance_pa2 - at_pa2).sqrt());
         let to_pa2 = panel.to_pa2.min(variance_pa2);
@@ -394,7 +396,7 @@ mod tests {
 
     #[test]
     fn the_whole_curve_is_what_each_of_its_places_is_alone() {
-        let path = HardnessPath::of_squared_growth(1.0, 2.0);
+        let path = HardnessPath::with_squared_growth(1.0, 2.0);
         let variances_pa2: Vec<f64> = (0..40).map(|i| 1e-4 * 10f64.powf(f64::from(i) / 8.0)).collect();
         let together = areas_along(&path, 0.2, &variances_pa2);
         for (at, areas) in together.iter().enumerate() {
@@ -406,8 +408,8 @@ mod tests {
 
     #[test]
     fn growth_that_ends_leaves_the_law_of_constant_hardness_to_take_over() {
-        // Grown to sqrt(3) at V = 1 and constant from there: late, A = p/H.
-        let path = HardnessPath::of_squared_growth(1.0, 2.0).capped(3f64.sqrt());
+        // Grows to sqrt(3) at V = 1 and is constant beyond: at late times A = p/H.
+        let path = HardnessPath::with_squared_growth(1.0, 2.0).capped(3f64.sqrt());
         let areas = areas_along(&path, 0.1, &[0.5, 1.0, 40.0]);
         let growing = areas_of_squared_growth(0.1, 0.5f64.sqrt(), 1.0, 2.0);
         assert!((areas[0].contact() / growing.contact() - 1.0).abs() < 1e-11, "{areas:?} {growing:?}");

@@ -1,7 +1,7 @@
-//! How the hardness depends on the scale.
+//! Laws of the hardness over the scale.
 //!
-//! None of these laws comes with Persson's theory: which one holds is a choice. A hardness may only grow towards short
-//! wavelengths; one that falls would have the plastic area press harder than it can.
+//! None of these laws comes with Persson's theory; the user chooses one. A hardness may only grow towards short
+//! wavelengths: if it fell, plastic contact would have to carry more than it can.
 
 use thiserror::Error;
 use units::{Bound, OutOfBounds};
@@ -9,78 +9,78 @@ use units::{Bound, OutOfBounds};
 use crate::hardness_path::{HardnessKnot, HardnessPath};
 use crate::roughness::Roughness;
 
-/// A hardness along a spectrum: a law, and where its growth ends.
+/// Hardness along a spectrum: a law and an optional cap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hardness {
     growth: HardnessGrowth,
-    /// The hardness that it does not grow beyond \[Pa\].
+    /// Hardness at which its growth ends \[Pa\].
     cap_pa: Option<f64>,
 }
 
-/// How a hardness grows towards short wavelengths.
+/// Growth law of a hardness towards short wavelengths.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum HardnessGrowth {
-    /// Not at all.
+    /// Constant hardness.
     Constant {
         /// H > 0 \[Pa\].
         hardness_pa: f64,
     },
-    /// H = H_0 (q/q_first)^n.
+    /// Power law H = H_0 (q/q_first)^n.
     Power {
         /// H_0 > 0 at the longest wavelength of the spectrum \[Pa\].
         hardness_pa: f64,
         /// n >= 0.
         exponent: f64,
     },
-    /// H = H_0 sqrt(1 + h*/h_p), with the amplitude of the scale for the depth h_p, of those so far the least
-    /// (Nix & Gao 1998, J. Mech. Phys. Solids 46:411).
+    /// Strain-gradient law H = H_0 sqrt(1 + h*/h_p); the depth h_p is the smallest amplitude so far (Nix & Gao 1998,
+    /// J. Mech. Phys. Solids 46:411).
     NixGao {
         /// H_0 > 0 \[Pa\].
         hardness_pa: f64,
         /// The strain-gradient length h* > 0 \[m\].
         length_m: f64,
     },
-    /// Measured against the size of the contact, for which the wavelength stands.
+    /// Table measured against the size of the contact; the wavelength is taken as that size.
     Table(HardnessTable),
 }
 
-/// Hardness against the size of contacts, as indentations give it: a power law between neighbours, constant beyond the ends.
+/// Hardness over contact size, as measured by indentation: a power law between neighbours, constant beyond the ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HardnessTable {
     /// Sizes \[m\] and hardnesses \[Pa\], by rising size.
     rows: Vec<(f64, f64)>,
 }
 
-/// Why a hardness cannot be used.
+/// Reason why a hardness cannot be used.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HardnessError {
-    /// A number out of its range.
+    /// A number is out of its range.
     #[error(transparent)]
     Bound(#[from] OutOfBounds),
-    /// A table without rows.
+    /// The table has no rows.
     #[error("the table of hardnesses is empty")]
     Empty,
-    /// A size that stands twice.
+    /// A size is given twice.
     #[error("the table of hardnesses gives the size {size_m:e} m twice")]
     Repeated {
         /// The size \[m\].
         size_m: f64,
     },
-    /// It falls towards short wavelengths.
+    /// The hardness falls towards short wavelengths.
     #[error(
         "the hardness falls from {before_pa:e} Pa to {hardness_pa:e} Pa at a wavelength of {wavelength_m:e} m; it may only grow towards short wavelengths"
     )]
     Falling {
-        /// The wavelength \[m\] of the spectrum at which it is first less than at the one before.
+        /// First wavelength \[m\] of the spectrum at which it is smaller than at the one before.
         wavelength_m: f64,
-        /// The hardness there \[Pa\].
+        /// Hardness at that wavelength \[Pa\].
         hardness_pa: f64,
-        /// The hardness at the wavelength before \[Pa\].
+        /// Hardness at the wavelength before \[Pa\].
         before_pa: f64,
     },
-    /// A growing hardness cannot carry the load at the longest wavelength.
+    /// The growing hardness cannot carry the load at the longest wavelength.
     #[error(
         "the nominal pressure {pressure_pa:e} Pa is not below the hardness {hardness_pa:e} Pa at the longest wavelength, {wavelength_m:e} m"
     )]
@@ -95,10 +95,10 @@ pub enum HardnessError {
 }
 
 impl HardnessTable {
-    /// The table of sizes \[m\] and hardnesses \[Pa\], in any order.
+    /// Creates the table from sizes \[m\] and hardnesses \[Pa\], in any order.
     ///
     /// # Errors
-    /// [`HardnessError`] for an empty table, a size that stands twice, and numbers that are no magnitudes.
+    /// [`HardnessError`] for an empty table, a repeated size, and numbers that are not finite and positive.
     pub fn new(rows: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, HardnessError> {
         let mut rows: Vec<(f64, f64)> = rows.into_iter().collect();
         for &(size_m, hardness_pa) in &rows {
@@ -112,7 +112,7 @@ impl HardnessTable {
         if rows.is_empty() { Err(HardnessError::Empty) } else { Ok(HardnessTable { rows }) }
     }
 
-    /// The hardness \[Pa\] of a contact of a size \[m\].
+    /// Hardness \[Pa\] of a contact of a size \[m\].
     #[must_use]
     pub fn hardness_pa(&self, size_m: f64) -> f64 {
         let above = self.rows.partition_point(|row| row.0 <= size_m);
@@ -126,10 +126,10 @@ impl HardnessTable {
 }
 
 impl Hardness {
-    /// A hardness of a law, which grows up to `cap_pa` where there is one.
+    /// Creates a hardness that follows a law, up to `cap_pa` if given.
     ///
     /// # Errors
-    /// [`HardnessError::Bound`] for numbers out of the range that the law states, and for a cap below the hardness at long
+    /// [`HardnessError::Bound`] for numbers out of the range of the law, and for a cap below the hardness at long
     /// wavelengths.
     pub fn new(growth: HardnessGrowth, cap_pa: Option<f64>) -> Result<Self, HardnessError> {
         let least_pa = match growth {
@@ -151,16 +151,16 @@ impl Hardness {
         Ok(Hardness { growth, cap_pa })
     }
 
-    /// How it grows.
+    /// Growth law of this hardness.
     #[must_use]
     pub fn growth(&self) -> &HardnessGrowth {
         &self.growth
     }
 
-    /// The hardness \[Pa\] at each wavevector of a roughness.
+    /// Returns the hardness \[Pa\] at each wavevector of a roughness.
     ///
     /// # Errors
-    /// [`HardnessError::Falling`] where it is less than at the wavevector before.
+    /// [`HardnessError::Falling`] if it is smaller than at the wavevector before.
     pub fn along(&self, roughness: &Roughness) -> Result<Vec<f64>, HardnessError> {
         let mut all: Vec<f64> = Vec::with_capacity(roughness.places().len());
         let mut least_depth_m = f64::INFINITY;
@@ -189,10 +189,11 @@ impl Hardness {
         Ok(all)
     }
 
-    /// The hardness as a function of the variance of the flattening pressure, for a contact modulus E* > 0 \[Pa\].
+    /// Returns the hardness as a function of the variance of the flattening pressure, for a contact modulus E* > 0
+    /// \[Pa\].
     ///
     /// # Errors
-    /// [`HardnessError::Falling`] as of [`along`](Self::along).
+    /// [`HardnessError::Falling`] as in [`along`](Self::along).
     pub fn path(
         &self,
         roughness: &Roughness,
@@ -240,7 +241,7 @@ mod tests {
         assert_eq!(along(HardnessGrowth::Constant { hardness_pa: 5.0 }), Ok(vec![5.0; 4]));
         let power = along(HardnessGrowth::Power { hardness_pa: 5.0, exponent: 0.5 }).unwrap();
         assert!((power[2] / 50.0 - 1.0).abs() < 1e-15);
-        // The third amplitude is larger than the second: the depth stays at the least so far.
+        // The third amplitude is larger than the second: the depth stays at the smallest so far.
         let gradient = along(HardnessGrowth::NixGao { hardness_pa: 5.0, length_m: 3e-8 }).unwrap();
         assert!((gradient[1] / 10.0 - 1.0).abs() < 1e-15);
         assert_eq!(gradient[2], gradient[1]);

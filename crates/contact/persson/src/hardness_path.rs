@@ -1,13 +1,13 @@
-//! The hardness H along a spectrum, as a function of the variance V of the flattening pressure.
+//! Hardness H along a spectrum, as a function of the variance V of the flattening pressure.
 
-/// Pieces of H = H_i [1 + k (V - V_i)]^n from V_i on: a power of the wavevector on an interval on which the spectrum is
-/// a power law, a hardness whose square grows in proportion to V, and a constant one are all of this form.
+/// Pieces of H = H_i [1 + k (V - V_i)]^n, each from its V_i on. A power of the wavevector where the spectrum is a
+/// power law, a hardness whose square grows in proportion to V, and a constant hardness all have this form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HardnessPath {
     pieces: Vec<Piece>,
 }
 
-/// One piece, up to where the next begins.
+/// Piece of a path, up to the start of the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Piece {
     /// V_i \[Pa^2\].
@@ -20,34 +20,34 @@ pub(crate) struct Piece {
     exponent: f64,
 }
 
-/// A place along the spectrum where the hardness is known.
+/// Hardness at one wavevector of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HardnessKnot {
     /// Wavevector q > 0 \[rad/m\].
     pub wavevector_rad_per_m: f64,
-    /// Variance V >= 0 of the flattening pressure up to there \[Pa^2\].
+    /// Variance V >= 0 of the flattening pressure up to q \[Pa^2\].
     pub variance_pa2: f64,
     /// Hardness H > 0 \[Pa\].
     pub hardness_pa: f64,
-    /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
+    /// Exponent e of dV/dq ~ q^(e-1) between here and the next knot: 3 plus the exponent of C1D.
     pub variance_exponent: f64,
 }
 
 impl HardnessPath {
-    /// H^2 = H_0^2 + c V with H_0 > 0 \[Pa\] and c >= 0.
+    /// Creates H^2 = H_0^2 + c V with H_0 > 0 \[Pa\] and c >= 0.
     #[must_use]
-    pub fn of_squared_growth(hardness_pa: f64, growth: f64) -> Self {
+    pub fn with_squared_growth(hardness_pa: f64, growth: f64) -> Self {
         let growth_per_pa2 = growth / (hardness_pa * hardness_pa);
         HardnessPath {
             pieces: vec![Piece { from_variance_pa2: 0.0, hardness_pa, growth_per_pa2, exponent: 0.5 }],
         }
     }
 
-    /// The hardness through knots of rising wavevector and of variance and hardness that do not fall: a power of the
-    /// wavevector between neighbours, that of the last two beyond the last. There is at least one knot.
+    /// Interpolates at least one knot of rising wavevector and non-decreasing variance and hardness: a power of the
+    /// wavevector between neighbours, continued beyond the last.
     ///
-    /// Neighbours that one power joins within 1e-10 of the hardness are joined; where that leaves more than 500 pieces, the
-    /// next power of ten is tried, for the work grows with their square.
+    /// Knots within 1e-10 of a common power are merged. If more than 500 pieces remain, the tolerance rises tenfold
+    /// until they do not, because the work grows with their square.
     #[must_use]
     pub fn through(knots: &[HardnessKnot]) -> Self {
         let mut pieces = joined(knots, FINEST);
@@ -66,21 +66,21 @@ impl HardnessPath {
         HardnessPath { pieces }
     }
 
-    /// The hardness \[Pa\] at a variance \[Pa^2\].
+    /// Hardness \[Pa\] at a variance \[Pa^2\].
     #[must_use]
     pub fn hardness_pa(&self, variance_pa2: f64) -> f64 {
         let after = self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2);
         self.pieces[after.saturating_sub(1)].hardness_pa(variance_pa2)
     }
 
-    /// Whether it is the same all along.
+    /// True if the hardness is the same everywhere.
     #[must_use]
     pub fn is_constant(&self) -> bool {
         let first_pa = self.pieces[0].hardness_pa;
         self.pieces.iter().all(|piece| piece.is_constant() && piece.hardness_pa == first_pa)
     }
 
-    /// The same path, constant from where it reaches `cap_pa` > 0 \[Pa\].
+    /// Returns the path limited to `cap_pa` > 0 \[Pa\].
     #[must_use]
     pub fn capped(self, cap_pa: f64) -> Self {
         let mut pieces: Vec<Piece> = Vec::with_capacity(self.pieces.len() + 1);
@@ -113,18 +113,19 @@ impl HardnessPath {
     }
 }
 
-/// The most pieces of a path, and how well knots that are left out have to lie on one.
+/// Upper limit of the pieces of a path.
 const MOST_PIECES: usize = 500;
+/// Relative tolerance of the first attempt to merge knots.
 const FINEST: f64 = 1e-10;
 
-/// Pieces through knots, each as long as the knots that it passes over lie on it within a tolerance.
+/// Pieces through knots, each as long as the knots that it skips lie on it within a tolerance.
 fn joined(knots: &[HardnessKnot], tolerance: f64) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut start = 0;
     while start + 1 < knots.len() {
         let mut piece = Piece::between(&knots[start], &knots[start + 1]);
         let mut end = start + 1;
-        // Twice as far each time: what is passed over is looked at twice in all.
+        // The stride doubles, so that skipped knots are visited twice in all.
         let mut ahead = 2;
         while let Some(further) = knots.get(start + ahead).filter(|_| piece.is_some()) {
             let longer = Piece::between(&knots[start], further);
@@ -140,19 +141,19 @@ fn joined(knots: &[HardnessKnot], tolerance: f64) -> Vec<Piece> {
 }
 
 impl Piece {
-    /// Whether a knot lies on it within a relative tolerance.
+    /// Returns true if a knot lies on the piece within a relative tolerance.
     fn meets(&self, knot: &HardnessKnot, tolerance: f64) -> bool {
         (self.hardness_pa(knot.variance_pa2) / knot.hardness_pa - 1.0).abs() <= tolerance
     }
 
-    /// The piece between two knots; none where the variance does not grow.
+    /// Piece between two knots; `None` where the variance does not grow.
     fn between(start: &HardnessKnot, end: &HardnessKnot) -> Option<Self> {
         let rise_pa2 = end.variance_pa2 - start.variance_pa2;
         if rise_pa2 <= 0.0 {
             return None;
         }
         let ln_q = (end.wavevector_rad_per_m / start.wavevector_rad_per_m).ln();
-        // V - V_i = rise (x^e - 1)/(x_1^e - 1) with x = q/q_i; where e vanishes a small one stands for the logarithm.
+        // V - V_i = rise (x^e - 1)/(x_1^e - 1) with x = q/q_i; a small e replaces 0, where the limit is a logarithm.
         let e = start.variance_exponent;
         let e = if e.abs() < 1e-9 { 1e-9 } else { e };
         let growth_per_pa2 = libm::expm1(e * ln_q) / rise_pa2;
@@ -169,7 +170,7 @@ impl Piece {
         self.hardness_pa * (self.exponent * libm::log1p(growth)).exp()
     }
 
-    /// The variance at which it reaches a hardness above that of its beginning, if it ever does.
+    /// Variance at which the piece reaches a hardness above that of its beginning, if it does.
     fn variance_pa2_of(&self, hardness_pa: f64) -> Option<f64> {
         let growth = libm::expm1((hardness_pa / self.hardness_pa).ln() / self.exponent);
         let variance_pa2 = self.from_variance_pa2 + growth / self.growth_per_pa2;
@@ -242,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_square_that_grows_with_the_variance() {
-        assert_eq!(HardnessPath::of_squared_growth(3.0, 2.0).hardness_pa(8.0), 5.0);
-        assert!(HardnessPath::of_squared_growth(3.0, 0.0).is_constant());
+        assert_eq!(HardnessPath::with_squared_growth(3.0, 2.0).hardness_pa(8.0), 5.0);
+        assert!(HardnessPath::with_squared_growth(3.0, 0.0).is_constant());
     }
 }

@@ -1,12 +1,12 @@
-//! A spectrum as the sums over its waves take it: the variance of the flattening pressure at its samples.
+//! Input of sums over waves: the variance of the flattening pressure at the samples of a spectrum.
 
-/// A place along the spectrum.
+/// Variance up to one wavevector of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeparationKnot {
     /// Wavevector q > 0 \[rad/m\].
     pub wavevector_rad_per_m: f64,
-    /// Variance V >= 0 of the flattening pressure up to there \[Pa^2\].
+    /// Variance V >= 0 of the flattening pressure up to q \[Pa^2\].
     pub variance_pa2: f64,
-    /// e of dV/dq ~ q^(e-1) between here and the next knot; 3 and the exponent of C1D.
+    /// Exponent e of dV/dq ~ q^(e-1) between here and the next knot: 3 plus the exponent of C1D.
     pub variance_exponent: f64,
 }

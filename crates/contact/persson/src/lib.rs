@@ -1,14 +1,14 @@
 #![doc = include_str!("../README.md")]
 //!
-//! A formula is found by its subject:
-//! * [`variance`]: what a cutoff lets through, by the spectrum of profiles or of the surface; [`Roughness`] holds it.
+//! Modules by subject:
+//! * [`variance`]: roughness up to a cutoff, by the spectrum of profiles or of the surface; [`Roughness`] holds it.
 //! * [`elastic`]: area and stress of the elastic theory.
-//! * [`constant_hardness`]: the same up to a hardness.
+//! * [`constant_hardness`]: area and stress up to a hardness.
 //! * [`growing_hardness`]: a hardness that grows towards short wavelengths, along a [`HardnessPath`];
-//!   [`hardness_laws`]: which ones there are.
+//!   [`hardness_laws`]: the laws that there are.
 //! * [`corrections`]: forms fitted to simulations.
 //! * [`separation`]: mean gap and stiffness.
-//! * [`sealing`]: whether channels cross the contact, and how narrow they are.
+//! * [`sealing`]: open channels through the contact, and their narrowest places.
 //! * [`PerssonModel`]: all of this along a spectrum, one pass per load.
 #![deny(missing_docs)]
 

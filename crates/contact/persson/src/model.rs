@@ -1,4 +1,4 @@
-//! The theory as a model: one pass along a spectrum under one load.
+//! Persson's theory as a model: one pass along a spectrum under one load.
 
 use crate::areas::ContactAreas;
 use crate::corrections::Correction;
@@ -8,46 +8,46 @@ use crate::roughness::{Place, Roughness};
 use crate::separation::{Separation, SeparationKnot, SeparationLaw};
 use crate::{constant_hardness, elastic};
 
-/// How the surface deforms.
+/// Deformation of the surface.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PerssonModel {
-    /// Elastically.
+    /// Elastic contact.
     Elastic {
         /// The contact modulus E* > 0 \[Pa\].
         contact_modulus_pa: f64,
-        /// A fitted correction.
+        /// Correction fitted to simulations.
         correction: Option<Correction>,
     },
-    /// Elastically up to a hardness.
+    /// Elastic contact up to a hardness.
     ElasticPlastic {
         /// The contact modulus E* > 0 \[Pa\].
         contact_modulus_pa: f64,
-        /// The hardness.
+        /// Hardness along the spectrum.
         hardness: Hardness,
     },
 }
 
-/// The contact with the spectrum cut off at a wavelength.
+/// Contact with the spectrum cut off at a wavelength.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct Cut {
-    /// The cutoff \[m\].
+    /// Cutoff \[m\].
     pub wavelength_m: f64,
-    /// How the nominal area is shared.
+    /// Shares of the nominal area.
     pub areas: ContactAreas,
-    /// Mean pressure \[Pa\] on what touches.
+    /// Mean pressure on the area in contact \[Pa\].
     pub real_pressure_pa: f64,
     /// Rms gradient of the surface up to the cutoff. From 0.2 on the flattening pressure exceeds E*/10.
     pub rms_gradient: f64,
-    /// Mean separation \[m\] of the elastic theory; absent where more than 3 % of the contact is plastic.
+    /// Mean separation of the elastic theory \[m\]; `None` if more than 3 % of the contact is plastic.
     pub mean_gap_m: Option<f64>,
-    /// Stiffness \[Pa/m\], likewise; absent too where nothing has been flattened.
+    /// Stiffness \[Pa/m\]; `None` if more than 3 % of the contact is plastic, or if nothing has been flattened.
     pub stiffness_pa_per_m: Option<f64>,
 }
 
 impl Cut {
-    fn of(place: &Place, areas: ContactAreas, separation: Separation, pressure_pa: f64) -> Self {
+    fn new(place: &Place, areas: ContactAreas, separation: Separation, pressure_pa: f64) -> Self {
         let elastic = areas.plastic <= MOST_PLASTIC * areas.contact();
         let if_elastic = |value: f64| Some(value).filter(|value| elastic && value.is_finite());
         Cut {
@@ -61,15 +61,15 @@ impl Cut {
     }
 }
 
-/// The share of the contact that may be plastic where the elastic separation still says something.
+/// Share of the contact that may be plastic before the elastic separation loses its meaning.
 const MOST_PLASTIC: f64 = 0.03;
 
 impl PerssonModel {
-    /// The contact at each cutoff of a roughness under a nominal pressure p > 0 \[Pa\], with the separation of that
-    /// roughness.
+    /// Returns the contact at each cutoff of a roughness under a nominal pressure p > 0 \[Pa\], with the separation
+    /// of that roughness.
     ///
     /// # Errors
-    /// Those of [`areas`](Self::areas).
+    /// The errors of [`areas`](Self::areas).
     pub fn along(
         &self,
         roughness: &Roughness,
@@ -80,14 +80,14 @@ impl PerssonModel {
         let separations = separation.along(pressure_pa);
         let places = roughness.places().iter().zip(areas).zip(separations);
         Ok(places
-            .map(|((place, areas), separation)| Cut::of(place, areas, separation, pressure_pa))
+            .map(|((place, areas), separation)| Cut::new(place, areas, separation, pressure_pa))
             .collect())
     }
 
-    /// The last of them alone, with the whole spectrum; `None` where that has no places.
+    /// Returns the contact at the last cutoff, which is the whole spectrum; `None` if the roughness is empty.
     ///
     /// # Errors
-    /// Those of [`areas`](Self::areas).
+    /// The errors of [`areas`](Self::areas).
     pub fn at_last(
         &self,
         roughness: &Roughness,
@@ -96,10 +96,10 @@ impl PerssonModel {
     ) -> Result<Option<Cut>, HardnessError> {
         let areas = self.areas(roughness, pressure_pa)?;
         let last = roughness.places().last().zip(areas.last());
-        Ok(last.map(|(place, areas)| Cut::of(place, *areas, separation.whole(pressure_pa), pressure_pa)))
+        Ok(last.map(|(place, areas)| Cut::new(place, *areas, separation.whole(pressure_pa), pressure_pa)))
     }
 
-    /// The contact modulus E* \[Pa\].
+    /// Contact modulus E* \[Pa\].
     #[must_use]
     pub fn contact_modulus_pa(&self) -> f64 {
         match *self {
@@ -108,12 +108,11 @@ impl PerssonModel {
         }
     }
 
-    /// The shares of the nominal area under a nominal pressure p > 0 \[Pa\], with the spectrum cut off at each place of a
-    /// roughness.
+    /// Returns the shares of the nominal area at each cutoff of a roughness, under a nominal pressure p > 0 \[Pa\].
     ///
     /// # Errors
-    /// [`HardnessError::Falling`], and [`HardnessError::Exceeded`] where a hardness that grows is not above p from the
-    /// beginning; under a constant one everything touches and flows then.
+    /// [`HardnessError::Falling`], and [`HardnessError::Exceeded`] if a growing hardness is not above p at the
+    /// longest wavelength. With a constant hardness everything touches and flows in that case.
     pub fn areas(&self, roughness: &Roughness, pressure_pa: f64) -> Result<Vec<ContactAreas>, HardnessError> {
         let variances_pa2: Vec<f64> =
             roughness.places().iter().map(|place| place.variance_pa2(self.contact_modulus_pa())).collect();
@@ -151,8 +150,8 @@ impl PerssonModel {
         }
     }
 
-    /// Mean separation and stiffness of the elastic theory along a roughness, with an elastic energy factor 0 < g <= 1.
-    /// They say nothing where more than a few per cent of the contact is plastic.
+    /// Mean separation and stiffness of the elastic theory along a roughness, with an elastic energy factor 0 < g <=
+    /// 1. They lose their meaning where more than a few per cent of the contact is plastic.
     #[must_use]
     pub fn separation(&self, roughness: &Roughness, energy_factor: f64) -> SeparationLaw {
         let knots = SeparationKnot::along(roughness, self.contact_modulus_pa());

@@ -1,17 +1,17 @@
-//! A spectrum as the theory takes it: what each cutoff lets through.
+//! Input of the theory: moments and gradients of the roughness up to each cutoff.
 
 use std::f64::consts::TAU;
 
 use crate::stretch::share_of_power_law;
 use crate::variance::{Band, SpectrumSample, mean_square_gradients, spectral_exponents};
 
-/// The samples of a spectrum, from long to short wavelengths, with what the theory needs at each.
+/// Samples of a spectrum, from long to short wavelengths, with the derived quantities that the theory needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Roughness {
     places: Vec<Place>,
 }
 
-/// One cutoff.
+/// Roughness up to one cutoff.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Place {
@@ -19,34 +19,34 @@ pub struct Place {
     pub wavelength_m: f64,
     /// Wavevector q \[rad/m\].
     pub wavevector_rad_per_m: f64,
-    /// h'^2 up to there.
+    /// Mean square gradient h'^2 of the surface up to q.
     pub mean_square_gradient: f64,
-    /// m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles up to there.
+    /// Moments m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles up to q.
     pub moments: [f64; 3],
-    /// Nayak's alpha = m0 m4/m2^2 of profiles up to there; infinite at the first.
+    /// Nayak's alpha = m0 m4/m2^2 of profiles up to q; infinite at the first place.
     pub alpha: f64,
     /// Amplitude of the scale \[m\].
     pub amplitude_m: f64,
-    /// e of dV/dq ~ q^(e-1) from here to the next.
+    /// Exponent e of dV/dq ~ q^(e-1) between here and the next place.
     pub variance_exponent: f64,
 }
 
-/// A sample of a spectrum with what is known of the roughness above its wavelength.
+/// Sample of a spectrum with the moments of the roughness above its wavelength.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughnessSample {
     /// Wavelength > 0 \[m\].
     pub wavelength_m: f64,
-    /// C1D > 0 there \[m^3\].
+    /// Spectral density C1D > 0 at the wavelength \[m^3\].
     pub c1d_m3: f64,
-    /// m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles, from the first sample up to here: 0 at the first.
+    /// Moments m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles from the first sample up to here; 0 at the first.
     pub moments: [f64; 3],
-    /// Amplitude of the scale, which a Nix-Gao hardness takes for the depth \[m\].
+    /// Amplitude of the scale, the depth of a Nix-Gao hardness \[m\].
     pub amplitude_m: f64,
 }
 
 impl Roughness {
-    /// The roughness of samples that come from long to short wavelengths. `beyond` are samples at shorter wavelengths
-    /// (\[m\], \[m^3\]), which are no cutoffs but count where the surface is cut off.
+    /// Creates the roughness from samples that go from long to short wavelengths. `beyond` are samples at shorter
+    /// wavelengths (\[m\], \[m^3\]); they are no cutoffs but count where the surface is cut off.
     #[must_use]
     pub fn new(samples: &[RoughnessSample], beyond: &[(f64, f64)], band: Band) -> Self {
         let mut of_spectrum: Vec<SpectrumSample> = samples
@@ -77,7 +77,7 @@ impl Roughness {
         Roughness { places: samples.iter().enumerate().map(place).collect() }
     }
 
-    /// The cutoffs, from long to short wavelengths.
+    /// Cutoffs, from long to short wavelengths.
     #[must_use]
     pub fn places(&self) -> &[Place] {
         &self.places
@@ -85,8 +85,8 @@ impl Roughness {
 }
 
 impl Roughness {
-    /// Nayak's alpha of profiles up to a wavevector \[rad/m\] between two places, and its derivative dln(alpha)/dln(q);
-    /// that of the nearest place, which does not change, outside of them.
+    /// Nayak's alpha of profiles up to a wavevector \[rad/m\] between two places, and dln(alpha)/dln(q). Outside of
+    /// the places it is the constant value of the nearest one.
     pub(crate) fn alpha_at(&self, wavevector_rad_per_m: f64) -> [f64; 2] {
         let begun = self.places.partition_point(|place| place.wavevector_rad_per_m <= wavevector_rad_per_m);
         let pair = begun.checked_sub(1).and_then(|at| self.places.get(at..at + 2));
@@ -96,7 +96,7 @@ impl Roughness {
         };
         let ln_q = |to_rad_per_m: f64| (to_rad_per_m / start.wavevector_rad_per_m).ln();
         let (part_ln, whole_ln) = (ln_q(wavevector_rad_per_m), ln_q(end.wavevector_rad_per_m));
-        // The moments grow by q^(k + exponent of C1D), V as m2.
+        // The moments grow by q^(k + exponent of C1D), V like m2.
         let grown = |at: usize, power: f64| {
             let [share, slope] = share_of_power_law(start.variance_exponent + power, part_ln, whole_ln);
             let rise = end.moments[at] - start.moments[at];
@@ -108,19 +108,20 @@ impl Roughness {
     }
 }
 
-/// m0 m4/m2^2.
+/// Computes m0 m4/m2^2.
 fn nayak([m0, m2, m4]: [f64; 3]) -> f64 {
     if m2 > 0.0 { (m0 / m2) * (m4 / m2) } else { f64::INFINITY }
 }
 
 impl Place {
-    /// Rms gradient h' of the surface up to here.
+    /// Rms gradient h' of the surface up to this place.
     #[must_use]
     pub fn rms_gradient(&self) -> f64 {
         self.mean_square_gradient.sqrt()
     }
 
-    /// Variance V = E*^2 h'^2/4 \[Pa^2\] of the pressure that flattens it, under a contact modulus E* \[Pa\].
+    /// Variance V = E*^2 h'^2/4 \[Pa^2\] of the pressure that flattens this roughness, under a contact modulus E*
+    /// \[Pa\].
     #[must_use]
     pub fn variance_pa2(&self, contact_modulus_pa: f64) -> f64 {
         0.25 * contact_modulus_pa * contact_modulus_pa * self.mean_square_gradient

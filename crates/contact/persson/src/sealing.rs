@@ -1,15 +1,15 @@
-//! Whether a contact lets a fluid through, and where the last channel is narrowest: Persson & Yang (2008), J. Phys.: Condens.
+//! Sealing: open channels through a contact and their narrowest place, by Persson & Yang (2008), J. Phys.: Condens.
 //! Matter 20:315011.
 //!
-//! Seen with its long waves alone, a surface touches everywhere; every shorter wave opens gaps inside the contact. The
-//! channels connect at the wavevector q_c at which the share in contact has come down to the percolation threshold,
-//! A(q_c) = a_c, and their narrowest places are what opens just then. Of that the mean height is
+//! At low magnification, with its long waves alone, a surface touches everywhere; every shorter wave opens gaps
+//! inside the contact. The channels connect at the wavevector q_c at which the share in contact has come down to the
+//! percolation threshold, A(q_c) = a_c. Their narrowest places are the gaps that open at q_c, with the mean height
 //!
 //! u_1(q) = ubar(q) + ubar'(q) A(q)/A'(q),
 //!
-//! since (A + dA) ubar(q + dq) + (-dA) u_1 = A ubar(q) tells what each wave adds, with ubar(q) the mean gap inside what is
-//! in contact at q: [`SeparationLaw::beyond`] q under p/A(q). Along the spectrum the derivatives are taken by V, at which
-//! they are closed:
+//! This follows from the balance (A + dA) ubar(q + dq) + (-dA) u_1 = A ubar(q) of each wave, with ubar(q) the mean
+//! gap inside the contact at q: [`SeparationLaw::beyond`] q under p/A(q). Along the spectrum the derivatives are
+//! taken by V, where they have a closed form:
 //!
 //! u_1 = ubar + P/K + (dA/dV)^-1 A du/dV_z,  P = p/A, K the stiffness belonging to ubar(P).
 
@@ -21,22 +21,22 @@ use crate::elastic::argument_of_area;
 use crate::roughness::Roughness;
 use crate::separation::{SeparationKnot, SeparationLaw};
 
-/// The share of the nominal area in contact from which on no open channel crosses it.
+/// Share of the nominal area in contact at which the last open channel closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PercolationThreshold(f64);
 
 impl PercolationThreshold {
-    /// 0.42, as simulations of randomly rough surfaces find it (Dapp et al. 2012, Phys. Rev. Lett. 108:244301); this project's
-    /// boundary elements find 0.416, and 0.03 more or less in a channel of eight roll-off wavelengths.
+    /// 0.42, from simulations of randomly rough surfaces (Dapp et al. 2012, Phys. Rev. Lett. 108:244301). This
+    /// project's boundary elements give 0.416 +- 0.03 in a channel of eight roll-off wavelengths.
     pub const SIMULATED: Self = PercolationThreshold(0.42);
 
-    /// 0.5, as the effective medium theory of Bruggeman has it.
+    /// 0.5, from the effective medium theory of Bruggeman.
     pub const EFFECTIVE_MEDIUM: Self = PercolationThreshold(0.5);
 
-    /// The shares that can be a threshold.
+    /// Range of a threshold.
     pub const BOUND: Bound = Bound::Between { above: 0.0, below: 1.0 };
 
-    /// A threshold of one's own.
+    /// Creates a threshold.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless it lies between 0 and 1.
@@ -46,13 +46,13 @@ impl PercolationThreshold {
         ))
     }
 
-    /// The share.
+    /// The threshold as a share of the nominal area.
     #[must_use]
     pub fn area_fraction(self) -> f64 {
         self.0
     }
 
-    /// p/sqrt(2 V_e) at this share. One too small to be squared is taken for the smallest that is not.
+    /// Argument p/sqrt(2 V_e) of erf at this share, at least 1e-100 so that its square does not vanish.
     fn argument(self) -> f64 {
         argument_of_area(self.0).max(1e-100)
     }
@@ -64,30 +64,30 @@ impl Default for PercolationThreshold {
     }
 }
 
-/// The contact seen with the waves up to a wavevector.
+/// Contact at one magnification: with the waves up to a wavevector only.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
-pub struct Seen {
+pub struct MagnifiedContact {
     /// The wavevector q \[rad/m\].
     pub wavevector_rad_per_m: f64,
-    /// The share in contact A(q), in (0, 1\].
+    /// Share in contact A(q), in (0, 1\].
     pub area_fraction: f64,
-    /// ubar(q) >= 0: the mean gap that shorter waves open inside that share \[m\].
+    /// Mean gap ubar(q) >= 0 that shorter waves open inside that share \[m\].
     pub mean_gap_m: f64,
-    /// u_1(q): the mean gap of what is just being opened \[m\]. Absent where nothing is: where all of the area is in contact to
-    /// rounding, and where V does not grow.
+    /// Mean gap u_1(q) of the area that opens at q \[m\]. `None` if none opens: where all of the area is in contact
+    /// to rounding, and where V does not grow.
     pub opening_gap_m: Option<f64>,
 }
 
-impl Seen {
-    /// 2 pi/q \[m\].
+impl MagnifiedContact {
+    /// Wavelength 2 pi/q \[m\].
     #[must_use]
     pub fn wavelength_m(&self) -> f64 {
         std::f64::consts::TAU / self.wavevector_rad_per_m
     }
 }
 
-/// An elastic contact as a seal, under any load.
+/// Elastic contact as a seal, under any load.
 #[derive(Debug, Clone)]
 pub struct SealingLaw {
     roughness: Roughness,
@@ -98,9 +98,8 @@ pub struct SealingLaw {
 }
 
 impl SealingLaw {
-    /// The seal that a roughness makes under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1
-    /// (see [`SeparationLaw::new`]); areas are those of a corrected form where one is given, which is advisable: the theory
-    /// has 20 % too little of them.
+    /// Creates the seal of a roughness under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1
+    /// (see [`SeparationLaw::new`]). Give a correction: without one the theory has 20 % too little area.
     #[must_use]
     pub fn new(
         roughness: &Roughness,
@@ -114,7 +113,7 @@ impl SealingLaw {
         SealingLaw { roughness: roughness.clone(), contact_modulus_pa, correction, threshold, separation }
     }
 
-    /// The least nominal pressure \[Pa\] under which the seal is tight; 0 without roughness.
+    /// Smallest nominal pressure \[Pa\] under which the seal is tight; 0 without roughness.
     #[must_use]
     pub fn tight_pressure_pa(&self) -> f64 {
         self.roughness.places().last().map_or(0.0, |last| {
@@ -123,17 +122,19 @@ impl SealingLaw {
         })
     }
 
-    /// Where the last channel through the contact is narrowest under a nominal pressure p > 0 \[Pa\]: the contact seen at
-    /// q_c, whose `opening_gap_m` is u_c. `None` where the seal is tight: with all waves, the threshold or more is in contact.
+    /// Finds the narrowest place of the last channel under a nominal pressure p > 0 \[Pa\]: the contact at q_c, whose
+    /// `opening_gap_m` is u_c. Returns `None` if the seal is tight: with all waves, the threshold or more is in
+    /// contact.
     #[must_use]
-    pub fn critical_constriction(&self, pressure_pa: f64) -> Option<Seen> {
+    pub fn critical_constriction(&self, pressure_pa: f64) -> Option<MagnifiedContact> {
         let wavevectors: Vec<f64> =
             self.roughness.places().iter().map(|place| place.wavevector_rad_per_m).collect();
         let is_open = |wavevector_rad_per_m: f64| self.opened(wavevector_rad_per_m, pressure_pa) > 0.0;
         if !wavevectors.last().copied().is_some_and(is_open) {
             return None;
         }
-        // Where the corrected area rises again, which takes an alpha that falls, channels connect before.
+        // If the corrected area rises again, which takes an alpha that falls, channels connect earlier: take the
+        // first.
         let [start, end] = wavevectors.windows(2).find_map(|pair| match pair {
             &[start, end] if is_open(end) => Some([start, end]),
             _ => None,
@@ -142,9 +143,9 @@ impl SealingLaw {
         Some(self.with_argument(wavevector_rad_per_m, pressure_pa, self.threshold.argument()))
     }
 
-    /// The contact seen with the waves up to a wavevector within the spectrum \[rad/m\] under a nominal pressure p > 0 \[Pa\].
+    /// Contact with the waves up to a wavevector within the spectrum \[rad/m\] under a nominal pressure p > 0 \[Pa\].
     #[must_use]
-    pub fn seen_at(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> Seen {
+    pub fn contact_at(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> MagnifiedContact {
         let variance_pa2 = self.separation.variance_pa2(wavevector_rad_per_m);
         let effective_pa2 = match self.correction {
             None => variance_pa2,
@@ -160,7 +161,7 @@ impl SealingLaw {
         self.with_argument(wavevector_rad_per_m, pressure_pa, pressure_pa / (2.0 * effective_pa2).sqrt())
     }
 
-    /// By how much V/p^2 exceeds what leaves the threshold in contact.
+    /// Excess of V/p^2 over the value that leaves the threshold in contact.
     fn opened(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> f64 {
         let [alpha, _] = self.roughness.alpha_at(wavevector_rad_per_m);
         let flattened = flattened(self.correction, self.threshold.argument(), alpha);
@@ -168,12 +169,12 @@ impl SealingLaw {
         scaled - flattened.variance_over_square_pressure
     }
 
-    /// The contact at a wavevector where A = erf(`argument`).
-    fn with_argument(&self, wavevector_rad_per_m: f64, pressure_pa: f64, argument: f64) -> Seen {
+    /// Contact at a wavevector where A = erf(`argument`).
+    fn with_argument(&self, wavevector_rad_per_m: f64, pressure_pa: f64, argument: f64) -> MagnifiedContact {
         let area_fraction = libm::erf(argument);
         let inside = self.separation.beyond(wavevector_rad_per_m);
         let real_pressure_pa = pressure_pa / area_fraction;
-        let separation = inside.of_whole(real_pressure_pa);
+        let separation = inside.whole(real_pressure_pa);
         let opening_gap_m =
             self.variance_per_area_pa2(wavevector_rad_per_m, pressure_pa, argument).map(|per_area| {
                 let left_out = inside.gap_per_variance_left_out_m_per_pa2(real_pressure_pa);
@@ -181,7 +182,7 @@ impl SealingLaw {
                     + real_pressure_pa / separation.stiffness_pa_per_m
                     + area_fraction * per_area * left_out
             });
-        Seen {
+        MagnifiedContact {
             wavevector_rad_per_m,
             area_fraction,
             mean_gap_m: separation.mean_gap_m,
@@ -189,8 +190,8 @@ impl SealingLaw {
         }
     }
 
-    /// dV/dA along the spectrum, below 0 \[Pa^2\]: of V = p^2 r(A, alpha) with alpha a function of V. None where A does not
-    /// fall.
+    /// Derivative dV/dA < 0 along the spectrum \[Pa^2\] of V = p^2 r(A, alpha), with alpha a function of V. `None`
+    /// where A does not fall.
     fn variance_per_area_pa2(
         &self,
         wavevector_rad_per_m: f64,

@@ -7,8 +7,8 @@
 //! u(p) = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) dv/q(v),  G(x) = Int_x^inf \[g + 3 (1 - g) erf(t)^2\] exp(-t^2) dt/t,
 //! 1/K = -du/dp = (1/p) (2/(sqrt(pi) E*)) Int_0^v1 \[g + 3 (1 - g) erf(p/v)^2\] exp(-(p/v)^2) dv/q(v).
 //!
-//! u is measured from the mean plane of the deformed rough surface to the flat. Both integrals take the whole spectrum:
-//! its longest wavelengths make them.
+//! u is measured from the mean plane of the deformed rough surface to the flat. Both integrals take the whole
+//! spectrum and are dominated by its longest wavelengths.
 
 use std::f64::consts::PI;
 
@@ -20,7 +20,7 @@ use crate::stretch::Stretch;
 pub use crate::knot::SeparationKnot;
 
 impl SeparationKnot {
-    /// The knots of a roughness under a contact modulus E* > 0 \[Pa\].
+    /// Returns the knots of a roughness under a contact modulus E* > 0 \[Pa\].
     #[must_use]
     pub fn along(roughness: &Roughness, contact_modulus_pa: f64) -> Vec<Self> {
         let knot = |place: &Place| SeparationKnot {
@@ -32,28 +32,28 @@ impl SeparationKnot {
     }
 }
 
-/// What is known of the gap under a load with the spectrum cut off somewhere.
+/// Mean gap and stiffness under a load with the spectrum cut off somewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Separation {
     /// Mean separation u > 0 of the flat from the mean plane of the deformed surface \[m\].
     pub mean_gap_m: f64,
-    /// K = -dp/du \[Pa/m\]; infinite where nothing has been flattened.
+    /// Stiffness K = -dp/du \[Pa/m\]; infinite where nothing has been flattened.
     pub stiffness_pa_per_m: f64,
 }
 
-/// The law that light loads follow, u = u_0 ln(p_00/p) and K = p/u_0.
+/// Limit of light loads, u = u_0 ln(p_00/p) and K = p/u_0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightLoads {
-    /// u_0 \[m\].
+    /// Decay length u_0 \[m\].
     pub decay_length_m: f64,
-    /// p_00 \[Pa\].
+    /// Reference pressure p_00 \[Pa\].
     pub reference_pressure_pa: f64,
-    /// The share of u_0 that comes from the first decade of wavevectors, in (0, 1\]. Without a roll-off there, what lies
-    /// below the first wavevector and is not known decides.
+    /// Share of u_0 that comes from the first decade of wavevectors, in (0, 1\]. If it is large and the spectrum has
+    /// no roll-off there, the unmeasured waves below the first wavevector decide u_0.
     pub share_of_first_decade: f64,
 }
 
-/// The theory for one elastic energy factor g and one spectrum, whose knots come by rising wavevector and variance.
+/// Separation for one elastic energy factor g and one spectrum, whose knots have rising wavevector and variance.
 #[derive(Debug, Clone)]
 pub struct SeparationLaw {
     energy: Energy,
@@ -63,7 +63,7 @@ pub struct SeparationLaw {
 }
 
 impl SeparationLaw {
-    /// The law under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1, 0.45 as a rule
+    /// Creates the law under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1: usually 0.45
     /// (Almqvist et al. 2011), 1 in Persson (2007).
     #[must_use]
     pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: f64) -> Self {
@@ -77,17 +77,17 @@ impl SeparationLaw {
     #[must_use]
     pub fn along(&self, pressure_pa: f64) -> Vec<Separation> {
         let (mut gap, mut compliance) = (0.0, 0.0);
-        let mut all = vec![self.of_sums(pressure_pa, gap, compliance)];
+        let mut all = vec![self.separation_from_sums(pressure_pa, gap, compliance)];
         all.extend(self.stretches.iter().map(|stretch| {
             self.add(stretch, pressure_pa, &mut gap, &mut compliance);
-            self.of_sums(pressure_pa, gap, compliance)
+            self.separation_from_sums(pressure_pa, gap, compliance)
         }));
         all
     }
 
     /// Adds a stretch to the two integrals.
     fn add(&self, stretch: &Option<Stretch>, pressure_pa: f64, gap: &mut f64, compliance: &mut f64) {
-        // Where p/v is beyond 27 the integrands are below the smallest double.
+        // For p/v > 27 the integrands are below the smallest double.
         self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
             let x = pressure_pa / v_pa;
             *gap += per_rad_m * self.energy.beyond(x);
@@ -95,27 +95,28 @@ impl SeparationLaw {
         });
     }
 
-    fn of_sums(&self, pressure_pa: f64, gap: f64, compliance: f64) -> Separation {
+    fn separation_from_sums(&self, pressure_pa: f64, gap: f64, compliance: f64) -> Separation {
         let factor = self.factor();
         Separation { mean_gap_m: factor * gap, stiffness_pa_per_m: pressure_pa / (factor * compliance) }
     }
 
-    /// Separation and stiffness under a nominal pressure p > 0 \[Pa\] of the whole spectrum; 0 and infinite where there is
-    /// no roughness.
+    /// Separation and stiffness under a nominal pressure p > 0 \[Pa\] of the whole spectrum; 0 and infinite without
+    /// roughness.
     #[must_use]
     pub fn whole(&self, pressure_pa: f64) -> Separation {
         let (mut gap, mut compliance) = (0.0, 0.0);
         for stretch in &self.stretches {
             self.add(stretch, pressure_pa, &mut gap, &mut compliance);
         }
-        self.of_sums(pressure_pa, gap, compliance)
+        self.separation_from_sums(pressure_pa, gap, compliance)
     }
 
-    /// The pressure \[Pa\] up to which the law of light loads turns a gap into the pressure of the whole theory, but for a
-    /// share of it. `None` where there is no roughness.
+    /// Largest pressure \[Pa\] up to which the limit of light loads gives the pressure of the whole theory within a
+    /// relative error `share`. `None` without roughness.
     #[must_use]
-    pub fn light_loads_hold_up_to_pa(&self, share: f64) -> Option<f64> {
-        // The law is met from below: a millionth of p00 lies well within, and the steps are finer than it bends.
+    pub fn light_load_limit_pa(&self, share: f64) -> Option<f64> {
+        // The limit is approached from below: a millionth of p_00 lies well within, and the steps are finer than it
+        // bends.
         const FROM: f64 = 1e-6;
         const STEP: f64 = 1.2;
         let light = self.light_loads()?;
@@ -126,7 +127,7 @@ impl SeparationLaw {
         };
         let steps = (0..).map(|step| (FROM * light.reference_pressure_pa).ln() + f64::from(step) * STEP.ln());
         let mut within = None;
-        // Where nothing is left of the gap the law is off by any share.
+        // Where the gap has vanished the limit is off by any share.
         for log_pa in steps.take_while(|log_pa| *log_pa < (1e3 * light.reference_pressure_pa).ln()) {
             if excess(log_pa) > 0.0 {
                 let bracket = |within| zero_in_bracket(within, log_pa, excess);
@@ -137,7 +138,7 @@ impl SeparationLaw {
         within.map(f64::exp)
     }
 
-    /// The law of light loads of the whole spectrum; `None` where there is no roughness.
+    /// Limit of light loads of the whole spectrum; `None` without roughness.
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {
         let first = self.stretches.first().copied().flatten()?;
@@ -159,8 +160,8 @@ impl SeparationLaw {
         })
     }
 
-    /// The law of the waves shorter than those of a wavevector q_z \[rad/m\]: what is seen of the gap inside the contact
-    /// that longer waves leave, whose pressure is p/A(q_z). v^2 = 2 (V(q) - V(q_z)) takes the place of 2 V(q).
+    /// Returns the law of the waves shorter than those of a wavevector q_z \[rad/m\]: it describes the gap inside the
+    /// contact that longer waves leave, whose pressure is p/A(q_z). v^2 = 2 (V(q) - V(q_z)) replaces 2 V(q).
     #[must_use]
     pub fn beyond(&self, wavevector_rad_per_m: f64) -> Self {
         let left_out_pa2 = self.variance_pa2(wavevector_rad_per_m);
@@ -169,7 +170,7 @@ impl SeparationLaw {
         SeparationLaw { stretches: rest.map(Some).collect(), ..self.clone() }
     }
 
-    /// V up to a wavevector \[Pa^2\]; that of the ends outside of them.
+    /// Variance V up to a wavevector \[Pa^2\]; outside of the spectrum that of its nearest end.
     pub(crate) fn variance_pa2(&self, wavevector_rad_per_m: f64) -> f64 {
         match self.stretch_begun_at(wavevector_rad_per_m) {
             Some(stretch) if wavevector_rad_per_m < stretch.end_rad_per_m => {
@@ -180,7 +181,7 @@ impl SeparationLaw {
         }
     }
 
-    /// dV/dln(q) at a wavevector \[Pa^2\], from below where it jumps; `None` where nothing is added.
+    /// Derivative dV/dln(q) at a wavevector \[Pa^2\], from below where it jumps; `None` where nothing is added.
     pub(crate) fn variance_per_ln_wavevector_pa2(&self, wavevector_rad_per_m: f64) -> Option<f64> {
         let within = |stretch: &&Stretch| {
             stretch.start_rad_per_m < wavevector_rad_per_m && wavevector_rad_per_m <= stretch.end_rad_per_m
@@ -194,17 +195,12 @@ impl SeparationLaw {
         self.stretches.iter().flatten().rfind(begun)
     }
 
-    /// Separation and stiffness of the whole spectrum under a nominal pressure p > 0 \[Pa\].
-    pub(crate) fn of_whole(&self, pressure_pa: f64) -> Separation {
-        let nothing = Separation { mean_gap_m: 0.0, stiffness_pa_per_m: f64::INFINITY };
-        self.along(pressure_pa).last().copied().unwrap_or(nothing)
-    }
-
-    /// How the gap changes under a constant pressure p > 0 \[Pa\] as variance is left out at the long end \[m/Pa^2\].
+    /// Derivative of the gap under a constant pressure p > 0 \[Pa\] by the variance left out at the long end
+    /// \[m/Pa^2\].
     ///
-    /// With W = V - V_z, du/dV_z = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) (d/dW)(1/q) dv less what leaves at the end v1. By
-    /// parts that is (2/(sqrt(pi) E*)) Int_0^v1 \[G(x) - D(x)\]/v^2 dv/q with x = p/v and D = -x G': no derivative of the
-    /// spectrum, and what leaves at the end has cancelled.
+    /// With W = V - V_z, du/dV_z = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) (d/dW)(1/q) dv less the loss at the end v1. By
+    /// parts that is (2/(sqrt(pi) E*)) Int_0^v1 \[G(x) - D(x)\]/v^2 dv/q with x = p/v and D = -x G', in which the
+    /// loss at the end has cancelled and no derivative of the spectrum appears.
     pub(crate) fn gap_per_variance_left_out_m_per_pa2(&self, pressure_pa: f64) -> f64 {
         let mut sum = 0.0;
         for stretch in &self.stretches {
@@ -216,13 +212,13 @@ impl SeparationLaw {
         self.factor() * sum
     }
 
-    /// 2/(sqrt(pi) E*).
+    /// Factor 2/(sqrt(pi) E*) of both integrals.
     fn factor(&self) -> f64 {
         2.0 / (PI.sqrt() * self.contact_modulus_pa)
     }
 
-    /// Calls `term` with v and the weight of dv/q over a stretch, from v = `from_pa` up, in pieces on which neither v nor
-    /// the wavevector grows much.
+    /// Calls `term` with v and the weight of dv/q over a stretch, from v = `from_pa` up, in pieces on which v and the
+    /// wavevector grow by at most `MOST_GROWTH`.
     fn over(&self, stretch: &Option<Stretch>, from_pa: f64, mut term: impl FnMut(f64, f64)) {
         const MOST_GROWTH: f64 = 1.6;
         let Some(stretch) = stretch else { return };
@@ -234,7 +230,7 @@ impl SeparationLaw {
             let start =
                 |slower_rad_per_m| first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
             let mut start_pa = start(slower_rad_per_m);
-            // Where a spectrum falls by powers of ten within a stretch, v stays what it is to rounding over much of it.
+            // Where a spectrum falls by powers of ten within a stretch, v stays constant to rounding over much of it.
             while start_pa >= end_pa && slower_rad_per_m > stretch.start_rad_per_m {
                 slower_rad_per_m /= MOST_GROWTH;
                 start_pa = start(slower_rad_per_m);
@@ -250,21 +246,21 @@ impl SeparationLaw {
     }
 }
 
-/// The energy of the waves in contact: its density over ln(p) and what is left above a pressure.
+/// Energy of the waves in contact: its density over ln(p), and its integral above a pressure.
 #[derive(Debug, Clone)]
 struct Energy {
-    /// g.
+    /// Elastic energy factor g.
     factor: f64,
-    /// G at the multiples of [`STEP`], from the second on.
+    /// G at the multiples of [`STEP`], from the first on.
     beyond: Vec<f64>,
-    /// Int_0 of what is left of the integrand of G without its logarithm: G(x) + g ln(x) as x vanishes.
+    /// Limit of G(x) + g ln(x) as x vanishes.
     constant: f64,
     rule: GaussLegendre,
 }
 
-/// Between its multiples the density is a polynomial to rounding.
+/// Spacing of the tabulated G; between its multiples the density is a polynomial to rounding.
 const STEP: f64 = 0.25;
-/// The last one; exp(-27.5^2) is the smallest double.
+/// Number of steps; exp(-27.5^2) is below the smallest double.
 const STEPS: usize = 110;
 
 impl Energy {
@@ -280,13 +276,13 @@ impl Energy {
         energy
     }
 
-    /// [g + 3 (1 - g) erf(x)^2] exp(-x^2).
+    /// Computes [g + 3 (1 - g) erf(x)^2] exp(-x^2).
     fn density(&self, x: f64) -> f64 {
         let contact = libm::erf(x);
         (self.factor + 3.0 * (1.0 - self.factor) * contact * contact) * (-x * x).exp()
     }
 
-    /// G(x).
+    /// Computes G(x).
     fn beyond(&self, x: f64) -> f64 {
         if x < STEP {
             return self.beyond[0] + self.factor * (STEP / x).ln() + self.regular(x, STEP);
@@ -300,7 +296,7 @@ impl Energy {
         self.rule.over(from, to).map(|(t, weight)| weight * self.density(t) / t).sum()
     }
 
-    /// The integral without g/t, which is what diverges at 0.
+    /// Integral without g/t, which diverges at 0.
     fn regular(&self, from: f64, to: f64) -> f64 {
         let regular = |t: f64| {
             let contact = libm::erf(t);
@@ -315,7 +311,7 @@ impl Energy {
 mod tests {
     use super::*;
 
-    /// C1D ~ q^-2.6 over two decades of wavevectors, in which V ~ q^0.4 for the exponents of the theory.
+    /// C1D ~ q^-2.6 over two decades of wavevectors: V ~ q^0.4 for the exponents of the theory.
     fn power_law() -> SeparationLaw {
         let knots: Vec<SeparationKnot> = (0..=20)
             .map(|at| {
@@ -344,17 +340,17 @@ mod tests {
             light.reference_pressure_pa * (-gap_m / light.decay_length_m).exp() / pressure_pa - 1.0
         };
         for share in [1e-3, 0.01, 0.1] {
-            let most_pa = law.light_loads_hold_up_to_pa(share).unwrap();
+            let most_pa = law.light_load_limit_pa(share).unwrap();
             assert!((off(most_pa).abs() / share - 1.0).abs() < 1e-3, "{share}: {}", off(most_pa));
             assert!((0..40).all(|step| off(most_pa * 0.8f64.powi(step)).abs() <= share * (1.0 + 1e-3)));
         }
         let flat = SeparationLaw::new(&[], 1e11, 0.45);
-        assert_eq!(flat.light_loads_hold_up_to_pa(0.01), None);
+        assert_eq!(flat.light_load_limit_pa(0.01), None);
     }
 
     #[test]
     fn a_spectrum_that_falls_by_powers_of_ten_has_an_end() {
-        // Between neighbouring samples the variance is all there at the beginning, or all at the end.
+        // Between neighbouring samples all of the variance is at the beginning, or all at the end.
         for exponent in [-90.0, -900.0, 90.0] {
             let knot = |wavevector_rad_per_m, variance_pa2| SeparationKnot {
                 wavevector_rad_per_m,

@@ -1,8 +1,9 @@
-//! The spectrum between two of its samples: how the variance of the flattening pressure grows with the wavevector.
+//! The spectrum between two neighbouring samples: growth of the variance of the flattening pressure with the
+//! wavevector.
 
 use crate::knot::SeparationKnot;
 
-/// One interval of the spectrum: q = q_i \[1 + k (V - V_i)\]^(1/e).
+/// Interval of the spectrum with q = q_i \[1 + k (V - V_i)\]^(1/e).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretch {
     pub(crate) start_rad_per_m: f64,
@@ -14,7 +15,7 @@ pub(crate) struct Stretch {
 }
 
 impl Stretch {
-    /// The stretch between two knots; none where nothing is added.
+    /// Stretch between two knots; `None` where nothing is added.
     pub(crate) fn between(start: &SeparationKnot, end: &SeparationKnot) -> Option<Self> {
         let rise_pa2 = end.variance_pa2 - start.variance_pa2;
         if rise_pa2 <= 0.0 {
@@ -32,7 +33,7 @@ impl Stretch {
         })
     }
 
-    /// The part up to a wavevector, if there is any.
+    /// Part up to a wavevector, if there is any.
     pub(crate) fn up_to(self, wavevector_rad_per_m: f64) -> Option<Self> {
         if wavevector_rad_per_m >= self.end_rad_per_m {
             return Some(self);
@@ -45,7 +46,7 @@ impl Stretch {
         })
     }
 
-    /// The part beyond a wavevector, if there is any, with the variance counted from `left_out_pa2` on.
+    /// Part beyond a wavevector, if there is any, with the variance counted from `left_out_pa2` on.
     pub(crate) fn beyond(self, wavevector_rad_per_m: f64, left_out_pa2: f64) -> Option<Self> {
         if wavevector_rad_per_m >= self.end_rad_per_m {
             return None;
@@ -60,21 +61,21 @@ impl Stretch {
         Stretch::between(&start, &knot(self.end_rad_per_m, self.end_pa2))
     }
 
-    /// The wavevector up to which the variance is v^2/2.
+    /// Wavevector up to which the variance is v^2/2.
     pub(crate) fn wavevector_rad_per_m(&self, v_pa: f64) -> f64 {
         let grown = self.growth_per_pa2 * (0.5 * v_pa * v_pa - self.start_pa2);
         let wavevector_rad_per_m = self.start_rad_per_m * (libm::log1p(grown) / self.exponent).exp();
-        // Rounding may lead beyond the end, and to no number at all, where v hardly grows any more.
+        // Where v hardly grows any more, rounding may lead beyond the end, and to NaN.
         wavevector_rad_per_m.min(self.end_rad_per_m)
     }
 
-    /// V up to a wavevector, that of the beginning where it is smaller.
+    /// Variance V up to a wavevector; before the beginning, that of the beginning.
     pub(crate) fn variance_pa2(&self, wavevector_rad_per_m: f64) -> f64 {
         let ln_q = (wavevector_rad_per_m / self.start_rad_per_m).max(1.0).ln();
         self.start_pa2 + libm::expm1(self.exponent * ln_q) / self.growth_per_pa2
     }
 
-    /// dV/dln(q) at a wavevector.
+    /// Derivative dV/dln(q) at a wavevector.
     pub(crate) fn variance_per_ln_wavevector_pa2(&self, wavevector_rad_per_m: f64) -> f64 {
         let ln_q = |to_rad_per_m: f64| (to_rad_per_m / self.start_rad_per_m).ln();
         let [_, slope] =
@@ -82,14 +83,14 @@ impl Stretch {
         slope * (self.end_pa2 - self.start_pa2)
     }
 
-    /// v = sqrt(2 V) up to a wavevector.
+    /// Computes v = sqrt(2 V) up to a wavevector.
     pub(crate) fn v_pa(&self, wavevector_rad_per_m: f64) -> f64 {
         (2.0 * self.variance_pa2(wavevector_rad_per_m)).sqrt()
     }
 }
 
-/// How much of what a power law adds over an interval has been added after a part of it, both told by ln(q_end/q_start):
-/// the share, in \[0, 1\], and its slope over ln(q).
+/// Share of a power law's integral over an interval that lies in its first part, in \[0, 1\], and the slope of that
+/// share over ln(q). Both lengths are given as ln(q_end/q_start).
 pub(crate) fn share_of_power_law(exponent: f64, part_ln: f64, whole_ln: f64) -> [f64; 2] {
     let exponent = not_flat(exponent);
     // The larger end of the power is taken out, so that neither overflows.
@@ -106,7 +107,7 @@ pub(crate) fn share_of_power_law(exponent: f64, part_ln: f64, whole_ln: f64) -> 
     [share, exponent * before / whole]
 }
 
-/// What is spread evenly over ln(q) has no power of its own; so small a one differs from it by less than rounding.
+/// Replaces an exponent of 0 by one so small that the difference is below rounding.
 fn not_flat(exponent: f64) -> f64 {
     if exponent.abs() < 1e-9 { 1e-9 } else { exponent }
 }

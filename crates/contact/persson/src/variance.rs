@@ -1,7 +1,8 @@
-//! How much of the roughness a cutoff lets through: the mean square gradient of the surface, and with it the variance
-//! V = E*^2 h'^2/4 of the pressure that would flatten it.
+//! Roughness up to a cutoff: the mean square gradient of the surface, and with it the variance V = E*^2 h'^2/4 of the
+//! pressure that would flatten it.
 //!
-//! A cutoff of the spectrum of profiles is none of the surface: C1D at q holds every wave of the surface with |q'| > q.
+//! Cutting off the spectrum of profiles is not cutting off the surface: C1D at q holds every wave of the surface with
+//! |q'| > q.
 
 use std::f64::consts::PI;
 
@@ -9,33 +10,33 @@ use numerics::GaussLegendre;
 use serde::{Deserialize, Serialize};
 use units::named;
 
-/// What is cut off at a wavevector.
+/// Spectrum that a cutoff applies to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Band {
-    /// The spectrum of profiles: h'^2 = 2 m2 up to there.
+    /// Spectrum of profiles: h'^2 = 2 m2 up to the cutoff.
     #[default]
     #[serde(rename = "1d")]
     Profile,
-    /// The spectrum of the surface: its waves up to there.
+    /// Spectrum of the surface: its waves up to the cutoff.
     #[serde(rename = "2d")]
     Surface,
 }
 
 named!(Band, "band", { Profile => "1d", Surface => "2d" });
 
-/// One sample of a spectrum of profiles; those of a spectrum come by rising wavevector, and it is a power law between.
+/// Sample of a spectrum of profiles. Samples come by rising wavevector, with a power law between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectrumSample {
     /// Wavevector q > 0 \[rad/m\].
     pub wavevector_rad_per_m: f64,
-    /// C1D > 0 there \[m^3\], normalised so that the variance of heights is (1/pi) Int C1D dq.
+    /// Spectral density C1D > 0 at q \[m^3\], normalised so that the variance of heights is (1/pi) Int C1D dq.
     pub c1d_m3: f64,
     /// m2 of profiles from the first sample up to here, (1/pi) Int q^2 C1D dq.
     pub mean_square_slope: f64,
 }
 
-/// h'^2 up to each of the samples. None falls behind the one before, and the first is 0.
+/// Returns h'^2 up to each of the samples; non-decreasing, and 0 at the first.
 #[must_use]
 pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64> {
     let of_profiles = |sample: &SpectrumSample| 2.0 * sample.mean_square_slope;
@@ -44,8 +45,8 @@ pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64>
         Band::Surface => {
             let tail = Tails::new(samples);
             let cut = samples.iter().enumerate().map(|(at, sample)| of_profiles(sample) - tail.beyond(at));
-            // At the longest wavelengths the spectrum of profiles holds less than its continuation takes away: what
-            // would have to stand below its first sample is taken to be absent.
+            // At the longest wavelengths the spectrum of profiles holds less than its continuation takes away: the
+            // waves that would be missing below its first sample are taken to be absent.
             cut.scan(0.0, |most: &mut f64, gradient| {
                 *most = most.max(gradient);
                 Some(*most)
@@ -55,7 +56,7 @@ pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64>
     }
 }
 
-/// The power of the wavevector that the spectrum follows from each sample to the next, and after the last.
+/// Exponents of the power laws between neighbouring samples, and beyond the last.
 #[must_use]
 pub fn spectral_exponents(samples: &[SpectrumSample]) -> Vec<f64> {
     let between = |pair: &[SpectrumSample]| {
@@ -67,7 +68,7 @@ pub fn spectral_exponents(samples: &[SpectrumSample]) -> Vec<f64> {
     exponents
 }
 
-/// What the waves shorter than a cutoff add to the profile's m2 below it.
+/// Contribution of the waves shorter than a cutoff to the profile's m2 below it.
 struct Tails<'a> {
     samples: &'a [SpectrumSample],
     exponents: Vec<f64>,
@@ -78,25 +79,25 @@ struct Tails<'a> {
 impl<'a> Tails<'a> {
     fn new(samples: &'a [SpectrumSample]) -> Self {
         let mut exponents = spectral_exponents(samples);
-        // A spectrum of profiles cannot rise for ever: no surface has one.
+        // No surface has a spectrum of profiles that rises for ever.
         if let Some(last) = exponents.last_mut() {
             *last = last.min(0.0);
         }
         Tails { samples, exponents, narrow: GaussLegendre::new(6), wide: GaussLegendre::new(12) }
     }
 
-    /// (2/3pi) c^3 C(c) + (1/pi) Int_c^inf C'(p) I_3(p; c) dp at the cutoff c of a sample, the spectrum being continued
-    /// with its last slope.
+    /// Computes (2/3pi) c^3 C(c) + (1/pi) Int_c^inf C'(p) I_3(p; c) dp at the cutoff c of a sample, the spectrum
+    /// being continued with its last slope.
     fn beyond(&self, at: usize) -> f64 {
         let SpectrumSample { wavevector_rad_per_m: cutoff, c1d_m3, .. } = self.samples[at];
         let integral: f64 = (at..self.samples.len()).map(|from| self.stretch(from, cutoff)).sum();
         (2.0 / 3.0 * c1d_m3 * cutoff.powi(3) + integral) / PI
     }
 
-    /// Int C'(p) I_3(p; c) dp from a sample to the next, from the last one to infinity.
+    /// Integrates C'(p) I_3(p; c) dp from a sample to the next, from the last one to infinity.
     ///
-    /// With p = c cosh(theta) and E = exp(-theta) the kernel (2/3) p^3 - sqrt(p^2 - c^2) (2 p^2 + c^2)/3 is
-    /// c^3 (3 E + E^3)/6, which loses nothing to cancellation.
+    /// With p = c cosh(theta) and E = exp(-theta) the kernel (2/3) p^3 - sqrt(p^2 - c^2) (2 p^2 + c^2)/3 is c^3 (3 E
+    /// + E^3)/6, which loses nothing to cancellation.
     fn stretch(&self, from: usize, cutoff: f64) -> f64 {
         let SpectrumSample { wavevector_rad_per_m: start, c1d_m3, .. } = self.samples[from];
         let exponent = self.exponents[from.min(self.exponents.len() - 1)];
@@ -142,7 +143,8 @@ mod tests {
 
     #[test]
     fn a_cut_of_the_surface_lets_less_through_than_one_of_its_profiles() {
-        // Far from the beginning of a power law it is sqrt(pi) Gamma(1 + H)/(2 Gamma(H + 1/2)), exponent = -1 - 2 H.
+        // Far from the beginning of a power law the ratio is sqrt(pi) Gamma(1 + H)/(2 Gamma(H + 1/2)), exponent = -1
+        // - 2 H.
         for (exponent, ratio) in [(-2.0, PI / 4.0), (-2.6, 0.919_715_127), (-2.2, 0.832_350_576)] {
             let samples = power_law(exponent);
             let [profile, surface] =

@@ -119,7 +119,7 @@ fn it_is_tight_from_its_pressure_on() {
             let last = law.critical_constriction(tight_pa * (1.0 - 1e-9)).unwrap();
             assert!(off(last.wavevector_rad_per_m, SHARPEST) < 1e-6, "{correction:?} {last:?}");
             assert!(last.opening_gap_m.unwrap() < 1e-9, "{correction:?} {last:?}");
-            assert!(off(law.seen_at(SHARPEST, tight_pa).area_fraction, threshold) < 1e-12);
+            assert!(off(law.contact_at(SHARPEST, tight_pa).area_fraction, threshold) < 1e-12);
         }
     }
 }
@@ -129,7 +129,7 @@ fn nothing_rough_is_tight_under_any_load() {
     let smooth = Roughness::new(&[], &[], Band::Profile);
     let law = SealingLaw::new(&smooth, 1.0, 0.45, None, PercolationThreshold::default());
     assert_eq!((law.tight_pressure_pa(), law.critical_constriction(1e-9)), (0.0, None));
-    assert_eq!(law.seen_at(1.0, 1e-9).area_fraction, 1.0);
+    assert_eq!(law.contact_at(1.0, 1e-9).area_fraction, 1.0);
 }
 
 #[test]
@@ -147,10 +147,10 @@ fn what_is_seen_with_the_longest_wave_is_the_whole_gap() {
     for correction in forms() {
         let model = PerssonModel::Elastic { contact_modulus_pa: 1.0, correction };
         let whole = model.separation(&roughness(20), 0.45).along(0.01).last().copied().unwrap();
-        let first = law(20, 0.45, correction, 0.42).seen_at(FLATTEST, 0.01);
+        let first = law(20, 0.45, correction, 0.42).contact_at(FLATTEST, 0.01);
         assert_eq!((first.area_fraction, first.opening_gap_m), (1.0, None));
         assert!(off(first.mean_gap_m, whole.mean_gap_m) < 1e-14);
-        let last = law(20, 0.45, correction, 0.42).seen_at(SHARPEST, 0.01);
+        let last = law(20, 0.45, correction, 0.42).contact_at(SHARPEST, 0.01);
         assert_eq!(last.mean_gap_m, 0.0);
     }
 }
@@ -164,7 +164,7 @@ proptest! {
             let model = PerssonModel::Elastic { contact_modulus_pa: 1.0, correction };
             let areas = model.areas(&roughness(20), ln_p.exp()).unwrap();
             let q = roughness(20).places()[at as usize].wavevector_rad_per_m;
-            let seen = law(20, 0.45, correction, 0.42).seen_at(q, ln_p.exp());
+            let seen = law(20, 0.45, correction, 0.42).contact_at(q, ln_p.exp());
             prop_assert!(off(seen.area_fraction, areas[at as usize].contact()) < 1e-12, "{correction:?}");
         }
     }
@@ -174,13 +174,13 @@ proptest! {
         let (q, pressure_pa) = (ln_q.exp(), ln_p.exp());
         for correction in forms() {
             let law = law(7, 0.45, correction, 0.42);
-            let here = law.seen_at(q, pressure_pa);
+            let here = law.contact_at(q, pressure_pa);
             // Near full contact the area has no digits to take a difference of.
             if here.area_fraction > 0.99 {
                 continue;
             }
             let step = 1e-5;
-            let [more, less] = [step, -step].map(|ln: f64| law.seen_at(q * ln.exp(), pressure_pa));
+            let [more, less] = [step, -step].map(|ln: f64| law.contact_at(q * ln.exp(), pressure_pa));
             let slope = (more.mean_gap_m - less.mean_gap_m) / (more.area_fraction - less.area_fraction);
             let expected_m = here.mean_gap_m + here.area_fraction * slope;
             // Differences over a knot of alpha are of first order.
@@ -214,7 +214,7 @@ proptest! {
             match law.critical_constriction(pressure_pa) {
                 Some(channel) => {
                     prop_assert!(pressure_pa <= tight_pa * (1.0 + 1e-12), "{correction:?} {tight_pa}");
-                    let seen = law.seen_at(channel.wavevector_rad_per_m, pressure_pa);
+                    let seen = law.contact_at(channel.wavevector_rad_per_m, pressure_pa);
                     prop_assert!(channel.mean_gap_m.is_finite() && channel.mean_gap_m >= 0.0);
                     prop_assert!(channel.opening_gap_m.is_none_or(|gap_m| gap_m.is_finite()));
                     prop_assert!(channel.wavevector_rad_per_m.is_finite() && seen.area_fraction > 0.0);

@@ -1,9 +1,9 @@
-//! The share of contact at which the last open channel across a randomly rough surface is lost as the load rises: ten
-//! surfaces of 512^2 points by boundary elements, each in both directions. A minute of one processor.
+//! Share of contact at which the last open channel across a randomly rough surface closes as the load rises: ten
+//! surfaces of 512^2 points by boundary elements, each in both directions. Takes a minute on one processor.
 //!
-//! Found: 0.416 of the nominal area with a standard deviation of 0.029 from channel to channel (0.432 counted in points, the
-//! perimeter of the spots included), so that the mean of twenty is known to 0.007. Single channels of eight roll-off
-//! wavelengths were lost from 0.35 to 0.48.
+//! Result: 0.416 of the nominal area with a standard deviation of 0.029 from channel to channel (0.432 counted in
+//! points, the perimeter of the spots included), so that the mean of twenty is known to 0.007. Single channels of
+//! eight roll-off wavelengths closed from 0.35 to 0.48.
 
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Surface, Synthesis};
 use half_space::{Contact, Grid, Loading, OpenPaths, PeriodicElements, Sides, open_paths};
@@ -13,14 +13,14 @@ const POINTS: usize = 512;
 const SURFACES: u64 = 10;
 const SEED: u64 = 1;
 const BOX_M: f64 = 1e-3;
-/// Level between the longest wave and the roll-off, so that many of its waves stand side by side.
+/// Longest wave, with a plateau between it and the roll-off, so that many waves of the roll-off fit side by side.
 const LONGEST_M: f64 = BOX_M / 2.0;
 const ROLLOFF_M: f64 = BOX_M / 8.0;
-/// Eight points.
+/// Shortest wave: eight points.
 const SHORTEST_M: f64 = BOX_M / 64.0;
 const RMS_GRADIENT: f64 = 0.05;
 const CONTACT_MODULUS_PA: f64 = 100e9;
-/// p/(E* h') at which channels are open, and at which they are shut.
+/// Bracket of p/(E* h'): channels are open at the first value, and shut at the second.
 const OPEN_TO_SHUT: [f64; 2] = [0.08, 0.48];
 /// Halvings of that bracket, down to a hundredth of the nominal area in contact.
 const HALVINGS: usize = 6;
@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut lost = Vec::new();
     for number in 0..SURFACES {
         let synthesis = Synthesis::square(POINTS, BOX_M, SEED, Phases::FixedModulus);
-        let [x, y] = Pressed::new(&spectrum.surface(&synthesis, number)?)?.lost()?;
+        let [x, y] = TriedSurface::new(&spectrum.surface(&synthesis, number)?)?.lost()?;
         println!(
             "{number}, {:.4}, {:.4}, {:.4}, {:.4}",
             x.share_of_points, y.share_of_points, x.area_fraction, y.area_fraction
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         lost.extend([x, y]);
     }
     for (name, of) in [
-        ("share of points", (|lost| lost.share_of_points) as fn(&Lost) -> f64),
+        ("share of points", (|lost| lost.share_of_points) as fn(&ClosingArea) -> f64),
         ("less their perimeter", |lost| lost.area_fraction),
     ] {
         let shares: Vec<f64> = lost.iter().map(of).collect();
@@ -59,33 +59,36 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// A surface, and what was found of it under the loads so far.
-struct Pressed {
+/// Surface with its results under the loads so far.
+struct TriedSurface {
     elements: PeriodicElements,
-    /// p/(E* h'), what is in contact, and which ways are open.
-    known: Vec<(f64, Lost, OpenPaths)>,
+    /// Results by p/(E* h'): area in contact, and open directions.
+    known: Vec<(f64, ClosingArea, OpenPaths)>,
 }
 
-/// What is in contact where a channel is lost.
+/// Area in contact when a channel closes.
 #[derive(Clone, Copy)]
-struct Lost {
+struct ClosingArea {
     share_of_points: f64,
     area_fraction: f64,
 }
 
-impl Pressed {
+impl TriedSurface {
     fn new(surface: &Surface) -> Result<Self, Box<dyn std::error::Error>> {
         let grid =
             Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
-        Ok(Pressed { elements: PeriodicElements::new(grid, surface.heights_m())?, known: Vec::new() })
+        Ok(TriedSurface { elements: PeriodicElements::new(grid, surface.heights_m())?, known: Vec::new() })
     }
 
-    /// Where the channels along x and along y are lost.
-    fn lost(&mut self) -> Result<[Lost; 2], Box<dyn std::error::Error>> {
+    /// Areas at which the channels along x and along y close.
+    fn lost(&mut self) -> Result<[ClosingArea; 2], Box<dyn std::error::Error>> {
         Ok([self.lost_along(|paths| paths.along_x)?, self.lost_along(|paths| paths.along_y)?])
     }
 
-    fn lost_along(&mut self, is_open: fn(OpenPaths) -> bool) -> Result<Lost, Box<dyn std::error::Error>> {
+    fn lost_along(
+        &mut self,
+        is_open: fn(OpenPaths) -> bool,
+    ) -> Result<ClosingArea, Box<dyn std::error::Error>> {
         let [mut open, mut shut] = OPEN_TO_SHUT;
         let (mut before, paths) = self.under(open)?;
         let (mut after, shut_paths) = self.under(shut)?;
@@ -101,13 +104,13 @@ impl Pressed {
                 (shut, after) = (load, areas);
             }
         }
-        Ok(Lost {
+        Ok(ClosingArea {
             share_of_points: 0.5 * (before.share_of_points + after.share_of_points),
             area_fraction: 0.5 * (before.area_fraction + after.area_fraction),
         })
     }
 
-    fn under(&mut self, load: f64) -> Result<(Lost, OpenPaths), Box<dyn std::error::Error>> {
+    fn under(&mut self, load: f64) -> Result<(ClosingArea, OpenPaths), Box<dyn std::error::Error>> {
         if let Some(&(_, areas, paths)) = self.known.iter().find(|(known, ..)| *known == load) {
             return Ok((areas, paths));
         }
@@ -119,8 +122,10 @@ impl Pressed {
         };
         let contact: Contact = self.elements.press(&loading, &Unobserved)?;
         let paths = open_paths(self.elements.grid(), Sides::Periodic, &contact.touching())?;
-        let areas =
-            Lost { share_of_points: contact.area_fraction, area_fraction: contact.area_fraction_corrected };
+        let areas = ClosingArea {
+            share_of_points: contact.area_fraction,
+            area_fraction: contact.area_fraction_corrected,
+        };
         self.known.push((load, areas, paths));
         Ok((areas, paths))
     }

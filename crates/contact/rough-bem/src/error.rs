@@ -1,20 +1,20 @@
-//! What cannot be pressed.
+//! Errors of pressing rough surfaces.
 
 use gaussian_surfaces::SurfaceError;
 use half_space::HalfSpaceError;
 use thiserror::Error;
 
-/// Why surfaces were not pressed.
+/// Reason why surfaces were not pressed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ElementsError {
-    /// There is no such surface.
+    /// The surface cannot be made.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// It cannot be pressed so.
+    /// The surface cannot be pressed.
     #[error(transparent)]
     HalfSpace(#[from] HalfSpaceError),
-    /// Nothing to press, or nothing to press it with.
+    /// There are no surfaces, or no loads.
     #[error(
         "pressing surfaces: there are {surfaces} surfaces and {loads} loads; there must be one of each at least"
     )]

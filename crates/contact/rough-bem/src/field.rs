@@ -6,19 +6,19 @@ use std::io::{self, Write};
 use crate::netcdf_classic::{Attribute, NetcdfFile, Variable};
 use crate::relief::{Boundary, Relief};
 
-/// One surface under one load, point by point.
+/// Surface under one load, point by point.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Field<'s> {
-    /// The load, by its index.
+    /// Index of the load.
     pub load: usize,
-    /// The surface, by its number.
+    /// Number of the surface.
     pub surface: usize,
-    /// The surface.
+    /// Heights of the surface.
     pub relief: &'s Relief,
     /// The nominal pressure \[Pa\].
     pub nominal_pressure_pa: f64,
-    /// E* \[Pa\].
+    /// Contact modulus E* \[Pa\].
     pub contact_modulus_pa: f64,
     /// Pressure \[Pa\] at every point, row by row.
     pub pressures_pa: &'s [f64],
@@ -27,15 +27,15 @@ pub struct Field<'s> {
 }
 
 impl Field<'_> {
-    /// Writes it as a file of NetCDF's classic format in the layout of contact.engineering: dimensions `y` and `x` with their
-    /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes `nominal_pressure_pa`,
-    /// `contact_modulus_pa` and `boundary`.
+    /// Writes the field as NetCDF classic in the layout of contact.engineering: dimensions `y` and `x` with their
+    /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes
+    /// `nominal_pressure_pa`, `contact_modulus_pa` and `boundary`.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// The errors of `out`.
     pub fn write_netcdf(&self, out: &mut dyn Write) -> io::Result<()> {
         let Relief { rows, columns, length_x_m, length_y_m, boundary, ref heights_m } = *self.relief;
-        // The unit by the names of contact.engineering, whose layout this is, and of the CF conventions.
+        // The unit under the names of contact.engineering, whose layout this is, and of the CF conventions.
         let in_unit = |unit: &str| {
             ["unit", "units"]
                 .map(|name| (name, Attribute::Text(unit.to_owned())))

@@ -1,11 +1,11 @@
 #![doc = include_str!("../README.md")]
 //!
-//! The nouns:
-//! * [`Surfaces`]: what is pressed, a [`Relief`] as measured or [`RandomSurfaces`] of a band of a spectrum,
-//!   by [`RandomChoices`];
+//! Main types:
+//! * [`Surfaces`]: surfaces to press, a [`Relief`] as measured or [`RandomSurfaces`] of a band of a spectrum, by
+//!   [`RandomChoices`];
 //! * [`Pressing`]: material, loads and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
-//! * [`Field`]: pressures and gaps of one surface under one load, as NetCDF where asked for.
+//! * [`Field`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
 mod error;
 mod field;

@@ -1,4 +1,4 @@
-//! One load on every surface, and what the surfaces say together.
+//! One load on every surface, and the mean over the surfaces.
 
 use half_space::extrapolated_area;
 
@@ -8,13 +8,13 @@ use crate::state::PressedState;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PressedLoad {
-    /// The nominal pressure \[Pa\].
+    /// Nominal pressure \[Pa\].
     pub nominal_pressure_pa: f64,
-    /// What each surface answers, in the order of their numbers; one at least.
+    /// State of each surface, in the order of their numbers; at least one.
     pub states: Vec<PressedState>,
 }
 
-/// The mean of all surfaces under one load.
+/// Mean of all surfaces under one load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Mean {
@@ -22,10 +22,11 @@ pub struct Mean {
     pub area_fraction: f64,
     /// Mean of the corrected areas.
     pub area_fraction_corrected: f64,
-    /// Mean of what a finer grid would show, see [`PressedLoad::extrapolated_area_fraction`]; `None` where the grid has no
-    /// coarser one.
+    /// Mean of the areas extrapolated to a finer grid, see [`PressedLoad::extrapolated_area_fraction`]; `None` if the
+    /// grid has no coarser one.
     pub area_fraction_extrapolated: Option<f64>,
-    /// Standard error of that mean, or of the corrected one where there is none, s/sqrt(R); `None` for a single surface.
+    /// Standard error s/sqrt(R) of the extrapolated mean or, without one, of the corrected mean; `None` for a single
+    /// surface.
     pub standard_error: Option<f64>,
     /// Mean share of the points at the saturation.
     pub plastic_area_fraction: f64,
@@ -35,24 +36,24 @@ pub struct Mean {
     pub mean_gap_m: f64,
     /// Mean plastic depth \[m\].
     pub mean_plastic_depth_m: f64,
-    /// The largest pressure on any surface \[Pa\].
+    /// Largest pressure on any surface \[Pa\].
     pub largest_pressure_pa: f64,
-    /// Mean stiffness \[Pa/m\], where every surface has one.
+    /// Mean stiffness \[Pa/m\]; `None` unless every surface has one.
     pub stiffness_pa_per_m: Option<f64>,
-    /// Share of the surfaces that an open way crosses from the first column to the last.
+    /// Share of the surfaces with an open path from the first column to the last.
     pub open_along_x: f64,
-    /// Share of the surfaces that an open way crosses from the first row to the last.
+    /// Share of the surfaces with an open path from the first row to the last.
     pub open_along_y: f64,
-    /// The most steps that a surface took.
+    /// Largest number of steps for a surface.
     pub iterations: usize,
-    /// Displacements computed from pressures, on all surfaces.
+    /// Number of times that displacements were computed from pressures, on all surfaces.
     pub operators: usize,
-    /// The largest residual.
+    /// Largest residual.
     pub residual: f64,
 }
 
 impl PressedLoad {
-    /// What the surfaces say together.
+    /// Computes the mean over the surfaces.
     #[must_use]
     pub fn mean(&self) -> Mean {
         let mean = |of: fn(&PressedState) -> f64| self.mean_of(of);
@@ -77,19 +78,19 @@ impl PressedLoad {
         }
     }
 
-    /// Whether the grid is fine enough for the step to a finer one: where it shows the spots, what the correction leaves of
-    /// the error is of first order in the spacing and makes areas too small, so that they grow with every finer grid. On a
-    /// grid that does not show them the corrected area still falls, and a step from there would lead astray. All surfaces
-    /// are asked together, as chance decides for a single one.
+    /// Returns true if the grid is fine enough for an extrapolation. A grid that resolves the spots leaves a
+    /// corrected error of first order in the spacing that makes areas too small, so that they grow with every finer
+    /// grid. On a coarser grid the corrected area still falls, and an extrapolation would mislead. The mean over all
+    /// surfaces decides, because single ones scatter.
     #[must_use]
     pub fn shows_spots(&self) -> bool {
         let coarser = self.mean_of_all(|state| state.area_fraction_coarser);
         coarser.is_some_and(|coarser| coarser <= self.mean_of(|state| state.area_fraction_corrected))
     }
 
-    /// The area of one of the surfaces that a finer grid would show: the step from the corrected area on every second point
-    /// to that on all of them taken once more, and where the grid does not show the spots no step at all. `None` where there
-    /// is no coarser grid.
+    /// Area of one of the surfaces, extrapolated to a finer grid: adds the step from the corrected area on every
+    /// second point to that on all of them once more, or nothing if the grid does not resolve the spots. `None` if
+    /// there is no coarser grid.
     #[must_use]
     pub fn extrapolated_area_fraction(&self, state: &PressedState) -> Option<f64> {
         let coarser = state.area_fraction_coarser?;
@@ -97,7 +98,7 @@ impl PressedLoad {
         Some(if self.shows_spots() { extrapolated_area(corrected, coarser) } else { corrected })
     }
 
-    /// s/sqrt(R) of the best areas.
+    /// Standard error s/sqrt(R) of the best areas.
     fn standard_error(&self) -> Option<f64> {
         let best = |state: &PressedState| {
             self.extrapolated_area_fraction(state).unwrap_or(state.area_fraction_corrected)
@@ -111,20 +112,20 @@ impl PressedLoad {
         self.states.iter().map(of).sum::<f64>() / self.states.len() as f64
     }
 
-    /// A mean where every surface has a value.
+    /// Mean over the surfaces; `None` unless every surface has a value.
     fn mean_of_all(&self, of: impl Fn(&PressedState) -> Option<f64>) -> Option<f64> {
         let values: Vec<f64> = self.states.iter().map(of).collect::<Option<_>>()?;
         Some(values.iter().sum::<f64>() / values.len() as f64)
     }
 }
 
-/// What one surface adds to a share of surfaces.
+/// Contribution of one surface to a share of surfaces: 1 or 0.
 pub(crate) fn share(is_so: bool) -> f64 {
     if is_so { 1.0 } else { 0.0 }
 }
 
 impl Mean {
-    /// The best value of the area that there is: extrapolated, else corrected.
+    /// Best available area: extrapolated, else corrected.
     #[must_use]
     pub fn best_area_fraction(&self) -> f64 {
         self.area_fraction_extrapolated.unwrap_or(self.area_fraction_corrected)

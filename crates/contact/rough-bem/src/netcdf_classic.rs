@@ -1,4 +1,4 @@
-//! Files of NetCDF's classic format: dimensions, attributes and variables of doubles, none of which grows.
+//! Writer of NetCDF classic files: dimensions, attributes and variables of doubles, without a growing dimension.
 //!
 //! The format is that of the NetCDF users' guide, "Classic format specification"; offsets have 32 bits while they fit
 //! (CDF-1) and 64 beyond (CDF-2). The `netcdf3` crate calls itself experimental and writes to paths only.
@@ -11,40 +11,40 @@ const ATTRIBUTES: u32 = 12;
 const TEXT: u32 = 2;
 const DOUBLE: u32 = 6;
 
-/// A file about to be written.
+/// NetCDF file to be written.
 #[derive(Debug, Default)]
 pub(crate) struct NetcdfFile<'v> {
     /// Names and lengths of the dimensions.
     pub(crate) dimensions: Vec<(&'static str, usize)>,
-    /// What is said of the file.
+    /// Attributes of the file.
     pub(crate) attributes: Vec<(&'static str, Attribute)>,
-    /// What it holds.
+    /// Variables of the file.
     pub(crate) variables: Vec<Variable<'v>>,
 }
 
-/// A number or a text.
+/// Value of an attribute: a number or a text.
 #[derive(Debug)]
 pub(crate) enum Attribute {
     Number(f64),
     Text(String),
 }
 
-/// A variable with its values.
+/// Variable with its values.
 #[derive(Debug)]
 pub(crate) struct Variable<'v> {
     pub(crate) name: &'static str,
-    /// Its dimensions by their index, the slowest first.
+    /// Indices of its dimensions, the slowest first.
     pub(crate) dimensions: Vec<usize>,
-    /// What is said of it.
+    /// Attributes of the variable.
     pub(crate) attributes: Vec<(&'static str, Attribute)>,
-    /// As many values as the dimensions ask for.
+    /// Values, as many as the dimensions require.
     pub(crate) values: std::borrow::Cow<'v, [f64]>,
 }
 
 impl NetcdfFile<'_> {
     /// Writes the whole file.
     pub(crate) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        // The header is as long whatever the offsets are, so that they follow from its length.
+        // The length of the header does not depend on the offsets, so that they follow from it.
         let unknown = vec![0; self.variables.len()];
         let sizes = || self.variables.iter().map(|variable| 8 * variable.values.len() as u64);
         let wide = self.header(&unknown, false).len() as u64 + sizes().sum::<u64>() > i32::MAX as u64;
@@ -91,7 +91,7 @@ impl NetcdfFile<'_> {
     }
 }
 
-/// Bytes of a header, everything in it aligned to four of them.
+/// Bytes of a header, with everything aligned to four of them.
 struct Header(Vec<u8>);
 
 impl Header {

@@ -1,4 +1,4 @@
-//! Every surface under every load.
+//! Presses every surface under every load.
 
 use half_space::{HalfSpaceError, PROGRESS_STEPS};
 use parallel::Progress;
@@ -11,17 +11,18 @@ use crate::relief::Relief;
 use crate::state::PressedState;
 use crate::surfaces::Surfaces;
 
-/// The steps that [`press`] tells its progress of.
+/// Number of progress steps of [`press`].
 #[must_use]
 pub fn progress_steps(surfaces: &Surfaces, pressing: &Pressing) -> usize {
     surfaces.count() * pressing.pressures_pa.len() * PROGRESS_STEPS
 }
 
-/// Presses every surface under every load, each pair by itself: on as many threads as there are, and with the same digits on
-/// any number of them. `see` is shown the pressures and gaps of each pair as it is solved, in no particular order.
+/// Presses every surface under every load, each pair by itself: on as many threads as there are, and with the same
+/// digits on any number of them. `see` receives the pressures and gaps of each pair as it is solved, in no particular
+/// order.
 ///
 /// # Errors
-/// [`ElementsError`] for surfaces and loads that cannot be, and where `progress` ends the work; the first error of `see`.
+/// [`ElementsError`] for invalid surfaces and loads, and if `progress` cancels; the first error of `see`.
 pub fn press<E: From<ElementsError> + Send>(
     surfaces: &Surfaces,
     pressing: &Pressing,
@@ -45,7 +46,7 @@ pub fn press<E: From<ElementsError> + Send>(
     pressing.pressures_pa.iter().map(of_load).collect()
 }
 
-/// One surface under one load, and on every second point of its grid.
+/// Presses one surface under one load, and on every second point of its grid.
 fn press_once<E: From<ElementsError>>(
     surfaces: &Surfaces,
     surface: usize,
@@ -54,14 +55,14 @@ fn press_once<E: From<ElementsError>>(
     see: &impl Fn(&Field<'_>) -> Result<(), E>,
     progress: &dyn Progress,
 ) -> Result<PressedState, E> {
-    // No surface is made for work that has been ended.
+    // Avoids making a surface after cancellation.
     if progress.is_cancelled() {
         return Err(ElementsError::from(HalfSpaceError::Cancelled).into());
     }
     let loading = pressing.loading(load);
     let relief = surfaces.relief(surface).map_err(ElementsError::from)?;
     let coarser = surfaces.coarser(&relief);
-    let pressed = |relief: Relief| relief.press(&loading, &Untold(progress));
+    let pressed = |relief: Relief| relief.press(&loading, &SilentProgress(progress));
     let coarser = coarser.map(pressed).transpose().map_err(ElementsError::from)?;
     let (contact, stiffness_pa_per_m) = if pressing.stiffness {
         relief.press_with_stiffness(&loading, progress).map_err(ElementsError::from)?
@@ -78,13 +79,13 @@ fn press_once<E: From<ElementsError>>(
         gaps_m: &contact.gaps_m,
     })?;
     let open = relief.open_paths(&contact).map_err(ElementsError::from)?;
-    Ok(PressedState::of(&contact, stiffness_pa_per_m, open, coarser.as_ref()))
+    Ok(PressedState::new(&contact, stiffness_pa_per_m, open, coarser.as_ref()))
 }
 
-/// Work that may be ended and of whose steps nobody is told, as there are few of them.
-struct Untold<'p>(&'p dyn Progress);
+/// Progress that can cancel the work but reports no steps, because there are few of them.
+struct SilentProgress<'p>(&'p dyn Progress);
 
-impl Progress for Untold<'_> {
+impl Progress for SilentProgress<'_> {
     fn advance(&self, _: usize) {}
 
     fn is_cancelled(&self) -> bool {

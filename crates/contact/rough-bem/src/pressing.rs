@@ -1,27 +1,27 @@
-//! How surfaces are pressed.
+//! Material and loads under which surfaces are pressed.
 
 use half_space::{HalfSpaceError, Loading};
 
 /// Material, loads and tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pressing {
-    /// E* \[Pa\], 1/E* being the sum of (1 - nu^2)/E over both bodies.
+    /// Contact modulus E* \[Pa\]; 1/E* is the sum of (1 - nu^2)/E over both bodies.
     pub contact_modulus_pa: f64,
-    /// Nominal pressures \[Pa\], in the order in which they are answered.
+    /// Nominal pressures \[Pa\], in the order of the results.
     pub pressures_pa: Vec<f64>,
-    /// The pressure \[Pa\] at which the surface flows, an indentation hardness; `None` where it is elastic throughout.
+    /// Pressure at which the surface flows, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
-    /// The largest residual: sum of p|g| over the sum of p h_rms, above 0 and at most 0.1.
+    /// Largest residual: sum of p|g| over the sum of p h_rms, above 0 and at most 0.1.
     pub tolerance: f64,
-    /// Whether the stiffness is asked for, which costs about half of a solve more.
+    /// True to compute the stiffness, which costs about half a solve more.
     pub stiffness: bool,
 }
 
 impl Pressing {
-    /// The tolerance where none is asked for: areas are then exact to a point or two.
+    /// Default tolerance: areas are then exact to a point or two.
     pub const TOLERANCE: f64 = 1e-6;
 
-    /// An elastic material of this contact modulus \[Pa\], without loads yet, and without the stiffness.
+    /// Creates an elastic material of a contact modulus \[Pa\], without loads, and without the stiffness.
     #[must_use]
     pub fn elastic(contact_modulus_pa: f64) -> Self {
         Self {
@@ -33,7 +33,7 @@ impl Pressing {
         }
     }
 
-    /// Refuses what no surface can carry, before any is made.
+    /// Checks the numbers before any surface is made.
     ///
     /// # Errors
     /// [`HalfSpaceError`] for numbers out of their bounds, and for a load that is not below the saturation.
@@ -41,7 +41,7 @@ impl Pressing {
         (0..self.pressures_pa.len()).try_for_each(|load| self.loading(load).check())
     }
 
-    /// One of the loads, by its index.
+    /// Loading for one of the loads, by its index.
     pub(crate) fn loading(&self, load: usize) -> Loading {
         Loading {
             contact_modulus_pa: self.contact_modulus_pa,

@@ -1,4 +1,4 @@
-//! What there is to choose of random surfaces of a spectrum.
+//! Options of random surfaces of a spectrum.
 
 use std::ops::RangeInclusive;
 
@@ -6,22 +6,22 @@ use gaussian_surfaces::{AreaSpectrum, GridBand, Phases, SurfaceError, Synthesis}
 
 use crate::surfaces::RandomSurfaces;
 
-/// How random surfaces are made of a spectrum.
+/// Options of random surfaces of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RandomChoices {
-    /// Points along each side.
+    /// Number of points along each side.
     pub points: usize,
-    /// How many surfaces.
+    /// Number of surfaces.
     pub realisations: usize,
-    /// The seed of what is random.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// The longest wavelength \[m\]; where not given, as long as the grid holds and the spectrum goes.
+    /// Longest wavelength \[m\]; by default the longest that grid and spectrum hold.
     pub longest_m: Option<f64>,
-    /// The shortest wavelength \[m\]; where not given, that of the spectrum.
+    /// Shortest wavelength \[m\]; by default that of the spectrum.
     pub shortest_m: Option<f64>,
-    /// Length of a side \[m\]; where not given, what is left of the grid is shared between points and lengths.
+    /// Length of a side \[m\]; by default the rest of the grid is divided between points and lengths.
     pub side_m: Option<f64>,
-    /// What is random.
+    /// Random part of the waves.
     pub phases: Phases,
 }
 
@@ -40,13 +40,13 @@ impl Default for RandomChoices {
 }
 
 impl RandomChoices {
-    /// Points along a side that may be asked for.
+    /// Range of the points along a side.
     pub const POINTS: RangeInclusive<u32> = 16..=16384;
 
-    /// Surfaces that have a spectrum in the band that the grid holds, and that band.
+    /// Returns surfaces with the spectrum in the band that the grid holds, and that band.
     ///
     /// # Errors
-    /// [`SurfaceError`] where the grid does not hold the band, or the spectrum does not.
+    /// [`SurfaceError`] if the grid or the spectrum does not hold the band.
     pub fn surfaces(&self, area: &AreaSpectrum) -> Result<(RandomSurfaces, GridBand), SurfaceError> {
         let grid = GridBand::in_spectrum(area, self.points, self.longest_m, self.shortest_m, self.side_m)?;
         let band = area.cut(grid.longest_m, grid.shortest_m)?;

@@ -1,4 +1,4 @@
-//! Heights as they are pressed.
+//! Heights of one surface to be pressed.
 
 use half_space::{
     Contact, FreeElements, Grid, HalfSpaceError, Loading, OpenPaths, PeriodicElements, Sides, open_paths,
@@ -7,37 +7,37 @@ use parallel::Progress;
 use serde::{Deserialize, Serialize};
 use units::named;
 
-/// What lies beyond the edges of a map.
+/// Boundary condition at the edges of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Boundary {
-    /// The same map again, without end.
+    /// The map repeats itself.
     Periodic,
-    /// A half-space without load.
+    /// The map is surrounded by a half-space without load.
     Free,
 }
 
 named!(Boundary, "boundary", { Periodic => "periodic", Free => "free" });
 
-/// Heights on a grid of rows along x, and what lies beyond its edges.
+/// Heights on a grid of rows along x, with a boundary condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relief {
-    /// Points along y.
+    /// Number of points along y.
     pub rows: usize,
-    /// Points along x.
+    /// Number of points along x.
     pub columns: usize,
     /// Length along x \[m\], `columns` spacings.
     pub length_x_m: f64,
     /// Length along y \[m\], `rows` spacings.
     pub length_y_m: f64,
-    /// Heights \[m\], row by row, the one at (row, column) at row * columns + column; higher points touch first.
+    /// Heights \[m\], row by row, point (row, column) at row * columns + column; higher points touch first.
     pub heights_m: Vec<f64>,
-    /// What lies beyond the edges.
+    /// Boundary condition at the edges.
     pub boundary: Boundary,
 }
 
 impl Relief {
-    /// Every second point of every second row; `None` where a side is odd.
+    /// Returns every second point of every second row; `None` if a side is odd.
     #[must_use]
     pub fn every_second_point(&self) -> Option<Self> {
         if !(self.rows.is_multiple_of(2) && self.columns.is_multiple_of(2)) {
@@ -48,10 +48,10 @@ impl Relief {
         Some(Self { rows: self.rows / 2, columns: self.columns / 2, heights_m, ..*self })
     }
 
-    /// Presses it once.
+    /// Presses the relief once.
     ///
     /// # Errors
-    /// [`HalfSpaceError`] for heights or loads that cannot be pressed, and where the work is ended from outside.
+    /// [`HalfSpaceError`] for heights or loads that cannot be pressed, and if `progress` cancels.
     pub fn press(&self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
         let grid = self.grid()?;
         match self.boundary {
@@ -60,11 +60,11 @@ impl Relief {
         }
     }
 
-    /// Presses it once, and asks how much more pressure would close the bodies by 1 m \[Pa/m\]: `None` where no gap is left
-    /// to close.
+    /// Presses the relief once, and computes the pressure that would close the bodies by 1 m \[Pa/m\]: `None` if no
+    /// gap is left to close.
     ///
     /// # Errors
-    /// As [`Relief::press`].
+    /// The errors of [`Relief::press`].
     pub fn press_with_stiffness(
         &self,
         loading: &Loading,
@@ -87,7 +87,8 @@ impl Relief {
         })
     }
 
-    /// Where what is not in contact crosses it. Beside a map that is not repeated nobody knows of a way, and none is taken.
+    /// Open paths across the contact. The surroundings of a map that is not periodic are unknown, so no path leads
+    /// through them.
     pub(crate) fn open_paths(&self, contact: &Contact) -> Result<OpenPaths, HalfSpaceError> {
         let sides = match self.boundary {
             Boundary::Periodic => Sides::Periodic,

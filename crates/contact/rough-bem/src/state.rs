@@ -1,45 +1,45 @@
-//! One surface under one load.
+//! State of one surface under one load.
 
 use half_space::{Contact, Ending, OpenPaths};
 
-/// What one surface answers to one load.
+/// State of one surface under one load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PressedState {
-    /// Share of the points in contact: their pressure is above 1e-10 of the nominal one.
+    /// Share of the points in contact, with a pressure above 1e-10 of the nominal one.
     pub area_fraction: f64,
-    /// The same less the staircase around each spot (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114:161).
+    /// Area fraction less the staircase around each spot (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114:161).
     pub area_fraction_corrected: f64,
-    /// The corrected area on every second point of the grid; `None` without such a grid.
+    /// Corrected area fraction on every second point of the grid; `None` without such a grid.
     pub area_fraction_coarser: Option<f64>,
     /// Share of the points at the saturation; 0 without one.
     pub plastic_area_fraction: f64,
-    /// The same with the staircase around each spot.
+    /// Plastic area fraction plus the staircase around each spot.
     pub plastic_area_fraction_corrected: f64,
     /// Mean over all points of the gap where it is open \[m\].
     pub mean_gap_m: f64,
-    /// Mean over all points of the overlap that flow has left \[m\].
+    /// Mean over all points of the overlap left by plastic flow \[m\].
     pub mean_plastic_depth_m: f64,
-    /// The largest pressure \[Pa\].
+    /// Largest pressure \[Pa\].
     pub largest_pressure_pa: f64,
-    /// How much more pressure it takes to press the bodies nearer \[Pa/m\]; `None` where no gap is left, or nobody asked.
+    /// Pressure that would close the bodies by 1 m \[Pa/m\]; `None` if no gap is left, or if it was not computed.
     pub stiffness_pa_per_m: Option<f64>,
-    /// Where what is not in contact crosses the surface; ways are as narrow as a point of the grid.
+    /// Open paths across the surface; they may be as narrow as a point of the grid.
     pub open: OpenPaths,
     /// Steps of the solver.
     pub iterations: usize,
-    /// How often displacements were computed from pressures.
+    /// Number of times that displacements were computed from pressures.
     pub operators: usize,
-    /// How far from equilibrium it is: sum of p|g| over the sum of p h_rms.
+    /// Residual: sum of p|g| over the sum of p h_rms.
     pub residual: f64,
-    /// Whether rounding kept the residual above the tolerance.
+    /// True if rounding kept the residual above the tolerance.
     pub is_rounded: bool,
 }
 
 impl PressedState {
-    /// A solved contact, its stiffness where asked for, the ways across, and the contact on every second point where there
-    /// is one.
-    pub(crate) fn of(
+    /// Creates the state from a solved contact, its stiffness if computed, the open paths, and the contact on every
+    /// second point if there is one.
+    pub(crate) fn new(
         contact: &Contact,
         stiffness_pa_per_m: Option<f64>,
         open: OpenPaths,

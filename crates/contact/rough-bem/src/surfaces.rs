@@ -1,4 +1,4 @@
-//! What is pressed: one map, or random surfaces.
+//! Surfaces to press: one map, or random surfaces.
 
 use std::borrow::Cow;
 
@@ -6,35 +6,35 @@ use gaussian_surfaces::{AreaSpectrum, SurfaceError, Synthesis};
 
 use crate::relief::{Boundary, Relief};
 
-/// Points for the shortest wave below which a grid no longer tells waves apart.
+/// Points per wave below which a grid no longer resolves the shortest wave.
 const FEWEST_POINTS: f64 = 2.0;
 
-/// What is pressed.
+/// Surfaces to press.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Surfaces {
     /// One surface as measured.
     Map(Relief),
-    /// Surfaces that have the same spectrum.
+    /// Surfaces with the same spectrum.
     Random(RandomSurfaces),
 }
 
 /// Random surfaces of a band of a spectrum, numbered from 0.
 ///
-/// The heights of each are scaled such that its rms gradient, by the sum over its waves, is that of the band: areas depend on
-/// the pressure over E* h', and most of the scatter of small boxes is that of their gradients.
+/// The heights of each are scaled such that its rms gradient, by the sum over its waves, is that of the band: areas
+/// depend on the pressure over E* h', and most of the scatter of small boxes comes from their gradients.
 #[derive(Clone, Debug)]
 pub struct RandomSurfaces {
-    /// The spectrum, zero outside its band.
+    /// Spectrum, zero outside its band.
     pub band: AreaSpectrum,
-    /// Grid, seed, and what is random.
+    /// Grid, seed, and random part of the waves.
     pub synthesis: Synthesis,
-    /// How many.
+    /// Number of surfaces.
     pub realisations: usize,
 }
 
 impl Surfaces {
-    /// How many surfaces there are.
+    /// Number of surfaces.
     #[must_use]
     pub fn count(&self) -> usize {
         match self {
@@ -43,7 +43,7 @@ impl Surfaces {
         }
     }
 
-    /// The surface of a number.
+    /// Returns the surface of a number.
     ///
     /// # Errors
     /// [`SurfaceError`] for a band that the grid does not hold.
@@ -54,8 +54,8 @@ impl Surfaces {
         }
     }
 
-    /// The same surface on every second point, where that still shows its waves: of a map always, as nobody knows its
-    /// shortest one.
+    /// Surface on every second point, if that still resolves its waves: always for a map, because its shortest wave
+    /// is unknown.
     pub(crate) fn coarser(&self, relief: &Relief) -> Option<Relief> {
         match self {
             Surfaces::Map(_) => {

@@ -5,9 +5,10 @@ use tables::Table;
 use crate::mean::{Mean, PressedLoad, share};
 use crate::state::PressedState;
 
-/// A row a load, the mean of all surfaces: `nominal_pressure_pa, area_fraction, area_fraction_corrected,
-/// area_fraction_extrapolated, standard_error, plastic_area_fraction, mean_gap_m, mean_plastic_depth_m, largest_pressure_pa,
-/// stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected, open_along_x, open_along_y`.
+/// Table with a row per load, the mean of all surfaces: `nominal_pressure_pa, area_fraction, area_fraction_corrected,
+/// area_fraction_extrapolated, standard_error, plastic_area_fraction, mean_gap_m, mean_plastic_depth_m,
+/// largest_pressure_pa, stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected, open_along_x,
+/// open_along_y`.
 #[must_use]
 pub fn means_table(loads: &[PressedLoad]) -> Table {
     let means: Vec<Mean> = loads.iter().map(PressedLoad::mean).collect();
@@ -33,8 +34,8 @@ pub fn means_table(loads: &[PressedLoad]) -> Table {
         .with_numbers("open_along_y", column(|mean| Some(mean.open_along_y)))
 }
 
-/// A row a surface under a load, in blocks of loads: the columns of [`means_table`] with `realisation`, from 1 on, for the
-/// second; a single surface has no standard error, and is open, 1, or not, 0.
+/// Table with a row per surface and load, in blocks of loads: the columns of [`means_table`] with `realisation`, from
+/// 1 on, as the second; a single surface has no standard error, and its `open` columns are 1 or 0.
 #[must_use]
 pub fn states_table(loads: &[PressedLoad]) -> Table {
     let rows: Vec<(&PressedLoad, usize, &PressedState)> = loads

@@ -1,7 +1,7 @@
 //! A stack of 100,000 scales under five loads: `cargo bench -p truearea-stacked-contact`.
 //!
-//! The answer is checked first: a dense stack has come to the limit of its law. Then the fastest of several runs is
-//! printed, in nanoseconds per level, since machines are shared and the fastest run is the least disturbed.
+//! The answer is checked first: a dense stack reaches the limit of its law. Then the fastest of several runs is
+//! printed, in nanoseconds per level, because the fastest run is the least disturbed.
 
 use std::time::Instant;
 
@@ -33,7 +33,7 @@ fn main() {
     }
 }
 
-/// A scale of a spectrum whose aspect ratio peaks at 10 nm, between 1 cm and 0.5 nm.
+/// Scale of a spectrum whose aspect ratio peaks at 10 nm, between 1 cm and 0.5 nm.
 fn scale(index: usize) -> Scale {
     let wavelength_m = 1e-2 * 10f64.powf(-7.3 * index as f64 / (SCALES - 1) as f64);
     let decades_off_peak = (wavelength_m / 1e-8).log10();
@@ -47,7 +47,7 @@ fn final_pressure_pa(model: &StackedModel, load_pa: f64, scales: &[Scale]) -> f6
     levels(model, load_pa, scales.iter().copied()).last().map_or(load_pa, |level| level.real_pressure_pa)
 }
 
-/// The pressures that all loads come to, taken down the stack together.
+/// Final pressures of all loads, which go down the stack together.
 fn last_pressures_pa(model: &StackedModel, scales: &[Scale]) -> [f64; LOADS_PA.len()] {
     let mut last_pa = LOADS_PA;
     let mut load = 0;

@@ -1,29 +1,29 @@
-//! Which scales still matter: the wavelength below which the area no longer changes.
+//! Convergence of the area: the wavelength below which it no longer changes.
 
-/// Half a decade of spectrum has to lie below the convergence wavelength before it means convergence.
+/// Ratio of wavelengths, half a decade, that must lie below the convergence wavelength for it to count.
 pub const LEAST_WAVELENGTH_RATIO_BELOW: f64 = 3.162_277_660_168_379_5;
 
-/// The end of a curve of area against cutoff.
+/// End of a curve of area over cutoff.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct Convergence {
     /// The longest wavelength \[m\] from which every shorter cutoff stays within the tolerance of the final area.
     pub wavelength_m: f64,
-    /// Whether at least half a decade of spectrum lies below it; else the curve may simply have ended.
+    /// True if at least half a decade of spectrum lies below; otherwise the curve may simply have ended.
     pub converged: bool,
 }
 
 impl Convergence {
-    /// The wavelength \[m\], where it means convergence.
+    /// Returns the wavelength \[m\] if the curve has converged.
     #[must_use]
     pub fn if_converged_m(&self) -> Option<f64> {
         self.converged.then_some(self.wavelength_m)
     }
 }
 
-/// Where a curve of (wavelength \[m\], area) points, from long to short cutoffs, has come within `tolerance` (relative,
-/// above 0, e.g. 0.01) of its final area, for good. `None` of no points. A choice of this project: the definition in
-/// `docs/theory/models.md`, section 4.
+/// Finds the point from which a curve of (wavelength \[m\], area) points, from long to short cutoffs, stays within
+/// `tolerance` (relative, above 0, e.g. 0.01) of its final area. `None` without points. A choice of this project: the
+/// definition in `docs/models.md`, section 4.
 #[must_use]
 pub fn convergence(curve: &[(f64, f64)], tolerance: f64) -> Option<Convergence> {
     let &(shortest_m, final_area) = curve.last()?;

@@ -1,12 +1,12 @@
-//! The pressure that a densely sampled stack tends to (Jackson 2010).
+//! Limit of the pressure for a densely sampled stack (Jackson 2010).
 
 use asperity::{ElasticPlasticSinusoid, ElasticSinusoid};
 
 use crate::{Level, Scale, StackedModel};
 
-/// The largest pressure \[Pa\] at which one of the scales is in complete contact: the real pressure never exceeds it
-/// and tends to it as the spectrum is sampled more densely, so the area tends to load over this pressure (or to the
-/// whole nominal area, where the nominal pressure is higher).
+/// Largest pressure \[Pa\] at which one of the scales is in complete contact. The real pressure never exceeds it and
+/// tends to it as the spectrum is sampled more densely, so the area tends to load over this pressure (or to the whole
+/// nominal area if the nominal pressure is higher).
 ///
 /// `None` without scales, and for a strength that depends on depth: it then depends on the load as well, see
 /// [`setting_level`].
@@ -25,8 +25,9 @@ pub fn largest_full_contact_pressure_pa(
     largest_full_contact(model, pressed).map(|(_, pressure_pa)| pressure_pa)
 }
 
-/// The level that sets the real pressure: the one that takes the highest pressure \[Pa\] to come into complete contact,
-/// with the strength it met, and that pressure. Of equals the one of the longest wavelength; `None` without levels.
+/// Returns the level that sets the real pressure, and that pressure \[Pa\]: the level that takes the highest pressure
+/// to come into complete contact at the strength it met. Among equals it is the one of the longest wavelength; `None`
+/// without levels.
 #[must_use]
 pub fn setting_level<'l>(model: &StackedModel, levels: &'l [Level]) -> Option<(&'l Level, f64)> {
     let scale = |level: &Level| Scale { wavelength_m: level.wavelength_m, amplitude_m: level.amplitude_m };
@@ -34,7 +35,8 @@ pub fn setting_level<'l>(model: &StackedModel, levels: &'l [Level]) -> Option<(&
     largest_full_contact(model, pressed).map(|(index, pressure_pa)| (&levels[index], pressure_pa))
 }
 
-/// Which of the scales, each with its strength \[Pa\], takes the highest pressure to flatten, and that pressure \[Pa\].
+/// Index of the scale, each with its strength \[Pa\], that takes the highest pressure to flatten, and that pressure
+/// \[Pa\].
 fn largest_full_contact(
     model: &StackedModel,
     scales: impl IntoIterator<Item = (Scale, Option<f64>)>,
@@ -45,7 +47,7 @@ fn largest_full_contact(
         let pressure_pa = match (model, strength_pa) {
             (StackedModel::ElasticPlastic { pair, .. }, Some(strength_pa)) => {
                 let sinusoid = ElasticPlasticSinusoid::new(pair, scale.aspect_ratio(), strength_pa);
-                // Where the fit is complete has to be searched for, and lies below this.
+                // The pressure at which the fit is complete has to be searched for, and lies below this one.
                 if sinusoid.complete_contact_pressure_pa() <= known_pa {
                     continue;
                 }

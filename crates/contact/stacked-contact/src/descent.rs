@@ -1,25 +1,25 @@
-//! The way down a stack under one load.
+//! Descent through a stack under one load.
 //!
-//! Level i has the area A_i = A_{i-1} phi(p_i; B_i), and hands the pressure p_{i+1} = p_i/phi_i on. Since pressure
-//! times area is the load, A_i/A_n is the nominal pressure over p_{i+1}: taken from there, it does not gather the
-//! rounding of a product over all levels, and the pressure itself forgets its rounding as it goes.
+//! Level i has the area A_i = A_{i-1} phi(p_i; B_i), and passes the pressure p_{i+1} = p_i/phi_i on. Pressure times
+//! area is the load, so A_i/A_n is the nominal pressure over p_{i+1}. Computed from there, it does not accumulate the
+//! rounding of a product over all levels, and the pressure itself forgets its rounding on the way.
 //!
 //! The pressure only rises, and a flatter scale takes less of it to come into complete contact. So a scale that is no
-//! steeper than what is known to be flattened already costs a comparison.
+//! steeper than one known to be flattened costs a comparison only.
 
 use asperity::{ElasticPlasticSinusoid, ElasticSinusoid, NixGao, YieldingArea};
 
 use crate::{Level, Regime, Scale, StackedModel};
 
-/// Aspect ratio over the critical one up to which a steeper scale of the same strength takes more pressure to flatten.
-/// From r = 4600 (nu = -1) to 5200 (nu = 1/2) on it takes less, because the fitted area overshoots.
+/// Aspect ratio over the critical one up to which a steeper scale of the same strength takes more pressure to
+/// flatten. Beyond r = 4600 (nu = -1) to 5200 (nu = 1/2) it takes less, because the fitted area overshoots.
 const STEEPER_IS_HARDER_TO_FLATTEN_UP_TO: f64 = 4000.0;
 
-/// A scale, and what its answers to several loads have in common.
+/// Scale, with the part of its response that several loads share.
 pub(crate) struct Step {
     scale: Scale,
     aspect_ratio: f64,
-    /// Its area at a strength that does not depend on the load, once a load makes it yield.
+    /// Area at a strength that does not depend on the load, computed once a load makes the scale yield.
     yielding_area: Option<YieldingArea>,
 }
 
@@ -29,22 +29,22 @@ impl Step {
     }
 }
 
-/// A stack under one load, on the way from long to short wavelengths.
+/// Stack under one load, on the way from long to short wavelengths.
 pub(crate) struct Descent<'m> {
     model: &'m StackedModel,
     nominal_pressure_pa: f64,
     /// Mean pressure \[Pa\] on the contact so far.
     pressure_pa: f64,
-    /// Scales of at most this aspect ratio are known to be in complete contact. Never falls.
+    /// Largest aspect ratio of the scales known to be in complete contact. Never falls.
     flattened_up_to: f64,
-    /// p*/B \[Pa\]: this times an aspect ratio flattens it at any strength.
+    /// Ratio p*/B \[Pa\]: this times an aspect ratio flattens it at any strength.
     complete_pressure_over_aspect_ratio_pa: f64,
-    /// How deep \[m\] the scale above has been pressed, on which the strength may depend.
+    /// Depth \[m\] to which the scale above has been pressed, on which the strength may depend.
     depth_above_m: f64,
 }
 
 impl<'m> Descent<'m> {
-    /// Above the first scale, under a nominal pressure p > 0 \[Pa\].
+    /// Starts above the first scale, under a nominal pressure p > 0 \[Pa\].
     pub fn new(model: &'m StackedModel, nominal_pressure_pa: f64) -> Self {
         debug_assert!(nominal_pressure_pa > 0.0);
         let (StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. }) = model;
@@ -56,17 +56,17 @@ impl<'m> Descent<'m> {
             pressure_pa: nominal_pressure_pa,
             flattened_up_to: nominal_pressure_pa / complete_pressure_over_aspect_ratio_pa,
             complete_pressure_over_aspect_ratio_pa,
-            // The first scale has nothing above it: it meets the macroscopic strength.
+            // The first scale has nothing above it and meets the macroscopic strength.
             depth_above_m: f64::INFINITY,
         }
     }
 
-    /// Whether every scale of at most this aspect ratio is known to be in complete contact.
+    /// True if every scale of at most this aspect ratio is known to be in complete contact.
     pub fn flattens(&self, aspect_ratio: f64) -> bool {
         aspect_ratio <= self.flattened_up_to
     }
 
-    /// Presses one more scale, and tells what is known below it.
+    /// Presses one more scale, and returns the level below it.
     pub fn level_below(&mut self, step: &mut Step) -> Level {
         let pressure_in_pa = self.pressure_pa;
         let (yield_strength_pa, aspect_ratio_over_critical) = match self.model {
@@ -90,7 +90,7 @@ impl<'m> Descent<'m> {
         }
     }
 
-    /// Presses one more scale: what it leaves of the area raises the pressure.
+    /// Presses one more scale, whose loss of area raises the pressure.
     pub fn press(&mut self, step: &mut Step) -> Regime {
         if self.flattens(step.aspect_ratio) {
             self.pass_flattened(step.scale);
@@ -117,13 +117,13 @@ impl<'m> Descent<'m> {
         regime
     }
 
-    /// Passes scales that are all flattened, given the last of them: they change nothing but the depth above.
+    /// Passes scales that are all flattened, given the last of them: they change only the depth above.
     pub fn pass_flattened(&mut self, last: Scale) {
         self.depth_above_m = last.amplitude_m;
     }
 
-    /// The area fraction of a scale that may yield. Where the strength depends on the depth, that of the scale is kept for
-    /// the next one; where it does not, a scale that is flattened says so of all flatter ones.
+    /// Area fraction of a scale that may yield. If the strength depends on the depth, the depth of the scale is kept
+    /// for the next one; if not, all scales flatter than a flattened one are known to be flattened.
     #[inline]
     fn press_sinusoid(
         &mut self,
@@ -148,7 +148,7 @@ impl<'m> Descent<'m> {
         area_fraction
     }
 
-    /// Notes that scales of at most this aspect ratio are in complete contact.
+    /// Records that scales of at most this aspect ratio are in complete contact.
     fn flattened_from(&mut self, aspect_ratio: f64) {
         self.flattened_up_to = self.flattened_up_to.max(aspect_ratio);
     }

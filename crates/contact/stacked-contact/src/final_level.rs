@@ -1,31 +1,31 @@
-//! The end of a stack, for those who want no cutoff but the shortest.
+//! Last level of a stack, for callers who need no cutoff but the shortest.
 
 use crate::descent::{Descent, Step};
 use crate::{Level, Scale, StackedModel};
 
-/// A stack of which only the last level is asked for, under any number of loads. It is the last of
-/// [`levels`](crate::levels), to the last digit, but the way down ends where all that is left is flattened already: with a
-/// strain gradient, flattened elastically, since the strength further down is not known before.
+/// Last level of a stack, under any number of loads. It equals the last of [`levels`](crate::levels) to the last
+/// digit, but the descent ends as soon as all that is left is flattened: with a strain gradient, flattened
+/// elastically, because the strength further down is not known before.
 #[derive(Debug, Clone)]
 pub struct FinalLevels<'s> {
     model: StackedModel,
     scales: &'s [Scale],
-    /// The largest aspect ratio among the scales from each on.
+    /// Largest aspect ratio among the scales from each on.
     steepest_from: Vec<f64>,
 }
 
-/// The last level of a stack.
+/// Last level of a stack.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FinalLevel {
-    /// The level of the scale of the shortest wavelength.
+    /// Level of the scale of the shortest wavelength.
     pub level: Level,
-    /// How many levels were computed for it, at least 1 and at most one per scale.
+    /// Number of levels computed for it, at least 1 and at most one per scale.
     pub visited: usize,
 }
 
 impl<'s> FinalLevels<'s> {
-    /// The scales come from long to short wavelengths. Looks at each of them once, for all loads.
+    /// Prepares scales that come from long to short wavelengths. Visits each of them once, for all loads.
     pub fn new(model: &StackedModel, scales: &'s [Scale]) -> Self {
         let mut steepest_from: Vec<f64> = scales.iter().map(Scale::aspect_ratio).collect();
         for i in (1..steepest_from.len()).rev() {
@@ -34,7 +34,7 @@ impl<'s> FinalLevels<'s> {
         FinalLevels { model: *model, scales, steepest_from }
     }
 
-    /// The last level under a nominal pressure p > 0 \[Pa\]; `None` without scales.
+    /// Returns the last level under a nominal pressure p > 0 \[Pa\]; `None` without scales.
     #[must_use]
     pub fn under(&self, nominal_pressure_pa: f64) -> Option<FinalLevel> {
         let (&last, above) = self.scales.split_last()?;

@@ -1,20 +1,20 @@
-//! What comes out below one scale of a stack.
+//! State below one scale of a stack.
 
-/// What a scale does under the pressure that reaches it.
+/// Response of a scale to the pressure that reaches it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Regime {
-    /// It touches in part, without yielding.
+    /// Partial contact without yielding.
     Elastic,
-    /// It touches in part, and yields.
+    /// Partial contact with yielding.
     Plastic,
-    /// It touches everywhere and changes nothing.
+    /// Complete contact, which changes nothing.
     Flattened,
 }
 
 impl Regime {
-    /// The regime's name in tables.
+    /// Name of the regime in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -25,7 +25,7 @@ impl Regime {
     }
 }
 
-/// The contact after one more scale of roughness has been taken into account.
+/// Contact after one more scale of roughness has been taken into account.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct Level {
@@ -39,12 +39,12 @@ pub struct Level {
     pub real_pressure_pa: f64,
     /// Contact area over nominal area, in (0, 1].
     pub area_fraction: f64,
-    /// Yield strength \[Pa\] at this scale; absent in the elastic model, infinite where nothing was deformed above.
+    /// Yield strength \[Pa\] at this scale; `None` in the elastic model, infinite if nothing was deformed above.
     pub yield_strength_pa: Option<f64>,
-    /// Aspect ratio over the critical one, r = B/B_c, 0 for an infinite strength; absent in the elastic model. Above
-    /// 100 the law is beyond trust.
+    /// Aspect ratio over the critical one, r = B/B_c, 0 for an infinite strength; `None` in the elastic model. Above
+    /// 100 the law is not to be trusted.
     pub aspect_ratio_over_critical: Option<f64>,
-    /// What the scale does.
+    /// Regime of the scale.
     pub regime: Regime,
 }
 

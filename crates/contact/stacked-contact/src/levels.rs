@@ -1,9 +1,9 @@
-//! The levels of a stack, scale by scale: Archard (1957); Ciavarella & Demelio (2001); Jackson & Streator (2006).
+//! Levels of a stack, scale by scale: Archard (1957); Ciavarella & Demelio (2001); Jackson & Streator (2006).
 
 use crate::descent::{Descent, Step};
 use crate::{Level, Scale, StackedModel};
 
-/// The levels of a stack under a nominal pressure p > 0 \[Pa\], computed as they are asked for.
+/// Returns the levels of a stack under a nominal pressure p > 0 \[Pa\], computed lazily.
 ///
 /// The scales come from long to short wavelengths.
 pub fn levels(
@@ -15,9 +15,9 @@ pub fn levels(
     scales.into_iter().map(move |scale| descent.level_below(&mut Step::new(scale)))
 }
 
-/// The levels of a stack under each of the nominal pressures p > 0 \[Pa\], computed as they are asked for: those of the
-/// first scale in the order of the pressures, then those of the second, and so on. The digits are those of [`levels`],
-/// but what the loads have in common is computed once.
+/// Returns the levels of a stack under each of the nominal pressures p > 0 \[Pa\], computed lazily: those of the
+/// first scale in the order of the pressures, then those of the second, and so on. The digits are those of
+/// [`levels`], but the work that the loads share is done once.
 pub fn levels_under_loads(
     model: &StackedModel,
     nominal_pressures_pa: &[f64],

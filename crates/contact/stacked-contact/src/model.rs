@@ -1,8 +1,8 @@
-//! How one scale of the stack deforms.
+//! Deformation law of the scales of a stack.
 
 use asperity::{MaterialPair, NixGao};
 
-/// The law every scale follows (`docs/theory/models.md`, section 4).
+/// Law that every scale follows (`docs/models.md`, section 4).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StackedModel {
     /// Elastic sinusoids (Johnson, Greenwood & Higginson 1985; Jackson & Streator 2006; section 2.3).
@@ -10,12 +10,12 @@ pub enum StackedModel {
         /// The bodies in contact.
         pair: MaterialPair,
     },
-    /// Elastic-plastic sinusoids (Krithivasan & Jackson 2007; section 2.4). With a strain-gradient length the strength
-    /// of a scale follows from how deep the scale above it was pressed.
+    /// Elastic-plastic sinusoids (Krithivasan & Jackson 2007; section 2.4). With a strain-gradient length the
+    /// strength of a scale follows from the depth to which the scale above it was pressed.
     ElasticPlastic {
         /// The bodies in contact; the first one yields.
         pair: MaterialPair,
-        /// The strength of that body.
+        /// Strength of that body.
         strength: NixGao,
     },
 }
@@ -29,13 +29,13 @@ impl StackedModel {
         }
     }
 
-    /// The strength of the rough body, where it yields.
+    /// Strength of the rough body, if it yields.
     #[must_use]
     pub fn strength(mut self) -> Option<NixGao> {
         self.strength_mut().copied()
     }
 
-    /// The same model of another strength; `None` where it never yields.
+    /// Returns this model with another strength; `None` if it never yields.
     #[must_use]
     pub fn with_strength(mut self, strength: NixGao) -> Option<Self> {
         *self.strength_mut()? = strength;

@@ -1,8 +1,8 @@
-//! What a state costs: first the answers are checked, then time and law evaluations are printed against tolerance.
+//! Cost of a state: checks the answers, then prints time and law evaluations against tolerance.
 //!
-//! The first states are unrelated, in a shuffled order, one thread, nothing carried over: each builds its contact anew and finds
-//! the separation at a given load. Populations are spread over six decades of scale and loads over nine.
-//! Then come sweeps of one population.
+//! The first states are unrelated, in a shuffled order, on one thread, with nothing carried over: each builds its
+//! contact anew and finds the separation at a given load. Populations are spread over six decades of scale and loads
+//! over nine. Sweeps of one population follow.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -23,7 +23,7 @@ const KINDS: [&str; 7] = [
     "elastic-sine, bem",
 ];
 
-/// A material, a population, its law, and the separation in standard deviations at which the load is taken.
+/// Material, population and law, with the separation in standard deviations at which the load is taken.
 struct Case {
     pair: MaterialPair,
     population: Population,
@@ -55,8 +55,8 @@ fn main() {
     sweeps();
 }
 
-/// Nanoseconds per state of a thousand states of one population over -3 to 20 standard deviations, and of the loads that
-/// go with them, in one sweep and one by one.
+/// Nanoseconds per state of a thousand states of one population over -3 to 20 standard deviations, and of the
+/// corresponding loads, in one sweep and one by one.
 fn sweeps() {
     const SWEPT: u32 = 1000;
     println!("{:28} tolerance  ns/state at d: sweep  single  at p: sweep  single", "a sweep");
@@ -108,7 +108,7 @@ fn best_s(mut pass: impl FnMut()) -> f64 {
     (0..REPETITIONS).map(|_| once()).fold(f64::INFINITY, f64::min)
 }
 
-/// Worst deviations from the state the load was taken at, and mean law evaluations.
+/// Worst deviations from the state at which the load was taken, and mean law evaluations.
 fn check(cases: &[Case], tolerance: f64) -> (f64, f64, f64) {
     let mut worst = (0f64, 0f64, 0.0);
     for case in cases {

@@ -1,4 +1,4 @@
-//! The statistical states of the scene `data/scenes/uncd-reconstructed.toml` and no more, to be counted by instructions:
+//! The statistical states of the scene `data/scenes/uncd-reconstructed.toml` alone, for counting instructions:
 //!
 //! ```text
 //! cargo build --release -p truearea-stat-contact --example uncd_states
@@ -13,8 +13,9 @@ use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, Stati
 const SPECTRUM: &str = include_str!("../../../../data/uncd_psd_reconstructed.csv");
 const HARDNESS_PA: f64 = 5.4e9;
 
-/// One state: a population and a load, after the state at the same load of the population before.
-struct Asked {
+/// State to compute: a population and a load. The search starts from the state of the previous population at the same
+/// load.
+struct StateRequest {
     population: Population,
     pressure_pa: f64,
     first_of_its_curve: bool,
@@ -29,7 +30,7 @@ fn main() {
         if arguments.iter().skip(1).any(|wanted| wanted != "--digits" && wanted != name) {
             continue;
         }
-        // The rules of the quadrature are made at their first use, which is not counted.
+        // The quadrature rules are built at their first use, which is not counted.
         uncounted(&pair, &law, &asked, tolerance);
         let states = counted_states(&pair, &law, &asked, tolerance);
         if digits {
@@ -56,19 +57,24 @@ fn main() {
 fn counted_states(
     pair: &MaterialPair,
     law: &AsperityLaw,
-    asked: &[Asked],
+    asked: &[StateRequest],
     tolerance: f64,
 ) -> Vec<ContactState> {
     states(pair, law, asked, tolerance)
 }
 
 #[inline(never)]
-fn uncounted(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f64) {
+fn uncounted(pair: &MaterialPair, law: &AsperityLaw, asked: &[StateRequest], tolerance: f64) {
     std::hint::black_box(states(pair, law, asked, tolerance));
 }
 
 #[inline(never)]
-fn states(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f64) -> Vec<ContactState> {
+fn states(
+    pair: &MaterialPair,
+    law: &AsperityLaw,
+    asked: &[StateRequest],
+    tolerance: f64,
+) -> Vec<ContactState> {
     let mut neighbour: Option<ContactState> = None;
     asked
         .iter()
@@ -83,15 +89,15 @@ fn states(pair: &MaterialPair, law: &AsperityLaw, asked: &[Asked], tolerance: f6
         .collect()
 }
 
-/// The six curves over cutoffs at four loads, and the two sweeps over 41 loads at three cutoffs of figure 5.
-fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
+/// Six curves over cutoffs at four loads, and the two sweeps over 41 loads at three cutoffs of figure 5.
+fn curves() -> Vec<(&'static str, AsperityLaw, Vec<StateRequest>)> {
     let strength = NixGao::constant(1.8e9).expect("diamond");
     let gradient = strength.with_strain_gradient(5e-6).expect("diamond");
     let hardness = Hardness::default();
     let interference = InterferenceLaw::RostamiJackson;
     let populations = populations();
     let curve = |pressure_pa: f64| {
-        populations.iter().enumerate().map(move |(i, &(_, population))| Asked {
+        populations.iter().enumerate().map(move |(i, &(_, population))| StateRequest {
             population,
             pressure_pa,
             first_of_its_curve: i == 0,
@@ -110,7 +116,7 @@ fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
                 .1
         });
         let at = |population: Population| {
-            (0..41).map(move |i| Asked {
+            (0..41).map(move |i| StateRequest {
                 population,
                 pressure_pa: HARDNESS_PA * 10f64.powf(-6.0 + 0.15 * f64::from(i)),
                 first_of_its_curve: i == 0,
@@ -130,8 +136,8 @@ fn curves() -> Vec<(&'static str, AsperityLaw, Vec<Asked>)> {
     ]
 }
 
-/// McCool's parameters at every cutoff from the third sample on (`docs/theory/models.md`, sections 1.4 and 1.5), with
-/// the cutoff.
+/// Returns McCool's parameters at every cutoff from the third sample on (`docs/models.md`, sections 1.4 and 1.5),
+/// with the cutoff.
 fn populations() -> Vec<(f64, Population)> {
     let samples: Vec<[f64; 3]> = SPECTRUM
         .lines()

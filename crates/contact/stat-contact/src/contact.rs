@@ -1,4 +1,4 @@
-//! A population under a law, asked for its state.
+//! Contact of a population under a law.
 
 use asperity::{AsperityError, MaterialPair};
 
@@ -8,50 +8,51 @@ use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
 use crate::{AsperityLaw, ContactState, NayakSummits, Population, Sweep};
 
-/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/theory/models.md`, section 3), under
-/// any of the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and the same of the area over the nominal one, held at 1. Or
-/// the summits of a surface, of any curvature and height.
+/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3) under any
+/// of the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and likewise the area over the nominal one, limited to 1.
+/// Alternatively the summits of a surface, with their spread of curvature and height.
 #[derive(Debug)]
 pub struct StatisticalContact {
     asperities: Box<dyn Asperities>,
-    /// Standard deviation of their heights; of those of the surface where they are its summits.
+    /// Standard deviation of the asperity heights; for summits, of the surface heights.
     sigma_s_m: f64,
 }
 
 impl StatisticalContact {
-    /// The contact of a population of a material under a law.
+    /// Creates the contact of a population of a material under a law.
     #[must_use]
     pub fn new(pair: &MaterialPair, population: &Population, law: &AsperityLaw) -> Self {
         let asperities = law.asperities(pair, population);
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 
-    /// The contact of the summits of a surface, elastic (Bush, Gibson & Thomas 1975; `docs/theory/models.md`, section
-    /// 3.6). Its separations are from the mean plane of the surface.
+    /// Creates the elastic contact of the summits of a surface (Bush, Gibson & Thomas 1975; `docs/models.md`, section
+    /// 3.6). Its separations are measured from the mean plane of the surface.
     #[must_use]
-    pub fn of_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {
+    pub fn from_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {
         StatisticalContact {
             asperities: Box::new(ElasticSummits::new(pair, summits)),
             sigma_s_m: summits.m0_m2().sqrt(),
         }
     }
 
-    /// The state at a separation d \[m\] from the mean of the asperity heights, or from the mean plane of a surface whose summits they
-    /// are, of either sign, to a relative `tolerance`
-    /// of pressure and area fraction (1e-13 to 1e-2; values outside are taken as the nearer end).
+    /// Returns the state at a separation d \[m\], of either sign, from the mean of the asperity heights or, for
+    /// summits, from the mean plane of the surface. `tolerance` is the relative error of pressure and area fraction,
+    /// limited to 1e-13 to 1e-2.
     ///
     /// # Errors
-    /// [`AsperityError`] where the separation is not finite, or beyond 1e30 m.
+    /// [`AsperityError`] if the separation is not finite, or beyond 1e30 m.
     pub fn at_separation(&self, separation_m: f64, tolerance: f64) -> Result<ContactState, AsperityError> {
         self.sweep(tolerance).at_separation(separation_m)
     }
 
-    /// The state that carries a pressure \[Pa\] over the nominal area, found to rounding on a quadrature of the relative
-    /// `tolerance` of [`at_separation`](Self::at_separation). Where several separations carry it, the largest is taken.
+    /// Returns the state that carries a pressure \[Pa\] over the nominal area, found to rounding on a quadrature of
+    /// the relative `tolerance` of [`at_separation`](Self::at_separation). If several separations carry it, the
+    /// largest is taken.
     ///
-    /// A neighbouring state as `start` saves a few evaluations and changes nothing else. A pressure that no
-    /// separation carries (see [`highest_pressure_pa`](Self::highest_pressure_pa)) is answered with complete contact:
-    /// no separation, and area fraction 1.
+    /// A neighbouring state as `start` saves a few evaluations and changes nothing else. For a pressure that no
+    /// separation carries (see [`highest_pressure_pa`](Self::highest_pressure_pa)) the state is complete contact: no
+    /// separation, and area fraction 1.
     ///
     /// # Errors
     /// [`AsperityError`] unless the pressure is positive and at most 1e60 Pa.
@@ -64,14 +65,14 @@ impl StatisticalContact {
         self.sweep(tolerance).starting_at(start).at_pressure(pressure_pa)
     }
 
-    /// States at many separations and pressures, to a relative `tolerance` as [`at_separation`](Self::at_separation) takes
-    /// it, for less than as many single ones.
+    /// Computes states at many separations and pressures, to a relative `tolerance` as in
+    /// [`at_separation`](Self::at_separation), for less than as many single calls.
     pub fn sweep(&self, tolerance: f64) -> Sweep<'_> {
         Sweep::on(Frames::new(&*self.asperities, self.sigma_s_m, Precision::new(tolerance)))
     }
 
-    /// The pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid, or
-    /// the most that sinusoids softening with depth carry. Infinite for spheres.
+    /// Pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid,
+    /// or the highest pressure of sinusoids that soften with depth. Infinite for spheres.
     #[must_use]
     pub fn highest_pressure_pa(&self) -> f64 {
         self.sweep(Precision::FINEST).highest_pressure_pa()

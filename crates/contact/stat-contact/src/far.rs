@@ -1,8 +1,8 @@
-//! Flats so far below the mean plane that the spread of the heights no longer shows.
+//! Flats so far below the mean plane that the spread of the heights is negligible.
 //!
-//! At u = d/sigma_s the spread changes the response by a share of the order of 1/u^2. From a million standard deviations
-//! down it is below rounding, while the heights themselves lose their digits to u: every asperity is taken at the
-//! mean height there.
+//! At u = d/sigma_s the spread changes the response by a relative 1/u^2. From a million standard deviations down this
+//! is below rounding, while the heights themselves lose their digits to u: there every asperity is taken at the mean
+//! height.
 
 use numerics::{minimum_in_bracket, zero_in_bracket};
 
@@ -26,13 +26,13 @@ impl<'a> FarBelow<'a> {
         FarBelow { asperities, sigma_s_m }
     }
 
-    /// The state at a separation, where that is far below.
+    /// State at a separation; `None` unless it is far below.
     pub fn at_separation(&self, separation_m: f64) -> Option<ContactState> {
         (separation_m < -FAR * self.sigma_s_m).then(|| self.state(separation_m))
     }
 
-    /// The state at a separation far below. What the spread would change is seen by comparing three heights: next to
-    /// nothing where the law is smooth, up to a share of a kink or a jump beside one.
+    /// State at a separation far below. The error of leaving out the spread is seen by comparing three heights: next
+    /// to nothing where the law is smooth, up to a share of a kink or a jump beside one.
     pub fn state(&self, separation_m: f64) -> ContactState {
         // Standard deviations that hold nearly all heights.
         const REACH: f64 = 3.0;
@@ -43,7 +43,7 @@ impl<'a> FarBelow<'a> {
         ContactState::without_spread(separation_m, &mean, neglected)
     }
 
-    /// The largest separation \[m\] that carries a pressure, where that is far below.
+    /// Largest separation \[m\] that carries a pressure; `None` unless it is far below.
     pub fn separation_m(&self, log_pressure: f64) -> Option<f64> {
         let nearest_m = FAR * self.sigma_s_m;
         let missing = |log_m: f64| log_pressure - self.log_response(log_m);
@@ -66,7 +66,7 @@ impl<'a> FarBelow<'a> {
         Some(-zero_in_bracket(nearest_m.ln(), deepest_m.ln(), missing).exp())
     }
 
-    /// The interference \[m\] of the maximum before a dip of the force, where it is a far one.
+    /// Interference \[m\] of the maximum before a dip of the force; `None` unless it is far below.
     fn top_before_dip_m(&self) -> Option<f64> {
         let [from_m, to_m] = self.asperities.dip_m()?;
         let low = from_m.max(FAR * self.sigma_s_m).ln();
@@ -74,7 +74,7 @@ impl<'a> FarBelow<'a> {
             .then(|| minimum_in_bracket(low, to_m.ln(), STEPS, |log_m| -self.log_response(log_m)).exp())
     }
 
-    /// An interference \[m\] at which no pressure is missing; `None` where the pressure is never reached.
+    /// Interference \[m\] at which no pressure is missing; `None` if the pressure is never reached.
     fn deep_enough_m(&self, missing: impl Fn(f64) -> f64) -> Option<f64> {
         // Three decades at a time; eighty strides exhaust the doubles.
         const STRIDE: f64 = 1e3;
@@ -84,13 +84,13 @@ impl<'a> FarBelow<'a> {
             .find(|depth_m| missing(depth_m.ln()) <= 0.0)
     }
 
-    /// The highest pressure \[Pa\], where it is carried far below.
+    /// Highest pressure \[Pa\]; `None` unless it is carried far below.
     pub fn highest_pressure_pa(&self) -> Option<f64> {
         self.peak_m().map(|peak_m| self.asperities.at_interference(peak_m).pressure_pa)
     }
 
-    /// The interference \[m\] of the highest response, where it is a far one: between the nearest far one and that of
-    /// which it is known to fall, by golden sections.
+    /// Interference \[m\] of the highest response, by golden sections between the nearest far interference and one
+    /// beyond which the response is known to fall; `None` unless it is far below.
     fn peak_m(&self) -> Option<f64> {
         let (low, high) = ((FAR * self.sigma_s_m).ln(), self.asperities.falls_from_m()?.ln());
         (low < high).then(|| minimum_in_bracket(low, high, STEPS, |log_m| -self.log_response(log_m)).exp())

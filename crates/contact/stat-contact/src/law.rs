@@ -1,4 +1,4 @@
-//! The choice of contact law, what each law is made of, and the asperities that follow it.
+//! Choice of contact law and its parameters.
 
 use asperity::{Hardness, MaterialPair, NixGao};
 use units::named;
@@ -12,22 +12,22 @@ use crate::asperities::elastic_sines::ElasticSines;
 use crate::asperities::gradient_sines::GradientSines;
 use crate::asperities::hertz_spheres::ElasticSpheres;
 
-/// How one asperity answers to the flat that presses on it (`docs/theory/models.md`, sections 2 and 3.1).
+/// Response of one asperity to the flat that presses on it (`docs/models.md`, sections 2 and 3.1).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub enum AsperityLaw {
     /// An elastic sphere (Greenwood & Williamson 1966).
     Hertz,
-    /// The elastic-plastic sphere of Jackson & Green (2005; section 2.2); the area of one never exceeds pi R^2.
+    /// Elastic-plastic sphere of Jackson & Green (2005; section 2.2); the area of one never exceeds pi R^2.
     EpSphere {
         /// Yield strength, at the depth of the interference.
         strength: NixGao,
-        /// How the hardness falls as the contact grows.
+        /// Decrease of the hardness as the contact grows.
         hardness: Hardness,
     },
     /// The elastic sinusoid of Johnson, Greenwood & Higginson (1985; section 2.3), with the density and the curvature
     /// of the population (Jackson & Jacobs, Eqs. 6 and 7).
     ElasticSine {
-        /// What ties its pressure to its interference.
+        /// Relation between pressure and interference.
         interference: InterferenceLaw,
     },
     /// The elastic-plastic sinusoid of Krithivasan & Jackson (2007; section 2.4), pressed by the mean gap of Rostami &
@@ -39,20 +39,20 @@ pub enum AsperityLaw {
 }
 
 impl AsperityLaw {
-    /// The strength of the asperities, where they yield.
+    /// Strength of the asperities, if they yield.
     #[must_use]
     pub fn strength(mut self) -> Option<NixGao> {
         self.strength_mut().copied()
     }
 
-    /// The same law of another strength; `None` where it never yields.
+    /// Returns this law with another strength; `None` if it never yields.
     #[must_use]
     pub fn with_strength(mut self, strength: NixGao) -> Option<Self> {
         *self.strength_mut()? = strength;
         Some(self)
     }
 
-    /// The same law with the hardness in another form; `None` where it has none.
+    /// Returns this law with another form of the hardness; `None` if it has no hardness.
     #[must_use]
     pub fn with_hardness(self, hardness: Hardness) -> Option<Self> {
         match self {
@@ -61,7 +61,7 @@ impl AsperityLaw {
         }
     }
 
-    /// The same law with pressure and interference tied in another way; `None` where there is one way alone.
+    /// Returns this law with another relation between pressure and interference; `None` if it has only one.
     #[must_use]
     pub fn with_interference(self, interference: InterferenceLaw) -> Option<Self> {
         match self {
@@ -78,7 +78,7 @@ impl AsperityLaw {
         }
     }
 
-    /// A population of asperities that follow this law.
+    /// Population of asperities that follow this law.
     pub(crate) fn asperities(self, pair: &MaterialPair, population: &Population) -> Box<dyn Asperities> {
         match self {
             AsperityLaw::Hertz => Box::new(ElasticSpheres::new(pair, population)),
@@ -100,7 +100,7 @@ impl AsperityLaw {
     }
 }
 
-/// The mean gap of the elastic sinusoid against its mean pressure.
+/// Mean gap of the elastic sinusoid over its mean pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum InterferenceLaw {

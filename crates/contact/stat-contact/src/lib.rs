@@ -1,14 +1,14 @@
 #![doc = include_str!("../README.md")]
 //!
-//! The nouns:
+//! Main types:
 //! * [`Population`]: radius, density and height spread of the asperities, three plain numbers.
 //! * [`NayakSummits`]: the summits of a Gaussian surface, of every curvature that it has.
-//! * [`AsperityLaw`]: how one of them answers, and what it is made of: strength, hardness, [`InterferenceLaw`].
-//! * [`StatisticalContact`]: the two under a material; asked for its state at a separation or at a pressure.
-//! * [`LinearLaw`]: the area in proportion to the load, to hold elastic areas against.
-//! * [`Sweep`]: the same population and material asked for many states, which share what they can.
-//! * [`ContactState`]: the answer, also in logarithms, since pressures span hundreds of decades, with its error estimate
-//!   and its cost.
+//! * [`AsperityLaw`]: the response of one asperity, with its strength, hardness and [`InterferenceLaw`].
+//! * [`StatisticalContact`]: population and law under a material; computes states at a separation or at a pressure.
+//! * [`LinearLaw`]: area in proportion to the load, as a yardstick for elastic areas.
+//! * [`Sweep`]: many states of one population and material, which share work.
+//! * [`ContactState`]: a state with its error estimate and its cost; also in logarithms, because pressures span
+//!   hundreds of decades.
 #![deny(missing_docs)]
 
 mod asperities;

@@ -1,22 +1,22 @@
-//! The laws by which a lightly loaded elastic surface has an area in proportion to its load.
+//! Linear laws of lightly loaded elastic surfaces: area in proportion to load.
 
 use std::f64::consts::PI;
 
-/// Area over nominal area, kappa p/(E* h'), h' the rms gradient of the surface (sqrt(2 m2)): yardsticks for elastic areas
-/// below a few hundredths, at which computed ones mostly lie between the two.
+/// Area over nominal area, kappa p/(E* h'), with h' the rms gradient of the surface (sqrt(2 m2)). Yardsticks for
+/// elastic areas below a few hundredths, where computed ones mostly lie between the two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinearLaw {
-    /// kappa = sqrt(8/pi) = 1.596: Persson's theory at light loads (2001, J. Chem. Phys. 115:3840).
+    /// Persson's theory at light loads (2001, J. Chem. Phys. 115:3840): kappa = sqrt(8/pi) = 1.596.
     Persson,
-    /// kappa = sqrt(2 pi) = 2.507: Bush, Gibson & Thomas (1975, Wear 35:87) as the load vanishes.
+    /// Bush, Gibson & Thomas (1975, Wear 35:87) in the limit of vanishing load: kappa = sqrt(2 pi) = 2.507.
     BushGibsonThomas,
 }
 
 impl LinearLaw {
-    /// The two, that of the smaller areas first.
+    /// Both laws, the one with the smaller areas first.
     pub const ALL: [LinearLaw; 2] = [LinearLaw::Persson, LinearLaw::BushGibsonThomas];
 
-    /// kappa.
+    /// Coefficient kappa.
     #[must_use]
     pub fn kappa(self) -> f64 {
         match self {
@@ -25,8 +25,8 @@ impl LinearLaw {
         }
     }
 
-    /// The area fraction under a pressure \[Pa\] > 0, of a composite modulus E* \[Pa\] > 0 and an rms gradient h' > 0.
-    /// It is not held at 1: the laws end long before.
+    /// Area fraction under a pressure \[Pa\] > 0, for a composite modulus E* \[Pa\] > 0 and an rms gradient h' > 0.
+    /// Not limited to 1: the laws lose their validity far below.
     #[must_use]
     pub fn area_fraction(self, pressure_pa: f64, composite_modulus_pa: f64, rms_gradient: f64) -> f64 {
         self.kappa() * (pressure_pa / composite_modulus_pa) / rms_gradient

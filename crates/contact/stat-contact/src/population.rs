@@ -1,9 +1,9 @@
-//! The asperities: one curvature, Gaussian heights (Greenwood & Williamson 1966).
+//! Asperities of one curvature with Gaussian heights (Greenwood & Williamson 1966).
 
 use asperity::{AsperityError, Bound};
 
 /// Asperities of one radius, spread evenly over the nominal area, with Gaussian heights of zero mean (Greenwood &
-/// Williamson 1966). McCool's parameters of a spectrum (`docs/theory/models.md`, section 1.5) are one way to them.
+/// Williamson 1966). They can be derived from a spectrum by McCool's parameters (`docs/models.md`, section 1.5).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Population {
     radius_m: f64,
@@ -12,8 +12,8 @@ pub struct Population {
 }
 
 impl Population {
-    /// Asperities of summit radius R \[m\], eta of them per nominal area \[m^-2\], with heights of standard deviation
-    /// sigma_s \[m\] about their own mean.
+    /// Creates a population of summit radius R \[m\], eta asperities per nominal area \[m^-2\], and heights of
+    /// standard deviation sigma_s \[m\] about their own mean.
     ///
     /// # Errors
     /// [`AsperityError`] unless all three are positive and within thirty decades of 1 ([`Bound::Magnitude`]).
@@ -44,8 +44,8 @@ impl Population {
         self.sigma_s_m
     }
 
-    /// The sinusoid with this density of peaks and this curvature at them: its wavelength lambda \[m\], eta = 2/lambda^2
-    /// (Jackson & Jacobs, Eq. 6), and amplitude Delta \[m\], Delta = (lambda/2 pi)^2/R (Eq. 7).
+    /// Returns the sinusoid with this density of peaks and this curvature at them: its wavelength lambda \[m\], eta =
+    /// 2/lambda^2 (Jackson & Jacobs, Eq. 6), and amplitude Delta \[m\], Delta = (lambda/2 pi)^2/R (Eq. 7).
     pub(crate) fn sinusoid_m(&self) -> (f64, f64) {
         let wavelength_m = (2.0 / self.density_per_m2).sqrt();
         let inverse_wavenumber_m = wavelength_m / std::f64::consts::TAU;

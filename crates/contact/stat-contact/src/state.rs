@@ -1,4 +1,4 @@
-//! What is known of a contact at one separation.
+//! State of a contact at one separation.
 
 use approx::{AbsDiffEq, RelativeEq};
 
@@ -6,59 +6,59 @@ use crate::asperities::answers::Response;
 use crate::gaussian::density::{log_reference_density, reference_density};
 use crate::quadrature::frame::Here;
 
-/// A population in contact with a flat.
+/// State of a population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct ContactState {
-    /// Separation d of the flat from the mean of the asperity heights, or from the mean plane of the surface whose summits
-    /// they are \[m\]; negative below it. `None` where the pressure
-    /// is beyond what the population carries at any separation.
+    /// Separation d \[m\] of the flat from the mean of the asperity heights or, for summits, from the mean plane of
+    /// the surface; negative below it. `None` if no separation carries the pressure.
     pub separation_m: Option<f64>,
-    /// Pressure over the nominal area \[Pa\]; zero where it is below the smallest double, see `ln_pressure_pa`.
+    /// Pressure over the nominal area \[Pa\]; zero if it is below the smallest double, see `ln_pressure_pa`.
     pub pressure_pa: f64,
-    /// Real over nominal area of contact, in \[0, 1\]; zero where it is below the smallest double.
+    /// Real over nominal area of contact, in \[0, 1\]; zero if it is below the smallest double.
     pub area_fraction: f64,
     /// Natural logarithm of the pressure in Pa.
     pub ln_pressure_pa: f64,
     /// Natural logarithm of the area fraction, at most 0.
     pub ln_area_fraction: f64,
-    /// Estimate, on the side of caution, of the relative numerical error of pressure and area fraction at the
-    /// separation; it says nothing about the law.
+    /// Cautious estimate of the relative numerical error of pressure and area fraction at the separation, not of the
+    /// law.
     pub error_estimate: f64,
-    /// How often the law of one asperity was evaluated to find this: never where the integrals are known in closed form.
+    /// Number of evaluations of the law of one asperity; 0 if the integrals have a closed form.
     pub evaluations: usize,
     /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in: those that
     /// yield with Sy/E* > 0.01 or a/R > 0.41 (spheres) or r > 100 (sinusoids); 0 for elastic laws.
     pub out_of_range_load_share: f64,
-    /// Whether the sum of the areas exceeds the nominal area and was held at it.
+    /// True if the sum of the areas exceeds the nominal area and was limited to it.
     pub clamped: bool,
-    /// The separation over which the pressure falls by a factor e, if it went on as here \[m\]: -p/(dp/dd).
+    /// Separation over which the pressure would fall by a factor e at the current slope \[m\]: -p/(dp/dd).
     #[serde(skip)]
     pub(crate) decay_length_m: Option<f64>,
 }
 
 impl ContactState {
-    /// The stiffness K = -dp/dd over the nominal area \[Pa/m\]. The separation enters the integral over the heights by their
-    /// density alone, g'(z) = -z g(z)/sigma_s^2, so that K = p z/sigma_s^2, z being the mean height of what meets the
-    /// flat, weighted by its load. No force is differentiated: kinks cost nothing, and where a force steps, K holds the
-    /// asperities on the step. Below 0 where the pressure falls as the surfaces approach.
+    /// Stiffness K = -dp/dd over the nominal area \[Pa/m\]. The separation enters the integral over the heights by
+    /// their density alone, g'(z) = -z g(z)/sigma_s^2, so that K = p z/sigma_s^2, with z the mean height of the
+    /// asperities at the flat, weighted by their load. No force is differentiated: kinks cost nothing, and where a
+    /// force steps, K includes the asperities on the step. Negative where the pressure falls as the surfaces
+    /// approach.
     ///
-    /// `None` where the contact is complete, and from a million standard deviations below the mean down, where all heights
-    /// are taken as one.
+    /// `None` if the contact is complete, and from a million standard deviations below the mean down, where all
+    /// heights are taken as one.
     #[must_use]
     pub fn stiffness_pa_per_m(&self) -> Option<f64> {
         self.decay_length_m.map(|decay_length_m| self.pressure_pa / decay_length_m)
     }
 
-    /// The state on a frame at the separation u + rounding, in units of sigma_s, but for what the frame does not know: the
-    /// separation in metres, and the evaluations.
+    /// State on a frame at the separation u + rounding, in units of sigma_s. The caller fills in the separation in
+    /// metres and the evaluations.
     pub(crate) fn on_frame(here: &Here<'_, '_>, rounding: f64, sigma_s_m: f64) -> Self {
         let &Here { u, sums, .. } = here;
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
-        let pressure = Product::of(sums.pressure_pa, scale, log_density);
-        let area_fraction = Product::of(sums.area_fraction, scale, log_density);
+        let pressure = Product::new(sums.pressure_pa, scale, log_density);
+        let area_fraction = Product::new(sums.area_fraction, scale, log_density);
         ContactState {
             separation_m: None,
             pressure_pa: pressure.value,
@@ -73,11 +73,12 @@ impl ContactState {
         }
     }
 
-    /// Every asperity pressed to the interference -d; `neglected` is what that may change, relatively.
+    /// State with every asperity pressed to the interference -d; `neglected` is the relative error of leaving out the
+    /// spread.
     pub(crate) fn without_spread(separation_m: f64, response: &Response, neglected: f64) -> Self {
-        // The share 1/u^2 of the response that the spread would change, from the depth on at which it is left out.
+        // Share 1/u^2 of the response that the spread would change, at the depth from which it is left out.
         const ROUNDING: f64 = 1e-12;
-        // At the mean height and beside it.
+        // Evaluations at the mean height and beside it.
         const EVALUATIONS: usize = 3;
         ContactState {
             separation_m: Some(separation_m),
@@ -93,7 +94,7 @@ impl ContactState {
         }
     }
 
-    /// Complete contact under a pressure \[Pa\] beyond what the population carries at any separation.
+    /// Complete contact under a pressure \[Pa\] that no separation carries.
     pub(crate) fn complete(pressure_pa: f64) -> Self {
         ContactState {
             separation_m: None,
@@ -110,7 +111,7 @@ impl ContactState {
     }
 
     /// Largest deviation between the quantities of two states, each relative to the larger: pressure and area (also
-    /// where they underflow), and the separations, which are either both there or not.
+    /// where they underflow), and the separations, which must both be present or absent.
     fn largest_deviation(&self, other: &Self) -> f64 {
         let relative = |a: f64, b: f64| if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) };
         let separations = match (self.separation_m, other.separation_m) {
@@ -125,16 +126,16 @@ impl ContactState {
     }
 }
 
-/// An integral with its density, and the logarithm of it.
+/// Integral times density, and its logarithm.
 struct Product {
     value: f64,
     logarithm: f64,
 }
 
 impl Product {
-    /// A positive integral over the reference density, times that, which is given with its logarithm.
-    fn of(sum: f64, density: f64, log_density: f64) -> Self {
-        // Where the density has left the normal doubles, its product with a large number may not have.
+    /// Multiplies a positive integral over the reference density by that density, given with its logarithm.
+    fn new(sum: f64, density: f64, log_density: f64) -> Self {
+        // If the density is subnormal, its product with a large number may not be.
         let value = sum * density;
         if density.is_normal() && value.is_normal() {
             return Product { value, logarithm: value.ln() };
@@ -162,7 +163,7 @@ impl RelativeEq for ContactState {
         1e-10
     }
 
-    /// Whether separation, pressure and area fraction agree; how they were found may differ.
+    /// Returns true if separation, pressure and area fraction agree; cost and error estimates may differ.
     fn relative_eq(&self, other: &Self, epsilon: f64, max_relative: f64) -> bool {
         self.largest_deviation(other) <= max_relative.max(epsilon)
     }

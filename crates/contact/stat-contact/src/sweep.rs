@@ -7,13 +7,13 @@ use crate::far::FarBelow;
 use crate::quadrature::frames::Frames;
 use crate::search::problem::{Answer, Found, Neighbour, Search};
 
-/// States of one population under one law, one after the other: what has been evaluated for one serves those after it
+/// States of one population under one law, computed one after the other; the evaluations for one serve those after it
 /// ([`StatisticalContact::sweep`](crate::StatisticalContact::sweep)).
 ///
-/// Each has the digits that [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation) or
-/// [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure) gives it, in whatever order they are asked
-/// for; its `evaluations` are those that it has added, and do depend on the order. States in the order of their separations
-/// or pressures cost least.
+/// Each state has the digits of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation) or
+/// [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure), in any order. Its `evaluations` are
+/// those that it has added, and depend on the order. States in the order of their separations or pressures cost
+/// least.
 ///
 /// ```
 /// use asperity::{ElasticBody, MaterialPair};
@@ -32,15 +32,15 @@ use crate::search::problem::{Answer, Found, Neighbour, Search};
 #[must_use]
 pub struct Sweep<'a> {
     frames: Frames<'a>,
-    /// The last state that a search can start from.
+    /// Last state from which a search can start.
     near: Option<Neighbour>,
 }
 
 impl<'a> Sweep<'a> {
-    /// Pressures \[Pa\] that may be asked for.
+    /// Range of pressures \[Pa\].
     pub const PRESSURE_PA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1e60 };
 
-    /// Separations \[m\] that may be asked for.
+    /// Range of separations \[m\].
     pub const SEPARATION_M: Bound = Bound::Signed;
 
     #[inline]
@@ -48,17 +48,17 @@ impl<'a> Sweep<'a> {
         Sweep { frames, near: None }
     }
 
-    /// The same with a state to start the next search from, where it has a separation.
+    /// Sets a state from which the next search starts, if it has a separation.
     #[inline]
     pub(crate) fn starting_at(self, state: Option<&ContactState>) -> Self {
         let near = state.and_then(|state| state.separation_m).map(|d| d / self.frames.sigma_s_m);
         Sweep { near: near.map(|u| Neighbour { u, sums: None }), ..self }
     }
 
-    /// The state at a separation d \[m\] from the mean of the asperity heights, of either sign.
+    /// Returns the state at a separation d \[m\] from the mean of the asperity heights, of either sign.
     ///
     /// # Errors
-    /// Those of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
+    /// The errors of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
     pub fn at_separation(&mut self, separation_m: f64) -> Result<ContactState, AsperityError> {
         let separation_m = Self::SEPARATION_M.check("separation in m", separation_m)?;
         if let Some(state) = self.far_below().at_separation(separation_m) {
@@ -76,10 +76,10 @@ impl<'a> Sweep<'a> {
         Ok(ContactState { separation_m: Some(separation_m), evaluations, ..state })
     }
 
-    /// The state that carries a pressure \[Pa\] over the nominal area.
+    /// Returns the state that carries a pressure \[Pa\] over the nominal area.
     ///
     /// # Errors
-    /// Those of [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure).
+    /// The errors of [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure).
     pub fn at_pressure(&mut self, pressure_pa: f64) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
         let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
@@ -88,7 +88,7 @@ impl<'a> Sweep<'a> {
             return Ok(ContactState::complete(pressure_pa));
         }
         let far_below = self.far_below();
-        // Where the highest pressure is carried far below, no nearer separation carries more.
+        // If the highest pressure is carried far below, no nearer separation carries more.
         if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
             return Ok(ContactState::complete(pressure_pa));
         }
@@ -102,7 +102,7 @@ impl<'a> Sweep<'a> {
         };
         let evaluations = self.frames.evaluations() - spent;
         let sigma_s_m = self.frames.sigma_s_m;
-        let here = self.frames.of(cell).at(u);
+        let here = self.frames.frame(cell).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
         let state = ContactState::on_frame(&here, 0.0, sigma_s_m);
         let error_estimate = state.error_estimate + missed_by;
@@ -110,7 +110,7 @@ impl<'a> Sweep<'a> {
         Ok(asked(ContactState { separation_m, error_estimate, evaluations, ..state }))
     }
 
-    /// The pressure \[Pa\] below which every pressure is carried at some separation.
+    /// Pressure \[Pa\] below which every pressure is carried at some separation.
     pub(crate) fn highest_pressure_pa(&mut self) -> f64 {
         let far = self.far_below().highest_pressure_pa();
         far.unwrap_or_else(|| Search { frames: &mut self.frames, pressure_pa: 0.0 }.highest_pressure_pa())

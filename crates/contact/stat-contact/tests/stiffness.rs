@@ -57,7 +57,7 @@ fn the_stiffness_of_summits_agrees_with_differences_of_many_digits() {
     let pair = MaterialPair::against_rigid(ElasticBody::new(1.0, 0.0).unwrap());
     for [alpha, separation_m, pressure_pa, stiffness_pa_per_m] in SUMMITS {
         let summits = NayakSummits::new(1.0, 1.0, alpha).unwrap();
-        let contact = StatisticalContact::of_summits(&pair, &summits);
+        let contact = StatisticalContact::from_summits(&pair, &summits);
         let state = contact.at_separation(separation_m, TOLERANCE).unwrap();
         assert!((state.pressure_pa / pressure_pa - 1.0).abs() < 1e-12, "alpha = {alpha}: {state:?}");
         let off = (state.stiffness_pa_per_m().unwrap() / stiffness_pa_per_m - 1.0).abs();

@@ -9,7 +9,7 @@ const TOLERANCE: f64 = 1e-10;
 
 /// Summits of unit height and slope under a unit modulus: pressures are p/(E* sqrt(m2)), separations d/sqrt(m0).
 fn contact(alpha: f64) -> StatisticalContact {
-    StatisticalContact::of_summits(&unit(), &NayakSummits::new(1.0, 1.0, alpha).unwrap())
+    StatisticalContact::from_summits(&unit(), &NayakSummits::new(1.0, 1.0, alpha).unwrap())
 }
 
 fn unit() -> MaterialPair {
@@ -161,7 +161,7 @@ fn lengths_and_moduli_may_be_scaled() {
     let (m0_m2, m2, m4_per_m2) = (2.5e-17, 0.04, 6.4e15);
     let summits = NayakSummits::new(m0_m2, m2, m4_per_m2).unwrap();
     assert!((summits.alpha() - 100.0).abs() < 1e-12);
-    let there = StatisticalContact::of_summits(&pair, &summits);
+    let there = StatisticalContact::from_summits(&pair, &summits);
     let here = contact(summits.alpha());
     for u in [-4.0, 0.3, 7.0] {
         let there = there.at_separation(u * m0_m2.sqrt(), TOLERANCE).unwrap();

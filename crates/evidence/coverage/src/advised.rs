@@ -1,4 +1,4 @@
-//! Whether intervals shrink as they are said to when scans are added.
+//! Shrinkage of intervals when scans are added, predicted and found.
 
 use uncertainty::{Settings, StepKind};
 
@@ -6,31 +6,31 @@ use crate::coverage::median;
 use crate::error::StudyError;
 use crate::instrument::INSTRUMENTS;
 use crate::synthetic::Laboratory;
-use crate::trial::{Held, Trial};
+use crate::trial::{IntervalOutcome, Trial};
 
-/// How the intervals of one curve and load shrink when scans of one instrument are added.
+/// Shrinkage of the intervals of one curve and load when scans of one instrument are added.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shrinkage {
-    /// The name of the curve.
+    /// Name of the curve.
     pub curve: String,
-    /// The name of the load.
+    /// Name of the load.
     pub load: String,
-    /// The instrument.
+    /// Name of the instrument.
     pub instrument: &'static str,
-    /// How many scans are added.
+    /// Number of scans added.
     pub added: u32,
-    /// Median of the width after over that before, as predicted.
+    /// Median of the predicted ratio of widths, after over before.
     pub predicted: f64,
-    /// The same as found.
+    /// Median of the ratio of widths found.
     pub real: f64,
-    /// Median of real over predicted, study by study.
+    /// Median of found over predicted, study by study.
     pub ratio: f64,
 }
 
-/// Carries out studies with so many scans by each instrument, adds so many of one of them, and carries them out again.
+/// Runs studies with `scans` by each instrument, adds scans of one of them, and runs them again.
 ///
 /// # Errors
-/// That of the first study that fails.
+/// The error of the first study that fails.
 pub fn shrinkages(
     laboratory: &Laboratory,
     studies: u32,
@@ -59,7 +59,7 @@ pub fn shrinkages(
         (0..INSTRUMENTS.len()).flat_map(|instrument| added.iter().map(move |&added| (instrument, added)));
     let mut rows = Vec::new();
     for (step, (instrument, added)) in steps.enumerate() {
-        for (place, held) in first.held.iter().enumerate() {
+        for (place, held) in first.intervals.iter().enumerate() {
             let here = found.iter().filter_map(|(_, steps)| steps[step].get(place).copied().flatten());
             let (predicted, real): (Vec<f64>, Vec<f64>) = here.unzip();
             if predicted.is_empty() {
@@ -81,16 +81,16 @@ pub fn shrinkages(
     Ok(rows)
 }
 
-/// Predicted and real, for every interval that has both.
+/// Predicted and found ratios, for every interval that has both.
 type Ratios = Vec<Option<(f64, f64)>>;
 
 fn ratios_of(before: &Trial, after: &Trial, instrument: usize, added: usize) -> Ratios {
-    let of_interval = |(held, after): (&Held, &Held)| {
+    let of_interval = |(held, after): (&IntervalOutcome, &IntervalOutcome)| {
         let advice =
             before.advice.iter().find(|advice| (advice.curve, advice.load) == (held.curve, held.load))?;
         let kind = StepKind::MoreScans { instrument, added };
         let step = advice.steps.iter().find(|step| step.kind == kind)?;
         Some((step.width_ratio, after.width() / held.width()))
     };
-    before.held.iter().zip(&after.held).map(of_interval).collect()
+    before.intervals.iter().zip(&after.intervals).map(of_interval).collect()
 }

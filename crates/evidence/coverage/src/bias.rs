@@ -1,4 +1,4 @@
-//! How far averages of scans lie from the known spectrum in the mean over many studies.
+//! Bias of averages of scans against the known spectrum, over many studies.
 
 use topography::{Average, CompositeSpectrum, Recipe};
 
@@ -7,33 +7,34 @@ use crate::instrument::{INSTRUMENTS, Instrument};
 use crate::synthetic::Laboratory;
 use crate::truth::known_composite;
 
-/// The mean deviation of a composite in a decade.
+/// Mean deviation of a composite in a decade.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DecadeBias {
-    /// The instrument whose scans they are.
+    /// Instrument of the scans.
     pub instrument: Instrument,
-    /// How they are averaged.
+    /// Method of averaging.
     pub average: Average,
-    /// Exponent of its longest wavelength: 10^n m.
+    /// Exponent of the longest wavelength of the decade: 10^n m.
     pub decade: i32,
-    /// Bins of a composite in it.
+    /// Number of bins of a composite in the decade.
     pub bins: usize,
-    /// ln(C/C_known), the mean over its bins and all studies.
+    /// Mean of ln(C/C_known) over the bins and all studies.
     pub of_known: f64,
-    /// The same of C over the expectation of a scan's spectrum, which is the known one seen through window and detrending.
+    /// Mean of ln(C/C_expected), where C_expected is the expectation of a scan's spectrum: the known one seen through
+    /// window and detrending.
     pub of_expected: f64,
-    /// One standard error of the latter.
+    /// Standard error of `of_expected`.
     pub standard_error: f64,
 }
 
 /// ln(C/C_known) of every study and bin.
 type Deviations = Vec<Vec<f64>>;
 
-/// The bias of each average, decade by decade, of the composites of one instrument, by its place among [`INSTRUMENTS`], with so
-/// many scans.
+/// Computes the bias of each average, decade by decade, of the composites of one instrument, given by its index in
+/// [`INSTRUMENTS`].
 ///
 /// # Errors
-/// Those of the studies.
+/// The errors of the studies.
 pub fn biases(
     laboratory: &Laboratory,
     studies: u32,
@@ -58,7 +59,7 @@ pub fn biases(
     Ok(rows.flatten().collect())
 }
 
-/// The wavelengths \[m\] of the bins, and their deviations: first of arithmetic means, then of each average.
+/// Wavelengths \[m\] of the bins, and their deviations: first of arithmetic means, then of each average.
 fn one_study(
     laboratory: &Laboratory,
     number: u64,
@@ -78,7 +79,7 @@ fn one_study(
     Ok((known.wavelengths_m().to_vec(), deviations))
 }
 
-/// ln of the mean of C/C_known in every bin.
+/// Logarithm of the mean of C/C_known in every bin.
 fn ln_expectation(deviations: &Deviations) -> Vec<f64> {
     let bins = deviations.first().map_or(0, Vec::len);
     let of_bin = |bin: usize| {

@@ -1,4 +1,4 @@
-//! Why a study cannot be carried out.
+//! Errors of a study.
 
 use gaussian_surfaces::SurfaceError;
 use measurements::TopographyError;
@@ -6,26 +6,26 @@ use scene::SceneError;
 use study::plan::PlanError;
 use topography::TransformError;
 
-/// Why a study cannot be carried out.
+/// Reason why a study cannot be run.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// There is no surface as asked for.
+    /// The surface does not exist.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// The synthetic scans do not read.
+    /// The synthetic scans cannot be read.
     #[error(transparent)]
     Scans(#[from] TopographyError),
-    /// They make no spectrum.
+    /// The scans cannot be transformed to a spectrum.
     #[error(transparent)]
     Transform(#[from] TransformError),
-    /// The scene about them does not read.
+    /// The scene cannot be read.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The scene cannot be carried out.
+    /// The scene cannot be run.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// Nothing of a scene is said to scatter.
+    /// The scene has no uncertain input.
     #[error("the scans of the study are not said to scatter")]
     Certain,
 }

@@ -1,6 +1,6 @@
 //! The two instruments of the studies.
 
-/// What an instrument measures.
+/// Shape of a scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// One line.
@@ -9,38 +9,39 @@ pub enum Shape {
     Map,
 }
 
-/// An instrument without noise, whose height scale alone is not known exactly. It shows no waves shorter than two of its points,
-/// so that none of them pass for longer ones.
+/// Instrument without noise, whose only uncertainty is its height scale. It shows no waves shorter than two of its
+/// points, so that nothing is aliased.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instrument {
-    /// Its name.
+    /// Name of the instrument.
     pub name: &'static str,
-    /// What it measures.
+    /// Shape of its scans.
     pub shape: Shape,
-    /// Points along a side, an even number.
+    /// Number of points along a side, even.
     pub points: usize,
     /// Length of a side \[m\].
     pub length_m: f64,
-    /// The shortest wavelength \[m\] that is used.
+    /// Shortest wavelength used \[m\].
     pub shortest_m: f64,
 }
 
-/// Long lines.
+/// Stylus: long lines.
 pub const STYLUS: Instrument =
     Instrument { name: "stylus", shape: Shape::Line, points: 1024, length_m: 512e-6, shortest_m: 1.2e-6 };
 
-/// Small maps. They share with the lines the wavelengths from 5 to 1.2 µm, six tenths of a decade.
+/// Atomic force microscope: small maps. They share with the lines the wavelengths from 5 to 1.2 µm, six tenths of a
+/// decade.
 pub const AFM: Instrument =
     Instrument { name: "AFM", shape: Shape::Map, points: 128, length_m: 10e-6, shortest_m: 200e-9 };
 
-/// Both.
+/// Both instruments.
 pub const INSTRUMENTS: [Instrument; 2] = [STYLUS, AFM];
 
-/// One standard uncertainty of a height scale, as a share.
+/// Standard uncertainty of a height scale, as a share.
 pub const GAIN_SD: f64 = 0.03;
 
 impl Instrument {
-    /// Distance of its points \[m\].
+    /// Distance between points \[m\].
     #[must_use]
     pub fn spacing_m(&self) -> f64 {
         self.length_m / self.points as f64

@@ -1,4 +1,4 @@
-//! Lines of a Gaussian surface that do not meet themselves at their ends.
+//! Lines of a Gaussian surface that are not periodic.
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex64;
@@ -8,10 +8,10 @@ use crate::instrument::Instrument;
 use crate::random::Normals;
 use crate::surface::KnownSurface;
 
-/// A line is the beginning of a periodic one this many times as long.
+/// Length of the periodic line, in lengths of a line cut from it.
 const PERIODS: usize = 4;
 
-/// The waves of a periodic line, of which lines are cut.
+/// Waves of a periodic line, from which lines are cut.
 #[derive(Debug, Clone)]
 pub(crate) struct LineMaker {
     points: usize,

@@ -1,5 +1,4 @@
-//! `cargo xtask coverage`: carries out synthetic studies and prints what they say, as tables for
-//! `docs/guide/uncertainty.md`.
+//! `cargo xtask coverage`: runs synthetic studies and prints the tables of `docs/uncertainty.md`.
 
 use std::process::ExitCode;
 
@@ -19,7 +18,7 @@ instruments (5) and so many draws (1000): the bias of averages of scans decade b
 truth and how wide they are, and how they shrink when 1, 3 and 10 scans are added (a quarter of the studies).
 ";
 
-/// Lines are so many times as many where biases are measured: they cost little, and single lines scatter much.
+/// Factor on the number of lines where biases are measured: they cost little, and single lines scatter much.
 const LINES: u32 = 20;
 
 const ADDED: [u32; 3] = [1, 3, 10];

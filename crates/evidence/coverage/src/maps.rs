@@ -1,4 +1,4 @@
-//! Maps of a Gaussian surface that do not meet themselves at their edges.
+//! Maps of a Gaussian surface that are not periodic.
 
 use std::f64::consts::TAU;
 
@@ -10,13 +10,13 @@ use crate::instrument::Instrument;
 use crate::random::Normals;
 use crate::surface::{KnownSurface, LONGEST_M};
 
-/// A map is the corner of a periodic one whose sides are this many times as long.
+/// Length of a side of the periodic map, in sides of a map cut from its corner.
 const PERIODS: usize = 2;
 
-/// Waves longer than that are those of boxes, each so many times as long as the one before it, up to the longest wave.
+/// Ratio of the sides of successive boxes, whose waves make up all waves longer than the periodic map.
 const BOX_RATIO: f64 = 5.0;
 
-/// What maps are made of.
+/// Generator of maps.
 #[derive(Debug, Clone)]
 pub(crate) struct MapMaker {
     points: usize,
@@ -25,7 +25,7 @@ pub(crate) struct MapMaker {
     long: Vec<Wave>,
 }
 
-/// A wave longer than the periodic map.
+/// Wave longer than the periodic map.
 #[derive(Debug, Clone, Copy)]
 struct Wave {
     x_rad_per_m: f64,
@@ -48,7 +48,7 @@ impl MapMaker {
         Ok(MapMaker { points: instrument.points, spacing_m: instrument.spacing_m(), fine, long })
     }
 
-    /// Heights \[m\], row by row: the short waves are those of a seed, the long ones of the numbers drawn.
+    /// Heights \[m\], row by row: the short waves depend on a seed, the long ones on the numbers drawn.
     pub(crate) fn map(&self, seed: u64, number: u64, normals: &mut Normals) -> Result<Vec<f64>, StudyError> {
         let side = PERIODS * self.points;
         let synthesis = Synthesis::square(side, side as f64 * self.spacing_m, seed, Phases::Gaussian);
@@ -76,7 +76,7 @@ impl MapMaker {
     }
 }
 
-/// The waves of a square box, one half of the plane, from its own length down to, but not with, a shortest one \[m\].
+/// Waves of a square box, one half of the plane, from its own length down to, but excluding, a shortest one \[m\].
 fn waves_of_box(area: &AreaSpectrum, box_m: f64, shortest_m: f64) -> Vec<Wave> {
     let most = (box_m / shortest_m).ceil() as i64;
     let step = TAU / box_m;

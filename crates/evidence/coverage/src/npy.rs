@@ -1,6 +1,6 @@
-//! Heights as an array of NumPy, which holds every digit.
+//! Heights as NumPy arrays, which keep every digit.
 
-/// The bytes of a file: a line, or a map with rows of so many points.
+/// Bytes of a file: a line, or a map with `columns` points per row.
 pub(crate) fn array(heights_m: &[f64], columns: usize) -> Vec<u8> {
     let rows = heights_m.len() / columns;
     let shape = if rows == 1 { format!("({columns},)") } else { format!("({rows}, {columns})") };

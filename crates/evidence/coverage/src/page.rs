@@ -1,10 +1,10 @@
-//! The tables of `docs/guide/uncertainty.md`.
+//! Tables of `docs/uncertainty.md`.
 
 use crate::advised::Shrinkage;
 use crate::bias::DecadeBias;
 use crate::coverage::Coverage;
 
-/// How far averages lie from the spectrum, decade by decade.
+/// Table of the bias of averages, decade by decade.
 #[must_use]
 pub fn bias_table(hurst_exponent: f64, rows: &[DecadeBias]) -> String {
     let mut text = String::from(
@@ -26,7 +26,7 @@ pub fn bias_table(hurst_exponent: f64, rows: &[DecadeBias]) -> String {
     text
 }
 
-/// How often intervals hold the truth.
+/// Table of the coverage of intervals.
 #[must_use]
 pub fn coverage_table(hurst_exponent: f64, scans: u32, rows: &[Coverage]) -> String {
     let mut text = String::from(
@@ -48,7 +48,7 @@ pub fn coverage_table(hurst_exponent: f64, scans: u32, rows: &[Coverage]) -> Str
     text
 }
 
-/// How intervals shrink, as predicted and as found.
+/// Table of the shrinkage of intervals, as predicted and as found.
 #[must_use]
 pub fn shrinkage_table(hurst_exponent: f64, rows: &[Shrinkage]) -> String {
     let mut text = String::from(
@@ -64,7 +64,7 @@ pub fn shrinkage_table(hurst_exponent: f64, rows: &[Shrinkage]) -> String {
     text
 }
 
-/// A difference of logarithms as a share.
+/// Formats a difference of logarithms as a share.
 fn signed_percent(difference: f64) -> String {
     format!("{:+.1} %", 100.0 * difference.exp_m1())
 }

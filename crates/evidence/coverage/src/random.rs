@@ -1,4 +1,4 @@
-//! Random numbers, a stream of its own for everything that is drawn.
+//! Random numbers, with a separate stream for everything that is drawn.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -9,8 +9,8 @@ use rand_distr::{Distribution, StandardNormal};
 pub(crate) struct Normals(ChaCha8Rng);
 
 impl Normals {
-    /// The stream of a seed and a number, whatever was drawn before.
-    pub(crate) fn of(seed: u64, number: u64) -> Self {
+    /// Creates the stream of a seed and a number, independent of earlier draws.
+    pub(crate) fn new(seed: u64, number: u64) -> Self {
         let mut stream = ChaCha8Rng::seed_from_u64(seed);
         stream.set_stream(number);
         Normals(stream)

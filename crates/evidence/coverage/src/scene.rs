@@ -1,4 +1,4 @@
-//! The scene about a study, as somebody would write it.
+//! Scene of a synthetic study, as a user would write it.
 
 use scene::{Overrides, Scene};
 
@@ -6,7 +6,7 @@ use crate::error::StudyError;
 use crate::instrument::{GAIN_SD, Instrument};
 use crate::synthetic::SyntheticStudy;
 
-/// A steel, light and heavy loads, and a model of each kind.
+/// Rest of the scene: steel, light and heavy loads, and a model of each kind.
 const REST: &str = r#"
 [material]
 youngs_modulus = "200 GPa"
@@ -38,10 +38,10 @@ cutoffs = "shortest"
 "#;
 
 impl SyntheticStudy {
-    /// The study as a scene; what is said of the height scales is true.
+    /// Returns the study as a scene, which states the true uncertainty of the height scales.
     ///
     /// # Errors
-    /// [`StudyError::Scene`] where it does not read.
+    /// [`StudyError::Scene`] if it cannot be read.
     pub fn scene(&self) -> Result<Scene, StudyError> {
         let scan = |file: &String, instrument: &Instrument| {
             let Instrument { name, length_m, shortest_m, .. } = instrument;

@@ -1,20 +1,20 @@
-//! A surface whose spectrum is known.
+//! Surface whose spectrum is known.
 
 use gaussian_surfaces::{AreaSpectrum, SelfAffine, Size};
 use spectrum::ProfilePsd;
 
 use crate::error::StudyError;
 
-/// The longest wavelength of all surfaces \[m\].
+/// Longest wavelength of all surfaces \[m\].
 pub const LONGEST_M: f64 = 400e-6;
 
-/// Where their spectra begin to fall \[m\].
+/// Roll-off wavelength of all surfaces \[m\].
 pub const ROLLOFF_M: f64 = 40e-6;
 
-/// Root mean square of their gradients.
+/// Rms gradient of all surfaces.
 pub const RMS_GRADIENT: f64 = 0.05;
 
-/// A self-affine surface with a roll-off.
+/// Self-affine surface with a roll-off.
 #[derive(Debug, Clone)]
 pub struct KnownSurface {
     /// Hurst exponent.
@@ -23,10 +23,10 @@ pub struct KnownSurface {
 }
 
 impl KnownSurface {
-    /// The surface of a Hurst exponent, down to a shortest wavelength \[m\].
+    /// Creates the surface of a Hurst exponent, down to a shortest wavelength \[m\].
     ///
     /// # Errors
-    /// [`StudyError::Surface`] for an exponent or a wavelength that no surface has.
+    /// [`StudyError::Surface`] for an exponent or a wavelength out of range.
     pub fn new(hurst_exponent: f64, shortest_m: f64) -> Result<Self, StudyError> {
         let area = AreaSpectrum::self_affine(&SelfAffine {
             hurst_exponent,
@@ -38,10 +38,10 @@ impl KnownSurface {
         Ok(KnownSurface { hurst_exponent, area })
     }
 
-    /// The spectrum of its profiles at wavelengths \[m\] from long to short.
+    /// Returns the spectrum of its profiles at wavelengths \[m\] from long to short.
     ///
     /// # Errors
-    /// [`StudyError::Surface`] at wavelengths that the surface has not.
+    /// [`StudyError::Surface`] at wavelengths outside of the surface's band.
     pub fn profile(&self, wavelengths_m: &[f64]) -> Result<ProfilePsd, StudyError> {
         Ok(self.area.profile(wavelengths_m)?)
     }

@@ -1,4 +1,4 @@
-//! A synthetic study: scans of a known surface by instruments whose height scales are a little off.
+//! Synthetic study: scans of a known surface by instruments with inexact height scales.
 
 use std::collections::BTreeMap;
 
@@ -13,49 +13,49 @@ use crate::npy;
 use crate::random::Normals;
 use crate::surface::KnownSurface;
 
-/// Scans of one study take numbers of their own below this.
+/// Upper limit of the scan numbers within a study.
 const MOST_SCANS: u64 = 1 << 10;
 
-/// Makes synthetic studies of one surface.
+/// Generator of synthetic studies of one surface.
 #[derive(Debug, Clone)]
 pub struct Laboratory {
-    /// What is measured.
+    /// Surface that is measured.
     pub surface: KnownSurface,
     lines: LineMaker,
     maps: MapMaker,
     seed: u64,
 }
 
-/// The files of a study.
+/// Files of a study.
 #[derive(Debug, Clone)]
 pub struct SyntheticStudy {
-    /// By name.
+    /// Contents of the files by name.
     pub files: BTreeMap<String, Vec<u8>>,
-    /// Every scan with its instrument.
+    /// Scans, each with its instrument.
     pub scans: Vec<(Instrument, ScanRequest)>,
 }
 
 impl Laboratory {
-    /// A surface of this Hurst exponent, and both instruments.
+    /// Creates a surface of this Hurst exponent, with both instruments.
     ///
     /// # Errors
-    /// [`StudyError::Surface`] for an exponent that no surface has.
+    /// [`StudyError::Surface`] for an exponent out of range.
     pub fn new(hurst_exponent: f64, seed: u64) -> Result<Self, StudyError> {
         let surface = KnownSurface::new(hurst_exponent, 2.0 * AFM.spacing_m())?;
         let (lines, maps) = (LineMaker::new(&surface, &STYLUS)?, MapMaker::new(&surface, &AFM)?);
         Ok(Laboratory { surface, lines, maps, seed })
     }
 
-    /// The study of a number, with so many scans by each instrument, below a thousand: the first ones are the same however
-    /// many there are.
+    /// Returns the study of a number, with `scans` by each instrument, below a thousand. The first scans do not
+    /// depend on how many there are.
     ///
     /// # Errors
-    /// [`StudyError::Surface`] where the band of an instrument does not fit the surface.
+    /// [`StudyError::Surface`] if the band of an instrument does not fit the surface.
     pub fn study(&self, number: u64, scans: [u32; 2]) -> Result<SyntheticStudy, StudyError> {
         let (mut files, mut requests) = (BTreeMap::new(), Vec::new());
         for (place, (instrument, scans)) in INSTRUMENTS.into_iter().zip(scans).enumerate() {
             let first = (number * INSTRUMENTS.len() as u64 + place as u64) * MOST_SCANS;
-            let gain = 1.0 + GAIN_SD * Normals::of(self.seed, first).next();
+            let gain = 1.0 + GAIN_SD * Normals::new(self.seed, first).next();
             for scan in 1..=u64::from(scans) {
                 let mut heights_m = self.heights_m(&instrument, first + scan)?;
                 heights_m.iter_mut().for_each(|height_m| *height_m *= gain);
@@ -68,7 +68,7 @@ impl Laboratory {
     }
 
     fn heights_m(&self, instrument: &Instrument, number: u64) -> Result<Vec<f64>, StudyError> {
-        let mut normals = Normals::of(self.seed, number);
+        let mut normals = Normals::new(self.seed, number);
         match instrument.shape {
             Shape::Line => Ok(self.lines.line(&mut normals)),
             Shape::Map => self.maps.map(self.seed, number, &mut normals),
@@ -87,10 +87,10 @@ fn request(path: String, instrument: &Instrument) -> ScanRequest {
 }
 
 impl SyntheticStudy {
-    /// The composite of all scans.
+    /// Composite of all scans.
     ///
     /// # Errors
-    /// [`StudyError::Scans`] where the files do not read.
+    /// [`StudyError::Scans`] if the files cannot be read.
     pub fn composite(&self) -> Result<CompositeSpectrum, StudyError> {
         let requests: Vec<ScanRequest> = self.scans.iter().map(|(_, request)| request.clone()).collect();
         Ok(CompositeOfFiles::read(&requests, &self.files, &Recipe::default())?.spectrum)

@@ -1,4 +1,4 @@
-//! One study carried out: what is said of its areas, and what they are.
+//! Outcome of one study: intervals of its areas, and the true areas.
 
 use scene::Scene;
 use study::Unobserved;
@@ -9,52 +9,52 @@ use crate::error::StudyError;
 use crate::synthetic::Laboratory;
 use crate::truth::known_composite;
 
-/// An interval and what it should hold.
+/// Interval and the true value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Held {
-    /// The curve, by index.
+pub struct IntervalOutcome {
+    /// Index of the curve.
     pub curve: usize,
-    /// The load, by index.
+    /// Index of the load.
     pub load: usize,
-    /// The area fraction of the known spectrum in the same bins.
+    /// Area fraction of the known spectrum in the same bins.
     pub truth: f64,
-    /// The median of the draws.
+    /// Median of the draws.
     pub median: f64,
-    /// Both ends.
+    /// Lower and upper end.
     pub ends: [f64; 2],
 }
 
-/// A study carried out.
+/// Outcome of a study.
 #[derive(Debug, Clone)]
 pub struct Trial {
-    /// The names of its curves.
+    /// Names of the curves.
     pub curves: Vec<String>,
-    /// The names of its loads.
+    /// Names of the loads.
     pub loads: Vec<String>,
-    /// Every interval.
-    pub held: Vec<Held>,
-    /// What to measure next, where that was asked for.
+    /// All intervals.
+    pub intervals: Vec<IntervalOutcome>,
+    /// Advice on the next measurement, if requested.
     pub advice: Vec<Advice>,
 }
 
-/// Areas that differ by less are the same.
+/// Relative difference below which areas are equal.
 const ROUNDING: f64 = 1e-9;
 
-impl Held {
-    /// Whether the interval holds the truth.
+impl IntervalOutcome {
+    /// True if the interval holds the truth.
     #[must_use]
     pub fn holds(&self) -> bool {
         let [low, high] = self.ends;
         low * (1.0 - ROUNDING) <= self.truth && self.truth <= high * (1.0 + ROUNDING)
     }
 
-    /// ln(high/low).
+    /// Width ln(high/low).
     #[must_use]
     pub fn width(&self) -> f64 {
         (self.ends[1] / self.ends[0]).ln()
     }
 
-    /// ln(median/truth).
+    /// Deviation ln(median/truth).
     #[must_use]
     pub fn deviation(&self) -> f64 {
         (self.median / self.truth).ln()
@@ -62,18 +62,18 @@ impl Held {
 }
 
 impl Laboratory {
-    /// Carries out the study of a number with so many scans by each instrument, for its intervals alone.
+    /// Runs the study of a number with `scans` by each instrument, for its intervals alone.
     ///
     /// # Errors
-    /// [`StudyError`] where anything of it fails, and [`StudyError::Certain`] where nothing of it is said to scatter.
+    /// [`StudyError`] if any part fails, and [`StudyError::Certain`] if the scene has no uncertain input.
     pub fn trial(&self, number: u64, scans: [u32; 2], settings: &Settings) -> Result<Trial, StudyError> {
         self.carried_out(number, scans, settings, |plan| Ok((plan.intervals(&Unobserved)?, Vec::new())))
     }
 
-    /// The same with what to measure next.
+    /// Runs a study as [`trial`](Self::trial) does, with advice on the next measurement.
     ///
     /// # Errors
-    /// Those of [`trial`](Self::trial).
+    /// The errors of [`trial`](Self::trial).
     pub fn advised_trial(
         &self,
         number: u64,
@@ -99,20 +99,20 @@ impl Laboratory {
         let plan = UncertaintyPlan::of(&scene, &results, &settings).ok_or(StudyError::Certain)?;
         let (areas, advice) = carry_out(&plan)?;
         let known = self.known(&scene)?;
-        let held = areas.iter().filter_map(|area| {
+        let intervals = areas.iter().filter_map(|area| {
             let (_, truth) = *known.curves[area.curve].area_fractions(area.load).last()?;
             let ends = [area.low, area.high];
-            Some(Held { curve: area.curve, load: area.load, truth, median: area.median, ends })
+            Some(IntervalOutcome { curve: area.curve, load: area.load, truth, median: area.median, ends })
         });
         Ok(Trial {
             curves: scene.needs.curves.iter().map(|curve| curve.name.clone()).collect(),
             loads: scene.needs.loads.iter().map(|load| load.label.clone()).collect(),
-            held: held.collect(),
+            intervals: intervals.collect(),
             advice,
         })
     }
 
-    /// The same scene about the known spectrum.
+    /// Results of the same scene with the known spectrum.
     fn known(&self, scene: &Scene) -> Result<Results, StudyError> {
         let scans = scene.surface.made_from.as_ref().ok_or(StudyError::Certain)?;
         let psd = known_composite(&self.surface, &scans.spectrum)?;

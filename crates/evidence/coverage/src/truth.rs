@@ -1,4 +1,4 @@
-//! The spectrum that a composite estimates.
+//! Expectation of a composite.
 
 use spectrum::ProfilePsd;
 use topography::{BinMean, CompositeOptions, CompositeSpectrum, composite};
@@ -6,10 +6,11 @@ use topography::{BinMean, CompositeOptions, CompositeSpectrum, composite};
 use crate::error::StudyError;
 use crate::surface::KnownSurface;
 
-/// The composite of scans without scatter: the known spectrum at the wavelengths of each scan, averaged in the same bins.
+/// Returns the composite of scans without scatter: the known spectrum at the wavelengths of each scan, averaged in
+/// the same bins.
 ///
 /// # Errors
-/// [`StudyError::Surface`] at wavelengths that the surface has not.
+/// [`StudyError::Surface`] at wavelengths outside of the surface's band.
 pub fn known_composite(
     surface: &KnownSurface,
     measured: &CompositeSpectrum,

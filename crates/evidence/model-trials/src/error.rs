@@ -1,10 +1,10 @@
-//! Why a trial has no result.
+//! Errors of a trial.
 
 use gaussian_surfaces::SurfaceError;
 use half_space::HalfSpaceError;
 use thiserror::Error;
 
-/// Why a trial has no result.
+/// Reason why a trial has no result.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TrialError {
@@ -17,13 +17,13 @@ pub enum TrialError {
     /// A model cannot be built.
     #[error("building a model: {0}")]
     Material(#[from] study::material::MaterialError),
-    /// A load is none.
+    /// A load is out of range.
     #[error("asking the models: {0}")]
     Load(#[from] units::OutOfBounds),
-    /// The models cannot be asked.
+    /// The models cannot be run.
     #[error("asking the models: {0}")]
     Plan(#[from] study::plan::PlanError),
-    /// The page has no place for a table.
+    /// The page has no section for a table.
     #[error("{0}")]
     Page(String),
     /// A table of results cannot be read or written.

@@ -1,4 +1,4 @@
-//! Two decades glued from one and one, against both pressed at once: `docs/guide/which-model/gluing.csv`.
+//! Gluing of two decades from single ones, compared with both pressed at once: `docs/which-model/gluing.csv`.
 //!
 //! A(p) = Int P_ab(sigma) A_bc(sigma) d sigma, with P_ab the pressures on the first decade and A_bc the area of the second
 //! under a uniform pressure.
@@ -13,45 +13,45 @@ use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, TrialLoad, WaveBan
 use crate::statistics::Mean;
 use crate::window_law::WindowLaw;
 
-/// Surfaces of the first decade, and the points along their sides.
+/// Number of surfaces of the first decade.
 const REALISATIONS: u64 = 6;
 const GRIDS: [usize; 2] = [256, 128];
 
-/// Two decades glued.
+/// Result of gluing two decades.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct GluingRow {
     /// Hurst exponent.
     pub hurst_exponent: f64,
-    /// p/(E* h') of both decades.
+    /// Load p/(E* h') of both decades.
     pub pressure_over_gradient: f64,
-    /// The area that is glued.
+    /// Glued area.
     pub glued: f64,
-    /// Its standard error.
+    /// Standard error of the glued area.
     pub glued_standard_error: f64,
 }
 
-/// The first of the two decades, with two of its longest waves along a side.
+/// First of the two decades, with two of its longest waves along a side.
 fn first_decade(hurst_exponent: f64) -> WaveBand {
     WaveBand::fractal(hurst_exponent, 2.0, 20.0)
 }
 
-/// A row for every load on two decades.
+/// Computes a row for every load on two decades.
 ///
 /// # Errors
-/// What kept a surface from being made or pressed.
+/// The error of making or pressing a surface.
 pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
     let mut rows = Vec::new();
     for hurst_exponent in HURST_EXPONENTS {
         let band = two_decades(hurst_exponent);
-        let Some(law) = WindowLaw::of(elements, &one_decade(hurst_exponent)) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &one_decade(hurst_exponent)) else { continue };
         let seam_m = 0.1 * BOX_M / band.first_wave;
         let spectrum = band.spectrum()?;
         let long = spectrum.cut(BOX_M / band.first_wave, seam_m)?.mean_square_gradient().sqrt();
         let short = spectrum.cut(seam_m, BOX_M / band.last_wave)?.mean_square_gradient().sqrt();
         for row in elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()) {
             let on_first = TrialLoad::elastic(row.pressure_over_gradient * (RMS_GRADIENT / long));
-            // The first decade is pressed at the gradient of all trials, the second has its own beside it.
+            // The first decade is pressed at the gradient of all trials; the second adds its own.
             let unit_pa = CONTACT_MODULUS_PA * RMS_GRADIENT * (short / long);
             let glued = |number: &u64| -> Result<f64, TrialError> {
                 let on_grid = |grid: usize| -> Result<f64, TrialError> {
@@ -61,11 +61,11 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
                     let sum: f64 = pressed.map(|pressure_pa| law.area_fraction(pressure_pa / unit_pa)).sum();
                     Ok(sum / pressures_pa.len() as f64)
                 };
-                // What the edges of contacts get wrong is of first order in the spacing.
+                // The error at the edges of contacts is of first order in the spacing.
                 Ok(2.0 * on_grid(GRIDS[0])? - on_grid(GRIDS[1])?)
             };
             let numbers: Vec<u64> = (0..REALISATIONS).collect();
-            let glued = Mean::of(parallel::try_map(&numbers, glued)?.into_iter());
+            let glued = Mean::new(parallel::try_map(&numbers, glued)?.into_iter());
             rows.push(GluingRow {
                 hurst_exponent,
                 pressure_over_gradient: row.pressure_over_gradient,
@@ -77,7 +77,7 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
     Ok(rows)
 }
 
-/// Glued over pressed at once, less 1, and the standard error of that.
+/// Relative error of the glued area against both pressed at once, and its standard error.
 #[must_use]
 pub fn error_of(row: &GluingRow, elements: &[ElementsRow]) -> Option<(f64, f64)> {
     let whole = elements.iter().find(|whole| {

@@ -1,4 +1,4 @@
-//! The plastic area of Persson's theory beside that of saturated elements.
+//! Plastic area of Persson's theory compared with saturated boundary elements.
 
 use persson::constant_hardness;
 
@@ -7,17 +7,17 @@ use crate::elements::ElementsRow;
 /// Plastic areas on one spectrum under one load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlasticAreas {
-    /// s/H.
+    /// Spread over hardness s/H.
     pub spread_over_hardness: f64,
-    /// p/(E* h').
+    /// Load p/(E* h').
     pub pressure_over_gradient: f64,
-    /// By saturated elements.
+    /// Area by saturated boundary elements.
     pub judged: f64,
-    /// By Persson's theory at the same constant hardness.
+    /// Area by Persson's theory at the same constant hardness.
     pub persson: f64,
 }
 
-/// The plastic areas of every row with a hardness.
+/// Plastic areas of every row with a hardness.
 #[must_use]
 pub fn plastic_areas(elements: &[ElementsRow]) -> Vec<PlasticAreas> {
     let of_row = |row: &ElementsRow| {

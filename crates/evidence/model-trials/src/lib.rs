@@ -1,5 +1,5 @@
-//! Every contact model of the program held against boundary elements on the same surfaces: the study behind
-//! `docs/guide/which-model.md`.
+//! Every contact model of the program compared with boundary elements on the same surfaces: the study behind
+//! `docs/which-model.md`.
 #![deny(missing_docs)]
 
 pub mod elements;

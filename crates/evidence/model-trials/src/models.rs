@@ -1,4 +1,4 @@
-//! The areas of every model on the surfaces that are pressed.
+//! Areas of every model on the surfaces of the study.
 
 use std::num::NonZeroU32;
 
@@ -18,33 +18,33 @@ use crate::spectra::{CONTACT_MODULUS_PA, TrialLoad, spread_pa};
 
 const POISSON_RATIO: f64 = 0.3;
 
-/// A profile of the surface is sampled from this many times its longest wavelength on, this closely.
+/// Longest wavelength of sampled profiles, over that of the surface.
 const LEVEL_PART: f64 = 100.0;
-/// Scales of a stack, as the spectra that come with the program have them.
+/// Scales of a stack per decade, as in the spectra that come with the program.
 const SCALES_PER_DECADE: f64 = 10.0;
 const PER_DECADE: NonZeroU32 = NonZeroU32::new(20).unwrap();
 
-/// The area that a model gives under a load.
+/// Area of a model under a load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelArea {
-    /// The model's name; a corrected form of Persson's theory is `persson` with the name of the correction.
+    /// Name of the model; a corrected form of Persson's theory is `persson` with the name of the correction.
     pub model: String,
-    /// The load, as its place among those asked for.
+    /// Index of the load.
     pub load: usize,
     /// Area over nominal area.
     pub area_fraction: f64,
 }
 
-/// Whether a model is one that yields, and stands against saturated elements.
+/// Returns true if a model yields, and is compared with saturated elements.
 #[must_use]
 pub fn yields(entry: &ModelEntry) -> bool {
     entry.has(Choice::Strength)
 }
 
-/// The areas of all elastic models under elastic loads, and of all that yield at a constant hardness under the others.
+/// Areas of all elastic models under elastic loads, and of all that yield at a constant hardness under the others.
 ///
 /// # Errors
-/// Where a spectrum or a plan cannot be made.
+/// The error of making a spectrum or a plan.
 pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelArea>, TrialError> {
     let from_m = LEVEL_PART * surface.longest_m();
     let fine = surface.profile(&surface.profile_wavelengths_m(from_m, PER_DECADE))?;
@@ -65,14 +65,14 @@ pub fn areas(surface: &AreaSpectrum, loads: &[TrialLoad]) -> Result<Vec<ModelAre
     Ok(found)
 }
 
-/// The wavelengths \[m\] of scales to be stacked, evenly spaced in their logarithms and above the shortest of the surface, at
-/// which its profiles end.
+/// Wavelengths \[m\] of scales to be stacked, evenly spaced in their logarithms and above the shortest of the
+/// surface, at which its profiles end.
 fn scales_m(from_m: f64, shortest_m: f64) -> Vec<f64> {
     let scales = ((from_m / shortest_m).log10() * SCALES_PER_DECADE).round();
     (0..scales as u32).map(|at| from_m * (shortest_m / from_m).powf(f64::from(at) / scales)).collect()
 }
 
-/// What the program's own plan gives for some of the models under loads that share a hardness.
+/// Results of the program's own plan for some of the models under loads that share a hardness.
 fn planned(
     psd: &ProfilePsd,
     loads: &[(usize, TrialLoad)],
@@ -109,7 +109,7 @@ fn planned(
     Ok(entries.iter().zip(&results.curves).flat_map(of_model).collect())
 }
 
-/// The corrected forms of Persson's elastic theory, which depend on h' and alpha alone.
+/// Corrected forms of Persson's elastic theory, which depend on h' and alpha alone.
 fn corrected(surface: &AreaSpectrum, loads: &[(usize, TrialLoad)]) -> Vec<ModelArea> {
     let moments = surface.moments();
     let alpha = moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2);
@@ -129,7 +129,7 @@ fn corrected(surface: &AreaSpectrum, loads: &[(usize, TrialLoad)]) -> Vec<ModelA
     Correction::ALL.iter().flat_map(of_correction).collect()
 }
 
-/// A metal of the contact modulus of the trials, of the hardness of a load.
+/// Metal of the contact modulus of the trials, with the hardness of a load.
 fn material(load: &TrialLoad) -> Result<Material, TrialError> {
     let youngs_modulus_pa = CONTACT_MODULUS_PA * (1.0 - POISSON_RATIO * POISSON_RATIO);
     let hardness = load.hardness_pa().map(|pa| IndentationHardness { pa });

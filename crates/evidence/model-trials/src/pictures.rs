@@ -1,5 +1,5 @@
-//! The figures of the page: ratios to boundary elements, on logarithmic axes whose steps are factors of two, since half of
-//! what there is to see lies within one.
+//! Figures of the page: ratios to boundary elements, on logarithmic axes with steps of a factor of two, because half
+//! of the data lies within one.
 
 use std::sync::Arc;
 
@@ -19,21 +19,21 @@ use crate::ratios::RatioRow;
 const WIDTH_PX: f64 = 860.0;
 const HEIGHT_PX: f64 = 440.0;
 
-/// Colours that people with any colour vision tell apart (Okabe & Ito), and the markers that go with them.
+/// Colours that are distinct with any colour vision (Okabe & Ito), and the markers that go with them.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#b0568a", "#c28400", "#000000", "#56b4e9"];
 const MARKERS: [MarkerShape; 4] =
     [MarkerShape::Circle, MarkerShape::Square, MarkerShape::Triangle, MarkerShape::Diamond];
 
-/// Ratios below this are drawn at it.
+/// Ratio at which smaller ones are drawn.
 const LEAST_RATIO: f64 = 1.0 / 64.0;
 
-/// The width of a group of bars, in decades (or in steps of an axis that is not logarithmic).
+/// Width of a group of bars, in decades (or in steps of an axis that is not logarithmic).
 const GROUP: f64 = 0.34;
 
-/// A figure: the name of its file without extension, and the document.
+/// Figure: the name of its file without extension, and the document.
 pub type Picture = (&'static str, String);
 
-/// All figures.
+/// Draws all figures.
 #[must_use]
 pub fn pictures(rows: &[RatioRow]) -> Vec<Picture> {
     vec![
@@ -44,7 +44,7 @@ pub fn pictures(rows: &[RatioRow]) -> Vec<Picture> {
     ]
 }
 
-/// The models of some rows, in their order.
+/// Models of some rows, in their order.
 #[must_use]
 pub fn models(rows: &[&RatioRow]) -> Vec<String> {
     let mut models: Vec<String> = Vec::new();
@@ -56,7 +56,7 @@ pub fn models(rows: &[&RatioRow]) -> Vec<String> {
     models
 }
 
-/// For every model and load the range over all spectra, with its median.
+/// Draws for every model and load the range over all spectra, with its median.
 fn by_pressure(rows: &[RatioRow]) -> String {
     let elastic: Vec<&RatioRow> = rows
         .iter()
@@ -83,7 +83,7 @@ fn by_hardness(rows: &[RatioRow]) -> String {
     )
 }
 
-/// For every model and place on the abscissa a bar from the least to the largest ratio, and a marker at the median.
+/// Draws for every model and abscissa a bar from the smallest to the largest ratio, and a marker at the median.
 fn bars(
     rows: &[&RatioRow],
     title: &str,
@@ -113,7 +113,7 @@ fn bars(
     drawn(models.iter().enumerate().map(of_model).collect(), title, (x_label, x_format), rows, &x)
 }
 
-/// The ratios of all elastic models against alpha, at one load.
+/// Draws the ratios of all elastic models over alpha, at one load.
 fn by_alpha(rows: &[RatioRow], pressure_over_gradient: f64) -> String {
     let rows: Vec<&RatioRow> = rows
         .iter()
@@ -180,7 +180,7 @@ fn drawn(
     layout = layout.with_legend_width(legend_px(rows));
     let scene = render_multiple(plots, layout);
     let svg = SvgBackend::default().render_scene(&scene);
-    // A picture without a view box is cut off where it should shrink.
+    // A picture without a view box is cropped where it should shrink.
     match svg.split_once('>') {
         Some((opening, inside)) => {
             format!(
@@ -192,7 +192,7 @@ fn drawn(
     }
 }
 
-/// What the longest name takes, with its mark.
+/// Width of the longest name with its mark.
 fn legend_px(rows: &[&RatioRow]) -> f64 {
     const LETTER_PX: f64 = 7.2;
     const MARK_PX: f64 = 44.0;
@@ -200,7 +200,7 @@ fn legend_px(rows: &[&RatioRow]) -> f64 {
     MARK_PX + LETTER_PX * letters as f64
 }
 
-/// Where a ratio stands: its logarithm to the base of two.
+/// Ordinate of a ratio: its logarithm to the base of two.
 fn height(ratio: f64) -> f64 {
     ratio.max(LEAST_RATIO).log2()
 }

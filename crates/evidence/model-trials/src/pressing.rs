@@ -9,21 +9,21 @@ use crate::programme::Trial;
 use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, TrialLoad, WaveBand};
 use crate::statistics::Mean;
 
-/// The seed of all surfaces.
+/// Seed of all surfaces.
 const SEED: u64 = 1;
 
-/// The residual to which surfaces are pressed.
+/// Residual to which surfaces are pressed.
 const TOLERANCE: f64 = 1e-6;
 
-/// With fewer points than this on the shortest wavelength, a grid tells nothing of how areas change with the grid.
+/// Points on the shortest wavelength below which a grid does not show how areas change with the grid.
 const FEWEST_POINTS_PER_WAVE: f64 = 2.5;
 
-/// What boundary elements give under a load, in the mean over the surfaces.
+/// Mean result of boundary elements over the surfaces under a load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pressed {
-    /// The load.
+pub struct LoadResult {
+    /// Load on the surfaces.
     pub load: TrialLoad,
-    /// Area, extrapolated from two grids where both resolve the shortest wavelength.
+    /// Area, extrapolated from two grids if both resolve the shortest wavelength.
     pub area: Mean,
     /// Area on the finer grid, corrected by its perimeter.
     pub corrected: Mean,
@@ -31,16 +31,16 @@ pub struct Pressed {
     pub plastic: Mean,
 }
 
-/// Presses every surface of a trial under every load; the surfaces side by side.
+/// Presses every surface of a trial under every load, with the surfaces in parallel.
 ///
 /// # Errors
-/// What kept a surface from being made or pressed.
-pub fn pressed(trial: &Trial) -> Result<Vec<Pressed>, TrialError> {
+/// The error of making or pressing a surface.
+pub fn press(trial: &Trial) -> Result<Vec<LoadResult>, TrialError> {
     let numbers: Vec<u64> = (0..trial.realisations).collect();
     let of_surfaces = parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
     let of_load = |(at, &load): (usize, &TrialLoad)| {
-        let mean = |of: fn(&Areas) -> f64| Mean::of(of_surfaces.iter().map(|areas| of(&areas[at])));
-        Pressed {
+        let mean = |of: fn(&Areas) -> f64| Mean::new(of_surfaces.iter().map(|areas| of(&areas[at])));
+        LoadResult {
             load,
             area: mean(|areas| areas.extrapolated),
             corrected: mean(|areas| areas.corrected),
@@ -50,10 +50,10 @@ pub fn pressed(trial: &Trial) -> Result<Vec<Pressed>, TrialError> {
     Ok(trial.loads.iter().enumerate().map(of_load).collect())
 }
 
-/// The contact of one surface of a band on one grid.
+/// Contact of one surface of a band on one grid.
 ///
 /// # Errors
-/// What kept the surface from being made or pressed.
+/// The error of making or pressing the surface.
 pub fn contact(band: &WaveBand, grid: usize, number: u64, load: &TrialLoad) -> Result<Contact, TrialError> {
     press(&mut elements(&surface(&band.spectrum()?, grid, number)?)?, load)
 }
@@ -83,8 +83,8 @@ fn one_surface(trial: &Trial, number: u64) -> Result<Vec<Areas>, TrialError> {
     trial.loads.iter().map(of_load).collect()
 }
 
-/// A surface at the rms gradient of its spectrum: the area depends on the gradient first of all, and most of the scatter from
-/// surface to surface is that of their gradients.
+/// Surface scaled to the rms gradient of its spectrum: the area depends mostly on the gradient, and most of the
+/// scatter from surface to surface comes from it.
 fn surface(spectrum: &AreaSpectrum, grid: usize, number: u64) -> Result<Surface, TrialError> {
     let surface = spectrum.surface(&Synthesis::square(grid, BOX_M, SEED, Phases::FixedModulus), number)?;
     let own = surface.mean_square_gradient().sqrt();

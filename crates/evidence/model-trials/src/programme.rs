@@ -1,35 +1,35 @@
-//! What is pressed: which spectra, on which grids, how often, and how hard.
+//! Programme of the study: spectra, grids, numbers of surfaces, and loads.
 
 use crate::spectra::{TrialLoad, WaveBand};
 
-/// The Hurst exponents.
+/// Hurst exponents.
 pub const HURST_EXPONENTS: [f64; 3] = [0.3, 0.5, 0.8];
 
-/// p/(E* h') of all spectra.
+/// Loads p/(E* h') of all spectra.
 pub const PRESSURES: [f64; 6] = [0.003, 0.01, 0.04, 0.15, 0.4, 0.9];
 
-/// p/(E* h') of the widest bands: of lighter ones a few surfaces with a single longest wave tell little.
+/// Loads p/(E* h') of the widest bands; at lighter ones a few surfaces with a single longest wave scatter too much.
 pub const WIDEST_PRESSURES: [f64; 4] = [0.01, 0.04, 0.15, 0.4];
 
-/// p/(E* h') at which the law of one decade is known closely enough to be interpolated.
+/// Loads p/(E* h') at which the law of one decade is known closely enough for interpolation.
 pub const LAW_PRESSURES: [f64; 14] =
     [0.001, 0.003, 0.006, 0.01, 0.02, 0.04, 0.07, 0.11, 0.15, 0.25, 0.4, 0.6, 0.9, 1.4];
 
-/// s/H, and p/(E* h') below all of those hardnesses.
+/// Ratios s/H with a hardness.
 pub const SPREADS_OVER_HARDNESS: [f64; 3] = [0.5, 1.0, 1.7];
-/// See [`SPREADS_OVER_HARDNESS`].
+/// Loads p/(E* h') with a hardness, below all of those hardnesses.
 pub const HARD_PRESSURES: [f64; 3] = [0.01, 0.04, 0.15];
 
-/// A spectrum with its grid and its loads.
+/// Spectrum with its grid and its loads.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trial {
-    /// The spectrum.
+    /// Spectrum of the surfaces.
     pub band: WaveBand,
-    /// Points along a side of the finer grid.
+    /// Number of points along a side of the finer grid.
     pub grid: usize,
-    /// Surfaces that are pressed.
+    /// Number of surfaces.
     pub realisations: u64,
-    /// The loads.
+    /// Loads on the surfaces.
     pub loads: Vec<TrialLoad>,
 }
 
@@ -39,25 +39,25 @@ pub fn one_decade(hurst_exponent: f64) -> WaveBand {
     WaveBand::fractal(hurst_exponent, 4.0, 40.0)
 }
 
-/// A decade and a half without a roll-off.
+/// One and a half decades without a roll-off.
 #[must_use]
 pub fn one_and_a_half_decades(hurst_exponent: f64) -> WaveBand {
     WaveBand::fractal(hurst_exponent, 2.0, 64.0)
 }
 
-/// Two decades, which are two windows of one: those that are glued.
+/// Two decades, which consist of two windows of one; gluing is tested on them.
 #[must_use]
 pub fn two_decades(hurst_exponent: f64) -> WaveBand {
     WaveBand::fractal(hurst_exponent, 1.0, 100.0)
 }
 
-/// The widest bands.
+/// Widest bands.
 #[must_use]
 pub fn widest(hurst_exponent: f64) -> WaveBand {
     WaveBand::fractal(hurst_exponent, 1.0, 316.0)
 }
 
-/// Everything that is pressed, the quick ones first.
+/// All trials, the quick ones first.
 #[must_use]
 pub fn programme() -> Vec<Trial> {
     let mut trials = vec![trial(WaveBand::fractal(0.8, 12.0, 16.0), 256, 12)];
@@ -96,7 +96,8 @@ fn trial(band: WaveBand, grid: usize, realisations: u64) -> Trial {
     Trial { band, grid, realisations, loads }
 }
 
-/// Whether a spectrum is pressed with hardnesses too: one and a half decades of each exponent, and one and two of 0.8.
+/// Returns true if a spectrum is pressed with hardnesses too: one and a half decades of each exponent, and one and
+/// two decades of 0.8.
 fn hardens(band: &WaveBand) -> bool {
     *band == one_and_a_half_decades(band.hurst_exponent)
         || *band == one_decade(0.8)

@@ -1,4 +1,4 @@
-//! Every model over boundary elements: `docs/guide/which-model/ratios.csv`.
+//! Ratios of every model to boundary elements: `docs/which-model/ratios.csv`.
 
 use serde::Serialize;
 
@@ -7,40 +7,40 @@ use crate::elements::{ElementsRow, digits};
 use crate::models::areas;
 use crate::spectra::{TrialLoad, WaveBand};
 
-/// A model beside boundary elements on the same spectrum under the same load.
+/// Model compared with boundary elements on the same spectrum under the same load.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct RatioRow {
     /// Hurst exponent.
     pub hurst_exponent: f64,
-    /// The longest wavelength, as waves per box.
+    /// Longest wavelength, in waves per box.
     pub first_wave: f64,
-    /// The roll-off, as waves per box.
+    /// Roll-off, in waves per box.
     pub rolloff_wave: f64,
-    /// The shortest wavelength, as waves per box.
+    /// Shortest wavelength, in waves per box.
     pub last_wave: f64,
     /// Nayak's alpha = m0 m4/m2^2.
     pub alpha: f64,
-    /// p/(E* h').
+    /// Load p/(E* h').
     pub pressure_over_gradient: f64,
-    /// s/H; empty where elastic.
+    /// Spread over hardness s/H; empty for elastic contact.
     pub spread_over_hardness: Option<f64>,
-    /// The model.
+    /// Name of the model.
     pub model: String,
-    /// Its area over nominal area.
+    /// Area fraction of the model.
     pub area_fraction: f64,
-    /// That of boundary elements.
+    /// Area fraction of boundary elements.
     pub judged: f64,
-    /// The one over the other.
+    /// Ratio of the model's area to that of boundary elements.
     pub ratio: f64,
     /// Standard error of the ratio.
     pub standard_error: f64,
 }
 
-/// A row for every spectrum, load and model.
+/// Computes a row for every spectrum, load and model.
 ///
 /// # Errors
-/// Where a model cannot be asked.
+/// The error of running a model.
 pub fn rows(elements: &[ElementsRow]) -> Result<Vec<RatioRow>, TrialError> {
     let mut bands: Vec<WaveBand> = Vec::new();
     for row in elements {

@@ -1,6 +1,6 @@
-//! The two constants of the form `algebraic-nayak` of Persson's theory, fitted anew.
+//! Refit of the two constants of the form `algebraic-nayak` of Persson's theory.
 //!
-//! V_e = [g + (1 - g) A] V with g = a + b ln(alpha): a and b are those of the least sum of squares of relative errors in the
+//! V_e = [g + (1 - g) A] V with g = a + b ln(alpha): a and b minimise the sum of squares of relative errors in the
 //! area, each over its own standard error.
 
 use persson::corrections::algebraic_variance_pa2;
@@ -8,39 +8,39 @@ use persson::elastic;
 
 use crate::elements::ElementsRow;
 
-/// Rows are as good as this where their error is counted among the errors of the form.
+/// Largest relative error of a row that counts among the errors of the form.
 const WELL_KNOWN: f64 = 0.015;
 
-/// The constants, and what they leave.
+/// Constants of the form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NayakForm {
-    /// a of g = a + b ln(alpha).
+    /// Constant a of g = a + b ln(alpha).
     pub a: f64,
-    /// b.
+    /// Constant b of g = a + b ln(alpha).
     pub b: f64,
 }
 
-/// How far a form is off.
+/// Errors of a form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Misfit {
     /// Root mean square of relative errors, over the areas known to 1.5 %.
     pub rms: f64,
-    /// The largest of them, with its sign.
+    /// Largest of these errors, with its sign.
     pub worst: f64,
-    /// How many areas these are.
+    /// Number of these areas.
     pub well_known: usize,
     /// Root mean square of all relative errors, each over its standard error.
     pub rms_in_standard_errors: f64,
-    /// The largest of these.
+    /// Largest of these.
     pub worst_in_standard_errors: f64,
 }
 
 impl NayakForm {
-    /// As the program has it.
+    /// Constants of the program.
     pub const OF_THE_PROGRAM: Self = Self { a: 0.4244, b: 0.0357 };
 
-    /// The area under p/(E* h') of a spectrum of alpha.
+    /// Area under p/(E* h') of a spectrum of alpha.
     #[must_use]
     pub fn area_fraction(&self, pressure_over_gradient: f64, alpha: f64) -> f64 {
         let g = (self.a + self.b * alpha.ln()).clamp(f64::MIN_POSITIVE, 1.0);
@@ -51,7 +51,7 @@ impl NayakForm {
         )
     }
 
-    /// The constants of the least squares, from those of the program on.
+    /// Fits the constants, from those of the program on.
     #[must_use]
     pub fn fitted(elements: &[ElementsRow]) -> Self {
         let rows = elastic_rows(elements);
@@ -62,7 +62,7 @@ impl NayakForm {
         form
     }
 
-    /// A step of Gauss and Newton.
+    /// Gauss-Newton step.
     fn improved(self, rows: &[&ElementsRow]) -> Self {
         const STEP: f64 = 1e-5;
         let mut normal = [0.0; 3];
@@ -83,7 +83,7 @@ impl NayakForm {
         }
     }
 
-    /// What the form leaves.
+    /// Errors of the form.
     #[must_use]
     pub fn misfit(&self, elements: &[ElementsRow]) -> Misfit {
         let rows = elastic_rows(elements);

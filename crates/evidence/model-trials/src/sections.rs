@@ -1,4 +1,4 @@
-//! The tables of `docs/guide/which-model.md`.
+//! Tables of `docs/which-model.md`.
 
 use units::display::three_digits;
 use work_precision::page::{table, with_section};
@@ -13,28 +13,28 @@ use crate::ratios::RatioRow;
 use crate::refit::NayakForm;
 use crate::windows::WindowsRow;
 
-/// The factor within which a model agrees (`docs/guide/judge.md`).
+/// Factor within which a model agrees (`docs/judge.md`).
 const AGREEMENT: f64 = 4.0 / 3.0;
 
-/// What the tables are made from.
+/// Results from which the tables are made.
 #[derive(Clone, Copy, Debug)]
 pub struct Findings<'f> {
     /// Areas of boundary elements.
     pub elements: &'f [ElementsRow],
-    /// Models over them.
+    /// Ratios of models to boundary elements.
     pub ratios: &'f [RatioRow],
     /// Models on wide bands and on their windows.
     pub windows: &'f [WindowsRow],
-    /// Two decades glued.
+    /// Results of gluing two decades.
     pub gluing: &'f [GluingRow],
-    /// The models that the paper does not have, on its surface.
+    /// Models that the paper does not use, on its surface.
     pub uncd: &'f [paper::OtherModel],
 }
 
-/// The page with its tables anew; its words are written by hand.
+/// Returns the page with new tables; its text is written by hand.
 ///
 /// # Errors
-/// [`TrialError::Page`] where the page lacks a section.
+/// [`TrialError::Page`] if the page lacks a section.
 pub fn written(page: &str, findings: &Findings<'_>) -> Result<String, TrialError> {
     let sections = [
         ("elastic", elastic(findings.ratios)),
@@ -51,7 +51,7 @@ pub fn written(page: &str, findings: &Findings<'_>) -> Result<String, TrialError
     })
 }
 
-/// Every elastic model's least and largest ratio, at light, medium and heavy loads, and how often it agrees.
+/// Smallest and largest ratio of every elastic model, at light, medium and heavy loads, and its share of agreement.
 fn elastic(rows: &[RatioRow]) -> String {
     let elastic: Vec<&RatioRow> = rows.iter().filter(|row| row.spread_over_hardness.is_none()).collect();
     let bands: [(&str, [f64; 2]); 3] = [
@@ -78,7 +78,7 @@ fn elastic(rows: &[RatioRow]) -> String {
     table(&columns, &lines)
 }
 
-/// Every yielding model's least and largest ratio at each s/H.
+/// Smallest and largest ratio of every yielding model at each s/H.
 fn hardness(rows: &[RatioRow]) -> String {
     let yielding: Vec<&RatioRow> = rows.iter().filter(|row| row.spread_over_hardness.is_some()).collect();
     let lines: Vec<Vec<String>> = models(&yielding)
@@ -129,7 +129,7 @@ fn plastic(elements: &[ElementsRow]) -> String {
     table(&["s/H", "p/(E\\* h')", "plastic area, elements", "Persson", "ratio"], &lines)
 }
 
-/// How well the ratios on windows hold for the whole band.
+/// Agreement of the ratios on windows with that of the whole band.
 fn windows(rows: &[WindowsRow]) -> String {
     let mut names: Vec<&str> = Vec::new();
     rows.iter().for_each(|row| {
@@ -164,7 +164,7 @@ fn windows(rows: &[WindowsRow]) -> String {
     table(&["model", "ratio, whole band", "ratios, windows", "within", "worst factor beyond"], &lines)
 }
 
-/// The error of gluing, for every exponent and load.
+/// Error of gluing, for every exponent and load.
 fn gluing(findings: &Findings<'_>) -> String {
     let mut loads: Vec<f64> = findings.gluing.iter().map(|row| row.pressure_over_gradient).collect();
     loads.sort_by(f64::total_cmp);
@@ -192,7 +192,7 @@ fn gluing(findings: &Findings<'_>) -> String {
     table(&["p/(E\\* h')", "H = 0.3", "H = 0.5", "H = 0.8"], &lines)
 }
 
-/// The constants of `algebraic-nayak`, as the program has them and fitted anew.
+/// Constants of `algebraic-nayak`, of the program and refitted.
 fn constants(elements: &[ElementsRow]) -> String {
     let fitted = NayakForm::fitted(elements);
     let line = |name: &str, form: &NayakForm| {
@@ -214,7 +214,7 @@ fn constants(elements: &[ElementsRow]) -> String {
     )
 }
 
-/// What the other models say of the paper's surface.
+/// Statements of the other models on the paper's surface.
 fn uncd(models: &[paper::OtherModel]) -> String {
     let mut lines = Vec::new();
     for model in models {
@@ -229,7 +229,7 @@ fn uncd(models: &[paper::OtherModel]) -> String {
     table(&["model", "spectrum", "found"], &lines).replace("---:", "---")
 }
 
-/// What was pressed.
+/// Extent of the study.
 fn extent(elements: &[ElementsRow]) -> String {
     let mut bands = Vec::new();
     for row in elements {
@@ -249,14 +249,14 @@ fn extent(elements: &[ElementsRow]) -> String {
     )
 }
 
-/// The least and the largest of some values.
+/// Range of some values.
 fn range(values: impl Iterator<Item = f64>) -> String {
     let (low, high) = values
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
     if low > high { "-".to_owned() } else { format!("{} to {}", three_digits(low), three_digits(high)) }
 }
 
-/// How many of some ratios lie within 3/4 and 4/3, each widened by two standard errors.
+/// Share of some ratios within 3/4 and 4/3, each widened by two standard errors.
 fn share<'r>(rows: impl Iterator<Item = &'r RatioRow>) -> String {
     let (mut agree, mut all) = (0, 0);
     for row in rows {

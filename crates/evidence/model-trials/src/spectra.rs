@@ -1,34 +1,34 @@
-//! The spectra that are pressed: self-affine surfaces, told by waves per box.
+//! Spectra of the study: self-affine surfaces, given in waves per box.
 
 use gaussian_surfaces::{AreaSpectrum, SelfAffine, Size, SurfaceError};
 use serde::{Deserialize, Serialize};
 
-/// Side of the periodic box in m. Areas do not depend on it: all that counts are ratios of lengths.
+/// Side of the periodic box \[m\]. Areas do not depend on it: only ratios of lengths matter.
 pub const BOX_M: f64 = 1e-3;
 
-/// E* in Pa of everything that is pressed. Elastic areas depend on p/(E* h') alone; the laws of asperities that yield know
-/// more of a material, for which this is a metal.
+/// Contact modulus E* of all surfaces \[Pa\]. Elastic areas depend on p/(E* h') alone; the laws of asperities that
+/// yield need more of a material, for which this is a metal.
 pub const CONTACT_MODULUS_PA: f64 = 100e9;
 
 /// Rms gradient h' of every surface: small enough for a half-space.
 pub const RMS_GRADIENT: f64 = 0.05;
 
-/// A self-affine spectrum: Ciso is level from the first wave of the box to the roll-off, falls as q^(-2(1 + H)) from there
-/// to the last one, and is zero outside.
+/// Self-affine spectrum: Ciso is level from the first wave of the box to the roll-off, falls as q^(-2(1 + H)) from
+/// there to the last one, and is zero outside.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WaveBand {
     /// Hurst exponent H.
     pub hurst_exponent: f64,
-    /// The longest wavelength, as waves per box.
+    /// Longest wavelength, in waves per box.
     pub first_wave: f64,
-    /// The roll-off, as waves per box; the first wave where there is none.
+    /// Roll-off, in waves per box; the first wave without a roll-off.
     pub rolloff_wave: f64,
-    /// The shortest wavelength, as waves per box.
+    /// Shortest wavelength, in waves per box.
     pub last_wave: f64,
 }
 
 impl WaveBand {
-    /// The band without a roll-off.
+    /// Creates a band without a roll-off.
     #[must_use]
     pub fn fractal(hurst_exponent: f64, first_wave: f64, last_wave: f64) -> Self {
         Self { hurst_exponent, first_wave, rolloff_wave: first_wave, last_wave }
@@ -40,16 +40,16 @@ impl WaveBand {
         (self.last_wave / self.first_wave).log10()
     }
 
-    /// Whether it is level at its long end.
+    /// True if it is level at its long end.
     #[must_use]
     pub fn has_rolloff(&self) -> bool {
         self.rolloff_wave > self.first_wave
     }
 
-    /// Its spectrum, at [`RMS_GRADIENT`].
+    /// Spectrum of the band, at [`RMS_GRADIENT`].
     ///
     /// # Errors
-    /// Those of [`AreaSpectrum::self_affine`].
+    /// The errors of [`AreaSpectrum::self_affine`].
     pub fn spectrum(&self) -> Result<AreaSpectrum, SurfaceError> {
         AreaSpectrum::self_affine(&SelfAffine {
             hurst_exponent: self.hurst_exponent,
@@ -63,43 +63,44 @@ impl WaveBand {
     /// Nayak's alpha = m0 m4/m2^2 of its profiles.
     ///
     /// # Errors
-    /// Those of [`WaveBand::spectrum`].
+    /// The errors of [`WaveBand::spectrum`].
     pub fn alpha(&self) -> Result<f64, SurfaceError> {
         let moments = self.spectrum()?.moments();
         Ok(moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2))
     }
 }
 
-/// A load on a surface, without units.
+/// Dimensionless load on a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrialLoad {
-    /// p/(E* h').
+    /// Load p/(E* h').
     pub pressure_over_gradient: f64,
-    /// s/H, with s = E* h'/2 the rms pressure that would flatten the surface; `None` where it is elastic throughout.
+    /// Spread over hardness s/H, with s = E* h'/2 the rms pressure that would flatten the surface; `None` if it is
+    /// elastic throughout.
     pub spread_over_hardness: Option<f64>,
 }
 
 impl TrialLoad {
-    /// An elastic one.
+    /// Creates an elastic load.
     #[must_use]
     pub fn elastic(pressure_over_gradient: f64) -> Self {
         Self { pressure_over_gradient, spread_over_hardness: None }
     }
 
-    /// The nominal pressure in Pa.
+    /// Nominal pressure \[Pa\].
     #[must_use]
     pub fn nominal_pressure_pa(&self) -> f64 {
         self.pressure_over_gradient * (CONTACT_MODULUS_PA * RMS_GRADIENT)
     }
 
-    /// The hardness H in Pa.
+    /// Hardness H \[Pa\].
     #[must_use]
     pub fn hardness_pa(&self) -> Option<f64> {
         self.spread_over_hardness.map(|ratio| spread_pa() / ratio)
     }
 }
 
-/// s = E* h'/2 in Pa.
+/// Spread s = E* h'/2 \[Pa\].
 #[must_use]
 pub fn spread_pa() -> f64 {
     0.5 * CONTACT_MODULUS_PA * RMS_GRADIENT

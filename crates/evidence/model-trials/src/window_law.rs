@@ -1,24 +1,24 @@
-//! The area of a window as boundary elements have it, at any load.
+//! Area of a window by boundary elements, interpolated to any load.
 
 use persson::elastic;
 
 use crate::elements::ElementsRow;
 use crate::spectra::WaveBand;
 
-/// Area against p/(E* h') of a band: between the loads that were pressed, the ratio to Persson's
-/// area, which changes slowly, is interpolated in the logarithm of the load.
+/// Area over p/(E* h') of a band. Between the loads that were pressed, the ratio to Persson's area, which changes
+/// slowly, is interpolated in the logarithm of the load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindowLaw {
     /// ln p/(E* h'), rising, and the ratio to Persson's area.
     knots: Vec<(f64, f64)>,
-    /// The relative errors of the knots.
+    /// Relative errors of the knots.
     errors: Vec<f64>,
 }
 
 impl WindowLaw {
-    /// The law of a band; `None` where it has not been pressed.
+    /// Creates the law of a band; `None` if it has not been pressed.
     #[must_use]
-    pub fn of(elements: &[ElementsRow], band: &WaveBand) -> Option<Self> {
+    pub fn from_elements(elements: &[ElementsRow], band: &WaveBand) -> Option<Self> {
         let mut rows: Vec<&ElementsRow> =
             elements.iter().filter(|row| row.band() == *band && row.spread_over_hardness.is_none()).collect();
         rows.sort_by(|a, b| a.pressure_over_gradient.total_cmp(&b.pressure_over_gradient));
@@ -30,14 +30,14 @@ impl WindowLaw {
         (!knots.is_empty()).then_some(WindowLaw { knots, errors })
     }
 
-    /// Area over nominal area under p/(E* h') >= 0; proportional to the load below the lightest that was pressed.
+    /// Area fraction under p/(E* h') >= 0; proportional to the load below the lightest that was pressed.
     #[must_use]
     pub fn area_fraction(&self, pressure_over_gradient: f64) -> f64 {
         (self.between(pressure_over_gradient, |at| self.knots[at].1) * persson(pressure_over_gradient))
             .min(1.0)
     }
 
-    /// The relative error of that.
+    /// Relative error of the area fraction.
     #[must_use]
     pub fn relative_error(&self, pressure_over_gradient: f64) -> f64 {
         self.between(pressure_over_gradient, |at| self.errors[at])
@@ -79,13 +79,13 @@ mod tests {
     #[test]
     fn a_law_goes_through_what_was_pressed_and_is_proportional_to_lighter_loads() {
         let rows = [row(0.1, 0.2), row(0.01, 0.022), row(1.0, 0.96)];
-        let law = WindowLaw::of(&rows, &rows[0].band()).unwrap();
+        let law = WindowLaw::from_elements(&rows, &rows[0].band()).unwrap();
         for row in &rows {
             assert!((law.area_fraction(row.pressure_over_gradient) / row.area_fraction - 1.0).abs() < 1e-12);
         }
-        // A law that is k times Persson's everywhere stays k times it between.
+        // A law that is k times Persson's everywhere stays k times it between the loads.
         let scaled = [0.01, 1.0].map(|load| row(load, 1.02 * persson(load)));
-        let law = WindowLaw::of(&scaled, &scaled[0].band()).unwrap();
+        let law = WindowLaw::from_elements(&scaled, &scaled[0].band()).unwrap();
         assert!((law.area_fraction(0.1) / persson(0.1) - 1.02).abs() < 1e-12);
         assert!((law.area_fraction(1e-6) / law.area_fraction(1e-5) - 0.1).abs() < 1e-8);
         assert_eq!(law.area_fraction(30.0), 1.0);

@@ -1,5 +1,5 @@
-//! Whether the error of a contact law on a wide band lies within its errors on the windows of that band, which is what the
-//! judge of a study goes by (`docs/guide/judge.md`): `docs/guide/which-model/windows.csv`.
+//! Test of the judge's assumption that the error of a contact law on a wide band lies within its errors on the
+//! windows of that band (`docs/judge.md`): `docs/which-model/windows.csv`.
 
 use serde::Serialize;
 
@@ -10,7 +10,7 @@ use crate::programme::{HURST_EXPONENTS, one_and_a_half_decades, one_decade, two_
 use crate::spectra::{BOX_M, RMS_GRADIENT, TrialLoad, WaveBand};
 use crate::window_law::{WindowLaw, persson};
 
-/// A model on a wide band and on its windows.
+/// Model on a wide band and on its windows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct WindowsRow {
@@ -18,37 +18,39 @@ pub struct WindowsRow {
     pub hurst_exponent: f64,
     /// Decades of the whole band.
     pub decades: f64,
-    /// p/(E* h') on the whole band.
+    /// Load p/(E* h') on the whole band.
     pub pressure_over_gradient: f64,
-    /// The model; `last decade` is the area that the longer waves leave by Persson's theory times that of the last decade by
-    /// elements, `last decade and a half` likewise.
+    /// Name of the model; `last decade` is the area that the longer waves leave by Persson's theory times that of the
+    /// last decade by elements, `last decade and a half` likewise.
     pub model: String,
-    /// Its area over that of elements on the whole band.
+    /// Area over that of elements on the whole band.
     pub whole: f64,
-    /// Standard error of that.
+    /// Standard error of `whole`.
     pub standard_error: f64,
-    /// The least of its ratios on windows of a decade, half a decade apart; for the estimate, empty.
+    /// Smallest ratio on windows of a decade, half a decade apart; empty for an estimate.
     pub least_on_windows: Option<f64>,
-    /// The largest.
+    /// Largest ratio on these windows.
     pub largest_on_windows: Option<f64>,
-    /// By which factor the whole lies beyond them, two standard errors of both left aside: 1 within, below 1 where the area
-    /// is smaller than the windows allow.
+    /// Factor by which the whole lies beyond them, less two standard errors of both: 1 within, below 1 if the area is
+    /// smaller than the windows allow.
     pub beyond: Option<f64>,
 }
 
-/// The wide bands whose windows are looked at.
+/// Wide bands whose windows are tested.
 fn wide_bands() -> Vec<WaveBand> {
     HURST_EXPONENTS.iter().flat_map(|&hurst| [two_decades(hurst), widest(hurst)]).collect()
 }
 
-/// A row for every wide band, load and elastic model.
+/// Computes a row for every wide band, load and elastic model.
 ///
 /// # Errors
-/// Where a model cannot be asked.
+/// The error of running a model.
 pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
     let mut rows = Vec::new();
     for band in wide_bands() {
-        let Some(law) = WindowLaw::of(elements, &one_decade(band.hurst_exponent)) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &one_decade(band.hurst_exponent)) else {
+            continue;
+        };
         let whole: Vec<&ElementsRow> =
             elements.iter().filter(|row| row.band() == band && row.spread_over_hardness.is_none()).collect();
         let loads: Vec<TrialLoad> = whole.iter().map(|row| row.load()).collect();
@@ -86,7 +88,7 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<WindowsRow>, TrialError> {
     Ok(rows)
 }
 
-/// The last windows of a band under a load, each with its name and its law.
+/// Last windows of a band under a load, each with its name and its law.
 fn last_windows(
     band: &WaveBand,
     pressure_over_gradient: f64,
@@ -98,7 +100,7 @@ fn last_windows(
     ];
     let mut found = Vec::new();
     for (name, form) in bands {
-        let Some(law) = WindowLaw::of(elements, &form) else { continue };
+        let Some(law) = WindowLaw::from_elements(elements, &form) else { continue };
         let short_m = BOX_M / band.last_wave;
         let long_m = short_m * (form.last_wave / form.first_wave);
         found.push((name, window(band, pressure_over_gradient, long_m, short_m)?, law));
@@ -106,16 +108,16 @@ fn last_windows(
     Ok(found)
 }
 
-/// A window of a band under a load.
+/// Window of a band under a load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Window {
-    /// The area that the longer waves leave, by Persson's theory.
+    /// Area that the longer waves leave, by Persson's theory.
     area_left: f64,
-    /// p/(E* h') of the window, with the mean real pressure on that area.
+    /// Load p/(E* h') of the window, with the mean real pressure on that area.
     load: f64,
 }
 
-/// The windows of a decade, half a decade apart, under the pressure that Persson's theory leaves at their long ends.
+/// Windows of a decade, half a decade apart, under the pressure that Persson's theory leaves at their long ends.
 fn windows(band: &WaveBand, pressure_over_gradient: f64) -> Result<Vec<Window>, TrialError> {
     let first_m = BOX_M / band.first_wave;
     let count = (2.0 * (band.decades() - 1.0)).round() as i32 + 1;
@@ -126,7 +128,7 @@ fn windows(band: &WaveBand, pressure_over_gradient: f64) -> Result<Vec<Window>, 
     (0..count).map(numbered).collect()
 }
 
-/// The window from a longest to a shortest wavelength.
+/// Window from a longest to a shortest wavelength.
 fn window(
     band: &WaveBand,
     pressure_over_gradient: f64,
@@ -145,15 +147,15 @@ fn window(
     Ok(Window { area_left, load: pressure_over_gradient / area_left * (RMS_GRADIENT / gradient) })
 }
 
-/// Every model on the windows. A self-affine decade without a roll-off has the same form wherever it lies, and an elastic
-/// area depends on p/(E* h') and the form alone.
+/// Every model on the windows. A self-affine decade without a roll-off has the same form wherever it lies, and an
+/// elastic area depends on p/(E* h') and the form alone.
 fn on_windows(band: &WaveBand, windows: &[Window]) -> Result<Vec<crate::models::ModelArea>, TrialError> {
     let loads: Vec<TrialLoad> = windows.iter().map(|window| TrialLoad::elastic(window.load)).collect();
     areas(&one_decade(band.hurst_exponent).spectrum()?, &loads)
 }
 
 impl WindowsRow {
-    /// The row with its ratios on windows, each with its relative error.
+    /// Adds the ratios on windows, each with its relative error.
     fn beside(mut self, ratios: &[(f64, f64)], error_of_whole: f64) -> Self {
         let least = ratios.iter().min_by(|a, b| a.0.total_cmp(&b.0));
         let largest = ratios.iter().max_by(|a, b| a.0.total_cmp(&b.0));

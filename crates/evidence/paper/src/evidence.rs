@@ -1,4 +1,4 @@
-//! What a claim is held against: the computed curves of one of the paper's scenes.
+//! Evidence for the claims: the computed curves of one of the paper's scenes.
 
 use std::error::Error;
 
@@ -8,7 +8,7 @@ use stacked_contact::{Level, StackedModel};
 use stat_contact::ContactState;
 use study::plan::{CurveModel, CurveResult, Results};
 
-/// A curve of the paper, under the name it has in the scenes.
+/// Name of a curve of the paper, as in the scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Name(pub &'static str);
 
@@ -22,25 +22,25 @@ pub(crate) const SINE_ELASTIC: Name = Name("elastic-sine");
 pub(crate) const SINE: Name = Name("ep-sine");
 pub(crate) const SINE_GRADIENT: Name = Name("ep-sine-strain-gradient");
 
-/// Every curve of the paper.
+/// All curves of the paper.
 pub(crate) const ALL: [Name; 9] =
     [ELASTIC, PLASTIC, PLASTIC_GRADIENT, HERTZ, SPHERE, SPHERE_GRADIENT, SINE_ELASTIC, SINE, SINE_GRADIENT];
 
-/// Each elastic-plastic curve beside the elastic one of the same asperities.
+/// Pairs of an elastic-plastic curve and the elastic one of the same asperities.
 pub(crate) const PLASTIC_AND_ELASTIC: [(Name, Name); 3] =
     [(PLASTIC, ELASTIC), (SPHERE, HERTZ), (SINE, SINE_ELASTIC)];
 
-/// Each curve with scale-dependent strength beside the one without.
+/// Pairs of a curve with scale-dependent strength and the one without.
 pub(crate) const GRADIENT_AND_PLAIN: [(Name, Name); 3] =
     [(PLASTIC_GRADIENT, PLASTIC), (SPHERE_GRADIENT, SPHERE), (SINE_GRADIENT, SINE)];
 
-/// A scene of the paper with its results.
+/// Scene of the paper with its results.
 pub struct Evidence {
-    /// Which spectrum it is about.
+    /// Template of the scene, which names its spectrum.
     pub template: Template,
-    /// The scene.
+    /// Scene as parsed.
     pub scene: Scene,
-    /// Its results.
+    /// Results of the scene.
     pub results: Results,
 }
 
@@ -48,51 +48,51 @@ impl Evidence {
     /// Computes a scene that comes with the program.
     ///
     /// # Errors
-    /// What is wrong with the scene or its plan.
+    /// The error of the scene or its plan.
     pub fn compute(template: Template) -> Result<Self, Box<dyn Error>> {
         let scene = Scene::builtin(template)?;
         let results = scene.plan().compute()?;
         Ok(Evidence { template, scene, results })
     }
 
-    /// Whether the spectrum was made to agree with numbers that the paper prints.
+    /// True if the spectrum was reconstructed from numbers that the paper prints.
     pub(crate) fn is_reconstruction(&self) -> bool {
         self.template == Template::UncdReconstructed
     }
 
-    /// The shortest wavelength of the spectrum \[m\].
+    /// Shortest wavelength of the spectrum \[m\].
     pub(crate) fn shortest_m(&self) -> f64 {
         self.results.psd.shortest_wavelength_m()
     }
 
-    /// Aspect ratio against wavelength.
+    /// Aspect ratio over wavelength.
     pub(crate) fn aspect_ratios(&self) -> Vec<Point> {
         self.results.scales.iter().map(|scale| (scale.wavelength_m, scale.aspect_ratio())).collect()
     }
 
-    /// The loads \[Pa\].
+    /// Loads \[Pa\].
     pub(crate) fn loads_pa(&self) -> Vec<f64> {
         self.scene.needs.loads.iter().map(|load| load.nominal_pressure_pa()).collect()
     }
 
-    /// The hardness \[Pa\].
+    /// Hardness \[Pa\].
     pub(crate) fn hardness_pa(&self) -> f64 {
         self.scene.hardness_pa().expect("the paper's material has a strength")
     }
 
-    /// Area against cutoff, for every load.
+    /// Area over cutoff, for every load.
     pub(crate) fn areas(&self, name: Name) -> Vec<Vec<Point>> {
         let result = &self.results.curves[self.index(name)];
         (0..self.scene.needs.loads.len()).map(|load| result.area_fractions(load)).collect()
     }
 
-    /// The area at the shortest cutoff, for every load.
+    /// Area at the shortest cutoff, for every load.
     pub(crate) fn final_areas(&self, name: Name) -> Vec<f64> {
         let last = |curve: &Vec<Point>| curve.last().expect("the paper's curves have areas at every load").1;
         self.areas(name).iter().map(last).collect()
     }
 
-    /// A stacked curve: its model, and its levels for every load.
+    /// Stacked curve: its model, and its levels for every load.
     pub(crate) fn stack(&self, name: Name) -> (StackedModel, &[Vec<Level>]) {
         let index = self.index(name);
         match (&self.scene.needs.curves[index].model, &self.results.curves[index]) {
@@ -101,7 +101,7 @@ impl Evidence {
         }
     }
 
-    /// A statistical curve against load: for every cutoff multiple, the states under rising pressures \[Pa\].
+    /// Statistical curve over load: for every cutoff multiple, the states under rising pressures \[Pa\].
     pub(crate) fn sweeps(&self, name: Name) -> Vec<(f64, &[f64], &[ContactState])> {
         let index = self.index(name);
         let sweeps = self.scene.needs.sweeps.iter().zip(&self.results.sweeps);
@@ -111,7 +111,7 @@ impl Evidence {
             .collect()
     }
 
-    /// E* \[Pa\].
+    /// Contact modulus E* \[Pa\].
     pub(crate) fn contact_modulus_pa(&self) -> f64 {
         let material = self.scene.material.expect("the paper's scenes have a material");
         material.pair.composite_modulus_pa()

@@ -1,51 +1,51 @@
-//! The ledger: statement by statement, what was found of it.
+//! Ledger of the statements and their findings.
 
 use tables::Table;
 
 pub use report::page::Verdict;
 
-/// Reproduced if `holds`.
+/// Returns `Reproduced` if `holds`.
 pub(crate) fn verdict(holds: bool) -> Verdict {
     if holds { Verdict::Reproduced } else { Verdict::NotReproduced }
 }
 
-/// A statement of the paper and how it is measured, in our words.
+/// Statement of the paper and its measurement, in our words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Statement {
-    /// Its number in the ledger, 1 to 20.
+    /// Number in the ledger, 1 to 20.
     pub number: u32,
-    /// What the paper says.
+    /// Statement of the paper.
     pub statement: &'static str,
-    /// What is computed to check it, and when it counts as reproduced.
+    /// Quantity that is computed to check it, and the criterion for reproduction.
     pub how: &'static str,
-    /// The unit of the value; empty for a pure number.
+    /// Unit of the value; empty for a pure number.
     pub unit: &'static str,
 }
 
-/// What one spectrum has to say of a statement.
+/// Finding on a statement for one spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// The number that the verdict turns on.
+    /// Number that decides the verdict.
     pub value: f64,
-    /// Everything that was measured.
+    /// All measured values.
     pub found: String,
-    /// The verdict.
+    /// Verdict on the statement.
     pub verdict: Verdict,
-    /// One honest sentence.
+    /// Remark of one sentence.
     pub remark: String,
 }
 
-/// A row of the ledger: a statement, and the finding for every spectrum by its name.
+/// Row of the ledger: a statement, and a finding for every spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// The statement.
+    /// Statement of the row.
     pub statement: Statement,
-    /// For every spectrum, its name and the finding.
+    /// Names of the spectra with their findings.
     pub findings: Vec<(&'static str, Finding)>,
 }
 
-/// The ledger as a table: `claim, spectrum, statement, how_measured, value, unit, found, verdict, remark`, a row per statement
-/// and spectrum.
+/// Returns the ledger as a table: `claim, spectrum, statement, how_measured, value, unit, found, verdict, remark`, a
+/// row per statement and spectrum.
 pub fn table(rows: &[Row]) -> Table {
     let each = || {
         rows.iter()

@@ -1,5 +1,5 @@
-//! What Jackson & Jacobs say of the real contact area of ultrananocrystalline diamond, checked statement by statement
-//! against the curves that this program computes.
+//! The statements of Jackson & Jacobs on the real contact area of ultrananocrystalline diamond, each checked against
+//! the curves that this program computes.
 //!
 //! ```
 //! use scene::Template;
@@ -16,10 +16,11 @@
 //! * [`Evidence`]: a scene of the paper with its results;
 //! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a verdict, and
 //!   one honest sentence;
-//! * [`table`]: the same for `claims.csv`;
-//! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts.
+//! * [`table`]: the ledger for `claims.csv`;
+//! * [`other_models`]: results of models that the paper does not use on its surface, outside the ledger's counts.
 //!
-//! Nothing is tuned to make a row pass: when a statement counts as reproduced is written beside it, before any number.
+//! Nothing is tuned to make a row pass: the criterion for reproduction is written beside a statement before any
+//! number.
 #![deny(missing_docs)]
 
 mod claims;

@@ -1,4 +1,5 @@
-//! What models that the paper does not have say of its surface. They stand beside the ledger and are not counted in it.
+//! Results of models that the paper does not use on its surface. They are reported beside the ledger and not counted
+//! in it.
 
 use std::error::Error;
 
@@ -9,36 +10,37 @@ use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
 
-/// What another model says, and what was found on each spectrum.
+/// Model that the paper does not use, with its findings on each spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OtherModel {
-    /// The model.
+    /// Name of the model.
     pub model: &'static str,
-    /// What it says.
+    /// Statement of the model.
     pub statement: &'static str,
-    /// For every spectrum, its name and what was found.
+    /// Names of the spectra with their findings.
     pub findings: Vec<(&'static str, OtherFinding)>,
 }
 
-/// What one spectrum has to say of another model.
+/// Finding on another model for one spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OtherFinding {
-    /// Everything that was measured.
+    /// All measured values.
     pub found: String,
-    /// One honest sentence.
+    /// Remark of one sentence.
     pub remark: String,
 }
 
-/// The area is p/H where it is within this of it.
+/// Relative distance within which the area counts as p/H.
 const NEAR: f64 = 0.01;
 
-/// Beyond this share of E*, the rms pressure of full contact belongs to slopes that no half-space knows.
+/// Share of E* beyond which the rms pressure of full contact belongs to slopes too steep for a half-space.
 const STEEPEST: f64 = 0.1;
 
-/// Persson's theory, at a constant hardness and with one that grows at small scales, on the spectra in `evidence`.
+/// Returns Persson's theory, with a constant hardness and with one that grows at small scales, on the spectra in
+/// `evidence`.
 ///
 /// # Errors
-/// Where a spectrum or its material does not do for the theory.
+/// The error of a spectrum or material that the theory does not accept.
 pub fn other_models(evidence: &[Evidence]) -> Result<Vec<OtherModel>, Box<dyn Error>> {
     let mut constant = OtherModel {
         model: "persson-plastic",
@@ -59,7 +61,7 @@ pub fn other_models(evidence: &[Evidence]) -> Result<Vec<OtherModel>, Box<dyn Er
     Ok(vec![constant, growing])
 }
 
-/// Cuts for every load: elastic, at a constant hardness, with one that grows.
+/// Cuts for every load: elastic, with a constant hardness, with a growing one.
 struct Curves {
     elastic: Vec<Vec<Cut>>,
     constant: Vec<Vec<Cut>>,
@@ -98,7 +100,7 @@ impl Curves {
         let reached: Option<Vec<(f64, f64)>> = self.constant.iter().map(first).collect();
         let found = match reached {
             Some(places) => {
-                // The load that comes to it last.
+                // The load that reaches it last.
                 let (wavelength_m, spread_pa) = places
                     .into_iter()
                     .fold((f64::INFINITY, 0.0), |last, place| if place.0 < last.0 { place } else { last });
@@ -134,12 +136,12 @@ impl Curves {
     }
 }
 
-/// s = E* h'/2 up to a cut \[Pa\].
+/// Spread s = E* h'/2 up to a cut \[Pa\].
 fn spread_pa(evidence: &Evidence, cut: &Cut) -> f64 {
     evidence.contact_modulus_pa() * cut.rms_gradient / 2.0
 }
 
-/// From where on slopes are too large for any model.
+/// Describes the wavelengths at which slopes are too steep for any model.
 fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
     let modulus_pa = evidence.contact_modulus_pa();
     let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > STEEPEST * modulus_pa;
@@ -153,7 +155,7 @@ fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
     }
 }
 
-/// A share in words that keep their sense where it is tiny.
+/// Formats a share, readable also if it is tiny.
 fn share(of: f64) -> String {
     if of < 1e-6 { "a millionth".to_owned() } else { format!("{} %", three_digits(100.0 * of)) }
 }

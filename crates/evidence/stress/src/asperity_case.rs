@@ -1,4 +1,4 @@
-//! Single asperities: the numbers of one, and what its laws promise.
+//! Single asperities: their numbers, and the promises of their laws.
 
 use std::f64::consts::PI;
 
@@ -10,26 +10,26 @@ use asperity::{
 use crate::tally::Trial;
 use crate::{Draw, Material, Reach};
 
-/// Rounding of a law, relative.
+/// Relative rounding of a law.
 const ROUNDING: f64 = 1e-13;
 
-/// An asperity of a material under a load; printed, it is the literal that makes it again.
+/// Asperity of a material under a load; printed, it is a literal that recreates it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AsperityCase {
-    /// The bodies.
+    /// Bodies in contact.
     pub material: Material,
-    /// Of spheres.
+    /// Hardness form of spheres.
     pub hardness: Hardness,
-    /// R \[m\].
+    /// Radius R \[m\].
     pub radius_m: f64,
-    /// B of sinusoids.
+    /// Aspect ratio B of sinusoids.
     pub aspect_ratio: f64,
     /// Interference of spheres over R, of sinusoids over their amplitude, and pressure over that of complete contact.
     pub load: f64,
 }
 
 impl AsperityCase {
-    /// A random case.
+    /// Draws a random case.
     pub fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let [radius, ratio] = match reach {
@@ -53,13 +53,13 @@ impl AsperityCase {
     }
 }
 
-/// Puts one asperity to the test: every law at its load, and at every break that it announces, on it and beside it.
+/// Tests one asperity: every law at its load, and at every break that it announces, on it and beside it.
 pub fn try_asperity(case: &AsperityCase, reach: Reach, trial: &mut Trial<AsperityCase>) {
     let (Ok(pair), Ok(strength)) = (case.material.pair(), case.material.strength()) else {
         trial.refused();
         return;
     };
-    // What the laws take as plain numbers is checked where populations are made.
+    // Plain numbers that the laws take unchecked are checked where populations are made.
     if ![case.radius_m, case.aspect_ratio].into_iter().all(|number| Bound::Magnitude.admits(number)) {
         trial.refused();
         return;
@@ -183,8 +183,8 @@ fn elastic_plastic(
     for p_pa in pressures_pa(case.load * full_pa, breaks) {
         let area = law.area_fraction(p_pa);
         let state = [area, law.mean_gap_over_amplitude(p_pa), law.deformation_over_amplitude(p_pa)];
-        // The exponent of the mean gap grows like r^0.44/15: beyond r of some thirty decades, the last place of p decides
-        // between open and closed. The branches on either side of the critical pressure are different laws.
+        // The exponent of the mean gap grows like r^0.44/15: for r beyond some thirty decades, the last place of p
+        // decides between open and closed. The branches on either side of the critical pressure are different laws.
         let steps = [p_pa.next_down(), p_pa.next_up()]
             .into_iter()
             .filter(|beside_pa| law.yields_at(*beside_pa) == law.yields_at(p_pa))
@@ -228,8 +228,8 @@ fn pressures_pa(pressure_pa: f64, breaks: impl Iterator<Item = Break>) -> Vec<f6
     pressures_pa
 }
 
-/// Area fraction, mean gap and deformation, the latter over the amplitude; `last_places` is what those of the pressure are
-/// worth in the deformation.
+/// Checks area fraction, mean gap and deformation over the amplitude; `last_places` is the change of the deformation
+/// by the last places of the pressure.
 fn sinusoid(
     promises: [&'static str; 2],
     [area, gap, deformation]: [f64; 3],
@@ -240,7 +240,7 @@ fn sinusoid(
     trial.bound(promises[1], (gap + deformation - 1.0).abs(), 4.0 * f64::EPSILON + last_places);
 }
 
-/// Towards complete contact the gap g goes like (1-x)^(5/2), and a unit in its last place makes the more of x.
+/// Towards complete contact the gap g goes like (1-x)^(5/2), so that a unit in its last place changes x by more.
 fn inverse(promise: &'static str, there: f64, back: f64, deformation: f64, trial: &mut Trial<AsperityCase>) {
     let gap = 1.0 - deformation;
     let lost = if gap > 0.0 { f64::EPSILON / gap } else { 1.0 };
@@ -248,7 +248,7 @@ fn inverse(promise: &'static str, there: f64, back: f64, deformation: f64, trial
     trial.bound(promise, (back - there).abs(), (1e-10 + 4.0 * lost.min(1.0) + unresolved) * there);
 }
 
-/// The pressure at an interference over amplitude rises within what complete contact takes.
+/// The pressure at an interference over amplitude rises, up to that of complete contact.
 fn interference(
     promise: &'static str,
     w: f64,

@@ -1,46 +1,46 @@
-//! How much the answers answer to their inputs: condition numbers, by central differences.
+//! Condition numbers: the sensitivity of the answers to their inputs, by central differences.
 //!
-//! An output that changes by a relative amount k times that of an input is known k times worse than the input is, and no
-//! error bar of a computation that takes its inputs as doubles can be smaller than k half units in the last place.
+//! If an output changes by k times the relative change of an input, it is known k times worse than the input. No
+//! computation whose inputs are doubles can have an error below k half units in the last place.
 
 use stat_contact::ContactState;
 
 use crate::statistical::{Question, StatisticalCase};
 
-/// The relative change of an input by which derivatives are taken; their own relative error is some 1e-7.
+/// Relative change of an input for derivatives; their own relative error is some 1e-7.
 const STEP: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-13;
 
-/// The derivatives of the answers by the logarithm of one input, and of the separation over sigma_s.
+/// Derivatives of the answers by the logarithm of one input, and by the separation over sigma_s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Condition {
-    /// The input.
+    /// Name of the input.
     pub input: &'static str,
-    /// What reports call the first three of these numbers.
+    /// Names of the first three numbers in reports.
     pub names: [&'static str; 3],
-    /// Of ln p, at a fixed separation.
+    /// Derivative of ln p, at a fixed separation.
     pub ln_pressure: f64,
-    /// Of ln(A/A_n) before it is held at 1, at a fixed separation.
+    /// Derivative of ln(A/A_n) without the limit to 1, at a fixed separation.
     pub ln_area: f64,
-    /// Of d/sigma_s, at a fixed pressure.
+    /// Derivative of d/sigma_s, at a fixed pressure.
     pub separation: f64,
-    /// Of ln(A/A_n), at a fixed pressure.
+    /// Derivative of ln(A/A_n), at a fixed pressure.
     pub ln_area_at_pressure: f64,
 }
 
 /// Slopes of ln p and of ln(A/A_n) by u = d/sigma_s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slopes {
-    /// Of ln p, negative as a rule.
+    /// Slope of ln p, usually negative.
     pub ln_pressure: f64,
-    /// Of ln(A/A_n).
+    /// Slope of ln(A/A_n).
     pub ln_area: f64,
 }
 
-/// The slopes at the separation d \[m\]; `None` where numbers are refused.
+/// Slopes at the separation d \[m\]; `None` if numbers are refused.
 pub fn slopes(case: &StatisticalCase, separation_m: f64) -> Option<Slopes> {
     let u = separation_m / case.sigma_s_m;
-    // ln p bends on the scale of 1 where asperities touch the mean plane, and of |u| away from it, and u has to move.
+    // ln p bends on the scale of 1 near the mean plane, and of |u| away from it, and u has to move.
     let step = 1e-3 / (1.0 + u.max(0.0)) + 1e-9 * u.abs();
     let at = |u: f64| {
         let question = Question::Separation(u * case.sigma_s_m);
@@ -52,7 +52,7 @@ pub fn slopes(case: &StatisticalCase, separation_m: f64) -> Option<Slopes> {
     Some(Slopes { ln_pressure, ln_area })
 }
 
-/// The condition numbers of the answers at the separation d \[m\] by every input.
+/// Condition numbers of the answers at the separation d \[m\] for every input.
 pub fn conditions(case: &StatisticalCase, separation_m: f64) -> Option<Vec<Condition>> {
     let slopes = slopes(case, separation_m)?;
     let case =
@@ -78,7 +78,7 @@ fn differences(high: &ContactState, low: &ContactState) -> [f64; 2] {
     [high.ln_pressure_pa - low.ln_pressure_pa, high.ln_area_fraction - low.ln_area_fraction]
 }
 
-/// Multiplies one input of a case.
+/// Function that multiplies one input of a case.
 type Scale = fn(&mut StatisticalCase, f64);
 
 const INPUTS: [(&str, [&str; 3], Scale); 8] = [
@@ -139,7 +139,8 @@ mod tests {
         };
         let conditions = conditions(&case, 2e-8).unwrap();
         let of = |input: &str| conditions.iter().find(|condition| condition.input == input).unwrap();
-        // p = eta E* R^(1/2) sigma^(3/2) F(d/sigma), A = eta R sigma G(d/sigma): Buckingham leaves one free function each.
+        // p = eta E* R^(1/2) sigma^(3/2) F(d/sigma), A = eta R sigma G(d/sigma): dimensional analysis leaves one free
+        // function each.
         assert!((of("Young's modulus").ln_pressure - 1.0).abs() < 1e-7);
         assert!(of("Young's modulus").ln_area.abs() < 1e-7);
         assert!((of("radius").ln_pressure - 0.5).abs() < 1e-7);
@@ -147,7 +148,7 @@ mod tests {
         assert!((of("sigma_s").ln_pressure + of("separation").ln_pressure - 1.5).abs() < 1e-6);
         assert!((of("sigma_s").ln_area + of("separation").ln_area - 1.0).abs() < 1e-6);
         assert_eq!(of("strength").separation, 0.0);
-        // More force takes the flat away from the mean plane.
+        // More force moves the flat away from the mean plane.
         assert!(of("Young's modulus").separation > 0.0);
     }
 }

@@ -1,41 +1,41 @@
-//! Random numbers, a stream of its own for every state.
+//! Random numbers, with a separate stream for every state.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-/// The random stream of one state: the same for a seed and a number, whatever was drawn before it and on which thread.
+/// Random stream of one state: it depends on seed and number alone, not on earlier draws or on the thread.
 #[derive(Debug)]
 pub struct Draw(ChaCha8Rng);
 
 impl Draw {
-    /// The stream of the state `index` of a run with a seed.
-    pub fn of(seed: u64, index: u64) -> Self {
+    /// Creates the stream of the state `index` of a run with a seed.
+    pub fn new(seed: u64, index: u64) -> Self {
         let mut stream = ChaCha8Rng::seed_from_u64(seed);
         stream.set_stream(index);
         Draw(stream)
     }
 
-    /// Evenly in \[low, high).
+    /// Draws uniformly from \[low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Between 10^low and 10^high, evenly in the exponent.
+    /// Draws between 10^low and 10^high, uniformly in the exponent.
     pub fn decades(&mut self, low: f64, high: f64) -> f64 {
         10f64.powf(self.between(low, high))
     }
 
-    /// True in a share of all cases.
+    /// Returns true with the probability `share`.
     pub fn chance(&mut self, share: f64) -> bool {
         self.between(0.0, 1.0) < share
     }
 
-    /// One of several, each as likely.
+    /// Draws one of several with equal probability.
     pub fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[(self.0.next_u64() % choices.len() as u64) as usize]
     }
 
-    /// A value, or the double next to it on either side, or one up to 1e-6 of it away.
+    /// Returns a value, or the double next to it on either side, or one up to 1e-6 of it away.
     pub fn near(&mut self, value: f64) -> f64 {
         match self.0.next_u64() % 4 {
             0 => value,
@@ -45,7 +45,7 @@ impl Draw {
         }
     }
 
-    /// A positive double from the edges of their range, or anywhere in it.
+    /// Draws a positive double from the edges of their range, or anywhere in it.
     pub fn edge(&mut self) -> f64 {
         const SMALLEST: f64 = 5e-324;
         let anywhere = self.decades(-323.0, 308.0);
@@ -70,7 +70,7 @@ mod tests {
 
     #[test]
     fn a_stream_depends_on_seed_and_number_alone() {
-        let first = |seed, index| Draw::of(seed, index).between(0.0, 1.0);
+        let first = |seed, index| Draw::new(seed, index).between(0.0, 1.0);
         assert_eq!(first(1, 7), first(1, 7));
         assert_ne!(first(1, 7), first(1, 8));
         assert_ne!(first(1, 7), first(2, 7));
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn numbers_lie_where_they_should() {
-        let mut draw = Draw::of(3, 0);
+        let mut draw = Draw::new(3, 0);
         for _ in 0..1000 {
             assert!((-2.0..5.0).contains(&draw.between(-2.0, 5.0)));
             assert!((1e-4..1e3).contains(&draw.decades(-4.0, 3.0)));

@@ -1,5 +1,5 @@
-//! The laws of one asperity as a population has them, put together from their own crate alone: what the integrals of
-//! `stat-contact` are compared with must not be its own.
+//! Laws of one asperity for a population, built from their own crate alone: the integrals of `stat-contact` must not
+//! be compared with its own laws.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use stat_contact::{AsperityLaw, InterferenceLaw};
 
 use crate::{Kind, Material};
 
-/// A population under a law: eta F and eta A at an interference.
+/// Population under a law: eta F and eta A at an interference.
 #[derive(Debug, Clone, Copy)]
 pub struct Response {
     kind: Kind,
@@ -20,16 +20,16 @@ pub struct Response {
     hardness: Hardness,
     radius_m: f64,
     density_per_m2: f64,
-    /// Of the sinusoid with this density and curvature (Jackson & Jacobs, Eqs. 6 and 7).
+    /// Amplitude of the sinusoid with this density and curvature (Jackson & Jacobs, Eqs. 6 and 7).
     amplitude_m: f64,
     aspect_ratio: f64,
 }
 
 impl Response {
-    /// Asperities of radius R \[m\], eta of them per area \[m^-2\].
+    /// Creates asperities of radius R \[m\], eta of them per area \[m^-2\].
     ///
     /// # Errors
-    /// [`AsperityError`] where a number of the material is refused.
+    /// [`AsperityError`] if a number of the material is refused.
     pub fn new(
         kind: Kind,
         material: &Material,
@@ -51,7 +51,7 @@ impl Response {
         })
     }
 
-    /// The law by the name that the statistical model has for it.
+    /// Law as the statistical model names it.
     pub fn law(&self) -> AsperityLaw {
         let (strength, hardness) = (self.strength, self.hardness);
         match self.kind {
@@ -63,7 +63,7 @@ impl Response {
         }
     }
 
-    /// eta F \[Pa\] and eta A at the interference w > 0 \[m\].
+    /// Pressure eta F \[Pa\] and area fraction eta A at the interference w > 0 \[m\].
     pub fn at(&self, interference_m: f64) -> (f64, f64) {
         let ratio = interference_m / self.amplitude_m;
         match self.kind {
@@ -93,8 +93,8 @@ impl Response {
         }
     }
 
-    /// The interferences \[m\] at which the law announces that it bends or jumps; with a strain gradient those that follow
-    /// from the strength alone, and where the area of spheres is complete.
+    /// Interferences \[m\] at which the law announces a kink or jump; with a strain gradient those that follow from
+    /// the strength alone, and the one at which the area of spheres is complete.
     pub fn breaks_m(&self) -> Vec<f64> {
         let mut breaks_m: Vec<f64> = match self.kind {
             Kind::Hertz => Vec::new(),
@@ -144,10 +144,11 @@ impl Response {
         breaks_m
     }
 
-    /// The interferences \[m\] between two others at which the law bends or jumps: those of [`breaks_m`](Self::breaks_m), and of
-    /// a sinusoid with a strain gradient also those where it changes its branch, which it does not announce.
+    /// Interferences \[m\] between two others at which the law has a kink or jump: those of
+    /// [`breaks_m`](Self::breaks_m), and for a sinusoid with a strain gradient also the changes of branch, which it
+    /// does not announce.
     pub fn kinks_m(&self, from_m: f64, to_m: f64) -> Vec<f64> {
-        // Ten samples to a decade of nine; two changes between two of them go unseen.
+        // Nine decades at ten samples each; two changes between two of them are not seen.
         const SAMPLES: u32 = 90;
         const DECADES: f64 = 9.0;
         const HALVINGS: usize = 60;
@@ -173,8 +174,8 @@ impl Response {
         kinks_m
     }
 
-    /// Whether a sinusoid yields at an interference, whether its pressure is plastic, whether its area is complete, and whether
-    /// an elastic one would be at the limit of heavy loads alone.
+    /// Branch of a sinusoid at an interference: yields, has a plastic pressure, has complete area, and would have an
+    /// elastic area on the limit of heavy loads.
     fn branch(&self, interference_m: f64) -> [bool; 4] {
         let ratio = interference_m / self.amplitude_m;
         let sinusoid = self.sinusoid(interference_m);
@@ -203,15 +204,15 @@ impl Response {
         ElasticPlasticSinusoid::new(&self.pair, self.aspect_ratio, self.strength.at_depth_pa(depth_m))
     }
 
-    /// The positive root of w^2 - 1.9 w_c0 (w + h*).
+    /// Positive root of w^2 - 1.9 w_c0 (w + h*).
     fn gradient_onset_m(&self) -> f64 {
         let half_m = 0.5 * self.sphere(f64::INFINITY).plastic_onset_m();
         let length_m = self.strength.strain_gradient_length_m().unwrap_or(0.0);
         half_m + (half_m * (half_m + 2.0 * length_m)).sqrt()
     }
 
-    /// Where the area of a sphere whose strength depends on the depth reaches its cross-section: at w = R while Hertzian,
-    /// else between the onset and there, by bisection.
+    /// Interference at which the area of a sphere whose strength depends on the depth reaches its cross-section: w =
+    /// R while Hertzian, else between the onset and R, by bisection.
     fn gradient_cap_m(&self, onset_m: f64) -> f64 {
         const HALVINGS: usize = 64;
         if onset_m >= self.radius_m {

@@ -1,17 +1,17 @@
-//! Random extreme states by the million, against what every result promises (`docs/develop/stress.md`).
+//! Random extreme states by the million, tested against the promises of every result (`docs/stress.md`).
 //!
 //! ```
 //! let tally = stress::run(stress::Scope::Everything, 0..200, 1, |_| ());
 //! assert_eq!(tally.states["hertz"], 29);
 //! ```
 //!
-//! The nouns:
-//! * [`StatisticalCase`], [`AsperityCase`], [`StackCase`]: the numbers of a state, drawn from a [`Draw`] of its own;
+//! Main types:
+//! * [`StatisticalCase`], [`AsperityCase`], [`StackCase`]: the numbers of a state, drawn from its own [`Draw`];
 //!   printed, they are literals for a regression test.
-//! * [`Trial`]: the tests of one state; [`Tally`]: what became of many, worst cases included.
-//! * [`Condition`]: how much the answers answer to their inputs.
+//! * [`Trial`]: the tests of one state; [`Tally`]: the outcome of many, worst cases included.
+//! * [`Condition`]: sensitivity of the answers to their inputs.
 //!
-//! Not here: reference values of high precision, which lie in `tests/reference`.
+//! Not here: reference values of high precision, which are in `tests/reference`.
 #![deny(missing_docs)]
 
 mod asperity_case;

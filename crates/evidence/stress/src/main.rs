@@ -1,4 +1,4 @@
-//! `cargo xtask stress`: draws states, tells what they broke, and ends with 1 if they broke anything.
+//! `cargo xtask stress`: draws states, reports broken promises, and ends with 1 if there are any.
 
 use std::io::IsTerminal;
 use std::path::Path;

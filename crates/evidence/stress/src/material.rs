@@ -1,28 +1,29 @@
-//! Materials, usual and unusual, as the numbers they are made of.
+//! Materials, usual and unusual, as plain numbers.
 
 use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
 
 use crate::Draw;
 
-/// How far from the ordinary the numbers of a case lie.
+/// Range of the numbers of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reach {
-    /// Ratios of lengths and of pressures as surfaces have them, with some decades to spare.
+    /// Usual: ratios of lengths and of pressures of real surfaces, with some decades to spare.
     Usual,
-    /// Every number for itself, over everything physical and far beyond.
+    /// Wide: each number independently, over everything physical and far beyond.
     Wide,
-    /// The same with some numbers from the edges of the doubles. Results may leave their range there, but there is no NaN.
+    /// Edge: as wide, with some numbers from the edges of the doubles. Results may leave their range there, but are
+    /// never NaN.
     Edge,
 }
 
 impl Reach {
-    /// Half of the cases usual, a tenth at the edge.
+    /// Draws a range: half of the cases usual, a tenth at the edge.
     pub fn draw(draw: &mut Draw) -> Self {
         use Reach::{Edge, Usual, Wide};
         draw.one_of(&[Usual, Usual, Usual, Usual, Usual, Wide, Wide, Wide, Wide, Edge])
     }
 
-    /// A number between 10^low and 10^high, sometimes replaced by one from the edge of the doubles.
+    /// Draws a number between 10^low and 10^high, sometimes replaced by one from the edge of the doubles.
     pub fn number(self, draw: &mut Draw, low: f64, high: f64) -> f64 {
         const SHARE: f64 = 0.25;
         let number = draw.decades(low, high);
@@ -30,25 +31,25 @@ impl Reach {
     }
 }
 
-/// A material pair and its strength, in SI units; printed, it is the literal that makes it again, to the last bit.
+/// Material pair and its strength, in SI units; printed, it is a literal that recreates it to the last bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
-    /// Of the body that yields \[Pa\].
+    /// Young's modulus of the body that yields \[Pa\].
     pub youngs_modulus_pa: f64,
-    /// Of the same body.
+    /// Poisson's ratio of the body that yields.
     pub poisson_ratio: f64,
-    /// Young's modulus \[Pa\] and Poisson's ratio of the counterface, which else is rigid.
+    /// Young's modulus \[Pa\] and Poisson's ratio of the counterface; rigid if `None`.
     pub counterface: Option<(f64, f64)>,
-    /// S0 \[Pa\].
+    /// Macroscopic strength S0 \[Pa\].
     pub strength_pa: f64,
-    /// h* \[m\].
+    /// Strain-gradient length h* \[m\].
     pub strain_gradient_length_m: Option<f64>,
-    /// \[Pa\].
+    /// Upper limit of the strength \[Pa\].
     pub strength_cap_pa: Option<f64>,
 }
 
 impl Material {
-    /// A random one. Strain-gradient lengths lie around a length \[m\] of the case.
+    /// Draws a random material. Strain-gradient lengths lie around a length \[m\] of the case.
     pub fn draw(draw: &mut Draw, reach: Reach, gradient: bool, around_m: f64) -> Self {
         let [modulus, strength, length] = match reach {
             Reach::Usual => [(8.0, 12.0), (-4.0, -1.0), (-2.0, 4.0)],
@@ -82,10 +83,10 @@ impl Material {
         }
     }
 
-    /// The pair.
+    /// Material pair.
     ///
     /// # Errors
-    /// [`AsperityError`] where a number is refused.
+    /// [`AsperityError`] if a number is refused.
     pub fn pair(&self) -> Result<MaterialPair, AsperityError> {
         let body = ElasticBody::new(self.youngs_modulus_pa, self.poisson_ratio)?;
         Ok(match self.counterface {
@@ -94,10 +95,10 @@ impl Material {
         })
     }
 
-    /// The strength of the body that yields.
+    /// Strength of the body that yields.
     ///
     /// # Errors
-    /// [`AsperityError`] where a number is refused.
+    /// [`AsperityError`] if a number is refused.
     pub fn strength(&self) -> Result<NixGao, AsperityError> {
         let mut strength = NixGao::constant(self.strength_pa)?;
         if let Some(length_m) = self.strain_gradient_length_m {

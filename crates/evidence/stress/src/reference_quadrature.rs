@@ -1,27 +1,27 @@
-//! The integrals of the statistical model by another quadrature: adaptive Gauss-Kronrod over the laws as their own crate
-//! has them, sharing nothing with `stat-contact` but the formula.
+//! The integrals of the statistical model by another quadrature: adaptive Gauss-Kronrod over the laws of their own
+//! crate, sharing nothing with `stat-contact` but the formula.
 
 use bilby::{AdaptiveIntegrator, GKPair};
 
 use crate::law::Response;
 
-/// ln p, ln of the area fraction before it is held at 1, and what either may be off by, p in Pa.
+/// ln p, with p in Pa, ln of the area fraction without the limit to 1, and the errors of both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Integrals {
     /// Natural logarithm of eta Int F(w) g(d + w) dw.
     pub ln_pressure_pa: f64,
-    /// The same of the area.
+    /// Natural logarithm of eta Int A(w) g(d + w) dw.
     pub ln_area_fraction: f64,
-    /// The relative errors of the two: the integrator's own estimate, or what another rule differs by.
+    /// Relative errors of the two: the integrator's own estimate, or the difference from another rule.
     pub errors: [f64; 2],
 }
 
-/// The integrals at the separation d \[m\] of Gaussian heights of standard deviation sigma_s \[m\].
+/// Integrates at the separation d \[m\] over Gaussian heights of standard deviation sigma_s \[m\].
 ///
-/// The density at d, or its peak where that is in contact, is taken out. The variable is the cube root of the
+/// The density at d, or its peak if that is in contact, is taken out. The variable is the cube root of the
 /// interference, in which powers of it are smooth.
 pub fn integrals(response: &Response, separation_m: f64, sigma_s_m: f64) -> Option<Integrals> {
-    /// The density is left out from where it has fallen to exp(-80) of its largest.
+    /// Drop of the density, as -ln of its largest value, below which it is left out.
     const DROP: f64 = 80.0;
     const TOLERANCE: f64 = 1e-12;
     const MOST_EVALUATIONS: usize = 60_000;
@@ -35,7 +35,7 @@ pub fn integrals(response: &Response, separation_m: f64, sigma_s_m: f64) -> Opti
     let log_density = |s: f64| if u > 0.0 { -s * (u + 0.5 * s) } else { -0.5 * (u + s).powi(2) };
     let [from, to] = [low, high].map(f64::cbrt);
     let peak = if u < 0.0 { -u } else { 1.0 / (1.0 + u) };
-    // One between an end of a stretch and the first node there would be seen by no rule.
+    // No rule would see a kink between an end of a stretch and the first node there.
     let kinks_m = response.kinks_m(low * sigma_s_m, high * sigma_s_m);
     let mut breaks: Vec<f64> = kinks_m.iter().map(|at_m| at_m / sigma_s_m).collect();
     breaks.extend([peak, peak + 1.0, peak - 1.0, 0.1 * high]);
@@ -55,8 +55,8 @@ pub fn integrals(response: &Response, separation_m: f64, sigma_s_m: f64) -> Opti
             of(response.at(s * sigma_s_m)) * log_density(s).exp() * 3.0 * v * v
         };
         let result = integrator.integrate_with_breaks(from, to, &breaks, integrand).ok()?;
-        // Across a kink that the law does not announce an estimate may be thousands of times too small; by how much
-        // another rule differs is not.
+        // Across a kink that the law does not announce an estimate may be thousands of times too small; the
+        // difference from another rule is not.
         let other = again.integrate_with_breaks(from, to, &breaks, integrand).ok()?;
         let error = result.error_estimate.max((result.value - other.value).abs());
         Some((result.value, error / result.value))

@@ -1,11 +1,11 @@
-//! What a run found, as text and as tables.
+//! Results of a run, as text and as tables.
 
 use std::fmt::Write as _;
 use std::io;
 
 use crate::Tally;
 
-/// The text: families, promises with their worst cases, and the spread of what is only measured.
+/// Returns the text: families, promises with their worst cases, and the spread of quantities without a promise.
 pub fn summary(tally: &Tally) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "{:28} {:>11} {:>9}", "family", "states", "refused");
@@ -42,10 +42,10 @@ pub fn summary(tally: &Tally) -> String {
     text
 }
 
-/// A row per promise with its worst case, and a row per state that broke one, with its inputs as a literal.
+/// Writes a row per promise with its worst case, and a row per state that broke one, with its inputs as a literal.
 ///
 /// # Errors
-/// Whatever writing meets.
+/// The error of writing.
 pub fn write_csv(tally: &Tally, to: impl io::Write) -> csv::Result<()> {
     let mut table = csv::Writer::from_writer(to);
     table.write_record([
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn a_broken_promise_is_a_row_with_its_inputs() {
         let mut tally = Tally::default();
-        let mut trial = Trial::of(&mut tally, "family", 5, (&0.1, Reach::Usual));
+        let mut trial = Trial::new(&mut tally, "family", 5, (&0.1, Reach::Usual));
         trial.bound("small", 3.0, 2.0);
         trial.note("size", 3.0);
         let mut written = Vec::new();

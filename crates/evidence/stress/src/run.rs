@@ -1,4 +1,4 @@
-//! A run: chunks of states on any number of threads, the same digits for each.
+//! Runs chunks of states on any number of threads, with the same digits on each.
 
 use std::fmt::Debug;
 use std::ops::Range;
@@ -13,26 +13,26 @@ use crate::statistical_trial::{Sample, try_state};
 use crate::tally::{Tally, Trial};
 use crate::{Draw, Reach};
 
-/// States to a chunk.
+/// Number of states in a chunk.
 const CHUNK: u64 = 2000;
-/// Families draw from seeds of their own.
+/// Seed of single asperities, so that families draw independently.
 const ASPERITY_SEED: u64 = 0x0061_7370_6572_6974;
 const STACK_SEED: u64 = 0x0073_7461_636b;
-/// Every so many states of the statistical model there is one single asperity, and one stack.
+/// Number of states of the statistical model for each single asperity and each stack.
 const ASPERITY_EVERY: u64 = 20;
 const STACK_EVERY: u64 = 40;
 
-/// What a run draws.
+/// Scope of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// States of every law of the statistical model, and single asperities and stacks in proportion.
     Everything,
-    /// Of the same states, those of one law.
+    /// States of one law, out of the same states.
     Law(Kind),
 }
 
-/// Draws the states of the statistical model with these numbers, as far as they are in the scope, and puts each to the
-/// test, on the threads of the current pool. `done` is called with the number of states in each chunk that is through.
+/// Draws the states of the statistical model with these numbers, as far as they are in the scope, and tests each, on
+/// the threads of the current pool. `done` receives the number of states of each finished chunk.
 pub fn run(scope: Scope, states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
     (states.start / CHUNK..states.end.div_ceil(CHUNK))
         .into_par_iter()
@@ -46,7 +46,7 @@ pub fn run(scope: Scope, states: Range<u64>, seed: u64, done: impl Fn(u64) + Syn
         .reduce(Tally::default, Tally::joined)
 }
 
-/// A stretch of states; where one of them panics, they are gone through one by one.
+/// Tests a range of states; if one of them panics, they are repeated one by one.
 fn try_range(scope: Scope, seed: u64, range: Range<u64>) -> Tally {
     let whole = catch_unwind(|| {
         let mut tally = Tally::default();
@@ -61,13 +61,13 @@ fn try_range(scope: Scope, seed: u64, range: Range<u64>) -> Tally {
 }
 
 fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
-    let mut draw = Draw::of(seed, index);
+    let mut draw = Draw::new(seed, index);
     let kind = Kind::ALL[(index % Kind::ALL.len() as u64) as usize];
     if ![Scope::Everything, Scope::Law(kind)].contains(&scope) {
         return;
     }
-    // Samples are taken among all kinds: by turns of all of them.
-    let sample = Sample::of(index / Kind::ALL.len() as u64);
+    // Samples are taken evenly from all kinds.
+    let sample = Sample::for_state(index / Kind::ALL.len() as u64);
     let (case, reach) = StatisticalCase::draw(&mut draw, kind);
     one(kind.name(), index, (&case, reach), tally, catch, |trial| {
         try_state(&case, reach, sample, &mut draw, trial)
@@ -77,18 +77,18 @@ fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) 
     }
     if index.is_multiple_of(ASPERITY_EVERY) {
         let (case, reach): (AsperityCase, Reach) =
-            AsperityCase::draw(&mut Draw::of(seed ^ ASPERITY_SEED, index));
+            AsperityCase::draw(&mut Draw::new(seed ^ ASPERITY_SEED, index));
         one("single asperity", index, (&case, reach), tally, catch, |trial| {
             try_asperity(&case, reach, trial)
         });
     }
     if index.is_multiple_of(STACK_EVERY) {
-        let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::of(seed ^ STACK_SEED, index));
+        let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::new(seed ^ STACK_SEED, index));
         one("stack", index, (&case, reach), tally, catch, |trial| try_stack(&case, reach, trial));
     }
 }
 
-/// One state of a family; with `catch` a panic becomes a broken promise with its inputs.
+/// Tests one state of a family; with `catch` a panic becomes a broken promise with its inputs.
 fn one<C: Debug>(
     family: &'static str,
     index: u64,
@@ -98,14 +98,14 @@ fn one<C: Debug>(
     test: impl FnOnce(&mut Trial<C>),
 ) {
     if !catch {
-        return test(&mut Trial::of(tally, family, index, case));
+        return test(&mut Trial::new(tally, family, index, case));
     }
     let mut own = Tally::default();
     let survived =
-        catch_unwind(AssertUnwindSafe(|| test(&mut Trial::of(&mut own, family, index, case)))).is_ok();
+        catch_unwind(AssertUnwindSafe(|| test(&mut Trial::new(&mut own, family, index, case)))).is_ok();
     if !survived {
         own = Tally::default();
-        Trial::of(&mut own, family, index, case).hold("no panic", false);
+        Trial::new(&mut own, family, index, case).hold("no panic", false);
     }
     *tally = std::mem::take(tally).joined(own);
 }

@@ -1,4 +1,4 @@
-//! Stacks of scales: the numbers of one, and what every level promises.
+//! Stacks of scales: their numbers, and the promises of every level.
 
 use asperity::{AsperityError, Bound};
 use stacked_contact::{Level, Scale, StackedModel, largest_full_contact_pressure_pa, levels};
@@ -6,21 +6,21 @@ use stacked_contact::{Level, Scale, StackedModel, largest_full_contact_pressure_
 use crate::tally::Trial;
 use crate::{Draw, Material, Reach};
 
-/// A stack under a nominal pressure; printed, it is the literal that makes it again.
+/// Stack under a nominal pressure; printed, it is a literal that recreates it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StackCase {
-    /// The bodies.
+    /// Bodies in contact.
     pub material: Material,
-    /// Whether they yield.
+    /// True if they yield.
     pub plastic: bool,
-    /// Of the nominal area \[Pa\].
+    /// Nominal pressure \[Pa\].
     pub pressure_pa: f64,
-    /// From long to short.
+    /// Scales from long to short.
     pub scales: Vec<Scale>,
 }
 
 impl StackCase {
-    /// A random case.
+    /// Draws a random case.
     pub fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let [pressure, longest, ratio] = match reach {
@@ -43,10 +43,10 @@ impl StackCase {
         )
     }
 
-    /// How its scales deform.
+    /// Deformation law of its scales.
     ///
     /// # Errors
-    /// [`AsperityError`] where a number is refused.
+    /// [`AsperityError`] if a number is refused.
     pub fn model(&self) -> Result<StackedModel, AsperityError> {
         let pair = self.material.pair()?;
         Ok(if self.plastic {
@@ -57,9 +57,9 @@ impl StackCase {
     }
 }
 
-/// Puts one stack to the test.
+/// Tests one stack.
 pub fn try_stack(case: &StackCase, reach: Reach, trial: &mut Trial<StackCase>) {
-    // Beyond thirty decades the laws are not asked anywhere.
+    // Numbers beyond thirty decades are outside of the laws' range.
     let admitted = case.scales.iter().all(|scale| Bound::Magnitude.admits(scale.aspect_ratio()));
     let Ok(model) = case.model() else {
         trial.refused();

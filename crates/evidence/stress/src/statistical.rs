@@ -1,4 +1,4 @@
-//! States of the statistical model: the numbers of one, and how they are drawn.
+//! States of the statistical model: their numbers, and how they are drawn.
 
 use asperity::{AsperityError, Hardness};
 use stat_contact::{ContactState, Population, StatisticalContact};
@@ -6,7 +6,7 @@ use stat_contact::{ContactState, Population, StatisticalContact};
 use crate::law::Response;
 use crate::{Draw, Material, Reach};
 
-/// The laws of the statistical model, those with a strain gradient apart.
+/// Laws of the statistical model; those with a strain gradient are separate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// Elastic spheres.
@@ -26,7 +26,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Kind; 7] = [
         Kind::Hertz,
         Kind::EpSphere,
@@ -37,7 +37,7 @@ impl Kind {
         Kind::GradientSine,
     ];
 
-    /// Its name in reports.
+    /// Name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Hertz => "hertz",
@@ -50,7 +50,7 @@ impl Kind {
         }
     }
 
-    /// Whether the force of an asperity never falls with its interference.
+    /// True if the force of an asperity never falls with its interference.
     pub fn force_rises(self) -> bool {
         !matches!(self, Kind::EpSphere | Kind::GradientSphere | Kind::GradientSine)
     }
@@ -60,38 +60,38 @@ impl Kind {
     }
 }
 
-/// What a state is asked at.
+/// Given quantity of a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Question {
-    /// A separation \[m\].
+    /// Separation \[m\].
     Separation(f64),
-    /// A pressure \[Pa\].
+    /// Pressure \[Pa\].
     Pressure(f64),
 }
 
-/// A population of asperities of a material, and a question; printed, it is the literal that makes it again.
+/// Population of asperities of a material, and a given quantity; printed, it is a literal that recreates it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StatisticalCase {
-    /// The law.
+    /// Law of the asperities.
     pub kind: Kind,
-    /// The bodies.
+    /// Bodies in contact.
     pub material: Material,
-    /// Of spheres.
+    /// Hardness form of spheres.
     pub hardness: Hardness,
-    /// R \[m\].
+    /// Radius R \[m\].
     pub radius_m: f64,
-    /// eta \[m^-2\].
+    /// Density eta \[m^-2\].
     pub density_per_m2: f64,
-    /// sigma_s \[m\].
+    /// Standard deviation of the heights sigma_s \[m\].
     pub sigma_s_m: f64,
-    /// The relative tolerance.
+    /// Relative tolerance.
     pub tolerance: f64,
-    /// What is asked.
+    /// Given quantity.
     pub question: Question,
 }
 
 impl StatisticalCase {
-    /// A random case; whether its numbers are usual ones comes with it.
+    /// Draws a random case, with the range of its numbers.
     pub fn draw(draw: &mut Draw, kind: Kind) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let (sigma_s_m, radius_m, density_per_m2) = match reach {
@@ -148,7 +148,8 @@ impl StatisticalCase {
         Question::Separation(if edge { draw.one_of(&[-1.0, 1.0]) * draw.edge() } else { u * self.sigma_s_m })
     }
 
-    /// The mean height, or one a few standard deviations beside it, just where the law bends or jumps.
+    /// Draws a separation at which the mean height, or one a few standard deviations beside it, is at a break of the
+    /// law.
     fn draw_separation_at_a_break_m(&self, draw: &mut Draw) -> Option<f64> {
         let breaks_m = self.response().ok()?.breaks_m();
         if breaks_m.is_empty() {
@@ -159,27 +160,27 @@ impl StatisticalCase {
         Some(if draw.chance(0.5) { draw.near(at_m) } else { at_m + beside * self.sigma_s_m })
     }
 
-    /// The law of its asperities.
+    /// Law of its asperities.
     ///
     /// # Errors
-    /// [`AsperityError`] where a number is refused.
+    /// [`AsperityError`] if a number is refused.
     pub fn response(&self) -> Result<Response, AsperityError> {
         Response::new(self.kind, &self.material, self.hardness, self.radius_m, self.density_per_m2)
     }
 
-    /// The contact.
+    /// Contact of its population.
     ///
     /// # Errors
-    /// [`AsperityError`] where a number is refused.
+    /// [`AsperityError`] if a number is refused.
     pub fn contact(&self) -> Result<StatisticalContact, AsperityError> {
         let population = Population::new(self.radius_m, self.density_per_m2, self.sigma_s_m)?;
         Ok(StatisticalContact::new(&self.material.pair()?, &population, &self.response()?.law()))
     }
 
-    /// The state that is asked for.
+    /// State at the given quantity.
     ///
     /// # Errors
-    /// [`AsperityError`] where a number is refused.
+    /// [`AsperityError`] if a number is refused.
     pub fn state(&self) -> Result<ContactState, AsperityError> {
         self.state_of(&self.contact()?)
     }

@@ -1,4 +1,4 @@
-//! What every state of the statistical model promises.
+//! Promises of every state of the statistical model.
 
 use asperity::Bound;
 use stat_contact::{ContactState, StatisticalContact};
@@ -9,36 +9,37 @@ use crate::statistical::{Question, StatisticalCase};
 use crate::tally::Trial;
 use crate::{Draw, Reach};
 
-/// Law evaluations that a state at a separation, and one at a pressure, may take.
+/// Limit of the law evaluations of a state at a separation, and of one at a pressure.
 const MOST_EVALUATIONS: [f64; 2] = [5_000.0, 50_000.0];
-/// The promise of a round trip: in sigma_s times the condition number of the inverse, and relative in pressure.
+/// Error of a round trip that is promised: in sigma_s times the condition number of the inverse, and relative in
+/// pressure.
 const ROUND_TRIP: f64 = 1e-10;
-/// Relative rounding of the sums: those of a few hundred positive terms, each the law's own rounding in it.
+/// Relative rounding of the sums of a few hundred positive terms, with the law's own rounding in each.
 const ROUNDING: f64 = 1e-13;
 
-/// Which of the costly checks a state is in for.
+/// Selection of the costly checks for a state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sample {
-    /// A quadrature of its own.
+    /// Check against an independent quadrature.
     pub quadrature: bool,
-    /// The same state at the finest tolerance.
+    /// Check against the finest tolerance.
     pub finest: bool,
-    /// Condition numbers.
+    /// Check of the condition numbers.
     pub conditions: bool,
 }
 
 impl Sample {
-    /// Every how many-th state has them.
+    /// Intervals of the checks, in states.
     const EVERY: [u64; 3] = [2000, 20, 5000];
 
-    /// Of the state `index`.
-    pub fn of(index: u64) -> Self {
+    /// Selects the checks of the state `index`.
+    pub fn for_state(index: u64) -> Self {
         let [quadrature, finest, conditions] = Self::EVERY.map(|every| index.is_multiple_of(every));
         Sample { quadrature, finest, conditions }
     }
 }
 
-/// Puts one state to the test.
+/// Tests one state.
 pub fn try_state(
     case: &StatisticalCase,
     reach: Reach,
@@ -69,7 +70,7 @@ pub fn try_state(
         return;
     };
     if !Bound::Signed.admits(separation_m) {
-        // A soft sphere under a huge pressure sinks beyond what may be asked for.
+        // A soft sphere under a huge pressure sinks below the range of separations.
         return;
     }
     match case.question {
@@ -91,7 +92,7 @@ pub fn try_state(
     }
 }
 
-/// What holds for every state, however strange its inputs.
+/// Checks that hold for every state, however extreme its inputs.
 fn sound(case: &StatisticalCase, reach: Reach, state: &ContactState, trial: &mut Trial<StatisticalCase>) {
     let logarithms = [state.ln_pressure_pa, state.ln_area_fraction];
     let numbers =
@@ -124,7 +125,7 @@ fn sound(case: &StatisticalCase, reach: Reach, state: &ContactState, trial: &mut
     trial.hold("clamped means complete", !state.clamped || state.area_fraction == 1.0);
 }
 
-/// At the edge of the doubles the other ways to ask have to answer soundly too.
+/// At the edge of the doubles the other queries must give sound answers too.
 fn edge(
     case: &StatisticalCase,
     contact: &StatisticalContact,
@@ -143,7 +144,7 @@ fn edge(
     }
 }
 
-/// From a separation to its pressure and back.
+/// Checks the way from a separation to its pressure and back.
 fn there_and_back(
     case: &StatisticalCase,
     contact: &StatisticalContact,
@@ -151,7 +152,7 @@ fn there_and_back(
     trial: &mut Trial<StatisticalCase>,
 ) {
     let (Some(separation_m), true) = (state.separation_m, state.pressure_pa.is_normal()) else { return };
-    // Huge pressures may be carried, and still be refused when they are asked for.
+    // A state may have a pressure that is too large to be given.
     let Ok(back) = contact.at_pressure(state.pressure_pa, case.tolerance, None) else { return };
     sound(
         &StatisticalCase { question: Question::Pressure(state.pressure_pa), ..*case },
@@ -169,8 +170,8 @@ fn there_and_back(
     let u = separation_m / case.sigma_s_m;
     let off = (found_m - separation_m) / case.sigma_s_m;
     let representable = f64::EPSILON * u.abs() * (8.0 + 4.0 * separation_m.abs().max(1e-300).ln().abs());
-    // Where one pressure is carried at several separations, the largest is the answer: then it need only carry it. At a
-    // maximum of the pressure it may round beyond reach.
+    // If several separations carry a pressure, the largest is the answer: then it need only carry it. At a maximum of
+    // the pressure it may round beyond reach.
     let next_lower_pa = state.pressure_pa * (1.0 - 1e-9);
     let at_a_maximum = || {
         let lower = contact.at_pressure(next_lower_pa, case.tolerance, None).expect("a positive pressure");
@@ -178,7 +179,7 @@ fn there_and_back(
     };
     let another = !case.kind.force_rises() && (off > ROUND_TRIP || (off < -ROUND_TRIP && at_a_maximum()));
     if !another {
-        // The condition number of the inverse, over the stretch between the two separations, where it is needed.
+        // Condition number of the inverse, over the stretch between the two separations, where it is needed.
         let slope = || {
             let at_found = contact.at_separation(found_m, case.tolerance).expect("a finite separation");
             (at_found.ln_pressure_pa - state.ln_pressure_pa).abs() / off.abs()
@@ -195,7 +196,7 @@ fn there_and_back(
     carries(case, contact, found_m, state.pressure_pa, &back, trial);
 }
 
-/// The separation that was found carries the pressure.
+/// Checks that the separation carries the pressure.
 fn carries(
     case: &StatisticalCase,
     contact: &StatisticalContact,
@@ -210,7 +211,7 @@ fn carries(
     allowed += 4.0 * f64::EPSILON * pressure_pa.ln().abs();
     let area_off = (again.ln_area_fraction - found.ln_area_fraction).abs();
     if off.max(area_off) > allowed {
-        // What the last places of d are worth: up to u^2 above the mean plane, and far more just before complete contact.
+        // Effect of the last places of d: up to u^2 above the mean plane, and far more just before complete contact.
         let places = (8.0 + 4.0 * separation_m.abs().max(1e-300).ln().abs()) * f64::EPSILON;
         let [nearer, farther] = [1.0 - places, 1.0 + places].map(|factor| {
             contact.at_separation(factor * separation_m, case.tolerance).expect("a finite separation")
@@ -222,7 +223,7 @@ fn carries(
     trial.bound("area at p and at d", area_off, allowed);
 }
 
-/// The answer does not depend on where the search begins.
+/// Checks that the answer does not depend on the start of the search.
 fn any_start(
     case: &StatisticalCase,
     contact: &StatisticalContact,
@@ -244,7 +245,8 @@ fn any_start(
     trial.bound("the start changes nothing", off, allowed);
 }
 
-/// A slightly larger separation carries no more: anywhere where the force rises, above the mean plane whatever it does.
+/// Checks that a slightly larger separation carries no more: anywhere if the force rises, above the mean plane in any
+/// case.
 fn falls(
     case: &StatisticalCase,
     contact: &StatisticalContact,
@@ -267,7 +269,7 @@ fn falls(
     trial.bound("p falls with d", rise, here.error_estimate + beyond.error_estimate + rounding);
 }
 
-/// How the error estimate compares with the error against the finest tolerance.
+/// Compares the error estimate with the error against the finest tolerance.
 fn error_bar(
     case: &StatisticalCase,
     contact: &StatisticalContact,
@@ -276,7 +278,7 @@ fn error_bar(
 ) {
     const COARSEST: f64 = 1e-2;
     const FINEST: f64 = 1e-13;
-    /// The error of the finest counts for nothing against that of this tolerance.
+    /// Tolerance against which the error of the finest is negligible.
     const COMPARABLE: f64 = 1e-11;
     if case.tolerance < COMPARABLE {
         return;
@@ -296,11 +298,11 @@ fn error_bar(
     );
 }
 
-/// Agreement with an adaptive quadrature that shares no code.
+/// Checks agreement with an adaptive quadrature that shares no code.
 fn other_quadrature(case: &StatisticalCase, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
-    /// Below this many standard deviations the spread, and with it the integral, is a matter of the digits of u.
+    /// Number of standard deviations below which the integral depends on the digits of u.
     const DEEPEST: f64 = -1e4;
-    /// Error of the other quadrature up to which a comparison is worth its name.
+    /// Largest error of the other quadrature for a meaningful comparison.
     const MEANINGFUL: f64 = 1e-9;
     let u = separation_m / case.sigma_s_m;
     if u < DEEPEST {
@@ -319,20 +321,20 @@ fn other_quadrature(case: &StatisticalCase, separation_m: f64, trial: &mut Trial
             other.errors[1],
         ),
     ] {
-        // Otherwise the comparison says nothing.
+        // Otherwise the comparison means nothing.
         if error < MEANINGFUL {
             trial.bound(promise, (ours - theirs).abs(), state.error_estimate + 2.0 * error + rounding);
         }
     }
 }
 
-/// Condition numbers, for the worst and the typical.
+/// Notes condition numbers, for the worst and the typical.
 fn note_conditions(case: &StatisticalCase, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
     for condition in conditions(case, separation_m).into_iter().flatten() {
         let [pressure, area, separation] = condition.names;
         trial.note(pressure, condition.ln_pressure.abs());
         trial.note(area, condition.ln_area.abs());
-        // Where the pressure has ceased to depend on the separation there is nothing to be found.
+        // Where the pressure no longer depends on the separation, none can be found.
         if condition.separation.is_finite() {
             trial.note(separation, condition.separation.abs());
         }

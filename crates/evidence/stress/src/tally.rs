@@ -1,46 +1,46 @@
-//! What was found: how often each promise was put to the test and broken, and by how much it was missed or kept at worst.
+//! Tally of promises: how often each was tested and broken, and its worst case.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 
 use crate::Reach;
 
-/// Where in a run a state stands: its family and its number. Of equally bad states the first is kept, so that a report does
-/// not depend on the order in which threads come.
+/// Position of a state in a run: its family and its number. Among equally bad states the first is kept, so that a
+/// report does not depend on the order of the threads.
 type Place = u64;
 
-/// One promise of one family.
+/// Promise of a family.
 type Key = (&'static str, &'static str);
 
-/// The state that came closest to breaking a promise, or broke it most.
+/// State that came closest to breaking a promise, or broke it most.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
-    /// How much was measured, over what is allowed; above 1 the promise is broken.
+    /// Measured value over the allowed one; above 1 the promise is broken.
     pub over_allowance: f64,
-    /// What was measured.
+    /// Measured value.
     pub value: f64,
-    /// The number of the state.
+    /// Number of the state.
     pub index: Place,
-    /// How far from the ordinary it is.
+    /// Range of its numbers.
     pub reach: Reach,
-    /// Its inputs, as a literal.
+    /// Inputs, as a literal.
     pub case: String,
 }
 
-/// The record of one promise.
+/// Record of one promise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// How often it was tested.
+    /// Number of tests.
     pub tested: u64,
-    /// How often it was broken.
+    /// Number of failures.
     pub broken: u64,
-    /// The worst state.
+    /// Worst state.
     pub worst: Worst,
-    /// The first states that broke it.
+    /// First states that broke it.
     pub examples: Vec<Worst>,
 }
 
-/// How many values lie where, evenly in the logarithm: enough for a median.
+/// Histogram of values, even in the logarithm: fine enough for a median.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Spread {
     /// Number of values by tenths of decades.
@@ -50,14 +50,14 @@ pub struct Spread {
 impl Spread {
     const PER_DECADE: f64 = 10.0;
 
-    /// Takes note of a value; what is not positive and finite counts as the smallest or the largest.
+    /// Adds a value; one that is not positive and finite counts as the smallest or the largest.
     pub fn note(&mut self, value: f64) {
         let place = (value.log10() * Self::PER_DECADE).floor();
         let place = if value > 0.0 { place.clamp(-4000.0, 4000.0) } else { -4000.0 };
         *self.counts.entry(place as i32).or_default() += 1;
     }
 
-    /// The value below which a share of all lie, to a tenth of a decade; NaN where there are none.
+    /// Value below which a share of all lie, to a tenth of a decade; NaN without values.
     pub fn quantile(&self, share: f64) -> f64 {
         let wanted = share * self.len() as f64;
         let mut passed = 0;
@@ -70,12 +70,12 @@ impl Spread {
         f64::NAN
     }
 
-    /// How many there are.
+    /// Number of values.
     pub fn len(&self) -> u64 {
         self.counts.values().sum()
     }
 
-    /// Whether there are none.
+    /// True if there are no values.
     pub fn is_empty(&self) -> bool {
         self.counts.is_empty()
     }
@@ -87,24 +87,24 @@ impl Spread {
     }
 }
 
-/// Everything that was found in a stretch of a run.
+/// Everything found in a range of states.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Tally {
-    /// States by family.
+    /// Number of states by family.
     pub states: BTreeMap<&'static str, u64>,
-    /// Of those, the ones whose numbers a constructor refused.
+    /// Number of states by family whose numbers a constructor refused.
     pub refused: BTreeMap<&'static str, u64>,
-    /// The promises.
+    /// Records of the promises.
     pub records: BTreeMap<Key, Record>,
-    /// How measured quantities spread.
+    /// Spreads of measured quantities.
     pub spreads: BTreeMap<Key, Spread>,
 }
 
 impl Tally {
-    /// States that broke a promise are kept as literals up to this number for each promise.
+    /// Number of states kept as literals for each broken promise.
     const EXAMPLES: usize = 12;
 
-    /// Adds what was found elsewhere.
+    /// Adds the findings of another tally.
     pub fn joined(mut self, other: Tally) -> Tally {
         for (family, count) in other.states {
             *self.states.entry(family).or_default() += count;
@@ -126,7 +126,7 @@ impl Tally {
         self
     }
 
-    /// The number of promises broken.
+    /// Number of promises broken.
     pub fn broken(&self) -> u64 {
         self.records.values().map(|record| record.broken).sum()
     }
@@ -152,7 +152,7 @@ impl Worst {
     }
 }
 
-/// The tests of one state, written into a tally.
+/// Tests of one state, written into a tally.
 #[derive(Debug)]
 pub struct Trial<'a, C> {
     tally: &'a mut Tally,
@@ -163,8 +163,8 @@ pub struct Trial<'a, C> {
 }
 
 impl<'a, C: Debug> Trial<'a, C> {
-    /// Begins with the state of a number in a family.
-    pub fn of(
+    /// Begins the tests of a state by its family and number.
+    pub fn new(
         tally: &'a mut Tally,
         family: &'static str,
         index: Place,
@@ -174,21 +174,21 @@ impl<'a, C: Debug> Trial<'a, C> {
         Trial { tally, family, index, reach, case }
     }
 
-    /// Its numbers were refused.
+    /// Records that a constructor refused its numbers.
     pub fn refused(&mut self) {
         *self.tally.refused.entry(self.family).or_default() += 1;
     }
 
-    /// A promise that is kept or not.
+    /// Records a promise that is kept or not.
     pub fn hold(&mut self, promise: &'static str, kept: bool) {
         self.bound(promise, if kept { 0.0 } else { 1.0 }, 0.5);
     }
 
-    /// A promise that `value` is at most `allowed`; NaN breaks it.
+    /// Records the promise that `value` is at most `allowed`; NaN breaks it.
     pub fn bound(&mut self, promise: &'static str, value: f64, allowed: f64) {
         let over_allowance = match value / allowed {
             ratio if !ratio.is_nan() => ratio,
-            // Nothing was measured and nothing is allowed.
+            // Zero is within any allowance, even zero.
             _ if value == 0.0 || allowed == f64::INFINITY => 0.0,
             _ => f64::INFINITY,
         };
@@ -213,7 +213,7 @@ impl<'a, C: Debug> Trial<'a, C> {
         }
     }
 
-    /// Takes note of a quantity, of which nothing is promised one by one.
+    /// Records a quantity without a promise.
     pub fn note(&mut self, quantity: &'static str, value: f64) {
         self.tally.spreads.entry((self.family, quantity)).or_default().note(value);
     }
@@ -226,7 +226,7 @@ mod tests {
     fn tally_of(values: &[(u64, f64)]) -> Tally {
         let mut tally = Tally::default();
         for (index, value) in values {
-            let mut trial = Trial::of(&mut tally, "family", *index, (value, Reach::Usual));
+            let mut trial = Trial::new(&mut tally, "family", *index, (value, Reach::Usual));
             trial.bound("small", *value, 2.0);
             trial.note("size", *value);
         }
@@ -240,7 +240,7 @@ mod tests {
         for cut in 0..values.len() {
             let (head, tail) = values.split_at(cut);
             let parts = tally_of(tail).joined(tally_of(head));
-            // As text, in which NaN is the same as NaN.
+            // Compared as text, in which NaN equals NaN.
             assert_eq!(format!("{parts:?}"), format!("{whole:?}"));
         }
         let record = &whole.records[&("family", "small")];

@@ -12,8 +12,8 @@ fn assert_sound(cases: &[StatisticalCase]) {
     const DRAWS: u64 = 6;
     for (case, draw) in cases.iter().flat_map(|case| (0..DRAWS).map(move |draw| (case, draw))) {
         let mut tally = Tally::default();
-        let mut trial = Trial::of(&mut tally, case.kind.name(), draw, (case, Reach::Wide));
-        try_state(case, Reach::Wide, everything, &mut Draw::of(0, draw), &mut trial);
+        let mut trial = Trial::new(&mut tally, case.kind.name(), draw, (case, Reach::Wide));
+        try_state(case, Reach::Wide, everything, &mut Draw::new(0, draw), &mut trial);
         assert!(tally.refused.is_empty(), "{case:?}");
         for ((_, promise), record) in &tally.records {
             assert_eq!(record.broken, 0, "{promise}: {:?}", record.worst);

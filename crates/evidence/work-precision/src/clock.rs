@@ -1,12 +1,12 @@
-//! The stopwatch.
+//! Stopwatch.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-/// A pass shorter than this says more of the clock than of the work.
+/// Shortest pass; a shorter one measures the clock rather than the work.
 const LEAST_PASS_S: f64 = 20e-6;
 
-/// Seconds that one call takes: the shortest of as many passes as fit into `budget_s` seconds, at least three.
+/// Seconds per call: the shortest of as many passes as fit into `budget_s` seconds, at least three.
 pub fn seconds_per_call<T>(budget_s: f64, mut call: impl FnMut() -> T) -> f64 {
     let mut pass = |calls: u32| {
         let start = Instant::now();

@@ -1,4 +1,4 @@
-//! The points as tables, and how numbers are written in them.
+//! Tables of the points, and the format of their numbers.
 
 use crate::kernels::KernelCost;
 use crate::machine::Fact;
@@ -6,12 +6,12 @@ use crate::point::{Given, Outcome, Point};
 use crate::scaling::Scaling;
 use crate::stack::StackCost;
 
-/// The name of a law in names of files.
+/// Name of a law in names of files.
 pub fn stem(law: &str, given: Given) -> String {
     format!("{}-by-{}", law.replace(", ", "-").replace(' ', "-"), given.name())
 }
 
-/// The points of one law and question.
+/// Points of one law and question.
 pub fn points_csv(points: &[&Point], facts: &[Fact]) -> String {
     let mut text = comments(facts);
     text += "# error: the larger of the relative errors of area and pressure, or of area and separation over sigma\n";
@@ -33,7 +33,7 @@ pub fn points_csv(points: &[&Point], facts: &[Fact]) -> String {
     text
 }
 
-/// What single asperities cost.
+/// Costs of single asperities.
 pub fn kernels_csv(costs: &[KernelCost], facts: &[Fact]) -> String {
     let mut text = comments(facts);
     text +=
@@ -48,7 +48,7 @@ pub fn kernels_csv(costs: &[KernelCost], facts: &[Fact]) -> String {
     text
 }
 
-/// What a scale of the stack costs.
+/// Costs of a scale of the stack.
 pub fn stack_csv(costs: &[StackCost], facts: &[Fact]) -> String {
     let mut text = comments(facts) + "law,seconds_per_scale_and_load,off_limit\n";
     for cost in costs {
@@ -58,7 +58,7 @@ pub fn stack_csv(costs: &[StackCost], facts: &[Fact]) -> String {
     text
 }
 
-/// How the program grows.
+/// Scaling of the program.
 pub fn scaling_csv(scaling: &Scaling, facts: &[Fact]) -> String {
     let mut text = comments(facts) + &format!("# start-up: {} s\n", scientific(scaling.start_up_s));
     text += "what,size,processor_seconds,peak_bytes\n";
@@ -76,7 +76,7 @@ pub fn comments(facts: &[Fact]) -> String {
     facts.iter().map(|(name, value)| format!("# {name}: {value}\n")).collect()
 }
 
-/// Three digits: times have no more, errors mean no more.
+/// Formats three digits: times and errors have no more.
 pub fn scientific(value: f64) -> String {
     format!("{value:.2e}")
 }

@@ -1,5 +1,5 @@
-//! What one asperity costs: force and area at an interference, area at a pressure, against the tables of single
-//! asperities in `tests/reference`, whose rows stand in the hard regions of each law.
+//! Cost of one asperity: force and area at an interference, area at a pressure, against the tables of single
+//! asperities in `tests/reference`, whose rows lie in the hard regions of each law.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -10,22 +10,22 @@ use asperity::{
 };
 
 use crate::clock::seconds_per_call;
-use crate::competitors::{Asked, At, Row, Setting, Worker};
+use crate::competitors::{At, Question, Row, Setting, Worker};
 use crate::reference::{Case, repository};
 
 const OUR_BUDGET_S: f64 = 0.05;
 const THEIR_BUDGET_S: f64 = 1e-3;
 
-/// What evaluating a law once costs.
+/// Cost of one evaluation of a law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KernelCost {
-    /// What is evaluated.
+    /// Quantity that is evaluated.
     pub kernel: &'static str,
-    /// Ours.
+    /// Cost of this program.
     pub ours: Cost,
-    /// The same formulas in Python, a number at a time; `None` where they are not compared.
+    /// Cost of the same formulas in Python, a number at a time; `None` if not compared.
     pub scalar: Option<Cost>,
-    /// In numpy, for each of a thousand numbers.
+    /// Cost in numpy, per number of an array of a thousand.
     pub array: Option<Cost>,
 }
 
@@ -38,19 +38,19 @@ pub struct Cost {
     pub median_error: f64,
 }
 
-/// A row of a table, by column.
+/// Row of a table, by column.
 type Columns = HashMap<String, f64>;
 
-/// A law at one row, evaluated: its two answers.
+/// Evaluation of a law at one row, with two results.
 type Evaluation = Box<dyn Fn() -> (f64, f64)>;
 
-/// A kernel: its table, its law made ready for a row, and the columns that hold its two answers.
+/// Kernel: its table, its law prepared for a row, and the columns of its two results.
 struct Kernel {
     name: &'static str,
     table: &'static str,
     law: fn(&Columns) -> Evaluation,
     exact: [&'static str; 2],
-    /// The law's name in Python.
+    /// Name of the law in Python.
     model: Option<&'static str>,
 }
 
@@ -133,10 +133,10 @@ const KERNELS: [Kernel; 7] = [
     },
 ];
 
-/// Every law of one asperity, beside the same formulas in Python where there is a worker.
+/// Costs of every law of one asperity, beside the same formulas in Python if there is a worker.
 ///
 /// # Errors
-/// A message where a table cannot be read.
+/// A message if a table cannot be read.
 pub fn costs(mut worker: Option<&mut Worker>) -> Result<Vec<KernelCost>, String> {
     KERNELS.iter().map(|kernel| cost(kernel, worker.as_deref_mut())).collect()
 }
@@ -155,7 +155,7 @@ fn cost(kernel: &Kernel, worker: Option<&mut Worker>) -> Result<KernelCost, Stri
     Ok(KernelCost { kernel: kernel.name, ours, scalar, array })
 }
 
-/// In Python: a number at a time, and arrays; the mean over the rows.
+/// Costs in Python, a number at a time and in arrays: the mean over the rows.
 fn theirs(
     kernel: &Kernel,
     model: &str,
@@ -165,7 +165,7 @@ fn theirs(
     let answers = rows.iter().map(|row| {
         let (case, at) = (case(model, row), At::One(row["interference_m"]));
         let (setting, seconds) = (Setting::Nodes(0), THEIR_BUDGET_S);
-        worker.ask(&Asked { engine: "kernel", setting, by_pressure: false, case: &case, at, seconds })
+        worker.ask(&Question { engine: "kernel", setting, by_pressure: false, case: &case, at, seconds })
     });
     let Ok(answers) = answers.collect::<Result<Vec<Vec<Row>>, String>>() else { return (None, None) };
     let of = |at: usize| {
@@ -181,8 +181,8 @@ fn theirs(
     (of(0), of(1))
 }
 
-/// The row as a population of one asperity per square metre with a spread of one metre, so that pressure is force; for
-/// sinusoids the density that makes their wavelength.
+/// Row as a population of one asperity per square metre with a spread of one metre, so that pressure is force; for
+/// sinusoids with the density that gives their wavelength.
 fn case(model: &str, row: &Columns) -> Case {
     let (density_per_m2, radius_m) = match row.get("wavelength_m") {
         Some(wavelength_m) => {

@@ -10,15 +10,16 @@
 //!
 //! The steps, one module each:
 //! * [`reference`](mod@reference): the states with their high-precision values, `tests/reference/work_precision.csv`;
-//! * [`ours`] and [`competitors`]: who answers, and how long that takes; [`clock`] is the stopwatch;
-//! * [`study`]: asks everybody everything, and yields a [`point::Point`] per answer, held against its reference;
-//! * [`kernels`], [`stack`] and [`scaling`]: what single asperities and scales of a stack cost, and how the program grows;
-//! * [`verdicts`]: whether a competitor is ever both faster and more accurate, and by how much we are ahead;
-//! * `surrogate`, behind the feature of that name: what an interval costs by plain sampling and by fitted polynomials;
-//! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/develop/performance/` and the tables of
-//!   `docs/develop/performance.md`.
+//! * [`ours`] and [`competitors`]: the engines; [`clock`] is the stopwatch;
+//! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
+//!   reference;
+//! * [`kernels`], [`stack`] and [`scaling`]: costs of single asperities and scales of a stack, and the scaling of the
+//!   program;
+//! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
+//! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
+//! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/performance/` and the tables of `docs/performance.md`.
 //!
-//! Times are of one thread, the shortest of many repetitions: machines are shared, and the shortest is the least disturbed.
+//! Times are of one thread, the shortest of many repetitions, because the shortest is the least disturbed.
 #![deny(missing_docs)]
 
 pub mod clock;

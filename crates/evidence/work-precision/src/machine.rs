@@ -1,11 +1,11 @@
-//! What it was measured on, and with.
+//! Machine and versions of a measurement.
 
 use std::process::Command;
 
-/// A line of the report: what, and which.
+/// Line of the report: name and value.
 pub type Fact = (String, String);
 
-/// Date, processor, compiler and the state of the sources; nothing that tells one machine of a kind from another.
+/// Date, processor, compiler and the state of the sources; nothing that identifies a single machine.
 pub fn facts() -> Vec<Fact> {
     let dirty = said("git", &["status", "--porcelain", "--untracked-files=no", "--", "crates"]);
     let changed = if dirty.as_deref().is_some_and(|text| !text.is_empty()) { ", changed" } else { "" };

@@ -12,7 +12,7 @@ use work_precision::sections::Measured;
 use work_precision::verdicts::FOUR_LAWS;
 use work_precision::{files, kernels, page, pictures, scaling, sections, stack, study};
 
-/// The population whose states are drawn; the tables hold all.
+/// Population whose states are plotted; the tables hold all.
 const DRAWN: &str = "steel";
 
 fn main() -> ExitCode {
@@ -49,7 +49,7 @@ fn run() -> Result<(), String> {
     write_page(&repository("docs/develop/performance.md"), &measured)
 }
 
-/// The competitors' process; who is not there is told.
+/// Starts the competitors' process, and reports the missing ones.
 fn started(environment: &Environment, missing: &mut Vec<Missing>) -> Option<Worker> {
     let worker = Worker::start(environment).map_err(|reason| {
         if missing.is_empty() {
@@ -64,7 +64,7 @@ fn started(environment: &Environment, missing: &mut Vec<Missing>) -> Option<Work
     worker
 }
 
-/// No time of ours counts unless every answer of ours is right.
+/// Checks all of our answers: times of wrong answers do not count.
 fn gate(points: &[Point]) -> Result<(), String> {
     let wrong = |point: &&Point| {
         point.engine == point.engine.counterpart() && !matches!(point.outcome, Outcome::Right(_))
@@ -75,7 +75,8 @@ fn gate(points: &[Point]) -> Result<(), String> {
     }
 }
 
-/// A table for every law and question, a plot for those of the four laws; asperities, stack and growth.
+/// Writes a table for every law and question, a plot for the four laws, and the files of asperities, stack and
+/// scaling.
 fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
     let Measured { facts, points, kernels, stack, scaling, .. } = measured;
     for law in sections::laws(points) {
@@ -97,7 +98,7 @@ fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
     Ok(())
 }
 
-/// The page's tables; its verdicts are printed as well.
+/// Writes the page's tables, and prints its verdicts.
 fn write_page(path: &Path, measured: &Measured) -> Result<(), String> {
     let mut page =
         std::fs::read_to_string(path).map_err(|error| format!("docs/develop/performance.md: {error}"))?;

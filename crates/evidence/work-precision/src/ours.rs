@@ -1,4 +1,4 @@
-//! This program's answers.
+//! Answers of this program.
 
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
 use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, StatisticalContact};
@@ -7,17 +7,17 @@ use crate::clock::seconds_per_call;
 use crate::point::{Answer, Given};
 use crate::reference::{Case, Group, State};
 
-/// States in a batch, as many as in the competitors' (`engines.py`).
+/// Number of states in a batch, as in the competitors' (`engines.py`).
 const BATCH: usize = 1000;
 
-/// What the library takes to build a contact.
+/// Parts from which the library builds a contact.
 struct Parts {
     pair: MaterialPair,
     population: Population,
     law: AsperityLaw,
 }
 
-/// The body of a case against a rigid counterface, and its strength.
+/// Body of a case against a rigid counterface, and its strength.
 pub fn material(case: &Case) -> (MaterialPair, NixGao) {
     let body = ElasticBody::new(case.youngs_modulus_pa, case.poisson_ratio).expect("a body of the table");
     let strength = NixGao::constant(case.yield_strength_pa).expect("a strength of the table");
@@ -54,7 +54,7 @@ impl Parts {
         self.as_answer(&found.expect("a state of the table"))
     }
 
-    /// The states at many separations \[m\] or pressures \[Pa\] of one contact, in one sweep.
+    /// States at many separations \[m\] or pressures \[Pa\] of one contact, in one sweep.
     fn answers(&self, asked: &[f64], given: Given, tolerance: f64) -> Vec<ContactState> {
         let contact = self.contact();
         let mut sweep = contact.sweep(tolerance);
@@ -75,12 +75,12 @@ impl Parts {
     }
 }
 
-/// The state computed anew, with nothing carried over.
+/// State computed anew, with nothing carried over.
 pub fn answer(group: &Group, state: &State, given: Given, tolerance: f64) -> Answer {
     parts(&group.case).answer(state, given, tolerance)
 }
 
-/// The answer, and the seconds it takes: the contact is built anew for every state.
+/// Answer with its seconds: the contact is built anew for every state.
 pub fn timed_answer(
     group: &Group,
     state: &State,
@@ -93,7 +93,7 @@ pub fn timed_answer(
     (parts.answer(state, given, tolerance), seconds)
 }
 
-/// The states of a group among as many others between them as make a batch, and the seconds that each takes.
+/// States of a group, with as many others between them as make a batch, and the seconds per state.
 pub fn timed_batch(group: &Group, given: Given, tolerance: f64, budget_s: f64) -> (Vec<Answer>, f64) {
     let parts = parts(&group.case);
     let asked = batch(group, given);
@@ -104,7 +104,7 @@ pub fn timed_batch(group: &Group, given: Given, tolerance: f64, budget_s: f64) -
     (answers.collect(), seconds / asked.len() as f64)
 }
 
-/// The separations or pressures of a group, and others spaced evenly in separation or in ln p from the least to the most.
+/// Separations or pressures of a group, with others evenly spaced in separation or in ln p over the same range.
 fn batch(group: &Group, given: Given) -> Vec<f64> {
     let own = group.states.iter().map(|state| match given {
         Given::Separation => state.separation_m,

@@ -1,10 +1,10 @@
-//! Pages as `docs/develop/performance.md`, whose words are written by hand and whose tables, between markers, by a
-//! program.
+//! Pages such as `docs/performance.md`, with text by hand and measured tables between markers.
 
-/// The page with a section's contents replaced: what stands between `<!-- measured: NAME -->` and `<!-- end -->`.
+/// Returns the page with the contents of a section replaced: the lines between `<!-- measured: NAME -->` and `<!--
+/// end -->`.
 ///
 /// # Errors
-/// A message where the page has no such section.
+/// A message if the page has no such section.
 pub fn with_section(page: &str, name: &str, contents: &str) -> Result<String, String> {
     let opening = format!("<!-- measured: {name} -->\n");
     let missing = || format!("the page has no section {name}");
@@ -13,7 +13,7 @@ pub fn with_section(page: &str, name: &str, contents: &str) -> Result<String, St
     Ok(format!("{before}{opening}\n{}\n\n<!-- end -->{after}", contents.trim_end()))
 }
 
-/// A table; the first column is left-aligned, the others are numbers.
+/// Formats a table; the first column is left-aligned, the others are numbers.
 pub fn table(columns: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
     let mut text = line(columns.iter().map(|&column| column.to_owned()).collect());
@@ -24,7 +24,7 @@ pub fn table(columns: &[&str], rows: &[Vec<String>]) -> String {
     text
 }
 
-/// A time in the unit that leaves one to three digits before the point.
+/// Formats a time in the unit that leaves one to three digits before the point.
 pub fn time(seconds: f64) -> String {
     let (value, unit) = match seconds {
         s if s >= 1.0 => (s, "s"),
@@ -35,7 +35,7 @@ pub fn time(seconds: f64) -> String {
     format!("{} {unit}", three_digits(value))
 }
 
-/// A number to three digits; from five places on in groups of three.
+/// Formats a number to three digits, grouped in threes from five places on.
 pub fn three_digits(value: f64) -> String {
     let digits = match value.abs() {
         v if v >= 99.95 => 0,
@@ -57,7 +57,7 @@ pub fn three_digits(value: f64) -> String {
     text
 }
 
-/// An error as 1.2e-9.
+/// Formats an error like 1.2e-9.
 pub fn error(value: f64) -> String {
     format!("{value:.1e}")
 }

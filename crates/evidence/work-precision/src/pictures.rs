@@ -1,4 +1,4 @@
-//! Work-precision plots: the error of a state against the time it took.
+//! Work-precision plots: the error of a state over its time.
 
 use report::plot;
 use study::figure::{Axis, FigureData, Series, Shows};
@@ -8,12 +8,12 @@ use crate::machine::Fact;
 use crate::point::{Engine, Given, Point};
 use crate::scaling::Scaling;
 
-/// Errors below this are drawn at it: logarithmic axes have no zero, and doubles have no more digits.
+/// Error at which smaller ones are drawn: logarithmic axes have no zero, and doubles no more digits.
 const LEAST_ERROR: f64 = 1e-16;
 
 const X_LABEL: &str = "error of the state";
 
-/// The plot of one law and question of a population: a line per engine and separation, which joins its settings.
+/// Plots one law and question of a population: a line per engine and separation, which joins its settings.
 pub fn work_precision(
     points: &[&Point],
     population: &str,
@@ -22,7 +22,7 @@ pub fn work_precision(
     facts: &[Fact],
 ) -> String {
     let mut series = Vec::new();
-    // scipy with laws in numpy lies a decade or more above the tuned one, and has a row in the tables.
+    // scipy with laws in numpy is a decade or more above the tuned one, and has a row in the tables.
     let drawn = Engine::ALL.into_iter().filter(|engine| *engine != Engine::QuadNumpy);
     for (colour, engine) in drawn.enumerate() {
         let of_engine =
@@ -51,7 +51,7 @@ pub fn work_precision(
     plot::svg(&figure, &format!("{population}, a line for each of d/σ = −3, 0, 3, 6, 20"), &provenance(facts))
 }
 
-/// Settings that make no difference to the error are one point, which is drawn as a dot where there is no other.
+/// Merges settings with the same error to one point, which is drawn as a dot if it is the only one.
 fn without_repetitions(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::new();
     for (error, seconds) in points {
@@ -63,7 +63,7 @@ fn without_repetitions(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     kept
 }
 
-/// The plot of the program's processor time against the size of what it is asked.
+/// Plots the program's processor time over the size of its input.
 pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
     let series = scaling.growths.iter().enumerate().map(|(colour, growth)| {
         Series::under(

@@ -1,16 +1,16 @@
-//! One answer of one engine, held against its reference.
+//! Answer of one engine, compared with its reference.
 
 use crate::reference::State;
 
-/// An answer off by more than this is wrong, however fast it came.
+/// Error from which an answer is wrong, however fast it was.
 pub const WRONG_FROM: f64 = 1e-2;
 
-/// What a state is asked for by.
+/// Given quantity of a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Given {
-    /// p(d): the separation is given, pressure and area are wanted.
+    /// The separation: pressure and area are wanted.
     Separation,
-    /// d(p): the pressure is given, separation and area are wanted.
+    /// The pressure: separation and area are wanted.
     Pressure,
 }
 
@@ -18,7 +18,7 @@ impl Given {
     /// Both questions.
     pub const ALL: [Given; 2] = [Given::Separation, Given::Pressure];
 
-    /// Its name in files.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Given::Separation => "separation",
@@ -26,7 +26,7 @@ impl Given {
         }
     }
 
-    /// The question as it is written.
+    /// Question in formula notation.
     pub fn question(self) -> &'static str {
         match self {
             Given::Separation => "p(d)",
@@ -34,8 +34,8 @@ impl Given {
         }
     }
 
-    /// The larger of the two errors of an answer: relative for pressure and area, in units of sigma for the separation.
-    /// Infinite where something is not a number.
+    /// Larger of the two errors of an answer: relative for pressure and area, in units of sigma for the separation.
+    /// Infinite if anything is NaN.
     pub fn error(self, answer: &Answer, exact: &State) -> f64 {
         let area = (answer.area_fraction / exact.area_fraction - 1.0).abs();
         let other = match self {
@@ -46,7 +46,7 @@ impl Given {
     }
 }
 
-/// A state as an engine computed it.
+/// State as computed by an engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
     /// Separation over sigma.
@@ -57,27 +57,27 @@ pub struct Answer {
     pub area_fraction: f64,
 }
 
-/// Who answers.
+/// Engine that answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Engine {
-    /// This program's library, built anew for every state.
+    /// This program's library, with a contact built anew for every state.
     Ours,
-    /// The same for a thousand states of one population, one after the other.
+    /// This program's library for a thousand states of one population in a sweep.
     OursBatch,
     /// scipy: `quad` between the law's breaks, `brentq` in ln p, laws tuned for single numbers.
     Quad,
-    /// The same with the laws as numpy functions, written once for numbers and arrays.
+    /// scipy with the laws as numpy functions, written once for numbers and arrays.
     QuadNumpy,
     /// `ContactMechanics`: its `Fn`, and `brentq` around it.
     Fn,
     /// numpy: the trapezoidal rule on a fixed grid, a state at a time.
     Grid,
-    /// The same for a thousand states at once.
+    /// numpy: the trapezoidal rule on a fixed grid, a thousand states at once.
     GridBatch,
 }
 
 impl Engine {
-    /// Everybody, ourselves first.
+    /// All engines, ours first.
     pub const ALL: [Engine; 7] = [
         Engine::Ours,
         Engine::Quad,
@@ -88,11 +88,11 @@ impl Engine {
         Engine::QuadNumpy,
     ];
 
-    /// Everybody else.
+    /// All engines but ours.
     pub const COMPETITORS: [Engine; 5] =
         [Engine::Quad, Engine::QuadNumpy, Engine::Fn, Engine::Grid, Engine::GridBatch];
 
-    /// What of ours a competitor is held against: who computes a thousand states at once, against a thousand of ours.
+    /// Engine of ours that a competitor is compared with: batches with batches.
     pub fn counterpart(self) -> Engine {
         match self {
             Engine::GridBatch | Engine::OursBatch => Engine::OursBatch,
@@ -100,7 +100,7 @@ impl Engine {
         }
     }
 
-    /// Its name in tables.
+    /// Name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Engine::Ours => "truearea",
@@ -113,7 +113,7 @@ impl Engine {
         }
     }
 
-    /// The settings it is asked at: tolerances, or numbers of nodes of a grid.
+    /// Settings of the engine: tolerances, or numbers of nodes of a grid.
     pub fn settings(self) -> &'static [f64] {
         match self {
             Engine::Ours | Engine::OursBatch => {
@@ -128,26 +128,26 @@ impl Engine {
         }
     }
 
-    /// Whether it has the law at all.
+    /// True if the engine has the law.
     pub fn knows(self, model: &str) -> bool {
         self != Engine::Fn || model == "hertz"
     }
 }
 
-/// What became of a question.
+/// Outcome of a question.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// A right answer, with its error.
+    /// Right answer, with its error.
     Right(f64),
-    /// An answer further off than [`WRONG_FROM`], with its error.
+    /// Answer with an error beyond [`WRONG_FROM`].
     Wrong(f64),
-    /// No answer, and why.
+    /// No answer, with the reason.
     Failed(String),
 }
 
 impl Outcome {
-    /// An answer against its reference.
-    pub fn of(given: Given, answer: &Answer, exact: &State) -> Self {
+    /// Compares an answer with its reference.
+    pub fn new(given: Given, answer: &Answer, exact: &State) -> Self {
         match given.error(answer, exact) {
             error if error <= WRONG_FROM => Outcome::Right(error),
             error => Outcome::Wrong(error),
@@ -155,29 +155,29 @@ impl Outcome {
     }
 }
 
-/// One answer: who gave it to what, how long it took, and how good it is.
+/// Answer of one engine to one question, with its time and error.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// The population's name.
+    /// Name of the population.
     pub population: String,
-    /// The law's name, with strain gradient where there is one.
+    /// Name of the law, with strain gradient if it has one.
     pub law: String,
-    /// What the state was asked for by.
+    /// Given quantity.
     pub given: Given,
-    /// The separation in sigma, of the reference.
+    /// Separation in sigma, of the reference.
     pub separation_over_sigma: f64,
-    /// Who answered.
+    /// Engine that answered.
     pub engine: Engine,
-    /// At which tolerance or with how many nodes.
+    /// Tolerance or number of nodes.
     pub setting: f64,
-    /// Seconds for a state; 0 where there is no answer.
+    /// Seconds per state; 0 without an answer.
     pub seconds: f64,
-    /// How good the answer is.
+    /// Outcome of the question.
     pub outcome: Outcome,
 }
 
 impl Point {
-    /// The error of a right answer.
+    /// Error of a right answer.
     pub fn error(&self) -> Option<f64> {
         match self.outcome {
             Outcome::Right(error) => Some(error),
@@ -185,7 +185,7 @@ impl Point {
         }
     }
 
-    /// Whether two points answer the same question.
+    /// True if two points answer the same question.
     pub fn same_question(&self, other: &Point) -> bool {
         self.given == other.given
             && self.separation_over_sigma == other.separation_over_sigma
@@ -207,8 +207,8 @@ mod tests {
         assert!((Given::Pressure.error(&answer, &EXACT) - 1e-3).abs() < 1e-12);
         assert!((Given::Separation.error(&answer, &EXACT) - 1e-5).abs() < 1e-12);
         let undefined = Answer { area_fraction: f64::NAN, ..answer };
-        assert_eq!(Outcome::of(Given::Pressure, &undefined, &EXACT), Outcome::Wrong(f64::INFINITY));
+        assert_eq!(Outcome::new(Given::Pressure, &undefined, &EXACT), Outcome::Wrong(f64::INFINITY));
         let zero = Answer { pressure_pa: 0.0, area_fraction: 0.0, ..answer };
-        assert_eq!(Outcome::of(Given::Separation, &zero, &EXACT), Outcome::Wrong(1.0));
+        assert_eq!(Outcome::new(Given::Separation, &zero, &EXACT), Outcome::Wrong(1.0));
     }
 }

@@ -1,10 +1,10 @@
-//! The states and their high-precision values: `tests/reference/work_precision.csv`, made by `make_work_precision.py`.
+//! States and their high-precision values: `tests/reference/work_precision.csv`, made by `make_work_precision.py`.
 
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-/// A population of a material under a law, with the names that the table's columns have.
+/// Population of a material under a law, in the names of the table's columns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Case {
     /// Law of the asperities: `hertz`, `ep-sphere`, `elastic-sine` (Rostami & Jackson), `ep-sine`.
@@ -19,26 +19,26 @@ pub struct Case {
     pub strain_gradient_length_m: Option<f64>,
     /// Radius of the asperities \[m\].
     pub radius_m: f64,
-    /// Their number per nominal area \[m^-2\].
+    /// Number of asperities per nominal area \[m^-2\].
     pub density_per_m2: f64,
-    /// Standard deviation of their heights \[m\].
+    /// Standard deviation of the heights \[m\].
     pub sigma_s_m: f64,
 }
 
 impl Case {
-    /// The law's name, with strain gradient where there is one.
+    /// Name of the law, with strain gradient if it has one.
     pub fn law(&self) -> String {
         let gradient = if self.strain_gradient_length_m.is_some() { ", strain gradient" } else { "" };
         format!("{}{gradient}", self.model)
     }
 }
 
-/// A state whose values are known to 20 digits, read as doubles.
+/// State with values of 20 digits, read as doubles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Separation from the mean of the asperity heights \[m\].
     pub separation_m: f64,
-    /// The same in standard deviations.
+    /// Separation in standard deviations.
     pub separation_over_sigma: f64,
     /// Nominal pressure \[Pa\].
     pub pressure_pa: f64,
@@ -46,18 +46,18 @@ pub struct State {
     pub area_fraction: f64,
 }
 
-/// The states of one population under one law.
+/// States of one population under one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
-    /// The population's name.
+    /// Name of the population.
     pub population: String,
-    /// What it is.
+    /// Population and law.
     pub case: Case,
-    /// Its states.
+    /// States of the population.
     pub states: Vec<State>,
 }
 
-/// A row of the table. Columns that readers do not flatten are repeated here.
+/// Row of the table. Repeats the columns of a case, because csv cannot flatten them.
 #[derive(Deserialize)]
 struct Row {
     population: String,
@@ -74,18 +74,18 @@ struct Row {
     area_fraction: f64,
 }
 
-/// The committed table.
+/// Reads the committed table.
 ///
 /// # Errors
-/// A message with the file where it cannot be read.
+/// A message with the file if it cannot be read.
 pub fn committed() -> Result<Vec<Group>, String> {
     read(&repository("tests/reference/work_precision.csv"))
 }
 
-/// A table of states, gathered by population and law.
+/// Reads a table of states, gathered by population and law.
 ///
 /// # Errors
-/// A message with the file where it cannot be read.
+/// A message with the file if it cannot be read.
 pub fn read(path: &Path) -> Result<Vec<Group>, String> {
     let failed = |error: csv::Error| format!("{}: {error}", path.display());
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).map_err(failed)?;
@@ -120,7 +120,7 @@ fn parts(row: Row) -> (String, Case, State) {
     (row.population, case, state)
 }
 
-/// A file of this repository, from its top.
+/// Path of a file of this repository, from its top.
 pub fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..").join(path)
 }

@@ -1,19 +1,19 @@
-//! How the cost of the program grows with what it is asked: scales, cutoffs, loads, rows of a table, threads.
+//! Scaling of the program's cost with its input: scales, cutoffs, loads, rows of a table, threads.
 //!
-//! The program is measured from outside, with everything a user waits for: start-up, reading, computing, writing. Time is
-//! that of the processor, user and system, which a busy machine disturbs less than the clock on the wall; only threads are
-//! measured by that.
+//! The program is measured from outside, with everything that a user waits for: start-up, reading, computing,
+//! writing. Time is processor time, user and system, which a busy machine disturbs less than wall time; only threads
+//! are measured by wall time.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Runs are repeated until they have taken this much, since the kernel counts in ticks.
+/// Total time of repeated runs, long enough for the kernel's ticks.
 const LEAST_TOTAL_S: f64 = 0.6;
-/// The kernel's ticks, whatever its clock: `USER_HZ` of Linux.
+/// Ticks per second, whatever the kernel's clock: `USER_HZ` of Linux.
 const TICKS_PER_S: f64 = 100.0;
-/// How often memory is looked at; the kernel keeps the peak, so that only the last moment could be missed.
+/// Interval at which memory is sampled; the kernel keeps the peak, so that only the last moment could be missed.
 const GLANCE: Duration = Duration::from_micros(300);
 
 const MATERIAL: [&str; 6] =
@@ -21,53 +21,53 @@ const MATERIAL: [&str; 6] =
 const SPECTRUM: &str = "builtin:uncd-reconstructed";
 const DECADES: f64 = 7.3;
 
-/// What is made larger, and how long the answer takes.
+/// Growth of the time with one kind of input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Growth {
-    /// What grows, of which model.
+    /// Input that grows, and model.
     pub what: &'static str,
     /// Runs, the smallest first.
     pub runs: Vec<Run>,
-    /// Least-squares slope of ln(time) over ln(size), both beyond those of the smallest run; `None` where fewer than two
+    /// Least-squares slope of ln(time) over ln(size), both beyond those of the smallest run; `None` if fewer than two
     /// runs take longer than that one.
     pub exponent: Option<f64>,
 }
 
-/// One size.
+/// Run of one size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Run {
-    /// How many scales, cutoffs, loads or rows.
+    /// Number of scales, cutoffs, loads or rows.
     pub size: f64,
     /// Processor time \[s\] of a run, start-up included.
     pub processor_s: f64,
-    /// Most memory held \[bytes\]; `None` where the system does not tell.
+    /// Largest memory held \[bytes\]; `None` if the system does not report it.
     pub peak_bytes: Option<u64>,
 }
 
-/// Time on the wall by number of threads.
+/// Wall time by number of threads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Threads {
-    /// Threads allowed.
+    /// Number of threads allowed.
     pub threads: usize,
-    /// Shortest time \[s\] of some runs.
+    /// Shortest wall time of some runs \[s\].
     pub wall_s: f64,
 }
 
-/// Everything that was measured of the program.
+/// Scaling of the program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scaling {
     /// Processor time \[s\] of a run that computes nothing.
     pub start_up_s: f64,
-    /// What grows.
+    /// Growth of the time with each kind of input.
     pub growths: Vec<Growth>,
-    /// The same work on more threads.
+    /// Wall times of the same work on more threads.
     pub threads: Vec<Threads>,
 }
 
-/// Measures the program beside this one, as cargo builds it; tables of rows are kept in `folder` while it reads them.
+/// Measures the program beside this one, as built by cargo; tables of rows are kept in `folder` while it reads them.
 ///
 /// # Errors
-/// A message where the program is not there or fails.
+/// A message if the program is missing or fails.
 pub fn measure(folder: &Path) -> Result<Scaling, String> {
     let program = std::env::current_exe().map_err(|error| error.to_string())?.with_file_name("truearea");
     if !program.exists() {
@@ -113,7 +113,8 @@ pub fn measure(folder: &Path) -> Result<Scaling, String> {
     Ok(Scaling { start_up_s, growths, threads })
 }
 
-/// A model over the spectrum of diamond, resampled to about as many scales, under loads from 10⁻⁶ to 1 GPa.
+/// Arguments of a model over the spectrum of diamond, resampled to about `scales` scales, under loads from 10⁻⁶ to 1
+/// GPa.
 fn resampled(model: &str, law: &str, scales: f64, loads: usize) -> Vec<String> {
     let mut arguments = vec![model.to_owned(), SPECTRUM.to_owned()];
     arguments.extend(["--model", law, "--scales-per-decade"].map(str::to_owned));
@@ -126,14 +127,14 @@ fn resampled(model: &str, law: &str, scales: f64, loads: usize) -> Vec<String> {
     arguments
 }
 
-/// A table of unrelated populations under unrelated loads; where it cannot be written, the program will say so.
+/// Writes a table of unrelated populations under unrelated loads; if that fails, the program will report it.
 fn table(folder: &Path, rows: usize) -> String {
     let mut text =
         "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,radius_m,density_per_m2,sigma_s_m,\
                     pressure_pa\n"
             .to_owned();
     for row in 0..rows {
-        // Fractions of the golden ratio: spread evenly however many there are.
+        // Fractions of the golden ratio are spread evenly for any number.
         let [a, b, c] =
             [0.618_033_988_75, 0.754_877_666_25, 0.569_840_290_99].map(|step| (step * row as f64).fract());
         let (sigma_m, radius_m) = (1e-9 * 10f64.powf(2.0 * a), 1e-7 * 10f64.powf(2.0 * b));
@@ -184,13 +185,13 @@ fn childrens_ticks() -> Result<f64, String> {
     ticks(&stat).ok_or_else(|| format!("/proc/self/stat: {stat}"))
 }
 
-/// Fields 16 and 17; the name in parentheses before them may hold anything.
+/// Fields 16 and 17; the name in parentheses before them may hold any character.
 fn ticks(stat: &str) -> Option<f64> {
     let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
     Some(fields.get(13)?.parse::<f64>().ok()? + fields.get(14)?.parse::<f64>().ok()?)
 }
 
-/// Most memory that a run holds.
+/// Largest memory that a run holds.
 fn peak_bytes(program: &Path, arguments: &[String]) -> Result<Option<u64>, String> {
     let mut child = command(program, arguments, 1).spawn().map_err(|error| error.to_string())?;
     let status = format!("/proc/{}/status", child.id());
@@ -207,7 +208,7 @@ fn high_water_bytes(status: &str) -> Option<u64> {
     Some(line.split_whitespace().next()?.parse::<u64>().ok()? * 1024)
 }
 
-/// Shortest time on the wall of five runs.
+/// Shortest wall time of five runs.
 fn wall_s(program: &Path, arguments: &[String], threads: usize) -> Result<f64, String> {
     let mut shortest = f64::INFINITY;
     for _ in 0..5 {
@@ -218,7 +219,7 @@ fn wall_s(program: &Path, arguments: &[String], threads: usize) -> Result<f64, S
     Ok(shortest)
 }
 
-/// The slope beyond the smallest run, which stands for all that does not grow.
+/// Slope beyond the smallest run, which stands for all that does not grow.
 fn exponent(runs: &[Run]) -> Option<f64> {
     let (least, others) = runs.split_first()?;
     let points: Vec<(f64, f64)> = others

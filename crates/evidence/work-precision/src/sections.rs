@@ -1,4 +1,4 @@
-//! The tables of `docs/develop/performance.md`, from what was measured.
+//! Tables of `docs/performance.md`, from the measurements.
 
 use crate::competitors::Missing;
 use crate::kernels::{Cost, KernelCost};
@@ -9,34 +9,34 @@ use crate::scaling::Scaling;
 use crate::stack::{BARRED_LAW, StackCost};
 use crate::verdicts::{FOUR_LAWS, mean_of_four, mean_seconds, standing, worst_error};
 
-/// The tolerance at which the cost of a state is held against scipy's.
+/// Tolerance at which the cost of a state is compared with scipy's.
 const STATE_TOLERANCE: f64 = 1e-10;
-/// The tolerance at which the Hertz pair is held against `Fn`.
+/// Tolerance at which the Hertz pair is compared with `Fn`.
 const PAIR_TOLERANCE: f64 = 1e-12;
-/// How much cheaper than scipy a fixed-load state has to be.
+/// Factor by which a fixed-load state must be cheaper than with scipy.
 const STATE_BAR: f64 = 3000.0;
-/// How much cheaper than `Fn` the Hertz pair has to be.
+/// Factor by which the Hertz pair must be cheaper than with `Fn`.
 const PAIR_BAR: f64 = 1000.0;
-/// How many seconds a scale of the stack may take under a load.
+/// Largest time per scale of the stack and load \[s\].
 const STACK_BAR_S: f64 = 60e-9;
 const MIB: f64 = 1024.0 * 1024.0;
-/// The tolerances shown of those measured.
+/// Tolerances shown, out of those measured.
 const SHOWN_TOLERANCES: [f64; 6] = [1e-3, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
 
-/// Everything that was measured in a run.
+/// Measurements of a run.
 #[derive(Debug)]
 pub struct Measured {
     /// Machine and versions.
     pub facts: Vec<Fact>,
-    /// Competitors that were not there.
+    /// Competitors that were missing.
     pub missing: Vec<Missing>,
-    /// The answers of all engines.
+    /// Answers of all engines.
     pub points: Vec<Point>,
-    /// Single asperities.
+    /// Costs of single asperities.
     pub kernels: Vec<KernelCost>,
-    /// Scales of the stack.
+    /// Costs of scales of the stack.
     pub stack: Vec<StackCost>,
-    /// How the program grows, or why that is not known.
+    /// Scaling of the program, or the reason why it is not known.
     pub scaling: Result<Scaling, String>,
 }
 
@@ -68,7 +68,7 @@ pub fn laws(points: &[Point]) -> Vec<&str> {
     laws
 }
 
-/// What it was measured on, and who was not there.
+/// Table of the machine, and of missing competitors.
 fn machine_table(facts: &[Fact], missing: &[Missing]) -> String {
     let mut rows: Vec<Vec<String>> =
         facts.iter().map(|(name, value)| vec![name.clone(), value.clone()]).collect();
@@ -76,7 +76,7 @@ fn machine_table(facts: &[Fact], missing: &[Missing]) -> String {
     table(&["what", "which"], &rows).replace("---:", "---")
 }
 
-/// The bars of the study, and where we stand.
+/// Table of the bars of the study, and our results.
 pub fn verdicts(points: &[Point], stack: &[StackCost]) -> String {
     let mut rows =
         vec![state_bar(points, Engine::QuadNumpy), state_bar(points, Engine::Quad), pair_bar(points)];
@@ -107,7 +107,7 @@ fn met(met: bool) -> String {
     if met { "yes" } else { "**no**" }.to_owned()
 }
 
-/// A cheaper than B by a factor, or what is missing for it.
+/// Row for one of ours that must be cheaper by a factor, or with the missing measurement.
 fn ratio_row(what: &str, bar: f64, ours: Option<f64>, theirs: Option<f64>, name: &str) -> Vec<String> {
     let (measured, met) = match (ours, theirs) {
         (Some(ours), Some(theirs)) => (
@@ -133,7 +133,7 @@ fn pair_bar(points: &[Point]) -> Vec<String> {
     ratio_row(what, PAIR_BAR, ours, theirs, "ContactMechanics")
 }
 
-/// How often competitors are ahead, and how often they hold a place of their own.
+/// Table of how often competitors are ahead, and how often they are on the front.
 fn standings(points: &[Point]) -> String {
     let mut rows = Vec::new();
     let like_for_like = Engine::COMPETITORS.map(|engine| (engine, engine.counterpart()));
@@ -161,7 +161,7 @@ fn standings(points: &[Point]) -> String {
     table(&columns, &rows)
 }
 
-/// The points at which a competitor is ahead, gathered.
+/// Table of the points at which a competitor is ahead.
 fn where_ahead(points: &[Point]) -> String {
     let mut rows: Vec<(Vec<String>, usize)> = Vec::new();
     for engine in Engine::COMPETITORS {
@@ -191,7 +191,7 @@ fn where_ahead(points: &[Point]) -> String {
     table(&["engine", "nodes or tolerance", "law", "question", "points"], &rows)
 }
 
-/// What a state costs by law and tolerance, with the worst error.
+/// Table of the cost of a state by law and tolerance, with the worst error.
 fn state_costs(points: &[Point], given: Given) -> String {
     let columns: Vec<String> =
         std::iter::once("law".to_owned()).chain(SHOWN_TOLERANCES.iter().map(|t| format!("{t:e}"))).collect();
@@ -209,7 +209,7 @@ fn state_costs(points: &[Point], given: Given) -> String {
     table(&columns.iter().map(String::as_str).collect::<Vec<_>>(), &rows.collect::<Vec<_>>())
 }
 
-/// Ours against each engine's own best setting for a comparable error, law by law.
+/// Table of our cost over each engine's at its best setting for a comparable error, law by law.
 fn ratios(points: &[Point]) -> String {
     let mut rows = Vec::new();
     for law in laws(points) {
@@ -232,7 +232,7 @@ fn ratios(points: &[Point]) -> String {
     table(&["law", "question", "truearea, 1e-10", "scipy, 1e-10", "ratio", "Fn", "ratio"], &rows)
 }
 
-/// What a scale of the stack costs.
+/// Table of the cost of a scale of the stack.
 fn stack_costs(costs: &[StackCost]) -> String {
     let rows = costs.iter().map(|cost| {
         let off = cost.off_limit.map_or_else(|| "unknown".to_owned(), error);
@@ -241,7 +241,7 @@ fn stack_costs(costs: &[StackCost]) -> String {
     table(&["law", "per scale and load", "off the dense limit"], &rows.collect::<Vec<_>>())
 }
 
-/// What one asperity costs.
+/// Table of the cost of one asperity.
 fn kernel_costs(costs: &[KernelCost]) -> String {
     let cells = |cost: &Option<Cost>| match cost {
         Some(cost) => format!("{}, {}", time(cost.seconds), error(cost.median_error)),
@@ -253,12 +253,12 @@ fn kernel_costs(costs: &[KernelCost]) -> String {
     table(&["one evaluation", "truearea", "numpy, each of 1000", "Python"], &rows.collect::<Vec<_>>())
 }
 
-/// A whole number to three digits.
+/// Formats a whole number to three digits.
 fn count(number: f64) -> String {
     if number < 1000.0 { format!("{number}") } else { three_digits(number) }
 }
 
-/// How the program grows, and with how many threads.
+/// Table of the scaling of the program, also with the number of threads.
 fn growths(scaling: &Scaling) -> String {
     let memory = |bytes: Option<u64>| {
         bytes.map_or("unknown".to_owned(), |b| format!("{} MiB", three_digits(b as f64 / MIB)))

@@ -1,36 +1,36 @@
-//! What a scale of the stack costs under a load.
+//! Cost of a scale of the stack under a load.
 
 use asperity::{ElasticBody, MaterialPair, NixGao};
 use stacked_contact::{Scale, StackedModel, largest_full_contact_pressure_pa, levels};
 
 use crate::clock::seconds_per_call;
 
-/// Enough that start-up does not show, few enough that the scales stay in the cache.
+/// Number of scales: enough to hide start-up, few enough to stay in the cache.
 const SCALES: usize = 10_000;
 const LOADS_PA: [f64; 5] = [5.4e5, 5.4e6, 5.4e7, 5.4e8, 5.4e9];
 const BUDGET_S: f64 = 0.5;
 
-/// The cost of a law of the scales.
+/// Cost of a law of the scales.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StackCost {
-    /// The law.
+    /// Name of the law.
     pub law: &'static str,
     /// Seconds per scale and load.
     pub seconds_per_scale: f64,
-    /// Relative deviation of the last real pressure from the limit that dense stacks tend to; `None` where none is known.
+    /// Relative deviation of the last real pressure from the limit of dense stacks; `None` if the limit is unknown.
     pub off_limit: Option<f64>,
 }
 
-/// The law with the bar of the issue.
+/// Law with a bar on its cost.
 pub const BARRED_LAW: &str = "elastic-plastic";
 
-/// Every law of the stacked model, on diamond, under five loads.
+/// Costs of every law of the stacked model, on diamond, under five loads.
 pub fn costs() -> Vec<StackCost> {
     let scales = scales(SCALES);
     models().into_iter().map(|(law, model)| cost(law, &model, &scales)).collect()
 }
 
-/// The laws.
+/// Laws of the stacked model.
 pub fn models() -> [(&'static str, StackedModel); 3] {
     let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).expect("diamond"));
     let strength = NixGao::constant(1.8e9).expect("diamond");
@@ -53,7 +53,7 @@ pub fn scales(count: usize) -> Vec<Scale> {
     (0..count).map(scale).collect()
 }
 
-/// The real pressure below every scale.
+/// Real pressure below every scale.
 pub fn final_pressure_pa(model: &StackedModel, load_pa: f64, scales: &[Scale]) -> f64 {
     levels(model, load_pa, scales.iter().copied()).last().map_or(load_pa, |level| level.real_pressure_pa)
 }

@@ -1,17 +1,17 @@
-//! Everybody is asked everything.
+//! The study: every question to every engine.
 
-use crate::competitors::{Asked, At, Missing, Row, Setting, Worker, package};
+use crate::competitors::{At, Missing, Question, Row, Setting, Worker, package};
 use crate::ours;
 use crate::point::{Answer, Engine, Given, Outcome, Point};
 use crate::reference::Group;
 
-/// Seconds that the repetitions of one of our states may take, before the competitors' and again after them.
+/// Seconds for the repetitions of one of our states, before the competitors' and again after them.
 const OUR_BUDGET_S: f64 = 2e-3;
-/// Seconds that theirs may take; two repetitions are made in any case.
+/// Seconds for the competitors' repetitions, of which there are at least two.
 const THEIR_BUDGET_S: f64 = 0.03;
 
-/// Every answer to the states of a group. Ours are measured on both sides of theirs, so that a machine that slows down or
-/// speeds up meanwhile favours nobody.
+/// Returns every answer to the states of a group. Ours are measured before and after theirs, so that a machine that
+/// slows down or speeds up favours nobody.
 pub fn points(group: &Group, worker: Option<&mut Worker>, missing: &[Missing]) -> Vec<Point> {
     let mut worker = worker;
     let mut points = Vec::new();
@@ -37,7 +37,7 @@ fn our_points(group: &Group, given: Given) -> Vec<Point> {
         for at in 0..group.states.len() {
             let (answer, seconds) =
                 ours::timed_answer(group, &group.states[at], given, tolerance, OUR_BUDGET_S);
-            let outcome = Outcome::of(given, &answer, &group.states[at]);
+            let outcome = Outcome::new(given, &answer, &group.states[at]);
             points.push(point(group, at, given, Engine::Ours, tolerance, seconds, outcome));
         }
     }
@@ -49,7 +49,7 @@ fn our_batches(group: &Group, given: Given) -> Vec<Point> {
     for &tolerance in Engine::OursBatch.settings() {
         let (answers, seconds) = ours::timed_batch(group, given, tolerance, OUR_BUDGET_S);
         points.extend(answers.iter().enumerate().map(|(at, answer)| {
-            let outcome = Outcome::of(given, answer, &group.states[at]);
+            let outcome = Outcome::new(given, answer, &group.states[at]);
             point(group, at, given, Engine::OursBatch, tolerance, seconds, outcome)
         }));
     }
@@ -67,9 +67,9 @@ fn their_points(
         Given::Separation => state.separation_over_sigma,
         Given::Pressure => state.pressure_pa.ln(),
     });
-    let asked = Asked {
+    let asked = Question {
         engine: worker_name(engine),
-        setting: Setting::of(setting),
+        setting: Setting::from_number(setting),
         by_pressure: given == Given::Pressure,
         case: &group.case,
         at: At::Many(at.collect()),
@@ -78,7 +78,7 @@ fn their_points(
     let rows = worker.ask(&asked);
     let outcome = |at: usize| match &rows {
         Ok(rows) => match rows.get(at) {
-            Some(row) => (row.seconds, Outcome::of(given, &answer(row), &group.states[at])),
+            Some(row) => (row.seconds, Outcome::new(given, &answer(row), &group.states[at])),
             None => (0.0, Outcome::Failed("no answer".to_owned())),
         },
         Err(reason) => (0.0, Outcome::Failed(reason.clone())),
@@ -92,7 +92,7 @@ fn their_points(
         .collect()
 }
 
-/// What `worker.py` calls an engine.
+/// Name of an engine in `worker.py`.
 fn worker_name(engine: Engine) -> &'static str {
     match engine {
         Engine::Ours | Engine::OursBatch => unreachable!("we answer for ourselves"),

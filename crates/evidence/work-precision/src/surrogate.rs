@@ -1,9 +1,10 @@
-//! Plain sampling of uncertain inputs against a polynomial fitted to few draws: what an interval of ln A and the shares of its
-//! variance cost in plans carried out, and how far off they are.
+//! Plain sampling of uncertain inputs against a polynomial fitted to few draws: the cost of an interval of ln A and
+//! of the shares of its variance in plans run, and their errors.
 //!
-//! The polynomial is a chaos expansion: Hermite polynomials in the standard normal numbers behind the inputs, up to a total
-//! degree, by least squares (Sudret 2008, Reliab. Eng. Syst. Saf. 93:964). Its shares of variance are sums of squares of its
-//! coefficients; its interval is that of many draws of the polynomial, which cost nothing beside a plan.
+//! The polynomial is a chaos expansion: Hermite polynomials in the standard normal numbers behind the inputs, up to a
+//! total degree, by least squares (Sudret 2008, Reliab. Eng. Syst. Saf. 93:964). Its shares of variance are sums of
+//! squares of its coefficients. Its interval is that of many draws of the polynomial, which cost nothing compared
+//! with a plan.
 
 use asperity::{ElasticBody, MaterialPair, NixGao};
 use faer::Mat;
@@ -18,7 +19,7 @@ use study::models::CurveModel;
 use study::plan::Plan;
 use uncertainty::{quantiles, sobol};
 
-/// The measured spectrum of diamond, elastic and plastic curves of each kind, light and heavy loads.
+/// Scene: the measured spectrum of diamond, elastic and plastic curves of each kind, light and heavy loads.
 const SCENE: &str = r#"
 title = "UNCD, measured"
 
@@ -46,48 +47,48 @@ model = "persson"
 cutoffs = "shortest"
 "#;
 
-/// Young's modulus, the yield strength, and the height scale.
+/// Number of inputs: Young's modulus, the yield strength, and the height scale.
 const INPUTS: usize = 3;
 
-/// One standard uncertainty of their logarithms.
+/// Standard uncertainties of their logarithms.
 const SPREADS: [f64; INPUTS] = [0.05, 0.1, 0.03];
 
-/// Draws that everything is held against.
+/// Draws of the reference.
 const REFERENCE_DRAWS: usize = 1 << 14;
 
-/// The probability that intervals cover.
+/// Probability that intervals cover.
 const LEVEL: f64 = 0.95;
 
-/// Repeats with draws of their own, at most.
+/// Largest number of repeats with different draws.
 const REPEATS: usize = 16;
 
 /// Total degrees of the polynomials.
 const DEGREES: [usize; 3] = [1, 2, 3];
 
-/// Draws for a coefficient, at least.
+/// Smallest number of draws per coefficient.
 const OVERSAMPLING: usize = 2;
 
-/// Numbers of plans carried out.
+/// Numbers of plans run.
 const PLANS: [usize; 8] = [10, 20, 40, 80, 160, 320, 640, 1280];
 
 /// Standard normal numbers, one for each input.
 type Draw = [f64; INPUTS];
 
-/// How an interval and shares are made of plans.
+/// Method by which plans give an interval and shares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// Quantiles of the draws, and Saltelli's design.
     Plain,
-    /// A polynomial of this total degree.
+    /// Polynomial of a total degree.
     Polynomial(usize),
 }
 
-/// What a method makes of so many plans.
+/// Errors of a method for a number of plans.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
-    /// How.
+pub struct MethodErrors {
+    /// Method used.
     pub method: Method,
-    /// How many plans were carried out.
+    /// Number of plans run.
     pub plans: usize,
     /// Root mean square error of the ends of an interval of ln A, over its length.
     pub ends: f64,
@@ -95,7 +96,7 @@ pub struct Found {
     pub shares: f64,
 }
 
-/// The ends of an interval, and the share of each input.
+/// Ends of an interval, and the share of each input.
 #[derive(Debug, Clone, Copy)]
 struct Answer {
     ends: [f64; 2],
@@ -109,11 +110,11 @@ struct Design {
     ab: [Vec<f64>; INPUTS],
 }
 
-/// Every method at every number of plans, over all curves, loads and repeats.
+/// Computes the errors of every method at every number of plans, over all curves, loads and repeats.
 ///
 /// # Errors
-/// A message where the scene is not carried out.
-pub fn found() -> Result<Vec<Found>, String> {
+/// A message if the scene fails.
+pub fn method_errors() -> Result<Vec<MethodErrors>, String> {
     let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).map_err(|error| error.to_string())?;
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut draws = || -> Vec<Draw> {
@@ -153,13 +154,13 @@ pub fn found() -> Result<Vec<Found>, String> {
     Ok(rows.into_iter().flatten().collect())
 }
 
-/// The errors of a method over all repeats that there are draws for; none where it has no answer.
+/// Errors of a method over all repeats for which there are draws; `None` without an answer.
 fn compared(
     references: &[Answer],
     method: Method,
     plans: usize,
     answers: impl Fn(usize) -> Option<Vec<Answer>> + Sync,
-) -> Option<Found> {
+) -> Option<MethodErrors> {
     let repeats = REPEATS.min(REFERENCE_DRAWS / plans);
     let answers: Vec<Vec<Answer>> =
         parallel::map_indices(repeats, answers).into_iter().collect::<Option<_>>()?;
@@ -172,7 +173,7 @@ fn compared(
     let shares = pairs().flat_map(|(found, reference)| {
         (0..INPUTS).map(move |input| (found.shares[input] - reference.shares[input]).powi(2))
     });
-    Some(Found {
+    Some(MethodErrors {
         method,
         plans,
         ends: root_mean_square(ends.collect()),
@@ -180,7 +181,7 @@ fn compared(
     })
 }
 
-/// For every curve and load, the outputs of all draws.
+/// Outputs of all draws, for every curve and load.
 fn designs(scene: &Scene, a: &[Draw], b: &[Draw]) -> Result<Vec<Design>, String> {
     let outputs = |draws: &[Draw]| -> Result<Vec<Vec<f64>>, String> {
         parallel::try_map(draws, |draw| ln_areas(scene, draw))
@@ -226,7 +227,7 @@ fn ln_areas(scene: &Scene, draw: &Draw) -> Result<Vec<f64>, String> {
     areas.collect::<Option<_>>().ok_or_else(|| "a curve without an area".to_owned())
 }
 
-/// A model of a material with another modulus and another strength.
+/// Model of a material with the modulus and the strength multiplied.
 fn drawn(model: &CurveModel, modulus: f64, strength: f64) -> Result<CurveModel, String> {
     let body = model.pair().body();
     let body = ElasticBody::new(modulus * body.youngs_modulus_pa(), body.poisson_ratio());
@@ -245,14 +246,14 @@ fn plain(design: &Design, draws: std::ops::Range<usize>) -> Option<Answer> {
     Some(Answer { ends: [found.low.value, found.high.value], shares: std::array::from_fn(share) })
 }
 
-/// The degrees in each input of all terms up to a total degree.
+/// Degrees in each input of all terms up to a total degree.
 fn terms(degree: usize) -> Vec<[usize; INPUTS]> {
     let all =
         (0..=degree).flat_map(move |x| (0..=degree).flat_map(move |y| (0..=degree).map(move |z| [x, y, z])));
     all.filter(|term| term.iter().sum::<usize>() <= degree).collect()
 }
 
-/// The value of a term: a product of Hermite polynomials of mean square 1.
+/// Value of a term: a product of Hermite polynomials of mean square 1.
 fn term_at(term: &[usize; INPUTS], draw: &Draw) -> f64 {
     let hermite = |degree: usize, x: f64| match degree {
         0 => 1.0,
@@ -263,7 +264,7 @@ fn term_at(term: &[usize; INPUTS], draw: &Draw) -> f64 {
     term.iter().zip(draw).map(|(&degree, &x)| hermite(degree, x)).product()
 }
 
-/// The coefficients of each output.
+/// Coefficients of each output.
 fn least_squares(draws: &[Draw], terms: &[[usize; INPUTS]], outputs: &[&[f64]]) -> Vec<Vec<f64>> {
     let matrix = Mat::from_fn(draws.len(), terms.len(), |row, column| term_at(&terms[column], &draws[row]));
     let right = Mat::from_fn(draws.len(), outputs.len(), |row, column| outputs[column][row]);

@@ -1,30 +1,31 @@
-//! Whether anybody is both faster and more accurate than we are, and by how much we are ahead where all are right.
+//! Competitors that are both faster and more accurate than we are, if any, and our lead where all are right.
 
 use crate::point::{Engine, Given, Point};
 
-/// The laws on the work-precision plots.
+/// Laws on the work-precision plots.
 pub const FOUR_LAWS: [&str; 4] = ["hertz", "ep-sphere", "elastic-sine", "ep-sine"];
 
-/// How the points of a competitor stand to ours.
+/// Comparison of the points of a competitor with ours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing<'a> {
-    /// The competitor.
+    /// Engine of the competitor.
     pub engine: Engine,
-    /// What of ours it is held against.
+    /// Engine of ours that it is compared with.
     pub against: Engine,
-    /// Its right answers.
+    /// Number of right answers.
     pub right: usize,
-    /// Answers further off than they may be.
+    /// Number of wrong answers.
     pub wrong: usize,
-    /// Questions it did not answer.
+    /// Number of questions without an answer.
     pub failed: usize,
     /// Right answers that are both faster and more accurate than some answer of ours.
     pub ahead: Vec<&'a Point>,
-    /// Right answers that no answer of ours matches in both speed and accuracy, rounding apart: its place on the front.
+    /// Right answers that no answer of ours matches in both speed and accuracy, except for rounding: its part of the
+    /// front.
     pub unmatched: Vec<&'a Point>,
 }
 
-/// A competitor's standing against some of our points.
+/// Compares a competitor with some of our points.
 pub fn standing(points: &[Point], engine: Engine, against: Engine) -> Standing<'_> {
     let theirs = || points.iter().filter(|point| point.engine == engine);
     let ours: Vec<&Point> = points.iter().filter(|point| point.engine == against).collect();
@@ -47,7 +48,7 @@ pub fn standing(points: &[Point], engine: Engine, against: Engine) -> Standing<'
     }
 }
 
-/// Whether a right answer is both faster and more accurate than another.
+/// Returns true if a right answer is both faster and more accurate than another.
 fn dominates(a: &Point, b: &Point) -> bool {
     match (a.error(), b.error()) {
         (Some(error), Some(other)) => a.seconds < b.seconds && error < other,
@@ -55,7 +56,7 @@ fn dominates(a: &Point, b: &Point) -> bool {
     }
 }
 
-/// Whether an answer is at least as fast and as accurate as another, where errors within rounding are the same.
+/// Returns true if an answer is at least as fast and as accurate as another, where errors within rounding are equal.
 fn matches(our: &Point, their: &Point) -> bool {
     let rounding = rounding(their.separation_over_sigma);
     match (our.error(), their.error()) {
@@ -64,22 +65,22 @@ fn matches(our: &Point, their: &Point) -> bool {
     }
 }
 
-/// What the last bits of a separation alone do to the pressure there: it falls like exp(-u^2/2).
+/// Relative change of the pressure by the last bits of a separation: it falls like exp(-u^2/2).
 fn rounding(separation_over_sigma: f64) -> f64 {
     4.0 * f64::EPSILON * separation_over_sigma.powi(2).max(1.0)
 }
 
-/// Mean seconds of an engine over the right answers to a question about a law; `None` where there are none.
+/// Mean seconds of an engine over the right answers to a question about a law; `None` without any.
 pub fn mean_seconds(points: &[Point], engine: Engine, setting: f64, law: &str, given: Given) -> Option<f64> {
     mean(selected(points, engine, setting, law, given).filter(|p| p.error().is_some()).map(|p| p.seconds))
 }
 
-/// Worst error of an engine over the right answers to a question about a law; `None` where there are none.
+/// Worst error of an engine over the right answers to a question about a law; `None` without any.
 pub fn worst_error(points: &[Point], engine: Engine, setting: f64, law: &str, given: Given) -> Option<f64> {
     selected(points, engine, setting, law, given).filter_map(Point::error).reduce(f64::max)
 }
 
-/// Mean seconds over the four laws, each with the same weight; `None` where one of them is missing.
+/// Mean seconds over the four laws with equal weight; `None` if one of them is missing.
 pub fn mean_of_four(points: &[Point], engine: Engine, setting: f64, given: Given) -> Option<f64> {
     let means = FOUR_LAWS.map(|law| mean_seconds(points, engine, setting, law, given));
     means.into_iter().sum::<Option<f64>>().map(|sum| sum / FOUR_LAWS.len() as f64)

@@ -37,7 +37,7 @@ pub fn of_law(law: &GapLaw, least_pa: f64, by_surface: &str) -> Vec<String> {
     if law.band() == Some(Band::Profile) {
         notes.push(persson_words::by_profiles(by_surface));
     }
-    notes.extend(law.light_loads_hold_up_to_pa(LIGHT_LOADS_SHARE).map(|most_pa| {
+    notes.extend(law.light_load_limit_pa(LIGHT_LOADS_SHARE).map(|most_pa| {
         format!(
             "below {} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {} % of the pressure",
             pressure(most_pa),

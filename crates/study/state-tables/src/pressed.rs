@@ -44,7 +44,7 @@ impl Pressed {
                 Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
             }
             StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
-                Ok(summits) => Ok(Pressed::Contact(StatisticalContact::of_summits(pair, &summits))),
+                Ok(summits) => Ok(Pressed::Contact(StatisticalContact::from_summits(pair, &summits))),
                 Err(error) if error.bound == NayakSummits::ALPHA => {
                     Ok(Pressed::TooNarrow { alpha: error.value })
                 }

@@ -164,8 +164,8 @@ impl GapLaw {
 
     /// The pressure \[Pa\] up to which that law gives pressures within a share of those of the theory.
     #[must_use]
-    pub fn light_loads_hold_up_to_pa(&self, share: f64) -> Option<f64> {
-        self.separation().and_then(|separation| separation.light_loads_hold_up_to_pa(share))
+    pub fn light_load_limit_pa(&self, share: f64) -> Option<f64> {
+        self.separation().and_then(|separation| separation.light_load_limit_pa(share))
     }
 
     /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure.
@@ -187,7 +187,7 @@ impl GapLaw {
         Some(ExponentialLaw {
             decay_length_m: light.decay_length_m,
             reference_pressure_pa: light.reference_pressure_pa,
-            holds_up_to_pa: self.light_loads_hold_up_to_pa(share)?,
+            holds_up_to_pa: self.light_load_limit_pa(share)?,
             share,
         })
     }
@@ -313,7 +313,7 @@ mod tests {
         let state = law.at(1e-6 * light.reference_pressure_pa).unwrap();
         let by_law_m = light.decay_length_m * 1e6f64.ln();
         assert!((state.mean_gap_m.unwrap() / by_law_m - 1.0).abs() < 1e-6);
-        let most_pa = law.light_loads_hold_up_to_pa(0.01).unwrap();
+        let most_pa = law.light_load_limit_pa(0.01).unwrap();
         assert!(most_pa < light.reference_pressure_pa && law.roughness().is_some());
         assert_eq!(law_of("hertz", &psd).unwrap().light_loads(), None);
         assert!((law.rms_height_m() / law_of("bgt", &psd).unwrap().rms_height_m() - 1.0).abs() < 1e-15);

@@ -1,4 +1,4 @@
-//! The two bodies, as heat and current see them.
+//! Thermal and electrical properties of the two bodies.
 
 use units::{Bound, OutOfBounds};
 
@@ -10,7 +10,7 @@ pub struct Conductivities {
 }
 
 impl Conductivities {
-    /// Of two bodies \[W/(m K)\].
+    /// Creates the conductivities of two bodies \[W/(m K)\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
@@ -22,7 +22,7 @@ impl Conductivities {
         })
     }
 
-    /// The harmonic mean k_s = 2 k1 k2/(k1 + k2) \[W/(m K)\].
+    /// Harmonic mean k_s = 2 k1 k2/(k1 + k2) \[W/(m K)\].
     #[must_use]
     pub fn harmonic_mean_w_per_m_k(&self) -> f64 {
         2.0 * self.first_w_per_m_k * (self.second_w_per_m_k / (self.first_w_per_m_k + self.second_w_per_m_k))
@@ -37,7 +37,7 @@ pub struct Resistivities {
 }
 
 impl Resistivities {
-    /// Of two bodies \[ohm m\].
+    /// Creates the resistivities of two bodies \[ohm m\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
@@ -46,7 +46,7 @@ impl Resistivities {
         Ok(Resistivities { first_ohm_m: check(first_ohm_m)?, second_ohm_m: check(second_ohm_m)? })
     }
 
-    /// rho1 + rho2 \[ohm m\].
+    /// Sum of the resistivities rho1 + rho2 \[ohm m\].
     #[must_use]
     pub fn sum_ohm_m(&self) -> f64 {
         self.first_ohm_m + self.second_ohm_m

@@ -1,16 +1,16 @@
-//! What clean bodies, wide spots and elastic loading leave out.
+//! Effects left out by the assumption of clean bodies, wide spots and elastic loading.
 
 use serde::Serialize;
 use units::{Bound, OutOfBounds};
 
-/// How far electrons travel between collisions in a good metal at room temperature \[m\].
+/// Mean free path of electrons in a good metal at room temperature \[m\].
 pub const ELECTRON_MEAN_FREE_PATH_M: f64 = 40e-9;
 
-/// The share of the contact that may be plastic where the slope of an elastic loading curve is still the stiffness of the
+/// Largest plastic share of the contact for which the slope of an elastic loading curve is still the stiffness of the
 /// contact.
 pub const MOST_PLASTIC_SHARE: f64 = 0.03;
 
-/// What is known of the contact beside its stiffness.
+/// Known properties of the contact beside its stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circumstances {
     spots: Option<Spots>,
@@ -23,41 +23,43 @@ struct Spots {
     mean_free_path_m: f64,
 }
 
-/// What a conductance does not consider.
+/// Effect that a conductance leaves out.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Flag {
-    /// Oxide, dirt, whatever lies between: both bodies are taken to be clean.
+    /// Films, such as oxide or dirt: both bodies are taken to be clean.
     FilmNotConsidered,
-    /// Carriers pass the spots without colliding, and the resistance is above that of diffusion (Sharvin 1965).
+    /// Ballistic transport: carriers pass the spots without colliding, and the resistance exceeds that of diffusion
+    /// (Sharvin 1965).
     SpotsBelowMeanFreePath {
-        /// The typical radius of a spot \[m\].
+        /// Typical radius of a spot \[m\].
         spot_radius_m: f64,
-        /// The mean free path \[m\].
+        /// Mean free path \[m\].
         mean_free_path_m: f64,
     },
-    /// More than [`MOST_PLASTIC_SHARE`] of the contact has flowed: the analogy takes the elastic stiffness against a small
-    /// change of load, which is not the slope of the loading curve, and not that of an elastic theory under this load.
+    /// Plastic flow of more than [`MOST_PLASTIC_SHARE`] of the contact. The analogy takes the elastic stiffness
+    /// against a small change of load, which is then neither the slope of the loading curve nor that of an elastic
+    /// theory under this load.
     PlasticLoading {
-        /// The share of the contact that is plastic.
+        /// Plastic share of the contact.
         plastic_share: f64,
     },
 }
 
 impl Circumstances {
-    /// Of a contact of which a share in \[0, 1\] is plastic.
+    /// Creates the circumstances of a contact with a plastic share in \[0, 1\].
     ///
     /// # Errors
-    /// [`OutOfBounds`] for what is no share.
+    /// [`OutOfBounds`] for a share outside of \[0, 1\].
     pub fn new(plastic_share: f64) -> Result<Self, OutOfBounds> {
         let bound = Bound::Within { at_least: 0.0, at_most: 1.0 };
         let plastic_share = bound.check("plastic share of the contact", plastic_share)?;
         Ok(Circumstances { spots: None, plastic_share })
     }
 
-    /// With the typical radius of a spot and the mean free path of what is conducted, [`ELECTRON_MEAN_FREE_PATH_M`] for
-    /// current through a good metal \[m\].
+    /// Adds the typical radius of a spot and the mean free path of the carriers \[m\]; [`ELECTRON_MEAN_FREE_PATH_M`]
+    /// for current through a good metal.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
@@ -69,7 +71,7 @@ impl Circumstances {
         Ok(Circumstances { spots: Some(spots), ..self })
     }
 
-    /// What a conductance does not consider.
+    /// Effects that a conductance leaves out.
     #[must_use]
     pub fn flags(&self) -> Vec<Flag> {
         let narrow = self.spots.filter(|spots| spots.radius_m < spots.mean_free_path_m).map(|spots| {

@@ -1,5 +1,5 @@
-//! Correlations for surfaces whose peaks have flowed: Cooper, Mikic & Yovanovich (1969), Int. J. Heat Mass Transfer 12:279;
-//! Yovanovich (1982), Prog. Astronaut. Aeronaut. 83:83.
+//! Correlations for surfaces with plastic contact: Cooper, Mikic & Yovanovich (1969), Int. J. Heat Mass Transfer
+//! 12:279; Yovanovich (1982), Prog. Astronaut. Aeronaut. 83:83.
 //!
 //! h_c = c k_s (m/sigma) (P/H)^n, with m the mean absolute slope and sigma the rms height of the two surfaces together.
 
@@ -10,14 +10,14 @@ use units::{Bound, OutOfBounds, named};
 
 use super::Conductivities;
 
-/// A correlation by name.
+/// Correlation by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum PlasticCorrelation {
-    /// c = 1.45, n = 0.985: Cooper, Mikic & Yovanovich (1969).
+    /// Cooper, Mikic & Yovanovich (1969): c = 1.45, n = 0.985.
     CooperMikicYovanovich,
-    /// c = 1.25, n = 0.95: Yovanovich (1982), the one that handbooks have.
+    /// Yovanovich (1982), the one in handbooks: c = 1.25, n = 0.95.
     Yovanovich,
 }
 
@@ -26,32 +26,32 @@ named!(PlasticCorrelation, "correlation", {
     Yovanovich => "yovanovich",
 });
 
-/// Rms height and mean absolute slope of a surface whose spectrum is cut off somewhere. The slope grows with every wave that
-/// is let through, and the correlations with it, while heat does not care.
+/// Rms height and mean absolute slope of a surface whose spectrum is cut off. The slope grows with every wave that is
+/// included, and the correlations with it, although heat flow does not.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CutSurface {
     rms_height_m: f64,
     mean_absolute_slope: f64,
 }
 
-/// P/H, a nominal pressure over the hardness of the softer body.
+/// Ratio P/H of a nominal pressure to the hardness of the softer body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PressureRatio(f64);
 
-/// Where P/H lies among the pressures that the correlations stand for.
+/// Position of P/H relative to the range of the correlations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CorrelationRange {
-    /// Below them.
+    /// Below the range.
     Below,
-    /// Among them.
+    /// Within the range.
     Within,
-    /// Above them.
+    /// Above the range.
     Above,
 }
 
 impl CutSurface {
-    /// Of an rms height sigma \[m\] and a mean absolute slope m of profiles.
+    /// Creates a surface from an rms height sigma \[m\] and a mean absolute slope m of profiles.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
@@ -62,23 +62,23 @@ impl CutSurface {
         })
     }
 
-    /// Of an rms height \[m\] and an rms slope of profiles, sqrt(m2); the mean absolute slope of Gaussian heights is sqrt(2/pi)
-    /// of that.
+    /// Creates a surface from an rms height \[m\] and an rms slope of profiles, sqrt(m2); the mean absolute slope of
+    /// Gaussian heights is sqrt(2/pi) of that.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
-    pub fn of_rms_slope(rms_height_m: f64, rms_slope: f64) -> Result<Self, OutOfBounds> {
+    pub fn from_rms_slope(rms_height_m: f64, rms_slope: f64) -> Result<Self, OutOfBounds> {
         let rms_slope = Bound::Magnitude.check("rms slope", rms_slope)?;
         Self::new(rms_height_m, FRAC_2_PI.sqrt() * rms_slope)
     }
 
-    /// sigma \[m\].
+    /// Rms height sigma \[m\].
     #[must_use]
     pub fn rms_height_m(&self) -> f64 {
         self.rms_height_m
     }
 
-    /// m.
+    /// Mean absolute slope m.
     #[must_use]
     pub fn mean_absolute_slope(&self) -> f64 {
         self.mean_absolute_slope
@@ -86,10 +86,10 @@ impl CutSurface {
 }
 
 impl PressureRatio {
-    /// The range of P/H that the correlations stand for.
+    /// Range of P/H of the correlations.
     pub const FITTED: [f64; 2] = [1e-6, 0.023];
 
-    /// Of a nominal pressure and an indentation hardness \[Pa\].
+    /// Creates the ratio of a nominal pressure and an indentation hardness \[Pa\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
@@ -98,13 +98,13 @@ impl PressureRatio {
         Ok(PressureRatio(pressure_pa / Bound::Magnitude.check("hardness in Pa", hardness_pa)?))
     }
 
-    /// P/H.
+    /// Ratio P/H.
     #[must_use]
     pub fn value(self) -> f64 {
         self.0
     }
 
-    /// Where it lies; what lies outside is extrapolated.
+    /// Position relative to the range of the correlations; outside they are extrapolated.
     #[must_use]
     pub fn range(self) -> CorrelationRange {
         let [least, most] = Self::FITTED;
@@ -119,7 +119,7 @@ impl PressureRatio {
 }
 
 impl CorrelationRange {
-    /// Whether the correlations stand for it.
+    /// True if the ratio lies within the range of the correlations.
     #[must_use]
     pub fn is_within(self) -> bool {
         self == CorrelationRange::Within
@@ -127,7 +127,7 @@ impl CorrelationRange {
 }
 
 impl PlasticCorrelation {
-    /// h_c \[W/(m^2 K)\].
+    /// Conductance h_c \[W/(m^2 K)\].
     #[must_use]
     pub fn conductance_w_per_m2_k(
         self,

@@ -5,14 +5,14 @@ use units::{Bound, OutOfBounds};
 use super::stiffness::modulus;
 use super::{Conductivities, Resistivities};
 
-/// A circular spot between two half-spaces, or the one that conducts as much as an interface of many.
+/// Circular spot between two half-spaces, or the one that conducts as much as an interface of many.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Spot {
     radius_m: f64,
 }
 
 impl Spot {
-    /// Of a radius \[m\].
+    /// Creates a spot of a radius \[m\].
     ///
     /// # Errors
     /// [`OutOfBounds`] unless it is positive and within thirty decades of 1.
@@ -20,46 +20,46 @@ impl Spot {
         Ok(Spot { radius_m: Bound::Magnitude.check("radius of a spot in m", radius_m)? })
     }
 
-    /// That of a contact of the stiffness dF/d delta = 2 E* a \[N/m\] under a contact modulus E* \[Pa\]: of a sphere, of a flat
-    /// punch, and of any interface in Barber's sense.
+    /// Creates the spot that belongs to a contact of the stiffness dF/d delta = 2 E* a \[N/m\] under a contact
+    /// modulus E* \[Pa\]: of a sphere, of a flat punch, and of any interface in Barber's sense.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
-    pub fn of_stiffness(stiffness_n_per_m: f64, contact_modulus_pa: f64) -> Result<Self, OutOfBounds> {
+    pub fn from_stiffness(stiffness_n_per_m: f64, contact_modulus_pa: f64) -> Result<Self, OutOfBounds> {
         let stiffness_n_per_m = Bound::Magnitude.check("stiffness in N/m", stiffness_n_per_m)?;
-        Ok(Self::of_relative_stiffness_m(stiffness_n_per_m / modulus(contact_modulus_pa)?))
+        Ok(Self::from_relative_stiffness_m(stiffness_n_per_m / modulus(contact_modulus_pa)?))
     }
 
-    /// Of (dF/d delta)/E* > 0 \[m\].
-    pub(super) fn of_relative_stiffness_m(relative_stiffness_m: f64) -> Self {
+    /// Creates the spot of a relative stiffness (dF/d delta)/E* > 0 \[m\].
+    pub(super) fn from_relative_stiffness_m(relative_stiffness_m: f64) -> Self {
         Spot { radius_m: 0.5 * relative_stiffness_m }
     }
 
-    /// Its radius a \[m\].
+    /// Radius a \[m\].
     #[must_use]
     pub fn radius_m(&self) -> f64 {
         self.radius_m
     }
 
-    /// R = (rho1 + rho2)/(4 a) \[ohm\].
+    /// Electrical resistance R = (rho1 + rho2)/(4 a) \[ohm\].
     #[must_use]
     pub fn electrical_resistance_ohm(&self, resistivities: &Resistivities) -> f64 {
         resistivities.sum_ohm_m() / (4.0 * self.radius_m)
     }
 
-    /// 1/R = 4 a/(rho1 + rho2) \[S\].
+    /// Electrical conductance 1/R = 4 a/(rho1 + rho2) \[S\].
     #[must_use]
     pub fn electrical_conductance_s(&self, resistivities: &Resistivities) -> f64 {
         4.0 * self.radius_m / resistivities.sum_ohm_m()
     }
 
-    /// 1/(2 k_s a) \[K/W\], k_s the harmonic mean of the conductivities.
+    /// Thermal resistance 1/(2 k_s a) \[K/W\], k_s the harmonic mean of the conductivities.
     #[must_use]
     pub fn thermal_resistance_k_per_w(&self, conductivities: &Conductivities) -> f64 {
         1.0 / self.thermal_conductance_w_per_k(conductivities)
     }
 
-    /// 2 k_s a \[W/K\].
+    /// Thermal conductance 2 k_s a \[W/K\].
     #[must_use]
     pub fn thermal_conductance_w_per_k(&self, conductivities: &Conductivities) -> f64 {
         2.0 * conductivities.harmonic_mean_w_per_m_k() * self.radius_m

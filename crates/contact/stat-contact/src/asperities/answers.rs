@@ -1,25 +1,25 @@
-//! What a quadrature and a search need to know of a population's law.
+//! Properties of a population's law that quadratures and searches use.
 
 use super::pieces::Piece;
 use crate::summits::integrals::SummitIntegrals;
 
-/// What a population answers if every asperity were pressed to the same interference.
+/// Response of a population whose asperities are all pressed to the same interference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Response {
-    /// eta F \[Pa\].
+    /// Pressure eta F \[Pa\].
     pub pressure_pa: f64,
-    /// eta A.
+    /// Area fraction eta A.
     pub area_fraction: f64,
 }
 
 /// A population under a contact law.
 ///
-/// What has a default is what a law without the feature answers: no saturation, no kink, a force that rises for ever.
+/// The default methods describe a law without the feature: no saturation, no kink, a force that always rises.
 pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     /// The response at an interference > 0 \[m\].
     fn at_interference(&self, interference_m: f64) -> Response;
 
-    /// The responses \[Pa, 1\] at interferences > 0 \[m\] that no break of the law divides.
+    /// The responses \[Pa, 1\] at interferences > 0 \[m\] between which the law has no break.
     fn at_interferences(
         &self,
         interferences_m: &[f64],
@@ -33,81 +33,82 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
         }
     }
 
-    /// The responses' pressures \[Pa\] alone, at interferences > 0 \[m\] wherever the breaks are.
+    /// The pressures \[Pa\] of the responses alone, at interferences > 0 \[m\] on any side of the breaks.
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
         for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
             *pressure_pa = self.at_interference(*w).pressure_pa;
         }
     }
 
-    /// Hertz's law, where asperities follow it at first.
+    /// Hertz's law, if asperities follow it at small interferences.
     fn hertzian(&self) -> Option<Hertzian> {
         None
     }
 
-    /// The summits, where curvatures are spread as well as heights: their integrals take the place of everything but
+    /// Integrals over summits, if curvatures are spread as well as heights. They replace everything but
     /// [`at_interference`](Self::at_interference).
     fn summits(&self) -> Option<&SummitIntegrals> {
         None
     }
 
-    /// The smooth pieces that cover the interferences from `low_m` to `high_m`, in rising order; those outside may be
+    /// Smooth pieces that cover the interferences from `low_m` to `high_m`, in rising order; pieces outside may be
     /// left out. The last one ends at infinity or where [`saturation`](Self::saturation) begins.
     fn pieces(&self, low_m: f64, high_m: f64) -> Vec<Piece<'_>>;
 
-    /// The interference from which on the response no longer changes, and that response.
+    /// Interference from which on the response no longer changes, and that response.
     fn saturation(&self) -> Option<(f64, Response)> {
         None
     }
 
-    /// The interference \[m\] of the kink that shows most, where one stands out: complete contact.
+    /// Interference \[m\] of the strongest kink, if one stands out: complete contact.
     fn strongest_kink_m(&self) -> Option<f64> {
         self.saturation().map(|(from_m, _)| from_m)
     }
 
-    /// The intervals of interference \[m\], below `high_m`, in which the law is used beyond what it was fitted to.
+    /// Intervals of interference \[m\], below `high_m`, in which the law is used beyond its fitted range.
     fn out_of_fitted_range(&self, _high_m: f64) -> Vec<(f64, f64)> {
         Vec::new()
     }
 
-    /// The largest eta F \[Pa\] at any interference, infinite where it grows without end.
+    /// Largest eta F \[Pa\] at any interference; infinite if it grows without bound.
     fn highest_response_pa(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// How the force goes with the interference, seen through a Gaussian of standard deviation `sigma_s_m`.
+    /// Shape of the force over the interference, smoothed by a Gaussian of standard deviation `sigma_s_m`.
     fn course(&self, _sigma_s_m: f64) -> Course {
         Course::Rises
     }
 
-    /// For a force that rises on the whole: interferences \[m\] between which it falls smoothly, where it does.
+    /// Interferences \[m\] between which a force that otherwise rises falls smoothly, if it does.
     fn dip_m(&self) -> Option<[f64; 2]> {
         None
     }
 
-    /// For a force with a maximum: an interference \[m\] from which on it certainly falls.
+    /// Interference \[m\] from which on a force with a maximum certainly falls.
     fn falls_from_m(&self) -> Option<f64> {
         None
     }
 }
 
-/// A population that is Hertz's at small interferences.
+/// Population that follows Hertz's law at small interferences.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hertzian {
-    /// The interference \[m\] up to which every asperity is.
+    /// Interference \[m\] up to which every asperity follows it.
     pub until_m: f64,
-    /// The area fraction per interference \[1/m\].
+    /// Area fraction per interference \[1/m\].
     pub area_per_m: f64,
-    /// eta F per interference^(3/2) \[Pa/m^1.5\].
+    /// Pressure eta F per interference^(3/2) \[Pa/m^1.5\].
     pub pressure_per_three_halves: f64,
 }
 
-/// How a force goes with the interference.
+/// Shape of a force over the interference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Course {
     /// It never falls.
     Rises,
-    /// It rises to a maximum and falls from there on. `certain` unless further maxima may follow, which are not looked for.
+    /// It rises to a maximum and falls from there on. `certain` unless further maxima may follow, which are not
+    /// searched for.
     Peaks { certain: bool },
     /// It steps down at one interference \[m\] and rises elsewhere.
     StepsDown { at_m: f64 },

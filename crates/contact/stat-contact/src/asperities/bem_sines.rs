@@ -16,8 +16,8 @@ pub(crate) struct BemSines {
     heavy: TableChart,
 }
 
-/// A coordinate of the table: the law is a polynomial in x^(1/3) below its first pressure and in (1-x)^(1/2) above its last
-/// one, and smooth in ln x between two.
+/// Coordinate of the table: the law is a polynomial in x^(1/3) below its first pressure and in (1-x)^(1/2) above its
+/// last one, and smooth in ln x between neighbours.
 #[derive(Debug, Clone, Copy)]
 struct TableChart {
     law: BemSinusoid,

@@ -1,7 +1,7 @@
 //! Populations of elastic-plastic sinusoids of one strength.
 //!
-//! Their interference is explicit in the pressure, before plastic flow and beyond its onset: the integrals run over
-//! coordinates of the contact's own, and nothing is solved for.
+//! Their interference is explicit in the pressure, before and after the onset of plastic flow: the integrals run over
+//! coordinates of the contact, and nothing is solved for.
 
 use asperity::{ElasticPlasticSinusoid, MaterialPair, PlasticFlow, elementary};
 
@@ -10,7 +10,7 @@ use super::pieces::{Chart, LawChart, Piece, Points, pieces_between};
 use super::sine_charts::{Side, SineChart, SineShape};
 use crate::Population;
 
-/// x = p/p*_ep at which the light chart of plastic flow gives over to the heavy one.
+/// Ratio x = p/p*_ep at which the heavy chart of plastic flow replaces the light one.
 const FLOW_CHARTS_MEET_AT: f64 = 0.3;
 
 /// Elastic-plastic sinusoids of one strength.
@@ -26,14 +26,14 @@ pub(crate) struct ElasticPlasticSines {
     in_flow: [InFlow; 2],
 }
 
-/// Where plastic flow begins to set the pressure; complete contact where it never does.
+/// Onset of plastic flow: the point from which it sets the pressure; complete contact if it never does.
 #[derive(Debug, Clone, Copy)]
 struct FlowOnset {
     pressure_pa: f64,
     interference_m: f64,
 }
 
-/// A chart up to the onset of plastic flow, where the pressure is elastic and the area may be plastic.
+/// Chart up to the onset of plastic flow, where the pressure is elastic and the area may be plastic.
 #[derive(Debug, Clone, Copy)]
 struct BeforeFlow {
     elastic: SineChart,
@@ -41,8 +41,9 @@ struct BeforeFlow {
     flow: PlasticFlow,
 }
 
-/// A chart of plastic flow: x^(1/4) on the light side, in which the powers of x at its low end are mild (ln x took twice
-/// the nodes over decades), -(1-x)^(1/2) on the heavy one, in which the end-point power (1-x)^(5/2) of the gap is smooth.
+/// Chart of plastic flow: on the light side x^(1/4), in which the powers of x at its low end are mild (ln x took
+/// twice the nodes over decades); on the heavy side -(1-x)^(1/2), in which the end-point power (1-x)^(5/2) of the gap
+/// is smooth.
 #[derive(Debug, Clone, Copy)]
 struct InFlow {
     side: Side,
@@ -146,7 +147,7 @@ impl LawChart for BeforeFlow {
     }
 
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
-        // No break of the law divides the coordinates: the first of them tells whether all yield.
+        // No break of the law divides the coordinates: if the first one yields, all do.
         let yields = coordinates.first().is_some_and(|&v| self.law.yields_at(self.elastic.pressure_pa(v)));
         if !yields {
             return self.elastic.at_coordinates(coordinates, points);
@@ -174,7 +175,7 @@ impl LawChart for InFlow {
 
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
         let complete_pa = self.law.complete_contact_pressure_pa();
-        // No break of the law divides the coordinates: the first of them tells whether all yield.
+        // No break of the law divides the coordinates: if the first one yields, all do.
         let yields =
             coordinates.first().is_some_and(|&v| self.law.yields_at(complete_pa * self.pressure_ratio(v)));
         let nodes = coordinates
@@ -206,7 +207,7 @@ impl LawChart for InFlow {
 }
 
 impl InFlow {
-    /// x = p/p*_ep at a coordinate.
+    /// Ratio x = p/p*_ep at a coordinate.
     #[inline(always)]
     fn pressure_ratio(&self, v: f64) -> f64 {
         match self.side {

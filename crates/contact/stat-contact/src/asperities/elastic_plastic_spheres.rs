@@ -11,7 +11,7 @@ use super::hertz_spheres::hertzian;
 use super::pieces::{Chart, Piece, pieces_between};
 use crate::Population;
 
-/// Elastic-plastic spheres, their strength constant or that of the interference.
+/// Elastic-plastic spheres, with a constant strength or the strength at the depth of the interference.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticPlasticSpheres {
     pair: MaterialPair,
@@ -19,9 +19,9 @@ pub(crate) struct ElasticPlasticSpheres {
     density_per_m2: f64,
     strength: NixGao,
     hardness: Hardness,
-    /// The law of the strength S0, and of every depth where the strength is constant.
+    /// Law of the strength S0, which holds at every depth if the strength is constant.
     macroscopic: JacksonGreen,
-    /// The law below the onset: that of an infinite strength.
+    /// Law below the onset: that of an infinite strength.
     elastic: JacksonGreen,
     onset_m: f64,
 }
@@ -31,8 +31,8 @@ impl ElasticPlasticSpheres {
         let radius_m = population.radius_m();
         let of_strength = |strength_pa| JacksonGreen::new(pair, radius_m, strength_pa, hardness);
         let macroscopic = of_strength(strength.macroscopic_strength_pa());
-        // Elastic while w < 1.9 w_c(w), and w_c(w) = w_c0 (1 + h*/w): the positive root of
-        // w^2 - 1.9 w_c0 w - 1.9 w_c0 h*; a cap on the strength holds w_c below that of the cap.
+        // Elastic while w < 1.9 w_c(w), and w_c(w) = w_c0 (1 + h*/w): the onset is the positive root of w^2 - 1.9
+        // w_c0 w - 1.9 w_c0 h*; a cap on the strength limits w_c to that of the cap.
         let half_m = 0.5 * YIELD_INTERFERENCE_RATIO * macroscopic.critical_interference_m();
         let length_m = strength.strain_gradient_length_m().unwrap_or(0.0);
         let grown_onset_m = half_m + (half_m * (half_m + 2.0 * length_m)).sqrt();
@@ -50,7 +50,7 @@ impl ElasticPlasticSpheres {
         }
     }
 
-    /// The law of the strength at a depth \[m\].
+    /// Law of the strength at a depth \[m\].
     #[inline(always)]
     fn at_depth(&self, depth_m: f64) -> JacksonGreen {
         if self.strength.strain_gradient_length_m().is_none() {
@@ -59,16 +59,16 @@ impl ElasticPlasticSpheres {
         self.grown_at_depth(depth_m)
     }
 
-    /// The same where the strength depends on the depth.
+    /// Law at a depth \[m\], for a strength that depends on the depth.
     #[inline(always)]
     fn grown_at_depth(&self, depth_m: f64) -> JacksonGreen {
         JacksonGreen::new(&self.pair, self.radius_m, self.strength.at_depth_pa(depth_m), self.hardness)
     }
 
-    /// The interference \[m\] at which A/(pi R^2) reaches `share` <= 1, infinite where that is beyond `high_m`.
+    /// Interference \[m\] at which A/(pi R^2) reaches `share` <= 1; infinite if it is beyond `high_m`.
     ///
-    /// There is one: ln(R/w) falls to zero at w = R, and b ln(w'/1.9), which rises from zero at the onset, does not fall
-    /// fast enough anywhere to meet it again.
+    /// It is unique: ln(R/w) falls to zero at w = R, and b ln(w'/1.9), which rises from zero at the onset, nowhere
+    /// falls fast enough to meet it again.
     fn interference_of_area_share_m(&self, share: f64, high_m: f64) -> f64 {
         if self.strength.strain_gradient_length_m().is_none() {
             return self.macroscopic.interference_of_area_share_m(share);
@@ -87,13 +87,14 @@ impl ElasticPlasticSpheres {
         zero_in_bracket(low_m.ln(), high_m.ln(), excess).exp()
     }
 
-    /// Whether the force never falls smoothly, without having to look.
+    /// Returns true if the force is known never to fall smoothly, without a search.
     ///
-    /// On the way to a = R the hardness falls, the faster the faster the area grows (the cosine to a third), and the strength
-    /// may; from there on the force rises again. ln H_G falls by ln(a/R) no faster than 1.21 (cosine) or 0.46 (2005), a^2
-    /// grows like w^(1+b) or, with a gradient, w^(1+2b), and the rest of the force at least like w or w^(1/2).
+    /// On the way to a = R the hardness falls, faster the faster the area grows (the cosine to a third), and the
+    /// strength may; beyond, the force rises again. ln H_G falls by ln(a/R) no faster than 1.21 (cosine) or 0.46
+    /// (2005), a^2 grows like w^(1+b) or, with a gradient, w^(1+2b), and the rest of the force at least like w or
+    /// w^(1/2).
     fn is_known_to_rise(&self) -> bool {
-        // The Sy/E* up to which b is at most 0.56.
+        // Sy/E* up to which b is at most 0.56.
         const RISES_BELOW: f64 = 0.06;
         let is_constant = self.strength.strain_gradient_length_m().is_none();
         let strongest_pa = self.strength.at_depth_pa(self.onset_m);
@@ -108,7 +109,7 @@ impl ElasticPlasticSpheres {
 
 impl Asperities for ElasticPlasticSpheres {
     fn at_interference(&self, interference_m: f64) -> Response {
-        // Below the onset any strength will do; to work out that of the depth would double the cost of a node there.
+        // Below the onset any strength will do; computing that of the depth would double the cost of a node there.
         let sphere = if interference_m < self.onset_m { self.elastic } else { self.at_depth(interference_m) };
         let (force_n, area_m2) = sphere.force_and_area(interference_m);
         Response { pressure_pa: self.density_per_m2 * force_n, area_fraction: self.density_per_m2 * area_m2 }
@@ -194,7 +195,8 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn dip_m(&self) -> Option<[f64; 2]> {
-        // Interferences between which the force is sampled, evenly in their logarithm: dips are a tenth of them or wider.
+        // Number of interferences at which the force is sampled, evenly in the logarithm: dips are a tenth of them or
+        // wider.
         const SAMPLES: usize = 48;
         // Below this share of the cross-section the hardness is still that of the flat.
         const SMALLEST_SHARE: f64 = 1e-2;
@@ -203,7 +205,7 @@ impl Asperities for ElasticPlasticSpheres {
         }
         let [low_m, high_m] =
             [SMALLEST_SHARE, 1.0].map(|share| self.interference_of_area_share_m(share, f64::INFINITY));
-        // Beside the onset, on its plastic side.
+        // Just beside the onset, on its plastic side.
         let low_m = low_m.max(self.onset_m) * (1.0 + 1e-12);
         if low_m >= high_m || !high_m.is_finite() {
             return None;

@@ -7,7 +7,7 @@ use super::pieces::{LawChart, Piece};
 use super::sine_charts::{SineChart, SineShape};
 use crate::Population;
 
-/// Elastic sinusoids. Their interference is explicit in the pressure: nothing is solved for.
+/// Elastic sinusoids. Their interference is explicit in the pressure, so nothing is solved for.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSines {
     law: ElasticSinusoid,

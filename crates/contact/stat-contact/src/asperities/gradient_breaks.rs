@@ -1,17 +1,17 @@
-//! Where elastic-plastic sinusoids whose strength depends on the depth are not smooth below complete contact.
+//! Breaks below complete contact of elastic-plastic sinusoids whose strength depends on the depth.
 
 use asperity::elementary;
 use numerics::{minimum_in_bracket, zero_in_bracket};
 
 use super::gradient_law::GradientLaw;
 
-/// The interferences \[m\], among those between two others, at which the force or the area kinks or jumps; some of them lie
-/// outside, and where nothing yields.
+/// Interferences \[m\] between two others at which the force or the area has a kink or jump. Some of those returned
+/// may lie outside, or where nothing yields.
 pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
     let mut breaks_m = vec![law.critical_m];
     breaks_m.extend(law.strength.cap_depth_m());
     breaks_m.extend(ends_of_growth_m(law, to_m));
-    // The elastic area's own break counts where nothing yields; elsewhere it only costs a panel.
+    // The break of the elastic area matters only where nothing yields; elsewhere it costs a panel.
     let elastic = law.at_depth(from_m).elastic();
     breaks_m.extend(
         elastic
@@ -19,7 +19,7 @@ pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
             .map(|b| law.shape.interference_m(b.at))
             .filter(|&w| !law.at_depth(w).yields_at(law.pressure_pa(w))),
     );
-    // Strictly inside the plastic branch, whose criteria make no sense at its very edge.
+    // Strictly inside the plastic branch, whose criteria have no meaning at its very edge.
     const BESIDE: f64 = 1e-12;
     let edge_m = from_m.max(law.critical_m * (1.0 + BESIDE));
     breaks_m.extend(flow_changes_m(law, edge_m, to_m));
@@ -28,28 +28,30 @@ pub(crate) fn breaks_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
     breaks_m
 }
 
-/// Where the growth of the strength, (1 + h*/w)^(1/2), has come about and where it no longer shows, if that is but a small
-/// part of the interferences up to one: a rule over all of them sees too little of it to tell its own error.
+/// Interferences \[m\] between which the growth of the strength, (1 + h*/w)^(1/2), takes place, if they are a small
+/// part of the interferences up to one: a rule over all of these would see too little of the growth to estimate its
+/// own error.
 pub(crate) fn ends_of_growth_m(law: &GradientLaw, to_m: f64) -> impl Iterator<Item = f64> {
-    // In units of h*; in the cube root of the interference, the singularity at -h* is as far off as each stretch is long.
+    // Ends in units of h*: in the cube root of the interference, the singularity at -h* is as far off as each stretch
+    // is long.
     const ENDS: [f64; 2] = [1.0, 500.0];
     const SMALL_PART: f64 = 1e-3;
     let length_m = law.strength.strain_gradient_length_m().filter(|length_m| *length_m < SMALL_PART * to_m);
     length_m.into_iter().flat_map(|length_m| ENDS.map(|end| end * length_m))
 }
 
-/// The interference \[m\] between two others at which `sign` is zero, where its signs at the two differ.
+/// Interference \[m\] between two others at which `sign` is zero, if its signs at the two differ.
 fn crossing_m(from_m: f64, to_m: f64, sign: impl Fn(f64) -> f64) -> Option<f64> {
     let at = |log_m: f64| sign(log_m.exp());
     let (low, high) = (from_m.ln(), to_m.ln());
     (low < high && at(low) * at(high) < 0.0).then(|| zero_in_bracket(low, high, at).exp())
 }
 
-/// Where plastic flow sets in or gives way to elasticity. The exponent A2 falls and rises again with r, so that it may do so
-/// several times, and a short stretch of flow may lie between two samples: an extremum that bends towards the other sign is
-/// looked up.
+/// Interferences at which plastic flow sets in or gives way to elasticity. The exponent A2 falls and rises again with
+/// r, so that this may happen several times, and a short stretch of flow may lie between two samples: an extremum
+/// that bends towards the other sign is examined.
 fn flow_changes_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
-    // Three to a decade of nine, over each of which the exponent bends at most once.
+    // Nine decades at three samples each; the exponent bends at most once between samples.
     const SAMPLES: usize = 25;
     // 0.618^40 of the bracket, some 1e-8, is where a minimum loses its digits.
     const GOLDEN_STEPS: usize = 40;
@@ -58,7 +60,7 @@ fn flow_changes_m(law: &GradientLaw, from_m: f64, to_m: f64) -> Vec<f64> {
     }
     let margin = |log_m: f64| {
         let depth_m = elementary::exp(log_m);
-        // The exponential of a logarithm may pass complete contact by its rounding.
+        // The exponential of a logarithm may exceed complete contact by its rounding.
         let ratio = (depth_m / law.amplitude_m).min(1.0 - f64::EPSILON);
         law.at_depth(depth_m).flow_margin_at_interference(ratio)
     };

@@ -5,7 +5,8 @@ use asperity::{ElasticPlasticSinusoid, MaterialPair, NixGao};
 use super::sine_charts::SineShape;
 use crate::Population;
 
-/// The sinusoid of the strength at the depth of the interference, which is the variable: the pressure is solved for at each.
+/// Sinusoid with the strength at the depth of the interference. The variable is the interference; the pressure is
+/// solved for at each.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientLaw {
     pair: MaterialPair,
@@ -13,9 +14,9 @@ pub(crate) struct GradientLaw {
     pub strength: NixGao,
     pub amplitude_m: f64,
     pub shape: SineShape,
-    /// r at the macroscopic strength.
+    /// Ratio r at the macroscopic strength.
     pub weakest_ratio: f64,
-    /// The interference from which on B exceeds the critical aspect ratio, infinite where it never does.
+    /// Interference from which on B exceeds the critical aspect ratio; infinite if it never does.
     pub critical_m: f64,
 }
 
@@ -25,7 +26,7 @@ impl GradientLaw {
         let aspect_ratio = amplitude_m / wavelength_m;
         let weakest = ElasticPlasticSinusoid::new(pair, aspect_ratio, strength.macroscopic_strength_pa());
         let weakest_ratio = weakest.aspect_ratio_over_critical();
-        // r = 1 at the strength that is r times the macroscopic one.
+        // r = 1 at a strength that is r times the macroscopic one.
         let critical_strength_pa = weakest_ratio * strength.macroscopic_strength_pa();
         GradientLaw {
             pair: *pair,
@@ -49,7 +50,7 @@ impl GradientLaw {
         self.at_depth(interference_m).pressure_at_interference_pa(interference_m / self.amplitude_m)
     }
 
-    /// ln p/p_c at an interference \[m\]: above zero where the sinusoid yields, as long as r > 1.
+    /// Computes ln(p/p_c) at an interference \[m\]: above zero where the sinusoid yields, as long as r > 1.
     pub fn log_pressure_over_critical(&self, interference_m: f64) -> f64 {
         (self.pressure_pa(interference_m) / self.at_depth(interference_m).critical_pressure_pa()).ln()
     }

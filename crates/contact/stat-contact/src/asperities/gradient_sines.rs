@@ -10,20 +10,20 @@ use super::pieces::{Chart, LawChart, Piece, Points, pieces_between};
 use super::sine_charts::SineChart;
 use crate::Population;
 
-/// Share of the highest interference that counts below which nothing contributes: the pressure grows like w^2.
+/// Share of the highest interference below which nothing contributes: the pressure grows like w^2.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// The r at the macroscopic strength from which on the pressure may fall before complete contact.
+/// Ratio r at the macroscopic strength from which on the pressure may fall before complete contact.
 const RISES_BELOW: f64 = 3e4;
 
-/// Elastic-plastic sinusoids of the strength at the depth of their interference, also beyond complete contact.
+/// Elastic-plastic sinusoids with the strength at the depth of their interference, also beyond complete contact.
 #[derive(Debug, Clone)]
 pub(crate) struct GradientSines {
     law: GradientLaw,
     charts: [GradientChart; 2],
 }
 
-/// A chart of the elastic law, in which this one is smooth too.
+/// Chart of the elastic law, in which this law is smooth too.
 #[derive(Debug, Clone, Copy)]
 struct GradientChart {
     law: GradientLaw,
@@ -75,7 +75,8 @@ impl Asperities for GradientSines {
     }
 
     fn out_of_fitted_range(&self, high_m: f64) -> Vec<(f64, f64)> {
-        // Those that yield with r above the flagged value. The strength falls with depth, so r rises and p_c falls.
+        // Asperities that yield with r above the flagged value. The strength falls with depth, so r rises and p_c
+        // falls.
         let flagged_strength_pa = self.law.strength.macroscopic_strength_pa()
             * (self.law.weakest_ratio / FLAGGED_ASPECT_RATIO_OVER_CRITICAL);
         let Some(flagged_m) = self.law.strength.depth_of_strength_m(flagged_strength_pa) else {
@@ -94,12 +95,12 @@ impl Asperities for GradientSines {
     }
 
     fn highest_response_pa(&self) -> f64 {
-        // Complete contact of an asperity that has not yielded.
+        // Pressure of complete contact of an asperity that has not yielded.
         self.law.at_depth(self.law.amplitude_m).elastic().complete_contact_pressure_pa()
     }
 
     fn course(&self, _sigma_s_m: f64) -> Course {
-        // Beyond complete contact p*_ep falls with the strength for good. Below it the pressure rises as a rule.
+        // Beyond complete contact p*_ep falls with the strength for good. Below it the pressure usually rises.
         if self.law.critical_m.is_finite() {
             Course::Peaks { certain: self.law.weakest_ratio < RISES_BELOW }
         } else {
@@ -120,8 +121,8 @@ impl LawChart for GradientChart {
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
         let Points { interferences_m, slopes_m, pressures_pa, area_fractions } = points;
         self.elastic.interferences(coordinates, interferences_m, slopes_m);
-        // Each node by itself: with strengths that fall over decades of depth a short stretch of another branch may lie
-        // between two of them, unseen by the breaks.
+        // Each node by itself: if strengths fall over decades of depth, a short stretch of another branch may lie
+        // between two nodes without a known break.
         let nodes = coordinates.iter().zip(&*interferences_m).zip(pressures_pa).zip(area_fractions);
         for (((&v, &depth_m), pressure_pa), area_fraction) in nodes {
             let t = self.elastic.t(v);
@@ -134,7 +135,8 @@ impl LawChart for GradientChart {
     }
 
     fn growth(&self) -> f64 {
-        // There the pressure of plastic flow hardly depends on the interference, and a millionth of these carries as much.
+        // Then the pressure of plastic flow hardly depends on the interference, and a millionth of these
+        // interferences carries as much.
         if self.law.weakest_ratio < RISES_BELOW { 2.0 } else { 0.0 }
     }
 }

@@ -24,7 +24,7 @@ impl ElasticSummits {
 }
 
 impl Asperities for ElasticSummits {
-    /// Of a flat that is so far below the mean plane.
+    /// Response to a flat that is this far below the mean plane.
     fn at_interference(&self, interference_m: f64) -> Response {
         let [pressure_pa, area_fraction] = self.integrals.far_below(-interference_m / self.rms_height_m);
         Response { pressure_pa, area_fraction }
@@ -34,7 +34,7 @@ impl Asperities for ElasticSummits {
         Some(&self.integrals)
     }
 
-    /// None: the integrals are those of the summits.
+    /// Returns none: the integrals are those of the summits.
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece<'_>> {
         Vec::new()
     }

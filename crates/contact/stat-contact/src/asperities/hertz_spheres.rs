@@ -34,13 +34,13 @@ impl Asperities for ElasticSpheres {
         Some(hertzian(&self.sphere, self.density_per_m2, f64::INFINITY))
     }
 
-    /// None: the integrals are known in closed form at every separation.
+    /// Returns none: the integrals have a closed form at every separation.
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece<'_>> {
         Vec::new()
     }
 }
 
-/// So many spheres that are Hertz's up to an interference.
+/// Population of spheres that follow Hertz up to an interference.
 pub(crate) fn hertzian(sphere: &Hertz, density_per_m2: f64, until_m: f64) -> Hertzian {
     Hertzian {
         until_m,

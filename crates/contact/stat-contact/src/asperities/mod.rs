@@ -1,5 +1,5 @@
-//! Populations of asperities under their laws, as a quadrature over the interference sees them: [`answers`] says what
-//! it has to know, [`pieces`] where a law is smooth and in which coordinate, and each law has a file.
+//! Populations of asperities under their laws, as seen by a quadrature over the interference: [`answers`] has the
+//! trait, [`pieces`] the intervals and coordinates in which a law is smooth. Each law has a file.
 
 pub mod answers;
 pub mod bem_sines;

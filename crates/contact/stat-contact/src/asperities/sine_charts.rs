@@ -8,10 +8,10 @@ use asperity::{ElasticSinusoid, elementary};
 
 use super::pieces::{Chart, LawChart, Piece, Points, pieces_between};
 
-/// The t at which the light chart gives over to the heavy one.
+/// Value of t at which the heavy chart replaces the light one.
 const CHARTS_MEET_AT: f64 = 0.5;
 
-/// Which of the two charts.
+/// Side of the charts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
     /// From first touch on.
@@ -59,7 +59,7 @@ impl SineShape {
         self.amplitude_m * numerator / (1.0 + left * left * left.sqrt())
     }
 
-    /// Cuts the interferences from `from_m` to `to_m` at the breaks between them, onto the charts for the two sides.
+    /// Cuts the interferences from `from_m` to `to_m` at the breaks between them, onto the charts of the two sides.
     pub fn pieces<'a>(
         &self,
         from_m: f64,
@@ -75,7 +75,7 @@ impl SineShape {
     }
 }
 
-/// The chart of one side: of the elastic law, and where another law takes its interferences from it.
+/// Chart of one side of the elastic law. Other laws take their interferences from it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SineChart {
     shape: SineShape,
@@ -88,7 +88,7 @@ impl SineChart {
         Side::BOTH.map(|side| SineChart { shape, side })
     }
 
-    /// t at a coordinate.
+    /// Value of t at a coordinate.
     #[inline(always)]
     pub fn t(&self, v: f64) -> f64 {
         match self.side {
@@ -122,7 +122,8 @@ impl SineChart {
         }
     }
 
-    /// The points at coordinates with the elastic pressure, and with the area fraction that there is for coordinate and t.
+    /// Points at coordinates with the elastic pressure, and with the area fraction that `area` returns for coordinate
+    /// and t.
     #[inline(always)]
     pub fn with_areas(&self, coordinates: &[f64], points: Points<'_>, area: impl Fn(f64, f64) -> f64) {
         let Points { interferences_m, slopes_m, pressures_pa, area_fractions } = points;
@@ -150,7 +151,7 @@ impl LawChart for SineChart {
     }
 
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
-        // No break of the law divides the coordinates: the first of them tells the branch of all.
+        // No break of the law divides the coordinates: all are on the branch of the first.
         let is_joined = coordinates.first().is_some_and(|&v| {
             let t = self.t(v);
             t * t < ElasticSinusoid::JOINED_UP_TO

@@ -2,7 +2,7 @@
 
 //! Coefficients of the polynomials that stand for integrals over Gaussian heights, lowest power first.
 
-/// Of t = (u - 3)/(u + 3) for u >= 0: the load over exp(-u^2/2), times (1 + u)^(5/2).
+/// In t = (u - 3)/(u + 3) for u >= 0: the load over exp(-u^2/2), times (1 + u)^(5/2).
 pub const NEAR: [f64; 32] = [
     1.905_968_108_897_743_8,
     -0.255_313_055_786_266_73,
@@ -38,7 +38,7 @@ pub const NEAR: [f64; 32] = [
     4.580_791_407_808_221_3e-10,
 ];
 
-/// Of t = -(u + 1.5)/1.5 for -3 <= u < 0: the load.
+/// In t = -(u + 1.5)/1.5 for -3 <= u < 0: the load.
 pub const FROM_0_TO_3: [f64; 24] = [
     5.444_921_501_730_261,
     6.443_685_266_148_804,
@@ -66,7 +66,7 @@ pub const FROM_0_TO_3: [f64; 24] = [
     1.070_417_722_275_441_7e-10,
 ];
 
-/// Of t = -(u + 4.5)/1.5 for -6 <= u < -3: the load.
+/// In t = -(u + 4.5)/1.5 for -6 <= u < -3: the load.
 pub const FROM_3_TO_6: [f64; 24] = [
     24.375_702_084_152_29,
     11.886_191_137_447_453,
@@ -94,7 +94,7 @@ pub const FROM_3_TO_6: [f64; 24] = [
     1.110_593_640_358_549_7e-12,
 ];
 
-/// Of t = -(u + 7.5)/1.5 for -9 <= u < -6: the load.
+/// In t = -(u + 7.5)/1.5 for -9 <= u < -6: the load.
 pub const FROM_6_TO_9: [f64; 20] = [
     51.829_541_630_121_93,
     15.410_614_975_190_775,
@@ -118,7 +118,7 @@ pub const FROM_6_TO_9: [f64; 20] = [
     5.300_942_830_027_051_5e-14,
 ];
 
-/// Of w = (9/u)^2 for u < -9: the load over (-u)^(3/2).
+/// In w = (9/u)^2 for u < -9: the load over (-u)^(3/2).
 pub const FAR: [f64; 12] = [
     2.506_628_274_631_000_7,
     0.011_604_760_530_699_077,
@@ -134,7 +134,7 @@ pub const FAR: [f64; 12] = [
     3.920_338_669_180_998e-14,
 ];
 
-/// Of t = (u - 5)/(u + 5) for u >= 0: phi(u) - u Q(u) over phi(u), times (1 + u)^2; filled up with zeros to make up
+/// In t = (u - 5)/(u + 5) for u >= 0: phi(u) - u Q(u) over phi(u), times (1 + u)^2; filled up with zeros to make up
 /// fours.
 pub const FIRST_MOMENT: [f64; 28] = [
     1.294_541_151_243_162_4,

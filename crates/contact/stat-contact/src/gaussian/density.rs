@@ -1,5 +1,5 @@
-//! The Gaussian density of the heights, with its value at the separation (or at its peak, when that is in contact)
-//! taken out, so that nothing under- or overflows however far the surfaces are apart.
+//! Gaussian density of the heights. Its value at the separation (or at its peak, if that is in contact) is taken out,
+//! so that nothing under- or overflows however far the surfaces are apart.
 //!
 //! Everything here is in units of sigma_s: u = d/sigma_s is the separation, s = w/sigma_s the interference.
 
@@ -8,17 +8,17 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_2_SQRT_PI};
 /// 1/sqrt(2 pi).
 pub(crate) const DENSITY_SCALE: f64 = 0.5 * FRAC_2_SQRT_PI * FRAC_1_SQRT_2;
 
-/// ln of the density that is taken out at the separation u, without its constant 1/(sigma_s sqrt(2 pi)).
+/// Logarithm of the density that is taken out at the separation u, without its constant 1/(sigma_s sqrt(2 pi)).
 pub(crate) fn log_reference_density(u: f64) -> f64 {
     if u > 0.0 { -0.5 * u * u } else { 0.0 }
 }
 
-/// The same density itself; zero where it underflows.
+/// Density that is taken out at the separation u, without its constant; zero where it underflows.
 pub(crate) fn reference_density(u: f64) -> f64 {
     if u <= 0.0 {
         return 1.0;
     }
-    // The rounding of the square, up to 2e-13 at sixty sigma, is carried along.
+    // Correct for the rounding of the square, up to 2e-13 at sixty sigma.
     let square = u * u;
     (-0.5 * square).exp() * (1.0 - 0.5 * u.mul_add(u, -square))
 }
@@ -27,7 +27,7 @@ pub(crate) fn reference_density(u: f64) -> f64 {
 pub(crate) fn tail(u: f64, from: f64) -> f64 {
     let z = (u + from) * FRAC_1_SQRT_2;
     if u > 0.0 {
-        // Both z^2 and u^2/2 may be large; their difference is taken before it is rounded.
+        // z^2 and u^2/2 may both be large; their difference is taken before it is rounded.
         0.5 * scaled_erfc(z) * (-from * (u + 0.5 * from)).exp()
     } else {
         0.5 * libm::erfc(z)
@@ -40,12 +40,12 @@ pub(crate) fn density(u: f64, s: f64) -> f64 {
     DENSITY_SCALE * exponent.exp()
 }
 
-/// exp(z^2) erfc(z) for z >= 0.
+/// Computes exp(z^2) erfc(z) for z >= 0.
 fn scaled_erfc(z: f64) -> f64 {
     const ASYMPTOTIC_FROM: f64 = 10.0;
     if z < ASYMPTOTIC_FROM {
         let square = z * z;
-        // exp would turn the rounding of z^2, half a unit of up to 100, into 1e-14: carry it along.
+        // exp would turn the rounding of z^2, half a unit of up to 100, into 1e-14: correct for it.
         let rounding = z.mul_add(z, -square);
         return square.exp() * (1.0 + rounding) * libm::erfc(z);
     }

@@ -1,13 +1,13 @@
 //! The load of Gaussian heights under Hertz's law, in closed form.
 //!
-//! It is the parabolic cylinder function I(u) = Int_0^inf s^(3/2) exp(-(u+s)^2/2) ds, of which few libraries know the like
-//! and none to the last digits. Here it is interpolated in five stretches, each by one polynomial that errs by less than its
-//! rounding.
+//! It is the parabolic cylinder function I(u) = Int_0^inf s^(3/2) exp(-(u+s)^2/2) ds, which few libraries have and
+//! none to the last digits. Here it is interpolated in five stretches, each by one polynomial that errs by less than
+//! its rounding.
 
 use super::coefficients::{FAR, FROM_0_TO_3, FROM_3_TO_6, FROM_6_TO_9, NEAR};
 use super::polynomial::value_and_slope;
 
-/// I(u), for positive u over exp(-u^2/2), and the mean of the height u + s that it weighs.
+/// Returns I(u), for positive u over exp(-u^2/2), and the mean of the height u + s under its weight.
 pub(crate) fn load_and_mean_height(u: f64) -> (f64, f64) {
     if u >= 0.0 {
         let (value, slope) = value_and_slope(&NEAR, (u - 3.0) / (u + 3.0));

@@ -4,8 +4,8 @@ use super::coefficients::FIRST_MOMENT;
 use super::density::DENSITY_SCALE;
 use super::polynomial::value;
 
-/// Integral of s exp(-(u+s)^2/2)/sqrt(2 pi) over all s from 0 on, over the reference density: phi(u) - u Q(u), which is
-/// that at -u, less u. Within 1e-16 of its size for u >= 0.
+/// Integral of s exp(-(u+s)^2/2)/sqrt(2 pi) over all s from 0 on, over the reference density: phi(u) - u Q(u), which
+/// equals its value at -u, less u. Relative error within 1e-16 for u >= 0.
 pub(crate) fn first_moment(u: f64) -> f64 {
     let distance = u.abs();
     let series = value(&FIRST_MOMENT, (distance - 5.0) / (distance + 5.0));

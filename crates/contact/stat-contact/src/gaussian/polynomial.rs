@@ -1,7 +1,7 @@
-//! Polynomials of coefficients that come in fours, lowest power first, in four sums over every fourth power, which do not
-//! wait for one another.
+//! Polynomials whose coefficients come in fours, lowest power first, evaluated as four independent sums over every
+//! fourth power.
 
-/// A polynomial at t.
+/// Evaluates a polynomial at t.
 #[inline(always)]
 pub(crate) fn value(coefficients: &[f64], t: f64) -> f64 {
     let (square, fourth) = (t * t, t * t * (t * t));
@@ -14,7 +14,7 @@ pub(crate) fn value(coefficients: &[f64], t: f64) -> f64 {
     (sums[0] + t * sums[1]) + square * (sums[2] + t * sums[3])
 }
 
-/// A polynomial at t and its derivative there.
+/// Evaluates a polynomial and its derivative at t.
 #[inline(always)]
 pub(crate) fn value_and_slope(coefficients: &[f64], t: f64) -> (f64, f64) {
     let (square, fourth) = (t * t, t * t * (t * t));

@@ -1,8 +1,8 @@
-//! The interferences that count.
+//! Interferences that contribute to the integrals.
 
 use super::density::{DENSITY_SCALE, density};
 
-/// Where the integrand is not negligible.
+/// Interval in which the integrand is not negligible.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Window {
     /// The lowest interference.
@@ -14,7 +14,7 @@ pub(crate) struct Window {
 }
 
 impl Window {
-    /// The interferences at which the density is above a share exp(-drop) of its largest value in contact, for every
+    /// Interferences at which the density is above a share exp(-drop) of its largest value in contact, for every
     /// separation from `nearest` to `farthest`.
     pub fn new(nearest: f64, farthest: f64, drop: f64) -> Window {
         let reach = |u: f64| 2.0 * drop / (u + (u * u + 2.0 * drop).sqrt());
@@ -31,8 +31,8 @@ impl Window {
         Window { low: 0.0, high, drop: f64::INFINITY }
     }
 
-    /// Share of the integrals at the separation u that lies outside: that of a response like s^2, or of one that does not
-    /// change above the window.
+    /// Share of the integrals at the separation u that lies outside, for a response like s^2 or, if it `saturates`,
+    /// one that is constant above the window.
     pub fn left_out(&self, u: f64, saturates: bool) -> f64 {
         let s = self.high;
         let below = if self.low == 0.0 { 0.0 } else { (-self.drop).exp() };

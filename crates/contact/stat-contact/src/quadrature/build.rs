@@ -1,4 +1,4 @@
-//! Which panels a law needs around a separation, and with how many nodes.
+//! Choice of the panels around a separation and of their nodes.
 
 use super::builder::{Builder, Quantities, Scratch};
 use super::cell::Cell;
@@ -17,11 +17,12 @@ use crate::gaussian::window::Window;
 const MOST_EVALUATIONS: usize = 3000;
 /// Nodes of a rule above which a panel is halved rather than given more.
 const MOST_NODES: usize = 28;
-/// How often a panel is halved before its error is accepted: seven decades down, a kink that no law announced is left alone.
+/// Halvings of a panel after which its error is accepted: seven decades down, a kink that no law announced is left
+/// alone.
 const MOST_HALVINGS: usize = 24;
 
-/// The panels that serve a cell of separations at a precision: the smooth pieces of the law within the window, refined until
-/// their errors at the centre of the cell are within the tolerance.
+/// Lays the panels that serve a cell of separations at a precision: the smooth pieces of the law within the window,
+/// refined until their errors at the centre of the cell are within the tolerance.
 pub(crate) fn for_cell<'a>(
     asperities: &'a dyn Asperities,
     sigma_s_m: f64,
@@ -30,7 +31,7 @@ pub(crate) fn for_cell<'a>(
     window: &Window,
     scratch: &mut Scratch,
 ) -> Panels<'a> {
-    // Room for nearly all.
+    // Capacity for nearly all.
     const NODES: usize = 96;
     let centre = cell.centre();
     let coordinate = Coordinate::around(centre, cell.farthest(), precision.digits);
@@ -45,8 +46,9 @@ pub(crate) fn for_cell<'a>(
     builder.panels
 }
 
-/// The force at a few nodes around one separation, blind to all breaks of the law but the strongest: within a percent or so,
-/// and so within the right cell for all but one search in fifty (blind to that one as well, for three in four).
+/// Evaluates the force at a few nodes around one separation, ignoring all breaks of the law but the strongest. It is
+/// within a percent or so, and so within the right cell for all but one search in fifty (three in four if the
+/// strongest break is ignored as well).
 pub(crate) fn rough<'a>(
     asperities: &'a dyn Asperities,
     sigma_s_m: f64,
@@ -63,11 +65,11 @@ pub(crate) fn rough<'a>(
     let mut builder = Builder { panels, quantities: Quantities::Pressure, scratch };
     let kink = asperities.strongest_kink_m().map(|at_m| at_m / sigma_s_m);
     let Some(kink) = kink.filter(|&kink| window.low < kink && kink < window.high) else {
-        let ends = [window.low, window.high].map(|s| coordinate.of(s));
+        let ends = [window.low, window.high].map(|s| coordinate.at(s));
         builder.add_trapezoid(coordinate, ends, Trapezoid::between(ends[0], ends[1], precision.digits));
         return builder.panels;
     };
-    let [low, middle, high] = [window.low, kink, window.high].map(|s| coordinate.of(s));
+    let [low, middle, high] = [window.low, kink, window.high].map(|s| coordinate.at(s));
     builder.add(Variable::Own(coordinate), [low, middle], 0, Rule::of_at_least(NODES_BELOW));
     builder.panels.saturation = asperities.saturation().map(|(_, response)| (kink, response));
     if builder.panels.saturation.is_none() {
@@ -76,7 +78,7 @@ pub(crate) fn rough<'a>(
     builder.panels
 }
 
-/// Adds the part of a piece that lies within the window, under as many nodes as it is likely to need.
+/// Adds the part of a piece that lies within the window, with as many nodes as it is likely to need.
 fn add_piece<'a>(
     builder: &mut Builder<'a, '_>,
     piece: Piece<'a>,
@@ -84,11 +86,13 @@ fn add_piece<'a>(
     coordinate: Coordinate,
     digits: f64,
 ) {
-    // Over decades the law, and not the density, wants nodes: as many more for nine of ten panels of the UNCD scenes.
+    // Factor on the nodes over decades, where the law and not the density needs them: right for nine of ten panels of
+    // the UNCD scenes.
     const RESOLUTION_OVER_DECADES: f64 = 1.4;
     // Width over depth of a window in which a law without a break is smooth in the interference itself.
     const NARROW: f64 = 1e-3;
-    // The power with which a response grows that brings no coordinate of its own, or more: few nodes are the dearer ones.
+    // Assumed power of growth of a response without a coordinate of its own, on the high side: too few nodes cost
+    // more than too many.
     const GROWTH: f64 = 2.0;
     let Panels { centre, sigma_s_m, .. } = builder.panels;
     let low = window.low.max(piece.from_m / sigma_s_m);
@@ -109,21 +113,22 @@ fn add_piece<'a>(
         }
         Chart::Law(chart) => (Variable::Law(chart), chart.resolution(low == 0.0), chart.growth()),
     };
-    let ends = [low, high].map(|s| variable.of(s, s * sigma_s_m));
+    let ends = [low, high].map(|s| variable.at(s, s * sigma_s_m));
     let nodes = resolution * nodes_between([low, high], growth, centre, digits);
     builder.add(variable, ends, 0, Rule::of_at_least(nodes.ceil() as usize));
 }
 
-/// Nodes that a Gauss-Legendre rule needs between two interferences for exp(-digits) of the whole, from how far the exponent
-/// of the density at the centre runs (as its square root, as for a Gaussian), how much there is to be resolved beside it,
-/// and how little of the whole lies there of a response that grows with a power of the interference. An undershoot is mended by [`refine`].
+/// Nodes that a Gauss-Legendre rule needs between two interferences for exp(-digits) of the whole. It depends on the
+/// range of the exponent of the density at the centre (as its square root, as for a Gaussian), on what else has to be
+/// resolved, and on how little of the whole lies there for a response that grows with a power of the interference.
+/// [`refine`] corrects an underestimate.
 fn nodes_between([low, high]: [f64; 2], growth: f64, centre: f64, digits: f64) -> f64 {
-    // How much of the run of the exponent counts where the stretch holds its minimum, and where it does not.
+    // Weight of the range of the exponent if the stretch holds its minimum, and if it does not.
     const RUN_ACROSS_PEAK: f64 = 1.75;
     const RUN_BESIDE_PEAK: f64 = 0.95;
     // Digits of a smooth function that a node is worth without the density.
     const DIGITS_PER_NODE: f64 = 0.85;
-    // By as much the density may have fallen before the stretch is taken for a small part of the whole.
+    // Fall of the density from which the stretch is taken for a small part of the whole.
     const NEGLIGIBLE_FALL: f64 = 3.0;
     let exponent = |s: f64| log_reference_density(centre) + 0.5 * (centre + s).powi(2);
     let (at_low, at_high) = (exponent(low), exponent(high));
@@ -143,7 +148,7 @@ fn nodes_between([low, high]: [f64; 2], growth: f64, centre: f64, digits: f64) -
 
 /// Gives more nodes to the panels whose error at the centre is above their share of the tolerance, or halves them.
 fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) {
-    // Few panels err as much as they may: with this share their sum stays about the tolerance.
+    // Few panels reach their limit: with this share their sum stays about the tolerance.
     const SHARE: f64 = 0.3;
     let tolerance = SHARE * tolerance;
     let totals = builder.panels.sums();
@@ -155,7 +160,7 @@ fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) {
         let fine = pressure <= tolerance * totals.pressure_pa && area <= tolerance * totals.area_fraction;
         match panel.rule {
             Some(rule) if !fine && panel.halvings < MOST_HALVINGS => {
-                // What takes its place comes last, to be looked at again.
+                // The replacement comes last and is examined again.
                 builder.panels.list.remove(place);
                 replace(builder, &panel, rule);
             }
@@ -164,7 +169,7 @@ fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) {
     }
 }
 
-/// Adds a panel anew with a third more nodes, or, where it has many already, in halves with a quarter less.
+/// Replaces a panel by one with a third more nodes or, if it has many already, by halves with a quarter fewer.
 fn replace<'a>(builder: &mut Builder<'a, '_>, panel: &Panel<'a>, rule: &'static Rule) {
     let &Panel { variable, from, to, halvings, .. } = panel;
     let nodes = rule.count();

@@ -9,11 +9,11 @@ use super::rules::{MOST, Rule};
 use super::trapezoid::Trapezoid;
 use crate::asperities::pieces::Points;
 
-/// What of a law is evaluated.
+/// Quantities of a law that are evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantities {
     PressureAndArea,
-    /// The areas are zero.
+    /// Pressure alone; the areas are zero.
     Pressure,
 }
 
@@ -24,15 +24,15 @@ pub(crate) struct Builder<'a, 's> {
     pub scratch: &'s mut Scratch,
 }
 
-/// What is known of the nodes of one panel while the law is evaluated at them, in room that all panels share.
+/// Buffer for the nodes of one panel while the law is evaluated at them, shared by all panels.
 #[derive(Default)]
 pub(crate) struct Scratch {
     values: Vec<f64>,
 }
 
-/// A row of [`Scratch`] for each quantity.
+/// Row of [`Scratch`] for each quantity.
 struct ScratchRows<'a> {
-    /// The nodes.
+    /// Coordinates of the nodes.
     coordinates: &'a mut [f64],
     interferences_m: &'a mut [f64],
     /// Derivative of the interference by the coordinate.
@@ -70,7 +70,7 @@ impl<'a> Builder<'a, '_> {
         self.panels.list.push(Panel { variable, from, to, halvings: 0, rule: None, nodes });
     }
 
-    /// The unit of the interference, in sigma_s, in which slopes by a variable come.
+    /// Unit of the interference, in sigma_s, of slopes by a variable.
     fn interference_per_slope(&self, variable: Variable<'_>) -> f64 {
         match variable {
             Variable::Own(_) => 1.0,
@@ -78,8 +78,9 @@ impl<'a> Builder<'a, '_> {
         }
     }
 
-    /// Evaluates the law at the nodes of a new panel, which stand in the scratch, and then the densities at the centre. The
-    /// weights are those of the coordinate, in units in which its slopes are those of the interference over sigma_s.
+    /// Evaluates the law at the nodes of a new panel, which are in the scratch, and then the densities at the centre.
+    /// The weights are those of the coordinate, in units in which its slopes are those of the interference over
+    /// sigma_s.
     fn evaluate(
         &mut self,
         variable: Variable<'a>,
@@ -137,10 +138,10 @@ impl<'a> Builder<'a, '_> {
 
 impl Scratch {
     const ROWS: usize = 3;
-    /// Enough for any Gauss rule.
+    /// Size that fits any Gauss rule.
     const USUAL: usize = Self::ROWS * MOST;
 
-    /// Its rows, of so many nodes.
+    /// Rows of `count` nodes.
     fn rows(&mut self, count: usize) -> ScratchRows<'_> {
         let length = Self::ROWS * count;
         if self.values.len() < length {

@@ -1,51 +1,51 @@
-//! Which separations share a quadrature.
+//! Cells of separations that share a quadrature.
 
 use asperity::elementary;
 
-/// A range of separations, in units of sigma_s, that one quadrature serves.
+/// Range of separations, in units of sigma_s, that one quadrature serves.
 ///
 /// The cells are fixed. Every search that ends in a cell ends on the same quadrature, and so on the same digits,
-/// wherever it came from.
+/// whatever its start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
     index: f64,
 }
 
 impl Cell {
-    /// Width of a cell: absolute among negative separations, relative to 1 + u among positive ones, where the
-    /// density in contact is that much narrower.
+    /// Width of a cell: absolute at negative separations, relative to 1 + u at positive ones, where the density in
+    /// contact is narrower by that factor.
     const WIDTH: f64 = 0.1;
 
-    /// Any of them, where it does not matter which.
+    /// Arbitrary cell, for quadratures that serve every cell.
     pub const ANY: Cell = Cell { index: 0.0 };
 
-    /// The cell of a separation.
-    pub fn of(u: f64) -> Cell {
+    /// Cell of a separation.
+    pub fn containing(u: f64) -> Cell {
         let position = if u > 0.0 { elementary::ln_1p(u) } else { u };
         Cell { index: (position / Self::WIDTH).round() }
     }
 
-    /// The separation in its middle.
+    /// Separation in the middle of the cell.
     pub fn centre(self) -> f64 {
         Self::separation(self.index)
     }
 
-    /// The smallest separation in it.
+    /// Smallest separation in the cell.
     pub fn nearest(self) -> f64 {
         Self::separation(self.index - 0.5)
     }
 
-    /// The largest separation in it.
+    /// Largest separation in the cell.
     pub fn farthest(self) -> f64 {
         Self::separation(self.index + 0.5)
     }
 
-    /// Whether another cell is next to this one.
+    /// True if another cell is next to this one.
     pub fn is_beside(self, other: Cell) -> bool {
         (self.index - other.index).abs() == 1.0
     }
 
-    /// Whether its separations are smaller than those of another cell.
+    /// True if the separations of this cell are smaller than those of another cell.
     pub fn is_nearer_than(self, other: Cell) -> bool {
         self.index < other.index
     }
@@ -63,9 +63,9 @@ mod tests {
     #[test]
     fn a_cell_holds_the_separations_that_it_is_the_cell_of() {
         for u in [-1e4, -60.0, -0.03, 0.0, 0.07, 1.0, 59.9, 1e5] {
-            let cell = Cell::of(u);
+            let cell = Cell::containing(u);
             assert!(cell.nearest() <= u && u <= cell.farthest(), "{u}");
-            assert_eq!(Cell::of(cell.centre()), cell);
+            assert_eq!(Cell::containing(cell.centre()), cell);
         }
     }
 }

@@ -1,13 +1,13 @@
-//! The coordinate in which integrals over the interference are smooth from first touch into the tail.
+//! Coordinate in which integrals over the interference are smooth from first touch into the tail.
 
 use asperity::elementary;
 
-/// Root-like at the origin and linear far from it, in units of sigma_s:
-/// s = sqrt(c^2 + v^2) - c, or s = v - u where the origin is out of sight.
+/// Coordinate v that is root-like at the origin and linear far from it, in units of sigma_s: s = sqrt(c^2 + v^2) - c,
+/// or s = v - u if the origin is out of reach.
 ///
-/// Half-integer powers of s turn into v times even analytic functions, as under s = v^2, but the nearest singularities
-/// lie at v = +-i c whatever the separation, and far from the origin equal steps in v are equal steps in s. The
-/// trapezoidal rule then needs some 20 nodes at any separation; under s = v^2 it needs 28 around u = -6.
+/// Half-integer powers of s turn into v times even analytic functions, as under s = v^2. But the nearest
+/// singularities lie at v = +-i c whatever the separation, and far from the origin equal steps in v are equal steps
+/// in s. The trapezoidal rule then needs some 20 nodes at any separation; under s = v^2 it needs 28 around u = -6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Coordinate {
     Root {
@@ -23,17 +23,17 @@ pub(crate) enum Coordinate {
 }
 
 impl Coordinate {
-    /// The coordinate around the separation u, for rules that resolve the integrand to exp(-digits) at every separation up
-    /// to `farthest`, where the density at the singularity is the largest.
+    /// Returns the coordinate around the separation u, for rules that resolve the integrand to exp(-digits) at every
+    /// separation up to `farthest`, where the density at the singularity is the largest.
     ///
-    /// The trapezoidal rule of step h sees the singularity at v = i c as exp(-2 pi c/h) times the density there, at
-    /// s = -c: c is the smallest number, and so the one with the fewest nodes, for which that is below exp(-digits).
-    /// Where contacts at first touch are that rare already, the heights themselves serve, and keep their digits better.
+    /// The trapezoidal rule of step h sees the singularity at v = i c as exp(-2 pi c/h) times the density there, at s
+    /// = -c: c is the smallest number, and so the one with the fewest nodes, for which that is below exp(-digits). If
+    /// contacts at first touch are already that rare, the heights themselves are the coordinate, and keep their
+    /// digits better.
     pub fn around(u: f64, farthest: f64, digits: f64) -> Self {
-        // The margin makes up for the growth of a response like s^(3/2) from where the contacts are, at 1/(1 + u), to the
-        // singularity.
+        // Compensates the growth of a response like s^(3/2) from the contacts, at 1/(1 + u), to the singularity.
         const MARGIN: f64 = 5.0;
-        // Digits below which the heights themselves serve.
+        // Digits below which the heights themselves are the coordinate.
         const LEAST_LEVEL: f64 = 1.0;
         let margin = MARGIN + MARGIN * elementary::ln_1p(u.max(0.0));
         let level = digits + margin - 0.5 * farthest.min(0.0).powi(2);
@@ -45,12 +45,13 @@ impl Coordinate {
         Coordinate::Root { c: if rise > 0.0 { 2.0 * level / (rise + root) } else { root - rise } }
     }
 
-    /// The same for a stretch from `low` to `high` only. A law may have singularities at the origin, of powers of s:
-    /// where the stretch covers decades, a power of the coordinate keeps them at a tenth of its length from it.
+    /// Returns the coordinate for a stretch from `low` to `high`. A law may have singularities at the origin, of
+    /// powers of s: if the stretch covers decades, a power of the coordinate keeps them at a tenth of its length from
+    /// it.
     pub fn between(self, low: f64, high: f64) -> Self {
         // A decade of the coordinate, whatever the decades of the interference.
         const LOG_RATIO_LEFT: f64 = 2.3;
-        // Higher ones gather the nodes at the far end.
+        // Higher powers gather the nodes at the far end.
         const HIGHEST_POWER: f64 = 8.0;
         let power = elementary::ln(high / low) / LOG_RATIO_LEFT;
         if low > 0.0 && power > 1.0 {
@@ -60,7 +61,7 @@ impl Coordinate {
         }
     }
 
-    /// Whether this is the coordinate of a stretch over decades.
+    /// True for the coordinate of a stretch over decades.
     pub fn spans_decades(self) -> bool {
         matches!(self, Coordinate::Power { .. })
     }
@@ -71,7 +72,7 @@ impl Coordinate {
     }
 
     /// The coordinate of an interference.
-    pub fn of(self, s: f64) -> f64 {
+    pub fn at(self, s: f64) -> f64 {
         match self {
             Coordinate::Root { c } => (s * (s + 2.0 * c)).sqrt(),
             Coordinate::Height { u } => s + u,
@@ -96,7 +97,7 @@ impl Coordinate {
                 }
             }
             Coordinate::Power { power } => {
-                // A row of factors at a time, rather than a power of unknown exponent for each.
+                // Multiplies row by row instead of raising each number to an unknown power.
                 interferences.fill(1.0);
                 for _ in 1..power {
                     interferences.iter_mut().zip(coordinates).for_each(|(below, v)| *below *= v);
@@ -125,13 +126,13 @@ mod tests {
         for coordinate in [Coordinate::around(-3.0, -3.0, 30.0), Coordinate::around(60.0, 63.0, 30.0)] {
             for v in [1e-9, 0.1, 3.0, 40.0] {
                 let (s, slope) = interference(coordinate, v);
-                assert!((coordinate.of(s) / v - 1.0).abs() < 1e-14);
+                assert!((coordinate.at(s) / v - 1.0).abs() < 1e-14);
                 let difference = interference(coordinate, v * (1.0 + 1e-6)).0
                     - interference(coordinate, v * (1.0 - 1e-6)).0;
                 assert!((difference / (2e-6 * v) / slope - 1.0).abs() < 1e-9);
             }
         }
         let far = Coordinate::around(-60.0, -60.0, 30.0);
-        assert_eq!(interference(far, far.of(61.0)), (61.0, 1.0));
+        assert_eq!(interference(far, far.at(61.0)), (61.0, 1.0));
     }
 }

@@ -1,4 +1,4 @@
-//! The integrals at all separations near one.
+//! Integrals at all separations near one.
 
 use super::build;
 use super::builder::Scratch;
@@ -11,25 +11,25 @@ use crate::asperities::answers::Asperities;
 use crate::gaussian::window::Window;
 use crate::summits::integrals::{SummitIntegrals, SummitSums};
 
-/// The integrals prepared around one separation.
+/// Integrals prepared around one separation.
 pub(crate) struct Frame<'a> {
-    /// The separation it is built around.
+    /// Separation around which it is built.
     pub centre: f64,
-    /// The interferences that count.
+    /// Interferences that contribute.
     window: Window,
     integrals: Integrals<'a>,
-    /// The separation last summed at.
+    /// Separation of the last sums.
     u: f64,
-    /// The integrals there, once they have been asked for.
+    /// Integrals at that separation, once computed.
     sums: Option<Sums>,
-    /// The integrals at the centre, at which every search on the frame begins.
+    /// Integrals at the centre, at which every search on the frame begins.
     sums_at_centre: Option<Sums>,
 }
 
 enum Integrals<'a> {
-    /// No asperity within the window leaves Hertz's law.
+    /// Closed form: no asperity within the window leaves Hertz's law.
     Closed(HertzIntegrals),
-    /// Curvatures are spread as well as heights.
+    /// Summits: curvatures are spread as well as heights.
     Summits(SummitFrame<'a>),
     Panels(Panels<'a>),
 }
@@ -37,7 +37,7 @@ enum Integrals<'a> {
 /// Summits of any curvature, which are summed over anew at every separation.
 struct SummitFrame<'a> {
     integrals: &'a SummitIntegrals,
-    /// The relative error at the separation last summed at.
+    /// Relative error at the separation of the last sums.
     relative_error: f64,
     evaluations: usize,
 }
@@ -52,7 +52,8 @@ impl SummitFrame<'_> {
 }
 
 impl<'a> Frame<'a> {
-    /// The one frame that all separations share where every asperity is Hertz's at any interference, or a surface's summit.
+    /// Returns the one frame that all separations share, if every asperity follows Hertz at any interference or is a
+    /// summit of a surface.
     pub fn for_every_cell(asperities: &'a dyn Asperities, sigma_s_m: f64) -> Option<Self> {
         let window = Window::up_to(f64::INFINITY);
         if let Some(integrals) = asperities.summits() {
@@ -63,7 +64,7 @@ impl<'a> Frame<'a> {
         Some(Self::new(0.0, window, Integrals::Closed(hertz)))
     }
 
-    /// The frame that serves a cell of separations at a precision.
+    /// Returns the frame that serves a cell of separations at a precision.
     pub fn for_cell(
         asperities: &'a dyn Asperities,
         sigma_s_m: f64,
@@ -83,9 +84,9 @@ impl<'a> Frame<'a> {
         Self::new(cell.centre(), window, integrals)
     }
 
-    /// The pressure around one separation within a percent or so, for a few evaluations; no areas.
+    /// Returns the pressure around one separation within a percent or so, for a few evaluations, without areas.
     pub fn rough(asperities: &'a dyn Asperities, sigma_s_m: f64, u: f64, scratch: &mut Scratch) -> Self {
-        // Far below the mean plane ln p is flat: its curvature, of the order of 1/u^2, has to be seen.
+        // Far below the mean plane ln p is flat: its curvature, of the order of 1/u^2, has to be resolved.
         const DIGITS: f64 = 10.0;
         let digits = DIGITS + 2.0 * (-u).max(0.0).ln_1p();
         let precision = Precision { tolerance: (-digits).exp(), digits, drop: digits };
@@ -110,9 +111,10 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// Whether a separation is near enough to the centre.
+    /// True if a separation is near enough to the centre.
     pub fn serves(&self, u: f64) -> bool {
-        // Four times the half width of a cell: steps overshoot, and a window cuts off little more than it may up to there.
+        // Four times the half width of a cell: steps overshoot, and up to there a window cuts off little more than it
+        // may.
         const REACH: f64 = 0.2;
         match &self.integrals {
             Integrals::Closed(_) | Integrals::Summits(_) => true,
@@ -141,12 +143,12 @@ impl<'a> Frame<'a> {
         sums
     }
 
-    /// The integrals at the centre, for which the frame need not go back there.
+    /// The integrals at the centre, without moving the frame there.
     pub fn sums_at_centre(&mut self) -> Sums {
         self.sums_at_centre.unwrap_or_else(|| self.sums_at(self.centre))
     }
 
-    /// Everything that is known at a separation near the centre.
+    /// Moves the frame to a separation near the centre, for further questions there.
     pub fn at(&mut self, u: f64) -> Here<'_, 'a> {
         let sums = self.sums_at(u);
         Here { frame: self, u, sums }
@@ -175,7 +177,7 @@ impl Here<'_, '_> {
         }
     }
 
-    /// Share of the load that is carried at interferences for which the law was not fitted.
+    /// Share of the load carried at interferences outside the fitted range of the law.
     pub fn out_of_range_load_share(&self) -> f64 {
         let Frame { window, integrals: Integrals::Panels(panels), .. } = self.frame else { return 0.0 };
         let above_pa = |at_m: f64| if at_m.is_finite() { panels.load_above_pa(at_m) } else { 0.0 };

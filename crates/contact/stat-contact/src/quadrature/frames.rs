@@ -1,6 +1,6 @@
-//! The frames that searches have built, kept for those that come after.
+//! Frames built by earlier searches, kept for later ones.
 //!
-//! A frame depends on its cell alone, so that a state has the same digits on one that is there as on one built for it.
+//! A frame depends on its cell alone, so that a state has the same digits on a kept frame as on a new one.
 
 use super::builder::Scratch;
 use super::cell::Cell;
@@ -9,22 +9,23 @@ use super::precision::Precision;
 use super::sums::Sums;
 use crate::asperities::answers::Asperities;
 
-/// Frames kept at most, of a few kilobytes each: all between fifty standard deviations on the far side and ten below.
+/// Largest number of frames kept, of a few kilobytes each: all between fifty standard deviations on the far side and
+/// ten below.
 const MOST_FRAMES: usize = 150;
 
-/// The frames of a population at a precision, by their cells.
+/// Frames of a population at a precision, by their cells.
 pub(crate) struct Frames<'a> {
     pub asperities: &'a dyn Asperities,
     pub sigma_s_m: f64,
     pub precision: Precision,
-    /// The one frame of all cells, where they can share it.
+    /// The one frame of all cells, if they can share it.
     everywhere: Option<Frame<'a>>,
-    /// The cells in the order of their frames.
+    /// Cells in the order of their frames.
     cells: Vec<Cell>,
     built: Vec<Frame<'a>>,
-    /// The frame last asked for: the next one to be asked for, as a rule.
+    /// Index of the frame last used, which is usually the next one used.
     last: usize,
-    /// The frame that makes room, the oldest one.
+    /// Index of the oldest frame, which is replaced next.
     oldest: usize,
     /// Law evaluations spent on frames of cells.
     spent_on_cells: usize,
@@ -32,7 +33,7 @@ pub(crate) struct Frames<'a> {
 }
 
 impl<'a> Frames<'a> {
-    /// None yet.
+    /// Creates an empty store.
     pub fn new(asperities: &'a dyn Asperities, sigma_s_m: f64, precision: Precision) -> Self {
         Frames {
             asperities,
@@ -48,8 +49,8 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// The frame of a cell, built where there is none.
-    pub fn of(&mut self, cell: Cell) -> &mut Frame<'a> {
+    /// Frame of a cell, built if missing.
+    pub fn frame(&mut self, cell: Cell) -> &mut Frame<'a> {
         if !self.are_one() && self.cells.get(self.last) != Some(&cell) {
             self.last =
                 self.cells.iter().position(|&other| other == cell).unwrap_or_else(|| self.build(cell));
@@ -60,9 +61,9 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// The frame of the cell of a separation.
+    /// Frame of the cell of a separation.
     pub fn at(&mut self, u: f64) -> &mut Frame<'a> {
-        if self.are_one() { self.of(Cell::ANY) } else { self.of(Cell::of(u)) }
+        if self.are_one() { self.frame(Cell::ANY) } else { self.frame(Cell::containing(u)) }
     }
 
     /// Law evaluations spent.
@@ -70,12 +71,12 @@ impl<'a> Frames<'a> {
         self.spent_on_cells + self.everywhere.as_ref().map_or(0, Frame::evaluations)
     }
 
-    /// Whether all cells share one frame.
+    /// True if all cells share one frame.
     pub fn are_one(&self) -> bool {
         self.everywhere.is_some()
     }
 
-    /// Whether a cell has its frame.
+    /// True if the frame of a cell exists.
     pub fn have(&self, cell: Cell) -> bool {
         self.are_one() || self.cells.contains(&cell)
     }
@@ -85,7 +86,7 @@ impl<'a> Frames<'a> {
         self.at(u).sums_at(u)
     }
 
-    /// The integrals at a separation as a few nodes around it have them.
+    /// The integrals at a separation from a few nodes around it.
     pub fn rough_sums_at(&mut self, u: f64) -> Sums {
         if let Some(everywhere) = &mut self.everywhere {
             return everywhere.sums_at(u);
@@ -95,7 +96,7 @@ impl<'a> Frames<'a> {
         frame.sums_at(u)
     }
 
-    /// Builds a frame, and returns its place.
+    /// Builds a frame, and returns its index.
     fn build(&mut self, cell: Cell) -> usize {
         let frame = Frame::for_cell(self.asperities, self.sigma_s_m, cell, self.precision, &mut self.scratch);
         self.spent_on_cells += frame.evaluations();
@@ -131,9 +132,9 @@ mod tests {
         for place in 1..MOST_FRAMES {
             frames.sums_at(-0.1 * place as f64);
         }
-        assert!(frames.have(Cell::of(0.0)));
+        assert!(frames.have(Cell::containing(0.0)));
         frames.sums_at(-0.1 * MOST_FRAMES as f64);
-        assert!(!frames.have(Cell::of(0.0)));
+        assert!(!frames.have(Cell::containing(0.0)));
         assert_eq!(frames.built.len(), MOST_FRAMES);
         let before = frames.evaluations();
         assert_eq!(frames.sums_at(0.0).pressure_pa, first);

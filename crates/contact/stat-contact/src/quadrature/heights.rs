@@ -1,34 +1,34 @@
-//! The density of the heights at the nodes of a quadrature.
+//! Density of the heights at the nodes of a quadrature.
 
 use asperity::elementary;
 
 use super::coordinate::Coordinate;
 use crate::gaussian::density::log_reference_density;
 
-/// The density of the heights at the separation u, over the reference density, on a frame around another separation.
+/// Density of the heights at the separation u, over the reference density, on a frame around another separation.
 pub(crate) struct Density {
     centre: f64,
-    /// Whether places are heights.
+    /// True if places are heights.
     pub around_peak: bool,
-    /// u, or how far it is from the centre: what the place of a node lacks of the height at which it meets the flat.
+    /// Offset from the place of a node to the height at which it meets the flat: u, or u less the centre.
     pub shift: f64,
-    /// What is left of the exponent beside the part that depends on the node.
+    /// Part of the exponent that does not depend on the node.
     left: f64,
 }
 
 impl Density {
-    /// At the separation u, on a frame around another one.
+    /// Creates the density at the separation u, on a frame around another one.
     pub fn new(centre: f64, u: f64) -> Self {
         let log_reference = log_reference_density(u);
         if centre > 0.0 {
-            // What the reference density leaves of u^2/2: nothing, unless the cell's neighbour lies across zero.
+            // The reference density cancels u^2/2 unless the cell's neighbour lies across zero.
             Density { centre, around_peak: false, shift: u, left: 0.5 * u * u + log_reference }
         } else {
             Density { centre, around_peak: true, shift: u - centre, left: log_reference }
         }
     }
 
-    /// The place of a node at the coordinate v of the interference s: its height at the centre, else its interference.
+    /// Place of a node at the coordinate v of the interference s: its height at the centre, or else its interference.
     #[inline(always)]
     pub fn place(&self, coordinate: Coordinate, v: f64, s: f64) -> f64 {
         match coordinate {
@@ -39,7 +39,7 @@ impl Density {
         }
     }
 
-    /// The densities of nodes at their places.
+    /// Densities of nodes at their places.
     #[inline]
     pub fn at(&self, places: &[f64], densities: &mut [f64]) {
         let Density { shift, left, .. } = *self;

@@ -8,17 +8,17 @@ use crate::gaussian::hertz_load::load_and_mean_height;
 use crate::gaussian::moments::first_moment;
 use crate::gaussian::window::Window;
 
-/// The integrals at every separation at which no asperity within reach leaves Hertz's law.
+/// Integrals at every separation at which no asperity within reach leaves Hertz's law.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HertzIntegrals {
     pressure_pa: f64,
     area_fraction: f64,
-    /// The interference, in units of sigma_s, up to which the law is Hertz's.
+    /// Interference, in units of sigma_s, up to which the law is Hertz's.
     until: f64,
 }
 
 impl HertzIntegrals {
-    /// `None` where asperities at the highest interference of the window are no longer Hertz's.
+    /// Returns `None` if asperities at the highest interference of the window no longer follow Hertz.
     pub fn within(window: &Window, asperities: &dyn Asperities, sigma_s_m: f64) -> Option<Self> {
         let hertz = asperities.hertzian()?;
         let until = hertz.until_m / sigma_s_m;
@@ -32,13 +32,13 @@ impl HertzIntegrals {
     /// The integrals at the separation u, over the reference density.
     pub fn sums_at(&self, u: f64) -> Sums {
         let (load, mean) = load_and_mean_height(u);
-        // Integration by parts leads the higher means back to the first.
+        // Integration by parts reduces the higher means to the first.
         let square = 2.5 + u * mean;
         let cube = 3.5 * mean + 1.5 * u + u * u * mean;
         Sums::new(self.pressure_pa * load, self.area_fraction * first_moment(u), [mean, square, cube])
     }
 
-    /// Estimate of their relative error.
+    /// Estimate of the relative error of the integrals.
     pub fn relative_error(&self, u: f64) -> f64 {
         let other_law =
             if self.until == f64::INFINITY { 0.0 } else { Window::up_to(self.until).left_out(u, false) };

@@ -1,35 +1,35 @@
-//! The nodes of a quadrature: a row for each of their quantities, so that several nodes are worked on at once.
+//! Nodes of a quadrature: a row for each quantity, so that several nodes are processed at once.
 
 use wide::f64x2;
 
-/// Nodes that are added up side by side.
+/// Number of nodes that are added up side by side.
 pub(crate) const LANES: usize = 2;
 
-/// The rows of all panels, one panel after the other.
+/// Rows of all panels, one panel after the other.
 pub(crate) struct Nodes {
     values: Vec<f64>,
 }
 
-/// Where the nodes of a panel are.
+/// Position of the nodes of a panel.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Block {
     at: usize,
     count: usize,
 }
 
-/// The nodes of a panel, an entry in each row for each of them. Lengths are in units of sigma_s.
+/// Nodes of a panel, an entry in each row for each of them. Lengths are in units of sigma_s.
 pub(crate) struct Rows<'a> {
-    /// The height u + s at the separation u of the frame where that is not positive, else the interference s.
+    /// Height u + s at the separation u of the frame if that is not positive, else the interference s.
     pub places: &'a mut [f64],
-    /// Weight times what the law answers.
+    /// Weight times the pressure of the law.
     pub pressures_pa: &'a mut [f64],
     pub area_fractions: &'a mut [f64],
-    /// The density at the separation last summed at.
+    /// Density at the separation of the last sums.
     pub densities: &'a mut [f64],
 }
 
-/// What is added up over the nodes of a panel, in lanes.
-pub(crate) struct Summed<'a> {
+/// Summands over the nodes of a panel, in lanes.
+pub(crate) struct Summands<'a> {
     pub places: &'a [[f64; LANES]],
     pub pressures_pa: &'a [[f64; LANES]],
     pub area_fractions: &'a [[f64; LANES]],
@@ -39,19 +39,19 @@ pub(crate) struct Summed<'a> {
 impl Nodes {
     const ROWS: usize = 4;
 
-    /// No nodes yet, and room for some.
+    /// Creates an empty set of nodes with a capacity.
     pub fn with_room_for(count: usize) -> Self {
         Nodes { values: Vec::with_capacity(Self::ROWS * count) }
     }
 
-    /// The nodes of one more panel, all zero.
+    /// Adds the nodes of one more panel, all zero.
     pub fn add(&mut self, count: usize) -> Block {
         let at = self.values.len();
         self.values.resize(at + Self::ROWS * count.next_multiple_of(LANES), 0.0);
         Block { at, count }
     }
 
-    /// Those of a panel.
+    /// Rows of a panel.
     pub fn rows(&mut self, block: Block) -> Rows<'_> {
         let Block { at, count } = block;
         let rows = &mut self.values[at..at + Self::ROWS * block.row()];
@@ -64,12 +64,12 @@ impl Nodes {
         }
     }
 
-    /// The same to be added up, with zeros where the lanes outnumber the nodes.
-    pub fn summed(&self, block: Block) -> Summed<'_> {
+    /// Rows of a panel as summands, with zeros where the lanes outnumber the nodes.
+    pub fn summed(&self, block: Block) -> Summands<'_> {
         let (places, rest) = self.values[block.at..].split_at(block.row());
         let (pressures_pa, rest) = rest.split_at(block.row());
         let (area_fractions, rest) = rest.split_at(block.row());
-        Summed {
+        Summands {
             places: places.as_chunks().0,
             pressures_pa: pressures_pa.as_chunks().0,
             area_fractions: area_fractions.as_chunks().0,
@@ -79,13 +79,13 @@ impl Nodes {
 }
 
 impl Block {
-    /// The length of a row.
+    /// Length of a row.
     fn row(self) -> usize {
         self.count.next_multiple_of(LANES)
     }
 }
 
-/// As many rows of a length as are wanted.
+/// Splits a slice into `ROWS` rows of a length.
 pub(crate) fn split<const ROWS: usize>(rows: &mut [f64], length: usize) -> [&mut [f64]; ROWS] {
     let mut rest = rows;
     std::array::from_fn(|_| {

@@ -1,53 +1,53 @@
-//! A stretch of a law under one rule.
+//! Stretch of a law under one rule.
 
 use wide::f64x2;
 
 use super::coordinate::Coordinate;
-use super::nodes::{Block, Summed, total};
+use super::nodes::{Block, Summands, total};
 use super::rules::{Rule, error_of_rule};
 use crate::asperities::pieces::LawChart;
 use crate::gaussian::density::DENSITY_SCALE;
 
-/// The coordinate that a panel is integrated over.
+/// Coordinate that a panel is integrated over.
 #[derive(Clone, Copy)]
 pub(crate) enum Variable<'a> {
     /// The quadrature's own coordinate of the interference.
     Own(Coordinate),
-    /// One that the law brings.
+    /// Coordinate provided by the law.
     Law(&'a dyn LawChart),
 }
 
 impl Variable<'_> {
-    /// Its value at an interference, given in units of sigma_s and in metres.
-    pub fn of(self, s: f64, interference_m: f64) -> f64 {
+    /// Value at an interference, given in units of sigma_s and in metres.
+    pub fn at(self, s: f64, interference_m: f64) -> f64 {
         match self {
-            Variable::Own(coordinate) => coordinate.of(s),
+            Variable::Own(coordinate) => coordinate.at(s),
             Variable::Law(chart) => chart.coordinate(interference_m),
         }
     }
 
-    /// Whether it is that of a stretch over decades of the interference.
+    /// True for the variable of a stretch over decades of the interference.
     fn spans_decades(self) -> bool {
         matches!(self, Variable::Own(coordinate) if coordinate.spans_decades())
     }
 }
 
-/// A stretch of one variable under one rule.
+/// Stretch of one variable under one rule.
 #[derive(Clone, Copy)]
 pub(crate) struct Panel<'a> {
     pub variable: Variable<'a>,
     pub from: f64,
     pub to: f64,
     pub halvings: usize,
-    /// None for the trapezoidal rule of rough quadratures, whose error is of no interest.
+    /// `None` for the trapezoidal rule of rough quadratures, whose error is not needed.
     pub rule: Option<&'static Rule>,
     pub nodes: Block,
 }
 
 impl Panel<'_> {
-    /// Estimated errors of the pressure \[Pa\] and the area fraction that the panel adds, from the values at its nodes. Over
-    /// decades singularities of the law that lie closer than those of the density, but are weak, take over late.
-    pub fn errors(&self, values: &Summed<'_>) -> [f64; 2] {
+    /// Estimated errors of the contributions to pressure \[Pa\] and area fraction, from the values at the nodes. Over
+    /// decades, singularities of the law that lie closer than those of the density, but are weak, take over late.
+    pub fn errors(&self, values: &Summands<'_>) -> [f64; 2] {
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
         let Some(rule) = self.rule else { return [0.0; 2] };
         let onward = if self.variable.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
@@ -68,7 +68,7 @@ impl Panel<'_> {
         [0, 1].map(|i| DENSITY_SCALE * error_of_rule(total(wholes[i]), coefficients[i].map(total), onward))
     }
 
-    /// The sum of weighted values beyond a value of the variable, that is, the integral there of the polynomial through them.
+    /// Sums weighted values beyond a value of the variable: the integral there of the polynomial through them.
     pub fn sum_above(&self, weighted_values: impl Iterator<Item = f64>, at: f64) -> f64 {
         let x = (2.0 * at - self.from - self.to) / (self.to - self.from);
         match self.rule {

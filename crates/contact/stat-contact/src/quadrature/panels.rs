@@ -1,9 +1,9 @@
-//! A law at the nodes of a quadrature, and its sums against the density of the heights.
+//! Law at the nodes of a quadrature, and its sums against the density of the heights.
 
 use wide::f64x2;
 
 use super::heights::Density;
-use super::nodes::{Nodes, Rows, Summed, total};
+use super::nodes::{Nodes, Rows, Summands, total};
 use super::panel::Panel;
 use super::sums::Sums;
 use crate::asperities::answers::{Asperities, Response};
@@ -13,20 +13,20 @@ use crate::gaussian::density::{DENSITY_SCALE, density, tail};
 pub(crate) struct Panels<'a> {
     pub asperities: &'a dyn Asperities,
     pub sigma_s_m: f64,
-    /// The separation that they are laid around.
+    /// Separation around which they are laid.
     pub centre: f64,
     pub list: Vec<Panel<'a>>,
-    /// With the density at every node at the separation `u`, over the reference density.
+    /// Nodes, with the density at the separation `u`, over the reference density.
     pub nodes: Nodes,
     u: f64,
-    /// The interference, in units of sigma_s, from which on the response is this one.
+    /// Interference, in units of sigma_s, from which on the response is constant, and that response.
     pub saturation: Option<(f64, Response)>,
     /// Law evaluations spent.
     pub evaluations: usize,
 }
 
 impl<'a> Panels<'a> {
-    /// None yet, around a separation, and room for some nodes.
+    /// Creates an empty set of panels around a separation, with capacity for some nodes.
     pub fn around(centre: f64, asperities: &'a dyn Asperities, sigma_s_m: f64, nodes: usize) -> Self {
         Panels {
             asperities,
@@ -40,7 +40,7 @@ impl<'a> Panels<'a> {
         }
     }
 
-    /// Goes to a separation near the centre: from now on the sums are those there.
+    /// Moves to a separation near the centre: the sums are taken there from now on.
     pub fn go_to(&mut self, u: f64) {
         let density = Density::new(self.centre, u);
         for panel in &self.list {
@@ -50,12 +50,12 @@ impl<'a> Panels<'a> {
         self.u = u;
     }
 
-    /// The integrals.
+    /// Integrals at the current separation.
     pub fn sums(&self) -> Sums {
         let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
         let mut sums = [f64x2::ZERO; 5];
         for panel in &self.list {
-            let Summed { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
+            let Summands { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
             for (((place, pressure_pa), area_fraction), density) in
                 places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
             {
@@ -86,7 +86,7 @@ impl<'a> Panels<'a> {
         Sums::new(pressure_pa, area_fraction, [first, second, third].map(|sum| sum / pressure_pa))
     }
 
-    /// Estimated errors of the pressure \[Pa\] and the area fraction that a panel adds.
+    /// Estimated errors of a panel's contributions to pressure \[Pa\] and area fraction.
     pub fn errors(&self, panel: &Panel<'_>) -> [f64; 2] {
         panel.errors(&self.nodes.summed(panel.nodes))
     }
@@ -102,17 +102,17 @@ impl<'a> Panels<'a> {
         (errors[0] / sums.pressure_pa).max(errors[1] / sums.area_fraction)
     }
 
-    /// The part of the pressure \[Pa\], over the reference density, that is carried beyond an interference \[m\].
+    /// Part of the pressure \[Pa\], over the reference density, that is carried beyond an interference \[m\].
     pub fn load_above_pa(&self, interference_m: f64) -> f64 {
         let s = interference_m / self.sigma_s_m;
         let panels: f64 = self
             .list
             .iter()
             .map(|panel| {
-                let Summed { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
+                let Summands { pressures_pa, densities, .. } = self.nodes.summed(panel.nodes);
                 let loads = pressures_pa.as_flattened().iter().zip(densities.as_flattened());
                 let loads = loads.map(|(pressure_pa, density)| density * pressure_pa);
-                panel.sum_above(loads, panel.variable.of(s, interference_m))
+                panel.sum_above(loads, panel.variable.at(s, interference_m))
             })
             .sum();
         let saturated =

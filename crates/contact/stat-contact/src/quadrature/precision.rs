@@ -1,15 +1,15 @@
-//! How fine a quadrature has to be, and how fine it says that it is.
+//! Precision of a quadrature and the error that it reports.
 
 use asperity::elementary;
 
-/// How fine a quadrature has to be.
+/// Required precision of a quadrature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Precision {
     /// Relative error aimed at.
     pub tolerance: f64,
     /// -ln of the relative error of a rule.
     pub digits: f64,
-    /// The density below exp(-drop) of its largest is left out.
+    /// Drop of the density, as -ln of its largest value, below which it is left out.
     pub drop: f64,
 }
 
@@ -17,22 +17,22 @@ impl Precision {
     pub const FINEST: f64 = 1e-13;
     pub const COARSEST: f64 = 1e-2;
 
-    /// The precision for a relative tolerance, held within what doubles and the rules can do.
+    /// Creates the precision for a relative tolerance, limited to what doubles and the rules can do.
     pub fn new(tolerance: f64) -> Self {
         let tolerance = tolerance.clamp(Self::FINEST, Self::COARSEST);
         let digits = -elementary::ln(tolerance);
-        // Rules are worth their nodes at a tenth of the tolerance: fewer of their panels have to be refined.
+        // At a tenth of the tolerance rules are worth their nodes: fewer panels have to be refined.
         const SPARE_DIGITS: f64 = 2.5;
-        // What is left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
+        // The part left out of a response like s^2 is drop^2/2 exp(-drop), less than the tolerance.
         const SPARE_DROP: f64 = 2.0;
         let drop = digits + 2.0 * elementary::ln(digits) + SPARE_DROP;
         Precision { tolerance, digits: digits + SPARE_DIGITS, drop }
     }
 
-    /// The precision that separations around u need: far below the mean plane ln p goes like ln(-u), and a search has to see
-    /// its slope and its curvature, which are means of heights of the order of 1/u and 1/u^2.
+    /// Returns the precision that separations around u need. Far below the mean plane ln p goes like ln(-u), and a
+    /// search needs its slope and its curvature, which are means of heights of the order of 1/u and 1/u^2.
     pub fn around(self, u: f64) -> Self {
-        // The tolerance over the curvature of ln p.
+        // Tolerance over the curvature of ln p.
         const SHARE: f64 = 0.1;
         let depth = u.min(0.0);
         let curvature = SHARE / (depth * depth);
@@ -40,13 +40,16 @@ impl Precision {
     }
 }
 
-/// The relative error to state of integrals at the separation u, from that of their rules and of what they leave out.
+/// Relative error to report for integrals at the separation u, from the errors of their rules and of the parts left
+/// out.
 pub(crate) fn error_estimate(rules: f64, u: f64) -> f64 {
-    // Of sums of a hundred positive terms, and of the law in each.
+    // Rounding of sums of a hundred positive terms, and of the law in each.
     const ROUNDING: f64 = 1e-14;
-    // With it the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty of it.
+    // With this factor the estimate bounds the error in 999 of 1000 reference states, and half lie within some forty
+    // of it.
     const CAUTION: f64 = 4.0;
-    // Far below the mean plane the interference has no more digits than u, and ln p changes by up to some units for one of u.
+    // Far below the mean plane the interference has no more digits than u, and ln p changes by some units for one
+    // unit of u.
     const UNITS: f64 = 8.0;
     let digits_of_u = UNITS * f64::EPSILON * (-u).max(0.0);
     CAUTION * rules + ROUNDING + digits_of_u

@@ -1,4 +1,4 @@
-//! The Gauss-Legendre rules of panels, and what they tell about their own error.
+//! Gauss-Legendre rules of panels, with estimates of their own error.
 
 use std::sync::OnceLock;
 
@@ -8,23 +8,23 @@ use wide::f64x2;
 
 use super::nodes::LANES;
 
-/// The rules that exist, by their number of nodes: spaced so that rounding a wish up costs little.
+/// Numbers of nodes of the rules, spaced so that rounding up costs little.
 const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
-/// Nodes of the largest rule.
+/// Number of nodes of the largest rule.
 pub(crate) const MOST: usize = 40;
 
-/// A Gauss-Legendre rule on [-1, 1], and the Legendre polynomials at its nodes.
+/// Gauss-Legendre rule on [-1, 1], and the Legendre polynomials at its nodes.
 pub(crate) struct Rule {
     pub gauss: GaussLegendre,
     /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
-    /// values of a function they give its Legendre coefficients. In lanes, zero where those outnumber the nodes.
+    /// values of a function they give its Legendre coefficients. In lanes, padded with zeros.
     pub probes: Vec<[f64x2; 4]>,
-    /// (2k+1)/2 P_k(x) of every degree k below their number, node by node.
+    /// (2k+1)/2 P_k(x) of every degree k below the number of nodes, node by node.
     polynomials: Vec<f64>,
 }
 
 impl Rule {
-    /// The smallest rule of at least `nodes` nodes, or the largest there is. Computed at its first use.
+    /// Returns the smallest rule of at least `nodes` nodes, or the largest there is. Computed at its first use.
     pub fn of_at_least(nodes: usize) -> &'static Rule {
         static RULES: [OnceLock<Rule>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];
         let index = SIZES.iter().position(|&size| size >= nodes).unwrap_or(SIZES.len() - 1);
@@ -52,7 +52,7 @@ impl Rule {
         }
     }
 
-    /// The number of its nodes.
+    /// Number of nodes.
     pub fn count(&self) -> usize {
         self.gauss.nodes().len()
     }
@@ -77,16 +77,17 @@ impl Rule {
     }
 }
 
-/// Estimated error of a rule of n nodes: from the whole of what it sums, the Legendre coefficients of it that
-/// [`Rule::probes`] give, and the share of their later fall that is counted on.
+/// Estimated error of a rule of n nodes, from the whole of its sum, the Legendre coefficients that [`Rule::probes`]
+/// give, and the share of their later fall that is counted on.
 ///
-/// The rule errs by the coefficients beyond degree 2n. How those fall from degree n to 2n is judged by how they fall from
-/// 0 to n/2 and on to n: as fast again and twice as far where they fall geometrically or faster, no further than from n/2
-/// to n behind an end-point power, where the fall levels off. It may level off later than n: three quarters of it are
-/// counted on, or less by `onward`.
+/// The rule errs by the coefficients beyond degree 2n. Their fall from degree n to 2n is extrapolated from that from
+/// 0 to n/2 and on to n: as fast again and twice as far if they fall geometrically or faster, no further than from
+/// n/2 to n behind an end-point power, where the fall levels off. It may level off later than n: three quarters of it
+/// are counted on, or less by `onward`.
 pub(crate) fn error_of_rule(whole: f64, [a, b, c, d]: [f64; 4], onward: f64) -> f64 {
     const COUNTED_ON: f64 = 0.75;
-    // The coefficients fall at least by a tenth of a factor e to degree n/2, or else the quotient of falls means nothing.
+    // The coefficients must fall by at least a tenth of a factor e to degree n/2, or else the quotient of falls means
+    // nothing.
     const LEAST_FIRST_FALL: f64 = 0.1;
     let (middle, high) = (a.abs().max(b.abs()), c.abs().max(d.abs()));
     if high == 0.0 {

@@ -1,6 +1,6 @@
-//! What a quadrature adds up.
+//! Sums of a quadrature.
 
-/// The integrals at one separation, over the reference density there.
+/// Integrals at one separation, over the reference density there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Sums {
     pub pressure_pa: f64,
@@ -10,7 +10,8 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
-    /// Pressure, area fraction, and means of the height u + s, its square and its cube, weighted by load.
+    /// Creates sums from pressure, area fraction, and means of the height u + s, its square and its cube, weighted by
+    /// load.
     pub fn new(pressure_pa: f64, area_fraction: f64, mean_heights: [f64; 3]) -> Self {
         Sums { pressure_pa, area_fraction, mean_heights }
     }

@@ -1,8 +1,8 @@
-//! The stretch of separations that a search has not yet ruled out.
+//! Bracket of separations that a search has not yet ruled out.
 
 use crate::quadrature::cell::Cell;
 
-/// On which side of a separation the solution lies.
+/// Side of a separation on which the solution lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
     /// At smaller separations: pressure is missing.
@@ -12,7 +12,7 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    /// The side on which the solution lies where so much of ln p is missing.
+    /// Side of the solution if this much of ln p is missing.
     pub fn of_missing(missing: f64) -> Side {
         if missing > 0.0 { Side::Nearer } else { Side::Farther }
     }
@@ -23,39 +23,41 @@ impl Side {
 pub(crate) struct Bracket {
     pub low: f64,
     pub high: f64,
-    /// What a quadrature may misplace the solution by, relative to 1 + |u|.
+    /// Possible displacement of the solution by the quadrature, relative to 1 + |u|.
     margin: f64,
 }
 
 impl Bracket {
-    /// Nothing is ruled out, and searched on rough quadratures.
+    /// Bracket of all separations, for rough quadratures.
     pub const EVERYTHING: Bracket = Self::between(f64::NEG_INFINITY, f64::INFINITY);
     const ROUGH_MARGIN: f64 = 0.02;
-    /// Small enough for bisection to end in one cell, be it a million standard deviations below the mean plane.
+    /// Margin on fine quadratures: small enough for bisection to end in one cell, even a million standard deviations
+    /// below the mean plane.
     const FINE_MARGIN: f64 = 1e-8;
-    /// The step where an end is not known, beside |u|: past every bend of ln p that a start may be stuck in.
+    /// Step if an end is not known, beside |u|: past every bend of ln p that a start may be stuck in.
     const STRIDE: f64 = 8.0;
-    /// The share of the bracket that a step may cross. One across most of it tells little: where the pressure jumps,
-    /// steps from both sides would go on landing at each other's ends.
+    /// Largest share of the bracket that a step may cross. Where the pressure jumps, longer steps from both sides
+    /// would keep landing at each other's ends.
     const LONGEST_SHARE: f64 = 0.75;
 
-    /// Everything but what lies between two separations is ruled out; searched on rough quadratures.
+    /// Bracket between two separations, for rough quadratures.
     pub const fn between(low: f64, high: f64) -> Self {
         Bracket { low, high, margin: Self::ROUGH_MARGIN }
     }
 
-    /// The same for fine quadratures.
+    /// Returns this bracket for fine quadratures.
     pub fn on_fine_quadratures(self) -> Self {
         Bracket { margin: Self::FINE_MARGIN, ..self }
     }
 
-    /// Where to begin in a cell: at its centre, where its quadrature is summed already, or as near to it as the bracket allows.
+    /// Starting point in a cell: its centre, where its quadrature is summed already, or as near to it as the bracket
+    /// allows.
     pub fn inside(&self, cell: Cell) -> f64 {
         cell.centre().clamp(self.low, self.high)
     }
 
-    /// Takes note of the side of u that the solution lies on. The margin keeps the bracket, which is there to stop runaway
-    /// steps, from cutting off the solution of the next quadrature, which differs by the error of this one.
+    /// Narrows the bracket to the side of u on which the solution lies. The margin keeps it, which is there to stop
+    /// runaway steps, from cutting off the solution of the next quadrature, which differs by the error of this one.
     pub fn narrow(&mut self, u: f64, side: Side) {
         let margin = self.margin * (1.0 + u.abs());
         match side {
@@ -64,7 +66,8 @@ impl Bracket {
         }
     }
 
-    /// A step from u to `next`, where that stays inside; [`halve`](Self::halve) where it does not, or is no number.
+    /// Returns `next`, the step from u, if it stays inside; [`halve`](Self::halve) if it does not, or is not a
+    /// number.
     pub fn step(&self, u: f64, next: f64, side: Side) -> f64 {
         let longest = (Self::LONGEST_SHARE * (self.high - self.low)).max(2.0 * self.margin * (1.0 + u.abs()));
         let longest = longest.min(Self::stride(u));
@@ -75,7 +78,7 @@ impl Bracket {
         }
     }
 
-    /// The middle, or, where an end is not known yet, a stride from u towards the side of the solution.
+    /// Returns the middle or, if an end is not known yet, a stride from u towards the side of the solution.
     pub fn halve(&self, u: f64, side: Side) -> f64 {
         if self.low.is_finite() && self.high.is_finite() {
             return 0.5 * (self.low + self.high);
@@ -108,6 +111,6 @@ mod tests {
         for outside in [-3.0, 3.0, f64::NAN] {
             assert!(bracket.step(1.0, outside, Side::Nearer).abs() < 1e-7);
         }
-        assert_eq!(bracket.inside(Cell::of(7.0)), bracket.high);
+        assert_eq!(bracket.inside(Cell::containing(7.0)), bracket.high);
     }
 }

@@ -9,15 +9,15 @@ const MOST_STEPS: usize = 60;
 /// Steps on rough quadratures, before fine ones are built.
 const MOST_ROUGH_STEPS: usize = 12;
 
-/// Where a search has ended.
-struct Settled {
+/// End of a search.
+struct SearchEnd {
     found: Found,
-    /// Whether it came from another cell.
+    /// True if it came from another cell.
     moved: bool,
 }
 
-/// Whether a step on a rough quadrature has led near the solution: steps converge with the fourth power, on the scale of
-/// 1 + |u|, and cells are as wide as their separation is positive.
+/// Returns true if a step on a rough quadrature has led near the solution: steps converge with the fourth power, on
+/// the scale of 1 + |u|, and the width of cells grows with a positive separation.
 pub(crate) fn is_near(u: f64, next: f64) -> bool {
     // A twentieth of the width of a cell.
     const NEAR: f64 = 0.005;
@@ -42,35 +42,36 @@ impl Search<'_, '_> {
         u
     }
 
-    /// Solves on the quadrature of the cell that the solution lies in; `None` above the highest pressure.
+    /// Solves on the quadrature of the cell in which the solution lies; `None` above the highest pressure.
     ///
-    /// From wherever it comes, it ends on the same quadrature with the same digits: it solves from the centre of the last cell
-    /// even where it came from another one, and of two cells that both place the solution in themselves it takes the nearer.
+    /// From any start it ends on the same quadrature with the same digits: it solves from the centre of the last cell
+    /// even if it came from another one, and of two cells that both place the solution in themselves it takes the
+    /// nearer.
     pub fn settle(&mut self, near: f64, bracket: Bracket) -> Option<Found> {
         let whole = bracket.on_fine_quadratures();
-        let Settled { found, moved } = self.move_to_cell(near, whole)?;
+        let SearchEnd { found, moved } = self.move_to_cell(near, whole)?;
         let found = if moved { self.solve_again(found.cell, whole).unwrap_or(found) } else { found };
         let Some(leeway) = self.leeway(found) else { return Some(found) };
         let edge = found.cell.nearest();
         if found.u - edge > leeway {
             return Some(found);
         }
-        let nearer = self.solve_again(Cell::of(edge - leeway), whole);
-        let nearer = nearer.filter(|at| found.u < edge || Cell::of(at.u) == at.cell);
+        let nearer = self.solve_again(Cell::containing(edge - leeway), whole);
+        let nearer = nearer.filter(|at| found.u < edge || Cell::containing(at.u) == at.cell);
         Some(nearer.unwrap_or(found))
     }
 
-    /// Goes on from cell to cell until one places the solution in itself.
-    fn move_to_cell(&mut self, near: f64, mut bracket: Bracket) -> Option<Settled> {
-        let (mut u, mut cell) = (bracket.inside(Cell::of(near)), Cell::of(near));
+    /// Moves from cell to cell until one places the solution in itself.
+    fn move_to_cell(&mut self, near: f64, mut bracket: Bracket) -> Option<SearchEnd> {
+        let (mut u, mut cell) = (bracket.inside(Cell::containing(near)), Cell::containing(near));
         let (mut from, mut steps) = (None, 0);
         loop {
             u = self.solve_on(cell, u, &mut bracket)?;
-            let next = Cell::of(u);
+            let next = Cell::containing(u);
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
             let undecided = from == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || steps == MOST_STEPS {
-                return Some(Settled { found: Found { cell, u }, moved: steps > 0 });
+                return Some(SearchEnd { found: Found { cell, u }, moved: steps > 0 });
             }
             from = Some(cell);
             cell = next;
@@ -78,52 +79,54 @@ impl Search<'_, '_> {
         }
     }
 
-    /// What has been found on the quadrature of a cell, found from its centre: the same but for rounding, or for what the
-    /// bracket has cut off where two cells are at odds. `None` where that leads away.
+    /// Solves again from the centre of the cell. The solution differs by rounding, or by what the bracket has cut off
+    /// where two cells disagree. `None` if that leads away.
     fn solve_again(&mut self, cell: Cell, mut bracket: Bracket) -> Option<Found> {
         let u = self.solve_on(cell, bracket.inside(cell), &mut bracket)?;
-        (Cell::of(u) == cell || Cell::of(u).is_beside(cell)).then_some(Found { cell, u })
+        (Cell::containing(u) == cell || Cell::containing(u).is_beside(cell)).then_some(Found { cell, u })
     }
 
-    /// The solution on a quadrature, or a separation that needs another one; `None` above the highest pressure.
+    /// Solves on the quadrature of a cell, or returns a separation that needs another one; `None` above the highest
+    /// pressure.
     pub fn solve_on(&mut self, cell: Cell, start: f64, bracket: &mut Bracket) -> Option<f64> {
         // The error of a step is the fourth power of the one before: the next one would not show.
         const LAST_STEP: f64 = 1e-4;
         let mut u = start;
         for _ in 0..MOST_STEPS {
-            let frame = self.frames.of(cell);
+            let frame = self.frames.frame(cell);
             let sums = if u == frame.centre { frame.sums_at_centre() } else { frame.sums_at(u) };
             let next = self.next(u, &sums, bracket)?;
             let step = next - u;
             u = next;
-            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !self.frames.of(cell).serves(u) {
+            if step.abs() < LAST_STEP * (1.0 + u.max(0.0)) || !self.frames.frame(cell).serves(u) {
                 break;
             }
         }
         Some(u)
     }
 
-    /// Whether a search has converged. Near a maximum, and between several, its parabolas may not lead to the load.
+    /// Returns true if a search has converged. Near a maximum, and between several, its parabolas may not lead to the
+    /// load.
     pub fn is_carried_by(&mut self, found: Found) -> bool {
         self.missed_by(found) == 0.0
     }
 
-    /// How much the pressure of what was found is off ([`Answer`](super::problem::Answer)).
+    /// Relative residual of the pressure ([`Answer`](super::problem::Answer)).
     pub fn missed_by(&mut self, Found { cell, u }: Found) -> f64 {
         const CLOSE: f64 = 1e-11;
-        let sums = self.frames.of(cell).sums_at(u);
+        let sums = self.frames.frame(cell).sums_at(u);
         let missing = self.missing(u, &sums).abs();
         let rounding = CLOSE + 8.0 * f64::EPSILON * self.pressure_pa.ln().abs();
         if missing <= rounding { 0.0 } else { missing }
     }
 
-    /// How far off the quadratures may place the solution; `None` where that is no small part of a cell.
+    /// Possible displacement of the solution by the quadratures; `None` if it is no small part of a cell.
     pub fn leeway(&mut self, Found { cell, u }: Found) -> Option<f64> {
         // Few quadratures err by more than four times their tolerance.
         const CAUTION: f64 = 4.0;
-        // The share of a cell from which on the quadratures do not tell the cell of the solution.
+        // Share of a cell from which on the quadratures do not determine the cell of the solution.
         const SMALL: f64 = 0.25;
-        let slope = self.frames.of(cell).sums_at(u).log_pressure_slope();
+        let slope = self.frames.frame(cell).sums_at(u).log_pressure_slope();
         let leeway = -CAUTION * self.frames.precision.around(cell.centre()).tolerance / slope;
         (0.0 < leeway && leeway < SMALL * (cell.farthest() - cell.nearest())).then_some(leeway)
     }

@@ -1,4 +1,4 @@
-//! Where to look for a load, and which of several separations that carry it is the answer.
+//! Start of a search, and choice among several separations that carry the load.
 
 use super::bracket::Bracket;
 use super::converge::is_near;
@@ -7,34 +7,35 @@ use crate::asperities::answers::Course;
 use crate::far::FAR;
 use crate::quadrature::cell::Cell;
 
-/// Where a search begins that has no start: light loads are the common ones.
+/// Start of a search without a neighbour: light loads are the common ones.
 const USUAL_SEPARATION: f64 = 2.0;
 
 impl Search<'_, '_> {
-    /// The largest separation that carries the pressure, `None` where none does. A neighbour saves work, and changes no digit:
-    /// what is found from it counts where the solution is the only one and lies in its cell beyond doubt.
+    /// Returns the largest separation that carries the pressure; `None` if none does. A neighbour saves work and
+    /// changes no digit: a result found from it is used only if the solution is unique and lies in its cell beyond
+    /// doubt.
     pub fn largest(&mut self, neighbour: Option<Neighbour>) -> Option<Answer> {
         if self.frames.are_one() {
-            // Always from the same start, a few steps off: so the digits are always the same.
+            // The same start every time, a few steps off, makes the digits the same every time.
             let mut bracket = Bracket::EVERYTHING.on_fine_quadratures();
             let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
             return Some(Found { cell: Cell::ANY, u }.into());
         }
         let near = neighbour.and_then(|neighbour| self.solution_near(neighbour)).map(Answer::from);
         let answer = near.or_else(|| self.solution_anywhere())?;
-        // Above the mean plane there is no other.
+        // Above the mean plane the solution is unique.
         if answer.found.u >= 0.0 {
             return Some(answer);
         }
         Some(self.before_dip(answer.found.u).map_or(answer, |found| self.answer(found)))
     }
 
-    /// A crossing with what it is off by.
+    /// Solution with its residual.
     fn answer(&mut self, found: Found) -> Answer {
         Answer { found, missed_by: self.missed_by(found) }
     }
 
-    /// The solution near that of another pressure; `None` where it may not be the one that is found without a neighbour.
+    /// Solution near that of another pressure; `None` if it may differ from the one found without a neighbour.
     fn solution_near(&mut self, neighbour: Neighbour) -> Option<Found> {
         if !matches!(self.course(), Course::Rises | Course::Peaks { certain: true }) {
             return None;
@@ -44,17 +45,17 @@ impl Search<'_, '_> {
         (self.is_carried_by(found) && self.leeway(found).is_some()).then_some(found)
     }
 
-    /// Where to look for the solution on fine quadratures.
+    /// Start on fine quadratures.
     fn near(&mut self, neighbour: Neighbour) -> f64 {
         let next =
             neighbour.sums.and_then(|sums| self.next(neighbour.u, &sums, &mut { Bracket::EVERYTHING }));
         let Some(next) = next else { return self.approach(neighbour.u, Bracket::EVERYTHING) };
-        // A frame that is there costs less than a rough one.
-        let is_near = is_near(neighbour.u, next) || self.frames.have(Cell::of(next));
+        // An existing frame costs less than a rough one.
+        let is_near = is_near(neighbour.u, next) || self.frames.have(Cell::containing(next));
         if is_near { next } else { self.approach(next, Bracket::EVERYTHING) }
     }
 
-    /// The solution from the usual start, or, where steps from there do not converge, from crossings of the load.
+    /// Solution from the usual start or, if steps from there do not converge, from crossings of the load.
     fn solution_anywhere(&mut self) -> Option<Answer> {
         let bracket = match self.course() {
             Course::StepsDown { at_m } if at_m < FAR * self.frames.sigma_s_m => {
@@ -74,7 +75,7 @@ impl Search<'_, '_> {
         self.solution_beside_most_loaded().map(|found| self.answer(found))
     }
 
-    /// The solution nearest to the separation that carries most: the peak of the pressure, or the depth at which searches
+    /// Solution nearest to the separation that carries most: the peak of the pressure, or the depth at which searches
     /// end.
     fn solution_beside_most_loaded(&mut self) -> Option<Found> {
         let peak = self.peak();
@@ -82,10 +83,10 @@ impl Search<'_, '_> {
         if self.missing_at(most_loaded) <= 0.0 {
             return Some(self.crossing_beyond(most_loaded));
         }
-        // What is carried beyond that depth is not looked for here: a load that is missing all the way is missing by the
-        // error of the quadrature.
+        // Loads carried beyond that depth are not searched for here: a load that is missing all the way is missing by
+        // the error of the quadrature.
         let falls_before_end =
             self.frames.asperities.falls_from_m().is_some_and(|at_m| at_m <= FAR * self.frames.sigma_s_m);
-        (!falls_before_end).then_some(Found { cell: Cell::of(-FAR), u: -FAR })
+        (!falls_before_end).then_some(Found { cell: Cell::containing(-FAR), u: -FAR })
     }
 }

@@ -1,4 +1,4 @@
-//! What is looked for, and what is known of the pressure that carries it.
+//! Load to be found, and the pressure as a function of separation.
 
 use numerics::zero_in_bracket;
 
@@ -9,24 +9,24 @@ use crate::quadrature::cell::Cell;
 use crate::quadrature::frames::Frames;
 use crate::quadrature::sums::Sums;
 
-/// Standard deviations beyond which a feature of the law no longer shows.
+/// Standard deviations beyond which a feature of the law is invisible.
 pub(crate) const OUT_OF_SIGHT: f64 = 9.0;
 
-/// A search for a pressure, which is carried no farther below the mean plane than [`FAR`].
+/// Search for a pressure that is carried no farther below the mean plane than [`FAR`].
 pub(crate) struct Search<'s, 'a> {
     pub frames: &'s mut Frames<'a>,
     pub pressure_pa: f64,
 }
 
-/// A separation, and the cell on whose frame it carries the pressure.
+/// Separation, with the cell on whose frame it carries the pressure.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Found {
     pub cell: Cell,
     pub u: f64,
 }
 
-/// What was found, and how much its pressure is off, relatively; 0 where that is rounding. It is no more than the error of
-/// the quadratures where the pressures of two cells leave the load between them, at their common edge.
+/// Solution with the relative residual of its pressure; 0 if within rounding. The residual is at most the error of
+/// the quadratures if the pressures of two cells leave the load between them, at their common edge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answer {
     pub found: Found,
@@ -34,21 +34,21 @@ pub(crate) struct Answer {
 }
 
 impl From<Found> for Answer {
-    /// A search that has converged.
+    /// Result of a search that has converged.
     fn from(found: Found) -> Self {
         Answer { found, missed_by: 0.0 }
     }
 }
 
-/// A state to start from.
+/// State from which a search starts.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Neighbour {
     pub u: f64,
-    /// The integrals there, where they are known.
+    /// Integrals there, if known.
     pub sums: Option<Sums>,
 }
 
-/// The pressure at a separation.
+/// Pressure at a separation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pressure {
     pub pa: f64,
@@ -57,13 +57,13 @@ pub(crate) struct Pressure {
 }
 
 impl Search<'_, '_> {
-    /// How the force goes with the interference.
+    /// Shape of the force over the interference.
     pub fn course(&self) -> Course {
         self.frames.asperities.course(self.frames.sigma_s_m)
     }
 
-    /// How much ln p falls short of the target at u. The quotient of the pressures keeps the digits that their logarithms
-    /// would round off, which near complete contact are all that tells one separation from another.
+    /// Shortfall of ln p below the target at u. The quotient of the pressures keeps the digits that their logarithms
+    /// would round off; near complete contact only these distinguish one separation from another.
     pub fn missing(&self, u: f64, sums: &Sums) -> f64 {
         let quotient = self.pressure_pa / sums.pressure_pa;
         let log_quotient =
@@ -71,19 +71,19 @@ impl Search<'_, '_> {
         log_quotient - log_reference_density(u)
     }
 
-    /// The same at a separation, on the quadrature of its cell.
+    /// Shortfall of ln p at a separation, on the quadrature of its cell.
     pub fn missing_at(&mut self, u: f64) -> f64 {
         let sums = self.frames.sums_at(u);
         self.missing(u, &sums)
     }
 
-    /// The pressure at a separation, on the quadrature of its cell.
+    /// Pressure at a separation, on the quadrature of its cell.
     pub fn pressure_at(&mut self, u: f64) -> Pressure {
         let sums = self.frames.sums_at(u);
         Pressure { pa: sums.pressure_pa * reference_density(u), log_slope: sums.log_pressure_slope() }
     }
 
-    /// The highest pressure \[Pa\] that a separation carries, or its limit.
+    /// Highest pressure \[Pa\] that a separation carries, or its limit.
     pub fn highest_pressure_pa(&mut self) -> f64 {
         match self.peak() {
             Some(peak) => self.pressure_at(peak).pa,
@@ -91,7 +91,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// For a force with a maximum: the separation at which the pressure has it.
+    /// Separation at which the pressure of a force with a maximum peaks.
     pub fn peak(&mut self) -> Option<f64> {
         let edge = self.far_edge()?;
         let at_edge = self.pressure_at(edge);
@@ -99,13 +99,13 @@ impl Search<'_, '_> {
             return Some(edge);
         }
         let level = zero_in_bracket(edge, 0.0, |u| self.pressure_at(u).log_slope);
-        // Where the pressure hardly changes over thousands of standard deviations, slopes drown in the rounding of u, and
-        // one of them may be zero anywhere.
+        // If the pressure hardly changes over thousands of standard deviations, slopes drown in the rounding of u,
+        // and one of them may be zero anywhere.
         Some(if self.pressure_at(level).pa >= at_edge.pa { level } else { edge })
     }
 
-    /// For a force with a maximum: a separation beyond which the pressure only falls as the surfaces approach, or where
-    /// the search ends.
+    /// Separation beyond which the pressure of a force with a maximum only falls as the surfaces approach, or the end
+    /// of the search.
     pub fn far_edge(&self) -> Option<f64> {
         let falls_from = self.frames.asperities.falls_from_m()? / self.frames.sigma_s_m;
         Some((-OUT_OF_SIGHT - falls_from).max(-FAR))

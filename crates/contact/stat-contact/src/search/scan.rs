@@ -1,4 +1,4 @@
-//! Searches that find crossings of the load slowly and surely.
+//! Slow and sure searches for crossings of the load.
 
 use numerics::zero_in_bracket;
 
@@ -7,11 +7,11 @@ use super::problem::{Found, OUT_OF_SIGHT, Search};
 use crate::far::FAR;
 use crate::quadrature::cell::Cell;
 
-/// Where the pressure comes to be carried, from larger separations to smaller ones.
+/// Position at which the pressure comes to be carried, from larger separations to smaller ones.
 enum Crossing {
-    /// It is at the first separation already.
+    /// Already at the first separation.
     AtTop,
-    /// At `low` and not at `high`.
+    /// Between `low`, where it is carried, and `high`, where it is not.
     Between { low: f64, high: f64 },
     /// Nowhere down to this separation.
     NotAbove(f64),
@@ -19,15 +19,15 @@ enum Crossing {
 
 /// Distances from a separation, each twice the last.
 fn reaches(u: f64) -> impl Iterator<Item = f64> {
-    // Of the first one, relative to 1 + |u|: a small part of a cell unless that is far below.
+    // First distance, relative to 1 + |u|: a small part of a cell except far below.
     const NARROWEST: f64 = 1e-6;
     const MOST_DOUBLINGS: i32 = 60;
     (0..MOST_DOUBLINGS).map(move |doubling| NARROWEST * (1.0 + u.abs()) * 2f64.powi(doubling))
 }
 
 impl Search<'_, '_> {
-    /// The crossing of the load nearest to a separation, on the quadrature of its cell; `None` where the load is missing from
-    /// there down to the depth at which searches end.
+    /// Crossing of the load nearest to a separation, on the quadrature of its cell; `None` if the load is missing
+    /// from there down to the depth at which searches end.
     pub fn crossing_around(&mut self, u: f64) -> Option<Found> {
         if self.missing_at(u) <= 0.0 {
             return Some(self.crossing_beyond(u));
@@ -46,7 +46,7 @@ impl Search<'_, '_> {
         None
     }
 
-    /// The crossing nearest to a separation that carries the load, at a larger one.
+    /// Crossing at a larger separation that is nearest to one that carries the load.
     pub fn crossing_beyond(&mut self, u: f64) -> Found {
         let mut low = u;
         for reach in reaches(u) {
@@ -56,17 +56,17 @@ impl Search<'_, '_> {
             }
             low = high;
         }
-        // The last reach is past any separation at which a pressure is above the smallest number.
-        Found { cell: Cell::of(low), u: low }
+        // The last distance is past any separation whose pressure is above the smallest number.
+        Found { cell: Cell::containing(low), u: low }
     }
 
-    /// The crossing between two separations, the nearer of which carries the pressure or more, and the other one does not.
+    /// Crossing between two separations; the nearer one carries the pressure or more, the other one less.
     fn bisect(&mut self, low: f64, high: f64) -> Found {
         let u = zero_in_bracket(low, high, |u| self.missing_at(u));
-        Found { cell: Cell::of(u), u }
+        Found { cell: Cell::containing(u), u }
     }
 
-    /// The bracket of the largest solution for a force that steps down at an interference, in units of sigma_s.
+    /// Bracket of the largest solution for a force that steps down at an interference, in units of sigma_s.
     pub fn bracket_across(&mut self, step_down: f64) -> Bracket {
         let top = (OUT_OF_SIGHT - step_down).min(0.0);
         match self.crossing_below(top, -OUT_OF_SIGHT - step_down, |_| 0.0) {
@@ -76,10 +76,10 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A force that dips between two rises carries some pressures thrice: the largest of these separations, where the one
-    /// that was found, u, may be another.
+    /// Largest separation for a force that dips between two rises and carries some pressures three times; `None` if
+    /// it is u, the one already found.
     pub fn before_dip(&mut self, u: f64) -> Option<Found> {
-        // Strides across a dip: at least four, and ten for each factor e of the separation.
+        // Stride across a dip: at least four, and ten for each factor e of the separation.
         const SHARE_OF_DIP: f64 = 0.25;
         const SHARE_OF_DEPTH: f64 = 0.1;
         let sigma_s_m = self.frames.sigma_s_m;
@@ -98,8 +98,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The largest separations from `top` down to `bottom` between which the pressure comes to be carried. The strides are
-    /// those of the density, by which a step of the force is smeared out, or longer ones; a maximum between two of them
+    /// Largest separations from `top` down to `bottom` between which the pressure comes to be carried. The strides
+    /// are those of the density, which smears out a step of the force, or longer ones; a maximum between two of them
     /// shows in the slopes.
     fn crossing_below(&mut self, top: f64, bottom: f64, longer: impl Fn(f64) -> f64) -> Crossing {
         const STRIDE: f64 = 0.5;

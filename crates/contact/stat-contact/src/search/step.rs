@@ -1,26 +1,26 @@
-//! One step of a search: where ln p, as its derivatives at a separation have it, meets the target.
+//! One step of a search: extrapolates ln p to the target by its derivatives at a separation.
 
 use super::bracket::{Bracket, Side};
 use super::problem::Search;
 use crate::quadrature::sums::Sums;
 
-/// Share of the tangent's slope squared that the discriminant of the parabola is held above, where it does not reach the
-/// target: the step is then at most a third longer than twice the tangent's.
+/// Lower limit of the discriminant of the parabola, as a share of the tangent's slope squared, if it does not reach
+/// the target: the step is then at most a third longer than twice the tangent's.
 const LEAST_DISCRIMINANT: f64 = 0.25;
-/// Share of a step that the third derivative may change it by and be believed.
+/// Largest share of a step by which the third derivative may change it.
 const MOST_BEND: f64 = 0.25;
-/// A step to the maximum of the pressure that is shorter than this, relative to 1 + |u|, ends there.
+/// Length, relative to 1 + |u|, below which a step to the maximum of the pressure ends there.
 const AT_THE_PEAK: f64 = 1e-4;
 
 impl Search<'_, '_> {
-    /// The separation to go to from u, within the bracket, which takes note of the side of the solution; `None` where the
-    /// target is above the highest pressure.
+    /// Returns the next separation from u, within the bracket, and narrows the bracket; `None` if the target is above
+    /// the highest pressure.
     pub fn next(&mut self, u: f64, sums: &Sums, bracket: &mut Bracket) -> Option<f64> {
         let missing = self.missing(u, sums);
         let [slope, curvature, third] = sums.log_pressure_slopes();
         if let Some(edge) = self.far_edge() {
             if missing > 0.0 && u < edge {
-                // The slope may be lost in rounding here; the peak has to be looked up.
+                // The slope may be lost in rounding here: look up the peak.
                 if self.pressure_pa > self.highest_pressure_pa() {
                     return None;
                 }
@@ -37,20 +37,22 @@ impl Search<'_, '_> {
     }
 }
 
-/// The step to where the parabola through ln p meets the target, or its tangent where it does not, bent as ln p is.
+/// Step to the point where the parabola through ln p meets the target, or its tangent if it does not, with a
+/// correction by the third derivative.
 fn step_to_target(missing: f64, [slope, curvature, third]: [f64; 3]) -> f64 {
     let discriminant = (slope * slope + 2.0 * missing * curvature).max(LEAST_DISCRIMINANT * slope * slope);
     let step = 2.0 * missing / (slope - discriminant.sqrt());
-    // One step of Newton's from there on the cubic: with it most searches sum the density twice, without it thrice.
+    // One step of Newton's from there on the cubic: with it most searches sum the density twice, without it three
+    // times.
     let bend = third * step * step / 6.0 * step / (slope + step * (curvature + 0.5 * third * step));
     if bend.abs() < MOST_BEND * step.abs() { step - bend } else { step }
 }
 
-/// The separation to go to where u lies on the near side of the peak, or the parabola through ln p does not reach the target:
-/// the far side of the parabola where that meets the target, else its peak; `None` where u is at the peak, and that is too
+/// Next separation if u lies on the near side of the peak, or if the parabola through ln p does not reach the target:
+/// the far side of the parabola if it meets the target, else its peak. `None` if u is at the peak and the peak is too
 /// low.
 fn next_to_peak(u: f64, missing: f64, [slope, curvature]: [f64; 2], bracket: &mut Bracket) -> Option<f64> {
-    // Seen from its near side the solution lies beyond the peak, as if there were too much pressure.
+    // From the near side the solution lies beyond the peak, as if there were too much pressure.
     let side = if slope >= 0.0 { Side::Farther } else { Side::of_missing(missing) };
     bracket.narrow(u, side);
     if curvature >= 0.0 {

@@ -1,14 +1,14 @@
-//! The average over the difference of a summit's curvatures, at a given mean of them.
+//! Average over the difference of a summit's curvatures, at a given mean of them.
 //!
-//! Of the mean t and the half difference r of the principal curvatures, Nayak's density has
-//! (t^2 - r^2) 3r/m4 exp(-3 r^2/(2 m4)). With rho = r/t and x = 3 t^2/(2 m4) that leaves of a sphere's area and force
+//! With the mean t and the half difference r of the principal curvatures, Nayak's density has (t^2 - r^2) 3r/m4
+//! exp(-3 r^2/(2 m4)). With rho = r/t and x = 3 t^2/(2 m4) the area and the force of a sphere are multiplied by
 //!
 //! ```text
 //! h(x) = Int_0^1 rho (1 - rho^2) f(rho) exp(-x rho^2) d rho,
 //! ```
 //!
-//! f the factors of Hertz's ellipse. Both depend on x alone: they are integrated once, at Chebyshev points, and then
-//! read from polynomials.
+//! with f the factors of Hertz's ellipse. Both depend on x alone: they are integrated once, at Chebyshev points, and
+//! then evaluated by polynomials.
 
 use std::sync::LazyLock;
 
@@ -17,25 +17,25 @@ use numerics::GaussLegendre;
 
 use crate::gaussian::polynomial::value;
 
-/// Terms of the polynomials: with more the rounding of what they interpolate shows.
+/// Terms of the polynomials: with more, the rounding of the interpolated values shows.
 const TERMS: usize = 36;
 /// The polynomials are of (x - MIDDLE)/(x + MIDDLE), and need the fewest terms with this one.
 const MIDDLE: f64 = 16.0;
 
-/// What the spread of r leaves of the area and the force of spheres.
+/// Factors by which the spread of r multiplies the area and the force of spheres.
 pub(crate) struct Ellipticity {
     area: [f64; TERMS],
     force: [f64; TERMS],
 }
 
 impl Ellipticity {
-    /// The one table, computed when it is first asked for.
+    /// The only table, computed at its first use.
     pub fn table() -> &'static Self {
         static TABLE: LazyLock<Ellipticity> = LazyLock::new(Ellipticity::new);
         &TABLE
     }
 
-    /// h(x) of area and of force for x >= 0, within 1e-13 of them; about 1/(2x) where x is large.
+    /// Returns h(x) of area and of force for x >= 0, within 1e-13 of them; about 1/(2x) for large x.
     pub fn at(&self, x: f64) -> [f64; 2] {
         let reciprocal = 1.0 / (x + MIDDLE);
         let t = (x - MIDDLE) * reciprocal;
@@ -59,20 +59,20 @@ impl Ellipticity {
     }
 }
 
-/// A node of the rule over rho, with the weight of everything but the exponential.
+/// Node of the rule over rho, with the weight of everything but the exponential.
 struct Node {
     rho_squared: f64,
     area: f64,
     force: f64,
 }
 
-/// A rule over ln((1 + rho)/(1 - rho))/2 = ln(k1/k2)/2, in which the integrand is smooth up to the slenderest ellipses;
-/// finer towards rho = 0, where the exponential of a large x confines it.
+/// Nodes of a rule over ln((1 + rho)/(1 - rho))/2 = ln(k1/k2)/2, in which the integrand is smooth up to the
+/// slenderest ellipses; finer towards rho = 0, where the exponential of a large x confines it.
 fn nodes() -> Vec<Node> {
     const ENDS: [f64; 8] = [0.0, 0.01, 0.04, 0.16, 0.64, 2.0, 5.0, 14.0];
     let rule = GaussLegendre::new(24);
     let node = |(eta, weight): (f64, f64)| {
-        let ellipse = HertzEllipse::of_curvatures(2.0 * eta);
+        let ellipse = HertzEllipse::from_curvatures(2.0 * eta);
         let rho = eta.tanh();
         let spheres = weight * rho * eta.cosh().powi(-4);
         Node {
@@ -101,7 +101,7 @@ fn polynomial(values: &[f64; TERMS]) -> [f64; TERMS] {
         sum * if degree == 0 { 1.0 } else { 2.0 } / TERMS as f64
     };
     let mut powers = [0.0; TERMS];
-    // Powers of T_k and of the one before.
+    // Powers of T_k and of the polynomial before.
     let (mut last, mut before) = ([0.0; TERMS], [0.0; TERMS]);
     last[0] = 1.0;
     for degree in 0..TERMS {

@@ -7,8 +7,8 @@
 //! p/(E* sqrt(m2)) = (2/pi) alpha^(3/4)   Int_0^inf g(T) T^(7/2) h_F(x) <w^(3/2)> dT
 //! ```
 //!
-//! g is the density of T, normal with the variance 2/3. Of the summits of one mean curvature the heights are normal, so that
-//! the means of their interference w are those of Hertz's spheres, in closed form.
+//! g is the density of T, normal with the variance 2/3. The heights of summits of one mean curvature are normal, so
+//! that the means of their interference w are those of Hertz's spheres, in closed form.
 
 use std::f64::consts::FRAC_2_PI;
 use std::sync::LazyLock;
@@ -26,28 +26,28 @@ use crate::quadrature::sums::Sums;
 
 /// Nodes of a stretch.
 const NODES: usize = 34;
-/// The least spread of heights at one curvature: what a smaller one changes is below rounding, up to thirty sqrt(m0).
+/// Smallest spread of heights at one curvature: the effect of a smaller one is below rounding, up to thirty sqrt(m0).
 const LEAST_SPREAD: f64 = 1e-9;
 
 /// The integrals of the summits of a surface, at any separation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SummitIntegrals {
     alpha: f64,
-    /// sqrt(1 - 3/(2 alpha)).
+    /// Spread sqrt(1 - 3/(2 alpha)).
     spread: f64,
-    /// E* sqrt(m2) (2/pi) alpha^(3/4).
+    /// Factor E* sqrt(m2) (2/pi) alpha^(3/4) of the pressure \[Pa\].
     pressure_pa: f64,
-    /// (3/2) sqrt(alpha).
+    /// Factor (3/2) sqrt(alpha) of the area fraction.
     area_fraction: f64,
 }
 
-/// The integrals at one separation, with what they are worth.
+/// Integrals at one separation with their error and cost.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SummitSums {
     pub sums: Sums,
     /// Estimate of the larger relative error of the two.
     pub relative_error: f64,
-    /// Curvatures at which summits were looked at.
+    /// Number of curvatures at which summits were evaluated.
     pub evaluations: usize,
 }
 
@@ -66,7 +66,7 @@ impl SummitIntegrals {
     pub fn sums_at(&self, u: f64) -> SummitSums {
         let stretches = Stretches::around(u, self.alpha, self.spread);
         let rule = Rule::of_at_least(NODES);
-        let (mut totals, mut errors, mut evaluations) = (Weighed::default(), [0.0; 2], 0);
+        let (mut totals, mut errors, mut evaluations) = (WeightedSums::default(), [0.0; 2], 0);
         for stretch in stretches.iter() {
             let (summed, error) = self.sum_over(stretch, &stretches, u, rule);
             totals.add(&summed);
@@ -81,18 +81,24 @@ impl SummitIntegrals {
         }
     }
 
-    /// What every summit answers where all of them are pressed to about the interference -u, far below the mean plane: pressure \[Pa\]
-    /// and area fraction, of which the spread of the heights would change a share of the order of 1/u^2.
+    /// Pressure \[Pa\] and area fraction if all summits are pressed to about the interference -u, far below the mean
+    /// plane; the spread of the heights would change a relative 1/u^2.
     pub fn far_below(&self, u: f64) -> [f64; 2] {
-        let Far { load, area, load_curvature, area_curvature } = *Far::of_all();
+        let DeepLimit { load, area, load_curvature, area_curvature } = *DeepLimit::shared();
         let below = |curvature: f64| 1.5 * curvature / self.alpha.sqrt() - u;
         let (for_load, for_area) = (below(load_curvature), below(area_curvature));
         [self.pressure_pa * load * for_load * for_load.sqrt(), self.area_fraction * area * for_area]
     }
 
     /// The sums over the nodes of a stretch, and their estimated errors of load and area.
-    fn sum_over(&self, stretch: Stretch, stretches: &Stretches, u: f64, rule: &Rule) -> (Weighed, [f64; 2]) {
-        let (mut totals, mut probed) = (Weighed::default(), [[0.0; 4]; 2]);
+    fn sum_over(
+        &self,
+        stretch: Stretch,
+        stretches: &Stretches,
+        u: f64,
+        rule: &Rule,
+    ) -> (WeightedSums, [f64; 2]) {
+        let (mut totals, mut probed) = (WeightedSums::default(), [[0.0; 4]; 2]);
         for (at, (curvature, weight)) in nodes(stretch, stretches.origin, rule).enumerate() {
             let weighed = self.at(curvature, stretches, u).times(weight);
             totals.add(&weighed);
@@ -106,19 +112,24 @@ impl SummitIntegrals {
         (totals, errors)
     }
 
-    /// The integrands at a mean curvature, counted from the origin of the stretches.
-    fn at(&self, curvature: f64, stretches: &Stretches, u: f64) -> Weighed {
+    /// Integrands at a mean curvature, counted from the origin of the stretches.
+    fn at(&self, curvature: f64, stretches: &Stretches, u: f64) -> WeightedSums {
         let whole = stretches.origin + curvature;
         let height = stretches.height_at(curvature);
-        let reached = Reached::at(height);
+        let reached = ContactIntegrals::at(height);
         let [area, force] = Ellipticity::table().at(1.5 * whole * whole);
         let weight = self.density(curvature, height, u).exp() * whole * whole * whole;
         let load = weight * whole.sqrt() * force * reached.load;
-        Weighed { load, area: weight * area * reached.area, slopes: reached.slopes.map(|slope| load * slope) }
+        WeightedSums {
+            load,
+            area: weight * area * reached.area,
+            slopes: reached.slopes.map(|slope| load * slope),
+        }
     }
 
-    /// ln of the density of summits at a mean curvature, counted from the origin, that stand so many spreads below the flat,
-    /// over the reference density of the separation and, where they do stand below, that of their heights.
+    /// Logarithm of the density of summits at a mean curvature, counted from the origin, whose mean height is
+    /// `height` spreads below the flat, over the reference density of the separation and, for a positive `height`,
+    /// that of their heights.
     fn density(&self, curvature: f64, height: f64, u: f64) -> f64 {
         if u <= 0.0 {
             return -0.75 * curvature * curvature;
@@ -131,8 +142,8 @@ impl SummitIntegrals {
         -self.alpha / 3.0 * (above * (2.0 * u + above) + scaled * scaled)
     }
 
-    /// The integrals in their units, with the means of the heights that the derivatives of ln p by u make.
-    fn sums(&self, totals: &Weighed) -> Sums {
+    /// Integrals in their units, with the means of the heights that the derivatives of ln p by u need.
+    fn sums(&self, totals: &WeightedSums) -> Sums {
         let s = self.spread;
         let [first, second, third] = totals.slopes.map(|slope| slope / totals.load);
         let mean = -first / s;
@@ -144,23 +155,23 @@ impl SummitIntegrals {
     }
 }
 
-/// sqrt(3/(4 pi)): the density of the mean curvature at zero.
+/// Density sqrt(3/(4 pi)) of the mean curvature at zero.
 const CURVATURE_SCALE: f64 = 0.488_602_511_902_919_9;
 
-/// The relative error to state of integrals at the separation u, from that of their rules.
+/// Relative error to report for integrals at the separation u, from that of their rules.
 fn error_estimate(rules: f64, u: f64) -> f64 {
-    // Of the averages over the difference of curvatures, and of sums of a hundred terms.
+    // Rounding of the averages over the difference of curvatures, and of sums of a hundred terms.
     const ROUNDING: f64 = 1e-13;
-    // Rules are judged by how their coefficients fall.
+    // Caution because rules are judged by the fall of their coefficients.
     const CAUTION: f64 = 4.0;
-    // Of the exponents, which are as large as u^2.
+    // Rounding of the exponents, which are as large as u^2.
     const UNITS: f64 = 4.0;
     let exponents = UNITS * f64::EPSILON * u.max(0.0).powi(2);
     CAUTION * rules + ROUNDING + exponents
 }
 
-/// Nodes of a rule over a stretch: curvatures counted from the origin, and weights. Where the stretch begins at or
-/// near curvature zero the rule is over the root of the curvature.
+/// Nodes of a rule over a stretch: curvatures counted from the origin, and weights. If the stretch begins at or near
+/// curvature zero, the rule is over the root of the curvature.
 fn nodes(stretch: Stretch, origin: f64, rule: &Rule) -> impl Iterator<Item = (f64, f64)> {
     let Stretch { from, to, rooted } = stretch;
     let [from, to] = [from, to].map(|end| if rooted { (origin + end).sqrt() } else { end });
@@ -173,21 +184,21 @@ fn nodes(stretch: Stretch, origin: f64, rule: &Rule) -> impl Iterator<Item = (f6
 
 /// Load and area of summits, and the derivatives of the load by the height of the flat.
 #[derive(Debug, Clone, Copy, Default)]
-struct Weighed {
+struct WeightedSums {
     load: f64,
     area: f64,
     slopes: [f64; 3],
 }
 
-impl Weighed {
-    fn add(&mut self, other: &Weighed) {
+impl WeightedSums {
+    fn add(&mut self, other: &WeightedSums) {
         self.load += other.load;
         self.area += other.area;
         self.slopes.iter_mut().zip(other.slopes).for_each(|(slope, other)| *slope += other);
     }
 
-    fn times(&self, weight: f64) -> Weighed {
-        Weighed {
+    fn times(&self, weight: f64) -> WeightedSums {
+        WeightedSums {
             load: weight * self.load,
             area: weight * self.area,
             slopes: self.slopes.map(|slope| weight * slope),
@@ -195,39 +206,39 @@ impl Weighed {
     }
 }
 
-/// What is reached of normal heights of unit spread by a flat at a height above their mean, for positive heights over
-/// exp(-height^2/2).
-struct Reached {
-    /// Int s^(3/2) exp(-(height + s)^2/2) ds.
+/// Integrals over normal heights of unit spread that a flat at a height above their mean reaches, for positive
+/// heights over exp(-height^2/2).
+struct ContactIntegrals {
+    /// Load Int s^(3/2) exp(-(height + s)^2/2) ds.
     load: f64,
-    /// Int s exp(-(height + s)^2/2) ds/sqrt(2 pi).
+    /// Area Int s exp(-(height + s)^2/2) ds/sqrt(2 pi).
     area: f64,
     /// First, second and third derivative of the load by the height, over the load.
     slopes: [f64; 3],
 }
 
-impl Reached {
+impl ContactIntegrals {
     fn at(height: f64) -> Self {
-        // Below, the recurrence between the means loses the digits that the series has: both have nine of the third
-        // derivative there. Narrow spectra need them, whose third derivatives nearly cancel.
+        // Below this height the recurrence between the means loses the digits that the series has: both have nine of
+        // the third derivative there. Narrow spectra need them, because their third derivatives nearly cancel.
         const SERIES_BELOW: f64 = -30.0;
         let (load, mean) = load_and_mean_height(height);
         let slopes = if height < SERIES_BELOW { deep_slopes(height) } else { slopes(height, mean) };
-        Reached { load, area: first_moment(height), slopes }
+        ContactIntegrals { load, area: first_moment(height), slopes }
     }
 }
 
-/// Derivatives of ln of the load, each over the load, from the mean height: integration by parts leads the higher means back
-/// to it.
+/// Derivatives of the load by the height, over the load, from the mean height: integration by parts reduces the
+/// higher means to it.
 fn slopes(height: f64, mean: f64) -> [f64; 3] {
     let square = 2.5 + height * mean;
     let cube = 3.5 * mean + 1.5 * height + height * height * mean;
     [-mean, square - 1.0, 3.0 * mean - cube]
 }
 
-/// The same where all heights are reached: of v^(3/2) (1 + (3/8)/v^2 + (9/128)/v^4 + ...), v the depth.
+/// Derivatives if all heights are reached: of v^(3/2) (1 + (3/8)/v^2 + (9/128)/v^4 + ...), v the depth.
 fn deep_slopes(height: f64) -> [f64; 3] {
-    // (3/2)(1/2)...(5/2 - 2k)/(2^k k!). The next term is below 1e-14 of the first at the least depth.
+    // (3/2)(1/2)...(5/2 - 2k)/(2^k k!). The next term is below 1e-14 of the first at the smallest depth.
     const SERIES: [f64; 5] = [1.0, 3.0 / 8.0, 9.0 / 128.0, 105.0 / 1024.0, 10395.0 / 32768.0];
     let depth = -height;
     let square = 1.0 / (depth * depth);
@@ -237,7 +248,7 @@ fn deep_slopes(height: f64) -> [f64; 3] {
         let mut term = coefficient * power;
         for (order, derivative) in derivatives.iter_mut().enumerate() {
             *derivative += term;
-            // By the height, against which the depth runs.
+            // The derivative is by the height, which runs against the depth.
             term *= -(exponent - order as f64) / depth;
         }
         power *= square;
@@ -247,18 +258,18 @@ fn deep_slopes(height: f64) -> [f64; 3] {
     [first / value, second / value, third / value]
 }
 
-/// Loads and areas where every summit is reached, and the curvature at the mean of what they weigh.
-struct Far {
+/// Loads and areas if every summit is reached, and the mean curvatures under their weights.
+struct DeepLimit {
     load: f64,
     area: f64,
     load_curvature: f64,
     area_curvature: f64,
 }
 
-impl Far {
-    /// Those of Nayak's distribution of curvatures, computed when they are first asked for.
-    fn of_all() -> &'static Far {
-        static FAR: LazyLock<Far> = LazyLock::new(|| {
+impl DeepLimit {
+    /// Values of Nayak's distribution of curvatures, computed at their first use.
+    fn shared() -> &'static DeepLimit {
+        static FAR: LazyLock<DeepLimit> = LazyLock::new(|| {
             let rule = Rule::of_at_least(NODES);
             let stretches = Stretches::around(0.0, 1.5, LEAST_SPREAD);
             let [mut load, mut area, mut load_curvature, mut area_curvature] = [0.0; 4];
@@ -274,7 +285,12 @@ impl Far {
                     area_curvature += of_area * curvature;
                 }
             }
-            Far { load, area, load_curvature: load_curvature / load, area_curvature: area_curvature / area }
+            DeepLimit {
+                load,
+                area,
+                load_curvature: load_curvature / load,
+                area_curvature: area_curvature / area,
+            }
         });
         &FAR
     }

@@ -1,9 +1,9 @@
-//! The summits of an isotropic Gaussian surface: Nayak (1971).
+//! Summits of an isotropic Gaussian surface: Nayak (1971).
 
 use asperity::{AsperityError, Bound};
 
-/// Heights and curvatures of the summits of an isotropic Gaussian surface, as the moments of its profiles have them
-/// (Nayak 1971; `docs/theory/models.md`, section 3.6).
+/// Heights and curvatures of the summits of an isotropic Gaussian surface, from the moments of its profiles (Nayak
+/// 1971; `docs/models.md`, section 3.6).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct NayakSummits {
     m0_m2: f64,
@@ -13,10 +13,11 @@ pub struct NayakSummits {
 }
 
 impl NayakSummits {
-    /// Values of alpha that a surface can have: 1.5 is that of waves of one length.
+    /// Range of alpha of a surface: 1.5 belongs to waves of a single length.
     pub const ALPHA: Bound = Bound::AtLeast(1.5);
 
-    /// Summits of a surface whose profiles have mean squares of height m0 \[m^2\], slope m2, and curvature m4 \[m^-2\].
+    /// Creates the summits of a surface whose profiles have mean squares of height m0 \[m^2\], slope m2, and
+    /// curvature m4 \[m^-2\].
     ///
     /// # Errors
     /// [`AsperityError`] unless all three are positive and within thirty decades of 1 ([`Bound::Magnitude`]), and
@@ -60,7 +61,7 @@ impl NayakSummits {
     }
 }
 
-/// alpha; one that rounding alone has moved below 1.5 is taken as 1.5.
+/// Computes alpha; a value below 1.5 by rounding alone is taken as 1.5.
 fn alpha(m0_m2: f64, m2: f64, m4_per_m2: f64) -> f64 {
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
     let alpha = (m0_m2 / m2) * (m4_per_m2 / m2);

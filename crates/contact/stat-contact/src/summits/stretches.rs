@@ -1,55 +1,58 @@
-//! Where the integral over the mean curvature is taken, and in which stretches.
+//! Intervals of the integral over the mean curvature.
 //!
-//! Of heights in sqrt(m0) and mean curvatures T in sqrt(m4), a summit of curvature T has the mean height
-//! 3T/(2 sqrt(alpha)) and the spread s = sqrt(1 - 3/(2 alpha)) about it. A flat at u stands (u - 3T/(2 sqrt(alpha)))/s spreads
-//! above that mean: positive for flat summits, of which few are reached, negative for sharp ones, of which most are. Between
-//! them, at the edge T = 2u sqrt(alpha)/3, the integrand bends within 2s sqrt(alpha)/3, which vanishes with alpha - 3/2.
+//! With heights in sqrt(m0) and mean curvatures T in sqrt(m4), a summit of curvature T has the mean height 3T/(2
+//! sqrt(alpha)) and the spread s = sqrt(1 - 3/(2 alpha)) about it. A flat at u stands (u - 3T/(2 sqrt(alpha)))/s
+//! spreads above that mean: positive for flat summits, of which few are reached, negative for sharp ones, of which
+//! most are. Between them, at the edge T = 2u sqrt(alpha)/3, the integrand bends within 2s sqrt(alpha)/3, which
+//! vanishes with alpha - 3/2.
 
 /// -ln of the share of the largest integrand that is left out.
 const DROP: f64 = 42.0;
-/// The longest stretches, in standard deviations of the integrand: short enough for a rule of 34 nodes.
+/// Longest stretches, in standard deviations of the integrand: short enough for a rule of 34 nodes.
 const LONGEST: f64 = 5.0;
-/// The longest ones beside the edge, over their distance from it and the width of the bend there.
+/// Longest stretches beside the edge, over their distance from it and the width of the bend there.
 const GROWTH: f64 = 8.0;
 
-/// The mean curvatures that count at one separation, from an origin: the peak of the integrand among flat summits.
+/// Mean curvatures that contribute at one separation, from an origin: the peak of the integrand among flat summits.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stretches {
-    /// The curvature at the origin: that of summits at the flat where they are rare, and 0 where the flat is below the mean
+    /// Curvature at the origin: that of summits at the flat where they are rare, and 0 if the flat is below the mean
     /// plane.
     pub origin: f64,
-    /// How many spreads above their mean height the flat stands for the summits at the origin.
+    /// Height of the flat above the mean height of the summits at the origin, in spreads.
     pub height_at_origin: f64,
-    /// The curvature by which that falls by 1.
+    /// Curvature by which that height falls by 1.
     pub bend: f64,
     spread: f64,
     low: f64,
     high: f64,
 }
 
-/// A stretch of mean curvatures, counted from the origin.
+/// Stretch of mean curvatures, counted from the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stretch {
     pub from: f64,
     pub to: f64,
-    /// Whether it begins at curvature zero, where powers of its root enter, or nearer to that than it is long.
+    /// True if it begins at curvature zero, where powers of its root enter, or nearer to zero than it is long.
     pub rooted: bool,
 }
 
 impl Stretches {
-    /// Those of a separation u, in sqrt(m0), for a spread s of the heights at one curvature, in the same.
+    /// Returns the stretches of a separation u, in sqrt(m0), for a spread s of the heights at one curvature, in
+    /// sqrt(m0).
     pub fn around(u: f64, alpha: f64, spread: f64) -> Self {
         let bend = 2.0 / 3.0 * alpha.sqrt() * spread;
         if u <= 0.0 {
-            // What counts goes like exp(-3 T^2/4).
+            // The integrand goes like exp(-3 T^2/4).
             let high = (4.0 / 3.0 * DROP).sqrt();
             return Stretches { origin: 0.0, height_at_origin: u / spread, bend, spread, low: 0.0, high };
         }
         let (origin, height_at_origin) = (u / alpha.sqrt(), u * spread);
         let edge = height_at_origin * bend;
-        // Among flat summits what counts is a Gaussian about the origin, of the standard deviation s sqrt(2/3).
+        // Among flat summits the integrand is a Gaussian about the origin, with the standard deviation s sqrt(2/3).
         let reach = spread * (4.0 / 3.0 * DROP).sqrt();
-        // Among sharp ones it falls like exp(-alpha/3 (2 u w + w^2 + s^2 u^2)), w being how far their mean is above the flat.
+        // Among sharp ones it falls like exp(-alpha/3 (2 u w + w^2 + s^2 u^2)), with w the height of their mean above
+        // the flat.
         let left = 3.0 * DROP / alpha - height_at_origin * height_at_origin;
         let high = if left > 0.0 {
             edge + 2.0 / 3.0 * alpha.sqrt() * left / (u + (u * u + left).sqrt())
@@ -59,17 +62,18 @@ impl Stretches {
         Stretches { origin, height_at_origin, bend, spread, low: (-reach).max(-origin), high }
     }
 
-    /// How many spreads above their mean height the flat stands for the summits at a curvature, counted from the origin.
+    /// Height of the flat above the mean height of the summits at a curvature, counted from the origin, in spreads.
     pub fn height_at(&self, curvature: f64) -> f64 {
         self.height_at_origin - curvature / self.bend
     }
 
-    /// The stretches: those of the flat summits, going down from the edge, and then those of the sharp ones, going up.
+    /// Iterates over the stretches: those of the flat summits, going down from the edge, then those of the sharp
+    /// ones, going up.
     pub fn iter(&self) -> impl Iterator<Item = Stretch> {
         let edge = self.height_at_origin * self.bend;
         let (flat_end, sharp_start) = (edge.min(self.high), edge.max(self.low));
         let length = |distance: f64, longest: f64, left: f64| {
-            // A last stretch a fifth longer than the others does no harm.
+            // A last stretch that is a fifth longer than the others does no harm.
             const SLACK: f64 = 1.2;
             let length = longest.min(GROWTH * (distance + self.bend));
             if left < SLACK * length { left } else { length }

@@ -1,4 +1,4 @@
-//! What the paper says of the area against cutoff and load: rows 4, 6, 7, 8, 10, 19 and 20.
+//! The paper's statements on the area over cutoff and load: rows 4, 6, 7, 8, 10, 19 and 20.
 
 use findings::features::{
     Convergence, Dip, Plateau, Point, between, convergence, dips, log_slope, widest_plateau,
@@ -149,7 +149,7 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
     },
     |evidence| {
         let spread = spread(evidence);
-        let Shape { dips, plateaus, slopes } = Shape::of(&evidence.areas(SPHERE));
+        let Shape { dips, plateaus, slopes } = Shape::new(&evidence.areas(SPHERE));
         let one_curve = spread < 2.0;
         let dips_there = dips.iter().flatten().any(|dip| (0.3e-6..=3e-6).contains(&dip.wavelength_m));
         let level = plateaus.len() == evidence.loads_pa().len()
@@ -265,7 +265,7 @@ pub(super) const LAST_FALL: (Statement, Check) = (
     },
     |evidence| {
         let curves = evidence.areas(SPHERE);
-        let Shape { dips, .. } = Shape::of(&curves);
+        let Shape { dips, .. } = Shape::new(&curves);
         let ratio = |(curve, dips): (&Vec<Point>, &Vec<Dip>)| {
             let lowest = dips.iter().map(|dip| dip.value).reduce(f64::min)?;
             Some(curve.last()?.1 / lowest)
@@ -276,7 +276,7 @@ pub(super) const LAST_FALL: (Statement, Check) = (
         let found = converged(&curves, 0.01);
         let same = found.windows(2).all(|two| two[0] == two[1]);
         let certain = found.iter().all(|found| found.converged);
-        // Without a dip the comparison is with the lowest area of the curve.
+        // Without a dip, compare with the lowest area of the curve.
         let value = if known.is_empty() {
             lowest(curves.iter().filter_map(|curve| {
                 Some(curve.last()?.1 / curve.iter().map(|(_, area)| *area).reduce(f64::min)?)
@@ -302,7 +302,7 @@ pub(super) const LAST_FALL: (Statement, Check) = (
     },
 );
 
-/// What a family of curves looks like, one entry per load.
+/// Shape of a family of curves, one entry per load.
 struct Shape {
     dips: Vec<Vec<Dip>>,
     plateaus: Vec<Plateau>,
@@ -310,7 +310,7 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(curves: &[Vec<Point>]) -> Self {
+    fn new(curves: &[Vec<Point>]) -> Self {
         Shape {
             dips: curves.iter().map(|curve| dips(curve, VISIBLE)).collect(),
             plateaus: curves.iter().filter_map(|curve| level_part(curve)).collect(),
@@ -319,7 +319,7 @@ impl Shape {
     }
 }
 
-/// The widest level stretch below the last dip, and below complete contact, which is level for another reason.
+/// Widest level stretch below the last dip, and below complete contact, which is level for another reason.
 pub(super) fn level_part(curve: &[Point]) -> Option<Plateau> {
     let open = curve.partition_point(|(_, area)| *area >= 1.0);
     let last_dip = dips(curve, VISIBLE).pop();
@@ -332,7 +332,7 @@ pub(super) fn converged(curves: &[Vec<Point>], tolerance: f64) -> Vec<Convergenc
     curves.iter().filter_map(|curve| convergence(curve, tolerance)).collect()
 }
 
-/// The largest ratio of areas between the cutoffs of figure 5, over all its loads.
+/// Largest ratio of areas between the cutoffs of figure 5, over all its loads.
 fn spread(evidence: &Evidence) -> f64 {
     let sweeps = evidence.sweeps(SPHERE);
     let loads = sweeps.iter().map(|(_, _, states)| states.len()).min().unwrap_or(0);
@@ -357,7 +357,7 @@ fn describe_dips(dips: &[Vec<Dip>]) -> String {
     )
 }
 
-/// Which parts of a statement hold and which do not.
+/// Lists the parts of a statement that hold and those that do not.
 pub(super) fn which_parts(parts: &[(bool, &str)]) -> String {
     let names = |wanted: bool| {
         let chosen: Vec<&str> =
@@ -371,7 +371,7 @@ pub(super) fn which_parts(parts: &[(bool, &str)]) -> String {
     }
 }
 
-/// The part of a curve below a wavelength, and how steep it is.
+/// Part of a curve below a wavelength, and its slope.
 pub(super) fn slope_below(curve: &[Point], longest_m: f64) -> Option<f64> {
     let (shortest_m, _) = *curve.last()?;
     log_slope(between(curve, longest_m, shortest_m))

@@ -1,4 +1,4 @@
-//! The twenty statements, each with what is measured and when it counts as reproduced.
+//! The twenty statements, each with its measurement and its criterion.
 
 mod area;
 mod plasticity;
@@ -11,10 +11,10 @@ use units::display::{length, three_digits};
 use crate::evidence::Evidence;
 use crate::ledger::{Finding, Row, Statement};
 
-/// Checks a statement against one spectrum.
+/// Check of a statement against one spectrum.
 type Check = fn(&Evidence) -> Finding;
 
-/// A row per statement, with a finding for each of the spectra in `evidence`.
+/// Returns a row per statement, with a finding for each of the spectra in `evidence`.
 pub fn ledger(evidence: &[Evidence]) -> Vec<Row> {
     let claims: [(Statement, Check); 20] = [
         spectrum::LARGEST_ASPECT_RATIO,
@@ -42,12 +42,12 @@ pub fn ledger(evidence: &[Evidence]) -> Vec<Row> {
     claims.into_iter().map(|(statement, check)| Row { statement, findings: finding(check) }).collect()
 }
 
-/// A factor by which the values of a printed curve can be told apart by eye.
+/// Smallest factor between values of a printed curve that the eye can distinguish.
 const VISIBLE: f64 = 1.1;
-/// The factor within which a curve counts as level: 10 % to either side.
+/// Factor within which a curve counts as level: 10 % to either side.
 const LEVEL: f64 = 1.2;
 
-/// `least–most` of some values, or the one text of both.
+/// Formats the range of some values as `least–most`, or as one text if both are the same.
 fn range(values: impl IntoIterator<Item = f64>, display: fn(f64) -> String) -> String {
     let (least, most) = extremes(values);
     if display(least) == display(most) {
@@ -65,7 +65,7 @@ fn lengths(values: impl IntoIterator<Item = f64>) -> String {
     range(values, length)
 }
 
-/// The least and the largest value; NaN of none, or where one is NaN, so that no comparison with them holds.
+/// Smallest and largest value; NaN for no values or if one is NaN, so that no comparison with them holds.
 fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     let values: Vec<f64> = values.into_iter().collect();
     if values.is_empty() || values.iter().any(|value| value.is_nan()) {
@@ -83,13 +83,13 @@ fn highest(values: impl IntoIterator<Item = f64>) -> f64 {
     extremes(values).1
 }
 
-/// The value that lies furthest from 1; NaN of none.
+/// Value furthest from 1; NaN for no values.
 fn furthest_from_one(values: &[f64]) -> f64 {
     let further = |a: &f64, b: &f64| (a - 1.0).abs().total_cmp(&(b - 1.0).abs());
     values.iter().copied().max_by(further).unwrap_or(f64::NAN)
 }
 
-/// d ln A/d ln(cutoff) over the last decade of every curve.
+/// Slopes d ln A/d ln(cutoff) over the last decade of every curve.
 fn final_slopes(curves: &[Vec<Point>]) -> Vec<f64> {
     let slope = |curve: &Vec<Point>| {
         let (shortest_m, _) = *curve.last()?;

@@ -1,4 +1,4 @@
-//! What the paper says of yielding and hardness: rows 5, 9 and 15.
+//! The paper's statements on yielding and hardness: rows 5, 9 and 15.
 
 use asperity::ElasticPlasticSinusoid;
 use findings::features::{agrees_from, ratio};
@@ -124,7 +124,7 @@ pub(super) fn real_pressures(evidence: &Evidence, name: Name) -> Vec<f64> {
     areas.map(|(area, load_pa)| load_pa / area / hardness_pa).collect()
 }
 
-/// Where two families of curves agree within 1 % for good, at every load; `None` where they do not end so.
+/// Cutoff from which two families of curves agree within 1 % down to the end, at every load; `None` if they do not.
 pub(super) fn agreement(evidence: &Evidence, one: Name, other: Name) -> Vec<Option<f64>> {
     let pairs = evidence.areas(one).into_iter().zip(evidence.areas(other));
     pairs.map(|(one, other)| agrees_from(&ratio(&one, &other), 0.01)).collect()

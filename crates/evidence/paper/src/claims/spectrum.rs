@@ -1,4 +1,4 @@
-//! What the paper says of the spectrum itself: rows 1, 2, 3 and 14.
+//! The paper's statements on the spectrum: rows 1, 2, 3 and 14.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use units::display::{length, three_digits};
 use super::{Check, numbers};
 use crate::ledger::{Finding, Statement, Verdict, verdict};
 
-/// The largest aspect ratio as printed, and its wavelength.
+/// Largest aspect ratio as printed, and its wavelength.
 pub(super) const PRINTED_ASPECT_RATIO: f64 = 0.0463;
 pub(super) const PRINTED_WAVELENGTH_M: f64 = 5.65e-9;
 

@@ -1,4 +1,4 @@
-//! What the paper says of a strength that grows at small scales: rows 11, 12, 13, 16, 17 and 18.
+//! The paper's statements on a strength that grows at small scales: rows 11, 12, 13, 16, 17 and 18.
 
 use findings::features::{Plateau, ratio};
 use stacked_contact::{Level, Regime};
@@ -95,7 +95,7 @@ pub(super) const STRENGTH_AT_DEPTH: (Statement, Check) = (
         let (model, levels) = evidence.stack(PLASTIC_GRADIENT);
         let strength = model.strength().expect("this stack yields");
         let (shallow_pa, deep_pa) = (strength.at_depth_pa(3e-9), strength.at_depth_pa(20e-9));
-        // The first scale meets the strength at large depth; where nothing was deformed above there is none.
+        // The first scale meets the strength at large depth; if nothing was deformed above, there is none.
         let met = |levels: &Vec<Level>| -> Vec<f64> {
             let strengths = levels.iter().skip(1).filter_map(|level| level.yield_strength_pa);
             strengths.filter(|strength_pa| strength_pa.is_finite()).collect()
@@ -234,13 +234,13 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
     },
 );
 
-/// The ratio of two families of curves at the last cutoff, for every load.
+/// Ratio of two families of curves at the last cutoff, for every load.
 fn final_ratios(evidence: &Evidence, numerator: Name, denominator: Name) -> Vec<f64> {
     let finals = evidence.final_areas(numerator).into_iter().zip(evidence.final_areas(denominator));
     finals.map(|(above, below)| above / below).collect()
 }
 
-/// The cutoffs \[m\], at any load, at which the strain gradient raises the area.
+/// Cutoffs \[m\], at any load, at which the strain gradient raises the area.
 fn raised_cutoffs_m(evidence: &Evidence, gradient: Name, plain: Name) -> Vec<f64> {
     let pairs = evidence.areas(gradient).into_iter().zip(evidence.areas(plain));
     let raised = pairs.flat_map(|(gradient, plain)| ratio(&gradient, &plain));

@@ -1,7 +1,8 @@
 //! Presses a square map for `competitors/boundary_elements.py`, which measures it from outside.
 //!
-//! `boundary_elements HEIGHTS PRESSURES PRESSURE TOLERANCE TIMES`: heights in m as 64-bit numbers, row by row over a square of
-//! side 1 m and modulus 1 Pa; they are pressed so many times, and the pressures are written the same way.
+//! `boundary_elements HEIGHTS PRESSURES PRESSURE TOLERANCE TIMES`: heights in m as 64-bit numbers, row by row over a
+//! square of side 1 m and modulus 1 Pa; they are pressed TIMES times, and the pressures are written in the same
+//! format.
 
 use std::process::ExitCode;
 
@@ -34,7 +35,7 @@ fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
         tolerance: tolerance.parse()?,
     };
     for _ in 0..times.parse::<usize>()? {
-        // Laid out anew each time, as somebody does who has one map and one load.
+        // Laid out anew each time, as for a user with one map and one load.
         let contact = PeriodicElements::new(grid, &heights_m)?.press(&loading, &Unobserved)?;
         let bytes: Vec<u8> =
             contact.pressures_pa.iter().flat_map(|pressure| pressure.to_le_bytes()).collect();

@@ -1,15 +1,15 @@
-//! Prints what intervals and shares cost by plain sampling and by fitted polynomials, as a table for
-//! `docs/guide/uncertainty.md`: `cargo run --release -p work-precision --features surrogate --bin surrogate`.
+//! Prints the cost of intervals and shares by plain sampling and by fitted polynomials, as a table for
+//! `docs/uncertainty.md`: `cargo run --release -p truearea-work-precision --features surrogate --bin surrogate`.
 
 use std::process::ExitCode;
 
 use work_precision::page::{error, table};
-use work_precision::surrogate::{Found, Method, found};
+use work_precision::surrogate::{Method, MethodErrors, method_errors};
 
 fn main() -> ExitCode {
-    match found() {
+    match method_errors() {
         Ok(rows) => {
-            let row = |found: &Found| {
+            let row = |found: &MethodErrors| {
                 let method = match found.method {
                     Method::Plain => "plain sampling".to_owned(),
                     Method::Polynomial(degree) => format!("polynomial of degree {degree}"),

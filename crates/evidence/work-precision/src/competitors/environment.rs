@@ -1,31 +1,31 @@
-//! A virtual environment with the competitors in it, below `target/`.
+//! Virtual environment with the competitors, below `target/`.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Installed one by one, so that one that cannot be had does not take the others with it.
+/// Packages, installed one by one, so that one failure does not affect the others.
 const PACKAGES: [&str; 2] = ["scipy", "ContactMechanics"];
 
-/// A competitor that is not there, and why.
+/// Competitor that is missing, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Missing {
-    /// The package's name.
+    /// Name of the package.
     pub package: String,
-    /// What went wrong, in a line.
+    /// Reason in one line.
     pub reason: String,
 }
 
-/// Python with whatever could be installed.
+/// Python with the packages that could be installed.
 #[derive(Debug)]
 pub struct Environment {
-    /// The interpreter.
+    /// Path of the interpreter.
     pub python: PathBuf,
-    /// What could not.
+    /// Packages that could not be installed.
     pub missing: Vec<Missing>,
 }
 
 impl Environment {
-    /// Makes the environment in a folder, or completes the one that is there: packages as pinned in `requirements.txt`.
+    /// Makes the environment in a folder, or completes an existing one: packages as pinned in `requirements.txt`.
     pub fn prepare(folder: &Path) -> Self {
         let python = folder.join("bin/python");
         if let Err(reason) = succeed(Command::new("python3").args(["-m", "venv"]).arg(folder)) {
@@ -44,12 +44,12 @@ impl Environment {
     }
 }
 
-/// The folder of the Python side.
+/// Folder of the Python side.
 pub(super) fn scripts() -> PathBuf {
     crate::reference::repository("crates/evidence/work-precision/competitors")
 }
 
-/// Runs to the end; the last line of what was said otherwise.
+/// Runs a command to its end; the error is the last line of its output.
 fn succeed(command: &mut Command) -> Result<(), String> {
     let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_owned();
     let program = program.to_string_lossy();

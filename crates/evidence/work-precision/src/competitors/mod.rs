@@ -1,14 +1,14 @@
-//! What users have today, asked in its own language: `competitors/` beside `src/` has the Python.
+//! Competitors that users have today, run in their own language: `competitors/` beside `src/` has the Python.
 
 mod environment;
 mod worker;
 
 pub use environment::{Environment, Missing};
-pub use worker::{Asked, At, Row, Setting, Worker};
+pub use worker::{At, Question, Row, Setting, Worker};
 
 use crate::point::Engine;
 
-/// The package that an engine comes with.
+/// Package of an engine; `None` for our own.
 pub fn package(engine: Engine) -> Option<&'static str> {
     match engine {
         Engine::Ours | Engine::OursBatch => None,

@@ -1,5 +1,5 @@
-//! The process that answers for the competitors, a line of JSON for a line of JSON, so that they can be asked in turn
-//! with ourselves.
+//! Process that runs the competitors, with a line of JSON per question and answer, so that their runs can alternate
+//! with ours.
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
@@ -10,36 +10,36 @@ use serde::{Deserialize, Serialize};
 use super::environment::{Environment, Missing, scripts};
 use crate::reference::Case;
 
-/// What is asked.
+/// Question to an engine.
 #[derive(Debug, Serialize)]
-pub struct Asked<'a> {
+pub struct Question<'a> {
     /// Name of the engine in `worker.py`.
     pub engine: &'a str,
-    /// Tolerance, or number of nodes.
+    /// Tolerance or number of nodes of the engine.
     pub setting: Setting,
-    /// Whether ln p is given rather than the separation over sigma.
+    /// True if ln p is given rather than the separation over sigma.
     pub by_pressure: bool,
     /// Population and law.
     pub case: &'a Case,
-    /// The states, by what is given.
+    /// States, by the given quantity.
     pub at: At,
-    /// Seconds that repetitions may take.
+    /// Seconds for repetitions.
     pub seconds: f64,
 }
 
-/// A tolerance stays a fraction, a number of nodes has to be whole.
+/// Setting of an engine: a tolerance stays a fraction, a number of nodes is an integer.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub enum Setting {
-    /// A tolerance.
+    /// Relative tolerance.
     Tolerance(f64),
-    /// A number of nodes.
+    /// Number of nodes.
     Nodes(u32),
 }
 
 impl Setting {
-    /// What a number of a table stands for.
-    pub fn of(number: f64) -> Self {
+    /// Converts a number of a table.
+    pub fn from_number(number: f64) -> Self {
         if number < 1.0 { Setting::Tolerance(number) } else { Setting::Nodes(number as u32) }
     }
 }
@@ -48,23 +48,23 @@ impl Setting {
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub enum At {
-    /// An interference over sigma.
+    /// Interference over sigma.
     One(f64),
     /// Separations over sigma, or logarithms of pressures in Pa.
     Many(Vec<f64>),
 }
 
-/// One answer: its numbers, and the seconds it took.
+/// Answer: its numbers, and the seconds it took.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Row {
-    /// Separation over sigma, pressure \[Pa\] and area fraction; of a single asperity only the last two.
+    /// Separation over sigma, pressure \[Pa\] and area fraction; only the last two for a single asperity.
     pub numbers: Vec<Option<f64>>,
-    /// Seconds.
+    /// Seconds per answer.
     pub seconds: f64,
 }
 
 impl Row {
-    /// A number that is NaN where it is none.
+    /// Returns a number, NaN if it is missing.
     pub fn number(&self, at: usize) -> f64 {
         self.numbers.get(at).copied().flatten().unwrap_or(f64::NAN)
     }
@@ -83,15 +83,15 @@ enum Reply {
     Error(String),
 }
 
-/// The process; it ends when this is dropped.
+/// Process of the competitors; it ends when this is dropped.
 #[derive(Debug)]
 pub struct Worker {
     child: Child,
     questions: Option<ChildStdin>,
     answers: BufReader<ChildStdout>,
-    /// Versions of everything it uses, by name.
+    /// Versions of the packages it uses, by name.
     pub versions: BTreeMap<String, String>,
-    /// What could not be loaded.
+    /// Packages that could not be loaded.
     pub missing: Vec<Missing>,
 }
 
@@ -99,7 +99,7 @@ impl Worker {
     /// Starts the process, on one thread.
     ///
     /// # Errors
-    /// A message where it does not greet.
+    /// A message if it does not start.
     pub fn start(environment: &Environment) -> Result<Self, String> {
         let mut command = Command::new(&environment.python);
         command.arg(scripts().join("worker.py")).stdin(Stdio::piped()).stdout(Stdio::piped());
@@ -118,11 +118,11 @@ impl Worker {
         Ok(worker)
     }
 
-    /// The answers, one per state.
+    /// Returns the answers, one per state.
     ///
     /// # Errors
-    /// What the engine says instead.
-    pub fn ask(&mut self, asked: &Asked<'_>) -> Result<Vec<Row>, String> {
+    /// The engine's error message.
+    pub fn ask(&mut self, asked: &Question<'_>) -> Result<Vec<Row>, String> {
         let question = serde_json::to_string(asked).map_err(|error| error.to_string())?;
         let questions = self.questions.as_mut().ok_or("the worker has ended")?;
         writeln!(questions, "{question}").map_err(|error| error.to_string())?;
@@ -141,13 +141,13 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // The end of its input ends it.
+        // Closing its input ends the process.
         self.questions = None;
         let _ = self.child.wait();
     }
 }
 
-/// Python writes NaN and infinities as words that JSON does not have.
+/// Parses JSON with NaN and infinities, which Python writes as words that JSON does not have.
 fn parse<T: for<'a> Deserialize<'a>>(line: &str) -> Result<T, String> {
     let line = line.replace("-Infinity", "null").replace("Infinity", "null").replace("NaN", "null");
     serde_json::from_str(&line).map_err(|error| format!("{error} in {line}"))
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn tolerances_and_nodes_are_told_apart() {
-        let written = |number| serde_json::to_string(&Setting::of(number)).unwrap();
+        let written = |number| serde_json::to_string(&Setting::from_number(number)).unwrap();
         assert_eq!((written(1e-4).as_str(), written(1e5).as_str()), ("0.0001", "100000"));
     }
 }

@@ -9,7 +9,7 @@ use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, Rela
 use interface::friction::Sliding;
 use interface::leak::Constriction;
 use persson::corrections::Correction;
-use persson::sealing::{SealingLaw, Seen};
+use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{LightLoads, Separation, SeparationKnot, SeparationLaw};
 use persson::{Roughness, constant_hardness};
 use spectrum::{AsperityParameters, Moments, Normalisation};
@@ -49,7 +49,7 @@ pub struct InterfaceStates<'a> {
     /// Of every load, once it is looked at.
     separations: Vec<OnceCell<Separation>>,
     sealing: Option<SealingLaw>,
-    constrictions: Vec<OnceCell<Option<Seen>>>,
+    constrictions: Vec<OnceCell<Option<MagnifiedContact>>>,
 }
 
 /// Of the corrected forms of the theory the one that is nearest to boundary elements.
@@ -299,7 +299,7 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
-        CutSurface::of_rms_slope(self.moments.rms_height_m(), self.moments.rms_slope())
+        CutSurface::from_rms_slope(self.moments.rms_height_m(), self.moments.rms_slope())
     }
 
     fn relative_stiffness(&self, load: usize) -> Result<Option<RelativeStiffness>, InterfaceError> {
@@ -315,7 +315,7 @@ impl<'a> InterfaceStates<'a> {
         *self.separations[load].get_or_init(|| self.separation.whole(self.pressure_pa(load)))
     }
 
-    fn constriction(&self, load: usize) -> Option<Seen> {
+    fn constriction(&self, load: usize) -> Option<MagnifiedContact> {
         let find = || self.sealing.as_ref()?.critical_constriction(self.pressure_pa(load));
         *self.constrictions[load].get_or_init(find)
     }

@@ -69,7 +69,7 @@ pub(crate) fn contact_of(
             Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
         }
         StatisticalLaw::Summits => match NayakSummits::new(moments.m0_m2, moments.m2, moments.m4_per_m2) {
-            Ok(summits) => Ok(Pressed::Contact(StatisticalContact::of_summits(pair, &summits))),
+            Ok(summits) => Ok(Pressed::Contact(StatisticalContact::from_summits(pair, &summits))),
             Err(error) if error.bound == NayakSummits::ALPHA => Ok(Pressed::TooNarrow { alpha: error.value }),
             Err(error) => Err(error),
         },
