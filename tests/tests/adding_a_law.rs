@@ -1,4 +1,4 @@
-//! The page on adding a law, followed to the letter: in a copy of the sources, which is compiled and run.
+//! Follows the page on adding a law to the letter, in a copy of the sources, which is compiled and run.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -7,29 +7,14 @@ use std::process::Command;
 
 use tests::committed_file;
 
-/// How many files of code a law may touch.
+/// Most files of code that adding a law may touch.
 const MOST_FILES: usize = 8;
 
-/// A scene and the crates below it: floor and folder.
-const CRATES: [&str; 17] = [
-    "base/units",
-    "base/numerics",
-    "base/parallel",
-    "base/tables",
-    "surface/scans",
-    "surface/spectrum",
-    "surface/gaussian-surfaces",
-    "surface/topography",
-    "surface/measurements",
-    "contact/asperity",
-    "contact/stat-contact",
-    "contact/stacked-contact",
-    "contact/persson",
-    "contact/interface",
-    "contact/contact-law",
-    "study/study",
-    "study/scene",
-];
+/// Crates whose tests run in the copy. It holds them and every crate that they use.
+const TESTED: [&str; 4] = ["asperity", "stat-contact", "study", "scene"];
+
+/// Profile of the copy, which is compiled from nothing: what runs is short, so optimisation would cost more than it saves.
+const PROFILE: &str = "[profile.dev]\ndebug = false\nincremental = false\n";
 
 /// A scene under the new model: as long as spheres are pressed to less than half their radius, their area is the load
 /// over the hardness.
@@ -65,8 +50,10 @@ fn a_scene_is_carried_out_under_the_new_model() {
 type Sources = BTreeMap<PathBuf, Vec<u8>>;
 
 #[test]
-fn the_page_touches_few_files_and_what_it_leads_to_compiles_and_runs() {
-    let page = fs::read_to_string(committed_file("docs/develop/adding-a-law.md")).unwrap();
+fn the_page_touches_few_files_and_its_law_compiles_and_runs() {
+    let pages = files_below(&committed_file("docs"));
+    let page = pages.iter().find(|path| path.ends_with("adding-a-law.md")).expect("a page on adding a law");
+    let page = fs::read_to_string(page).unwrap();
     let mut sources = sources();
     let touched = follow(&page, &mut sources);
     assert!((5..=MOST_FILES).contains(&touched.len()), "{touched:?}");
@@ -76,42 +63,61 @@ fn the_page_touches_few_files_and_what_it_leads_to_compiles_and_runs() {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let ran = Command::new(cargo)
         .args(["test", "--offline", "--lib", "--test", "states", "--test", "followed"])
-        .args(
-            ["truearea-asperity", "truearea-stat-contact", "truearea-study", "truearea-scene"]
-                .map(|name| format!("-p={name}")),
-        )
+        .args(TESTED.map(|name| format!("--package=truearea-{name}")))
         .env("CARGO_TARGET_DIR", folder.join("target"))
         .current_dir(folder.join("sources"))
         .output()
         .unwrap();
-    let [said, told] = [&ran.stdout, &ran.stderr].map(|bytes| String::from_utf8_lossy(bytes));
-    assert!(ran.status.success(), "{said}\n{told}");
-    let of_the_page = [
+    let [out, err] = [&ran.stdout, &ran.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    assert!(ran.status.success(), "{out}\n{err}");
+    let tests_of_the_page = [
         "the_area_is_twice_that_of_hertz_up_to_the_cap",
         "fully_plastic_spheres_carry_their_hardness",
         "a_scene_is_carried_out_under_the_new_model",
     ];
-    for test in of_the_page {
-        assert!(said.lines().any(|line| line.contains(test) && line.ends_with(" ... ok")), "{test}\n{said}");
+    for test in tests_of_the_page {
+        assert!(out.lines().any(|line| line.contains(test) && line.ends_with(" ... ok")), "{test}\n{out}");
     }
 }
 
-/// The crates, a workspace of them alone, and the data that they hold.
+/// The tested crates with all that they use, a workspace of them alone, and the data that they hold.
 fn sources() -> Sources {
+    let workspace = fs::read_to_string(committed_file("Cargo.toml")).unwrap();
     let mut sources = Sources::new();
-    for name in CRATES {
-        collect(Path::new("crates").join(name), &mut sources);
-    }
-    for path in ["data", "rust-toolchain.toml", "Cargo.lock", ".cargo"] {
+    let members = members(&workspace);
+    for path in
+        members.iter().map(String::as_str).chain(["data", "rust-toolchain.toml", "Cargo.lock", ".cargo"])
+    {
         collect(path.into(), &mut sources);
     }
-    let workspace = fs::read_to_string(committed_file("Cargo.toml")).unwrap();
-    let members = CRATES.map(|name| format!("\"crates/{name}\"")).join(", ");
     let all = "members = [\"crates/*/*\", \"xtask\", \"tests\"]";
     assert!(workspace.contains(all));
-    let workspace = workspace.replace(all, &format!("members = [{members}]"));
-    sources.insert("Cargo.toml".into(), workspace.into());
+    let (manifest, _profiles) = workspace.split_once("[profile.").unwrap();
+    let members = Vec::from_iter(members);
+    let manifest = manifest.replace(all, &format!("members = {members:?}"));
+    sources.insert("Cargo.toml".into(), format!("{manifest}\n{PROFILE}").into());
     sources
+}
+
+/// The folders of the tested crates and of every crate of the workspace below them.
+fn members(workspace: &str) -> BTreeSet<String> {
+    let folders: BTreeMap<&str, &str> = workspace
+        .lines()
+        .filter_map(|line| line.split_once(" = { path = \""))
+        .map(|(name, rest)| (name, rest.split('"').next().unwrap()))
+        .collect();
+    let mut members = BTreeSet::new();
+    let mut open = TESTED.to_vec();
+    while let Some(name) = open.pop() {
+        if !members.insert(folders[name].to_owned()) {
+            continue;
+        }
+        let manifest = fs::read_to_string(committed_file(folders[name]).join("Cargo.toml")).unwrap();
+        let used = |line: &&str| line.contains("workspace = true");
+        let names = manifest.lines().filter(used).filter_map(|line| line.split(['.', ' ']).next());
+        open.extend(names.filter_map(|name| folders.get_key_value(name).map(|(name, _)| *name)));
+    }
+    members
 }
 
 /// A file, or every file of a folder.
@@ -126,7 +132,7 @@ fn collect(path: PathBuf, sources: &mut Sources) {
     }
 }
 
-/// Carries out every block of code of the page; the heading above it names its file. Yields the files.
+/// Applies every block of code of the page to the file that the heading above it names, and returns these files.
 fn follow(page: &str, sources: &mut Sources) -> BTreeSet<PathBuf> {
     let mut touched = BTreeSet::new();
     for section in page.split("\n### `").skip(1) {
@@ -162,7 +168,7 @@ fn changed(text: &str, block: &str, file: &Path) -> String {
     text.replace(&before, &after)
 }
 
-/// Writes what differs, so that what was compiled before is compiled no more, and removes what does not belong there.
+/// Writes the files that differ, so that the others are not compiled again, and removes those that do not belong there.
 fn write(sources: &Sources, folder: &Path) {
     for old in files_below(folder) {
         if !sources.contains_key(old.strip_prefix(folder).unwrap()) {

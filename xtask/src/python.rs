@@ -55,7 +55,8 @@ fn carry_out(anew: bool) -> Result<(), String> {
 fn command_line(root: &Path) -> Result<PathBuf, String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
-        .args(["build", "--quiet", "--package", "truearea-cli"])
+        // With the features that the whole workspace resolves to, as `cargo test --workspace` has built it.
+        .args(["build", "--quiet", "--workspace", "--bin", "truearea"])
         .current_dir(root)
         .status();
     match status {

@@ -184,7 +184,7 @@ fn drawn(
     match svg.split_once('>') {
         Some((opening, inside)) => {
             format!(
-                "{opening} viewBox=\"0 0 {} {}\">\n<!-- drawn by cargo xtask judge; do not edit -->\n{inside}",
+                "{opening} viewBox=\"0 0 {} {}\">\n<!-- drawn by cargo xtask model-trials; do not edit -->\n{inside}",
                 scene.width, scene.height
             )
         }

@@ -89,7 +89,7 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
 }
 
 fn provenance(facts: &[Fact]) -> Vec<String> {
-    let measured = "measured by `cargo xtask bench`; do not edit".to_owned();
+    let measured = "measured by `cargo xtask work-precision`; do not edit".to_owned();
     std::iter::once(measured).chain(facts.iter().map(|(name, value)| format!("{name}: {value}"))).collect()
 }
 

@@ -81,6 +81,16 @@ pub(crate) fn is_named_in(bytes: &[u8], name: &str) -> bool {
     memmem::find(bytes, name.as_bytes()).is_some()
 }
 
+/// Names of the index of a container.
+#[cfg(feature = "container")]
+pub(crate) const INDEXES: [&str; 2] = ["index.json", "meta.yml"];
+
+/// Returns true if a file names the index of a container; nothing is unpacked.
+#[cfg(feature = "container")]
+pub(crate) fn is_container(bytes: &[u8]) -> bool {
+    is_zip(bytes) && INDEXES.iter().any(|index| is_named_in(bytes, index))
+}
+
 fn failure(what: &str, error: &zip::result::ZipError) -> ScanReadError {
     ScanReadError::Zip { what: what.to_owned(), problem: error.to_string() }
 }

@@ -1,8 +1,8 @@
 //! Reading of binary fields one after the other, each within the file.
 
-use crate::channel::MOST_TEXT;
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
+pub(crate) use crate::texts::{latin1, latin1_at_most};
 
 /// The order of the bytes of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,16 +122,4 @@ impl<'b> Cursor<'b> {
             mend: "the file is damaged or of a variant that is not known: export it again",
         }
     }
-}
-
-/// Latin-1 up to the first zero byte, without blanks around it; of a text longer than any that people write the beginning.
-pub(crate) fn latin1(bytes: &[u8]) -> String {
-    latin1_at_most(bytes, MOST_TEXT)
-}
-
-/// The same of a text of which more is of use.
-pub(crate) fn latin1_at_most(bytes: &[u8], most_bytes: usize) -> String {
-    let bytes = bytes.get(..most_bytes).unwrap_or(bytes);
-    let end = bytes.iter().position(|&byte| byte == 0).unwrap_or(bytes.len());
-    bytes[..end].iter().map(|&byte| char::from(byte)).collect::<String>().trim().to_owned()
 }

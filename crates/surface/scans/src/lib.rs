@@ -34,6 +34,7 @@ mod room;
 mod scan_size;
 mod single;
 mod statistics;
+mod texts;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]
 #[cfg_attr(not(feature = "archives"), allow(dead_code, reason = "fewer formats unpack less"))]

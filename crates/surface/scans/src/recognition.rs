@@ -11,7 +11,7 @@ impl ScanFormat {
         #[cfg(feature = "archives")]
         let bytes = &*crate::unpacked::told_by(bytes);
         #[cfg(feature = "container")]
-        if crate::readers::container::is_container(bytes) {
+        if crate::archive::is_container(bytes) {
             return Some(Self::Container);
         }
         reader_of(bytes).map(|reader| reader.format).filter(|format| *format != Self::Text)

@@ -59,7 +59,7 @@ fn is_zip_of_files(bytes: &[u8]) -> bool {
 }
 
 #[cfg(feature = "container")]
-use crate::readers::container::is_container;
+use crate::archive::is_container;
 
 #[cfg(not(feature = "container"))]
 fn is_container(_: &[u8]) -> bool {

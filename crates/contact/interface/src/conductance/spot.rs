@@ -2,7 +2,6 @@
 
 use units::{Bound, OutOfBounds};
 
-use super::stiffness::modulus;
 use super::{Conductivities, Resistivities};
 
 /// Circular spot between two half-spaces, or the one that conducts as much as an interface of many.
@@ -64,4 +63,8 @@ impl Spot {
     pub fn thermal_conductance_w_per_k(&self, conductivities: &Conductivities) -> f64 {
         2.0 * conductivities.harmonic_mean_w_per_m_k() * self.radius_m
     }
+}
+
+pub(super) fn modulus(contact_modulus_pa: f64) -> Result<f64, OutOfBounds> {
+    Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)
 }

@@ -2,6 +2,7 @@
 
 use units::{Bound, OutOfBounds};
 
+use super::spot::modulus;
 use super::{Conductivities, Resistivities, Spot};
 
 /// Ratio K/E*: the stiffness of an interface per nominal area over the contact modulus, the only mechanical input of
@@ -63,8 +64,4 @@ impl RelativeStiffness {
         let area_m2 = Bound::Magnitude.check("nominal area in m^2", nominal_area_m2)?;
         Ok(Spot::from_relative_stiffness_m(self.per_m * area_m2))
     }
-}
-
-pub(super) fn modulus(contact_modulus_pa: f64) -> Result<f64, OutOfBounds> {
-    Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)
 }

@@ -2,6 +2,7 @@
 
 mod names;
 
+pub(crate) use crate::texts::{MOST_TEXT, shortened};
 pub(crate) use names::{is_named_after_height, is_named_after_signal};
 
 use crate::error::{Place, ScanReadError};
@@ -14,8 +15,6 @@ use units::LengthUnit;
 
 /// Most channels of a file whose header may claim any number of them; instruments write some dozens.
 pub(crate) const MOST_CHANNELS: usize = 1024;
-/// Most bytes of what people wrote that are kept, of which every channel has a copy.
-pub(crate) const MOST_TEXT: usize = 1 << 14;
 /// Most bytes of a name or unit.
 const LONGEST_NAME: usize = 256;
 
@@ -220,13 +219,4 @@ pub(crate) fn refuse_many(format: ScanFormat, channels: usize) -> Result<(), Sca
         bound: format!("at most {MOST_CHANNELS}"),
         mend: "the file is damaged, or has to be exported in parts",
     })
-}
-
-/// The beginning of a text that is longer than so many bytes, in memory of its own.
-pub(crate) fn shortened(text: String, most_bytes: usize) -> String {
-    if text.len() <= most_bytes {
-        return text;
-    }
-    let end = text.floor_char_boundary(most_bytes);
-    text[..end].to_owned()
 }

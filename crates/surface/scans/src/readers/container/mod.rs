@@ -4,7 +4,7 @@ mod index;
 
 pub use index::read_metadata;
 
-use crate::archive::{Archive, is_named_in, is_zip, leads_outside};
+use crate::archive::{Archive, INDEXES, is_zip, leads_outside};
 use crate::error::{Place, ScanReadError};
 use crate::file::ScanFile;
 use crate::format::ScanFormat;
@@ -12,7 +12,6 @@ use crate::metadata::{MeasurementMetadata, file_name};
 use crate::options::ScanOptions;
 use crate::single::read_one;
 
-const INDEXES: [&str; 2] = ["index.json", "meta.yml"];
 /// A measurement takes some kilobytes.
 const LARGEST_INDEX: u64 = 16 << 20;
 
@@ -35,11 +34,6 @@ pub(crate) fn read(bytes: &[u8], options: &ScanOptions) -> Option<Result<Vec<Sca
     };
     let index = index_path(&archive)?;
     Some(measurements(&mut archive, &index, options))
-}
-
-/// Whether the names of a container stand in a file, told without unpacking it.
-pub(crate) fn is_container(bytes: &[u8]) -> bool {
-    is_zip(bytes) && INDEXES.iter().any(|index| is_named_in(bytes, index))
 }
 
 /// Reads every measurement, or the one asked for.
