@@ -1,13 +1,13 @@
-//! What is wrong with a typed quantity.
+//! Errors of typed quantities.
 
 use crate::bound::OutOfBounds;
 
-/// What is wrong with a typed quantity.
+/// Errors of parsing a quantity with its unit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
-    /// No number at its start.
-    #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
+    /// The text does not start with a number.
+    #[error("'{text}' does not start with a number; {} {what} reads like '{example}'", article(what))]
     NoNumber {
         /// What was typed.
         text: String,
@@ -17,7 +17,7 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// A number without a unit.
-    #[error("'{text}' has no unit; a {what} needs one of {units}, as in '{example}'")]
+    #[error("'{text}' has no unit; {} {what} needs one of {units}, as in '{example}'", article(what))]
     NoUnit {
         /// What was typed.
         text: String,
@@ -28,8 +28,8 @@ pub enum QuantityError {
         /// A good one.
         example: &'static str,
     },
-    /// A unit of something else, or of nothing.
-    #[error("'{text}' has the unit '{unit}'; a {what} needs one of {units}")]
+    /// A unit of another kind of quantity, or an unknown one.
+    #[error("'{text}' has the unit '{unit}'; {} {what} needs one of {units}", article(what))]
     WrongUnit {
         /// What was typed.
         text: String,
@@ -40,15 +40,15 @@ pub enum QuantityError {
         /// The accepted units.
         units: String,
     },
-    /// Not a usable magnitude.
-    #[error("'{text}' is out of range; a {what} must be greater than 0 and finite")]
+    /// Zero, negative or beyond the largest double.
+    #[error("'{text}' is out of range; {} {what} must be greater than 0 and finite", article(what))]
     NotPositive {
         /// What was typed.
         text: String,
         /// The kind of quantity.
         what: &'static str,
     },
-    /// A number that its scale of hardness does not have.
+    /// A number outside its hardness scale.
     #[error(
         "'{text}' is off its scale: {error}; give the hardness as a Vickers number, such as 300 HV, or as a pressure"
     )]
@@ -70,10 +70,9 @@ pub enum QuantityError {
         /// What was typed.
         text: String,
     },
-    /// A spread where one value is wanted.
+    /// A value with its uncertainty where a single value is expected.
     #[error(
-        "'{text}' says how well a {what} is known, and one value is wanted here; a scene takes it for its material, as \
-         [material] youngs_modulus = \"210 GPa +- 5 GPa\""
+        "expected a single {what}, not '{text}'; uncertainties (+-, to) are allowed only for materials of scenes"
     )]
     OneValueWanted {
         /// What was typed.
@@ -81,4 +80,9 @@ pub enum QuantityError {
         /// The kind of quantity.
         what: &'static str,
     },
+}
+
+/// The indefinite article of a kind of quantity.
+fn article(what: &str) -> &'static str {
+    if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" }
 }

@@ -32,7 +32,7 @@ fn wrong_options_are_named_with_the_right_ones() {
         "s.txt: there is no option 'units' of a scan; there are unit, channel, size, tip-radius, shortest, gaps, direction, \
          instrument, z-calibration and slope-uncertainty"
     );
-    assert!(error("s.txt:unit=furlong").starts_with("s.txt: option unit: 'furlong' is no unit of length"));
+    assert!(error("s.txt:unit=furlong").starts_with("s.txt: option unit: 'furlong' is not a unit of length"));
     assert!(error("s.txt:shortest=46").starts_with("s.txt: option shortest: '46' has no unit"));
 }
 
@@ -57,7 +57,7 @@ fn what_is_no_uncertainty_of_an_instrument_is_refused_with_value_and_bound() {
     }
     assert_eq!(
         error("z-calibration=3 nm"),
-        "s.txt: option z-calibration: '3 nm' is no share; one reads '3 %' or '0.03'"
+        "s.txt: option z-calibration: '3 nm' is not a fraction; write '3 %' or '0.03'"
     );
     assert_eq!(
         error("slope-uncertainty=-0.05"),
