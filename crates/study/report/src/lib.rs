@@ -1,43 +1,23 @@
 #![doc = include_str!("../README.md")]
 
-pub mod advice_words;
-mod answer_words;
-mod coverage;
-pub mod curve_names;
-mod cut_counts;
-mod decade;
-pub mod doubt_words;
-pub mod elements_figure;
-pub mod elements_words;
-pub mod explain;
-pub mod field_picture;
-pub mod gap_words;
-pub mod heights_picture;
-mod interface_figure;
-mod interface_table;
-mod interface_words;
-mod judged;
-mod listing;
-pub mod material_words;
-mod number_words;
+mod figures;
 pub mod occasion;
-mod opening;
 pub mod page;
-pub mod persson_words;
+mod pictures;
 pub mod plot;
 pub mod products;
-pub mod provenance;
-pub mod reasons;
-pub mod row_notes;
 pub mod run;
-pub mod scan_words;
-pub mod scans_table;
-#[cfg(feature = "scene-errors")]
-pub mod scene_errors;
-pub mod scene_note_words;
-pub mod spectrum_words;
-pub mod summary;
 pub mod trust;
-pub mod uncertainty_words;
-mod verdict_words;
-mod yardstick_words;
+mod words;
+
+pub use figures::elements_figure;
+use figures::{interface_figure, intervals, judged};
+pub use pictures::{field_picture, heights_picture};
+#[cfg(feature = "scene-errors")]
+pub use words::scene_errors;
+pub use words::{
+    advice_words, curve_names, doubt_words, elements_words, explain, gap_words, material_words,
+    persson_words, provenance, reasons, row_notes, scan_words, scans_table, scene_note_words, spectrum_words,
+    summary, uncertainty_words,
+};
+use words::{answer_words, interface_words, listing, verdict_words, yardstick_words};

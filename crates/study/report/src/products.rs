@@ -2,9 +2,8 @@
 
 use std::io::{self, Write};
 
-use crate::coverage::with_intervals;
 use crate::curve_names::with_full_names;
-use crate::interface_table;
+use crate::intervals::with_intervals;
 use crate::judged;
 use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
@@ -12,17 +11,18 @@ use crate::plot;
 use crate::provenance::provenance;
 use crate::trust::Trust;
 use findings::answer::Answer;
-use findings::interface::InterfaceStates;
+use findings::interface::{InterfaceStates, of_slots};
 use findings::sensitivity::{Sensitivity, counted_sensitivities};
 use judge::Judgement;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use study::figure::{Figure, FigureData, Shows, over_scans};
+use study::interface::Slot;
 use study::plan::{Cutoffs, PlanError, Results, Work};
 use study::result_tables;
 use study::{Progress, Unobserved};
 use tables::{Format, Table};
-use uncertainty::Uncertainty;
+use uncertainty::{QuantityInterval, Uncertainty};
 
 /// The page on everything that a scene found.
 const REPORT: &str = "report.html";
@@ -341,7 +341,7 @@ pub fn each_product<E>(
         }
     }
     if let Some(states) = InterfaceStates::of_scene(scene, results) {
-        take_table(INTERFACE_TABLE, "table", &interface_table::of(&states, scene, trust.uncertainty))?;
+        take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, trust.uncertainty))?;
     }
     let figures: Vec<FigureData> =
         scene.figures.iter().map(|figure| data(scene, results, figure, trust.uncertainty)).collect();
@@ -362,4 +362,25 @@ pub fn each_product<E>(
         take(REPORT, Product::Report(&report.html()))?;
     }
     Ok(())
+}
+
+/// A row per quantity, load and curve that has a value: `quantity, nominal_pressure_pa, curve, value, median, low, high, level`. The
+/// quantity carries its unit; what is the same under all loads has no pressure, what no draws were made for no interval.
+fn interface_table(states: &InterfaceStates<'_>, scene: &Scene, uncertainty: Option<&Uncertainty>) -> Table {
+    let found: Vec<(Slot, f64)> = states
+        .slots()
+        .into_iter()
+        .filter_map(|slot| Some((slot, states.value(slot).ok().flatten()?)))
+        .collect();
+    let slots: Vec<Slot> = found.iter().map(|(slot, _)| *slot).collect();
+    let interval = |of: fn(&QuantityInterval) -> f64| {
+        slots.iter().map(move |slot| uncertainty.and_then(|found| found.quantity(*slot)).map(of))
+    };
+    let level = |slot: &Slot| uncertainty.filter(|found| found.quantity(*slot).is_some());
+    of_slots(&scene.needs, &slots)
+        .with_numbers("value", found.iter().map(|(_, value)| *value))
+        .with_numbers("median", interval(|interval| interval.median))
+        .with_numbers("low", interval(|interval| interval.low))
+        .with_numbers("high", interval(|interval| interval.high))
+        .with_numbers("level", slots.iter().map(|slot| level(slot).map(|found| found.settings.level)))
 }

@@ -4,9 +4,9 @@ use maud::{Markup, html};
 
 use super::SceneReport;
 use crate::answer_words;
-use crate::opening;
 use crate::scan_words;
 use crate::summary::sampling;
+use crate::verdict_words;
 use units::display::typeset;
 
 pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {
@@ -24,7 +24,7 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
     html! {
         @if several { h3 { (report.label) } }
-        @for text in opening::lines(scene, answer, report.trust) { p.first { strong { (typeset(&text)) } } }
+        @for text in verdict_words::opening(scene, answer, report.trust) { p.first { strong { (typeset(&text)) } } }
         p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
         @if scene.needs.curves.is_empty() { p { "No contact was asked for: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }

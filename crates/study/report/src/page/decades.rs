@@ -2,9 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::share_cell::share_cell;
-use super::{SceneReport, Section, per_scene, table};
-use crate::decade;
+use super::{SceneReport, Section, per_scene, share_cell, table};
+use crate::listing::decade_name;
 use findings::features::DecadeShare;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -39,7 +38,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         tr {
             th scope="col" { "curve" } th scope="col" { "nominal pressure" }
             @for decade in &decades {
-                th scope="col" { (decade::name(decade, psd)) }
+                th scope="col" { (decade_name(decade, psd)) }
             }
         }
     };

@@ -2,10 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::share_cell::share_cell;
-use super::{SceneReport, Section, per_scene, table};
-use crate::coverage::level;
-use crate::uncertainty_words;
+use super::{SceneReport, Section, per_scene, share_cell, table};
+use crate::uncertainty_words::{self, level};
 use uncertainty::{
     AreaInterval, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, Uncertainty,
 };

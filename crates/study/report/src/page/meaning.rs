@@ -3,9 +3,9 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::{SceneReport, Section, per_numbered_scene, table};
-use crate::coverage::level;
 use crate::interface_figure::gap_against_load;
 use crate::listing::capital;
+use crate::uncertainty_words::level;
 use crate::{interface_words, plot};
 use findings::interface::InterfaceStates;
 use study::interface::Slot;

@@ -15,7 +15,6 @@ mod meaning;
 mod measure_next;
 mod provenance;
 mod sensitivities;
-mod share_cell;
 mod validity;
 mod verdict;
 
@@ -159,6 +158,18 @@ fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
         // Reached by keyboard, since it may have to be scrolled.
         div.wide role="region" aria-label=(caption) tabindex="0" {
             table { caption { (caption) } thead { (head) } (body) }
+        }
+    }
+}
+
+/// As dark as its share is large; a negative one is outlined instead.
+fn share_cell(percent: Option<i32>) -> Markup {
+    match percent {
+        None => html! { td.share {} },
+        Some(percent) if percent < 0 => html! { td.share.against { "−" (-percent) } },
+        Some(percent) => {
+            let depth = f64::from(percent.min(100)) / 100.0;
+            html! { td.share style={ "--share:" (format!("{depth:.2}")) } { (percent) } }
         }
     }
 }

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::key_numbers::percent;
 use super::{SceneReport, Section, per_scene};
 use crate::doubt_words;
-use crate::summary::{beyond_fitted_range, statistical_notes};
+use crate::words::curve_counts::{beyond_fitted_range, statistical_notes};
 use findings::doubts::Doubt;
 use study::plan::CurveResult;
 

@@ -8,9 +8,9 @@ use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 
-use crate::coverage::level;
 use crate::listing::listed;
 use crate::persson_words;
+use crate::uncertainty_words::level;
 
 /// What is nearer than this is in touch \[m\].
 const ATOM_M: f64 = 0.3e-9;

@@ -2,35 +2,32 @@
 
 use std::fmt::Write;
 
-use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
+pub use super::curve_counts::{CurveCounts, notes_of_states};
+use super::curve_counts::{beyond_fitted_range, statistical_notes};
 use crate::curve_names::in_full;
-use crate::cut_counts::CutCounts;
 use crate::trust::Trust;
 use crate::yardstick_words::yardsticks;
 use crate::{
-    advice_words, answer_words, coverage, doubt_words, interface_words, opening, scan_words,
-    uncertainty_words, verdict_words,
+    advice_words, answer_words, doubt_words, interface_words, scan_words, uncertainty_words, verdict_words,
 };
 use findings::answer::{Answer, LoadAnswer};
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
 use scene::Scene;
-use state_tables::{NarrowSpectra, StateCounts};
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
+use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use uncertainty::Uncertainty;
-use units::display::{counted, length, pressure, three_digits};
-use units::number;
+use units::display::{length, pressure, three_digits};
 
 /// The summary of a scene's results, which opens with how far they can be trusted, where that was asked.
 pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'_>) -> String {
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
-    for first in opening::lines(scene, answer, trust) {
+    for first in verdict_words::opening(scene, answer, trust) {
         let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
     }
     let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
@@ -134,7 +131,7 @@ fn curve_summary(
         .to_vec(),
     ];
     if let Some(uncertainty) = uncertainty {
-        rows[0].insert(AFTER_THE_AREA, coverage::level(uncertainty));
+        rows[0].insert(AFTER_THE_AREA, uncertainty_words::level(uncertainty));
     }
     for ((index, load), answer) in scene.needs.loads.iter().enumerate().zip(loads) {
         let Some(answer) = answer else { continue };
@@ -189,132 +186,6 @@ fn stacked_remarks(
         );
     }
     text
-}
-
-/// What the states of a statistical curve, or the cuts of Persson's theory, leave open or go beyond.
-pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
-    let mut counts = CurveCounts::default();
-    counts.add(result);
-    counts.notes()
-}
-
-/// What there is to say of one block of a curve.
-pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
-    let mut counts = CurveCounts::default();
-    match result {
-        CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
-        CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
-        CurveResult::Statistical(blocks) => {
-            counts.add_states(&blocks[block]);
-        }
-    }
-    counts.notes()
-}
-
-/// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
-pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
-    let mut counts = LevelCounts::default();
-    counts.add(curve);
-    counts.note()
-}
-
-/// What there is to count of a curve, whose parts may come one by one.
-#[derive(Debug, Default)]
-pub struct CurveCounts {
-    states: StateCounts,
-    narrow: NarrowSpectra,
-    levels: LevelCounts,
-    cuts: CutCounts,
-}
-
-impl CurveCounts {
-    /// Counts the rows of a curve, or of a part of one.
-    pub fn add(&mut self, part: &CurveResult) {
-        match part {
-            CurveResult::Stacked(blocks) => self.levels.add(blocks),
-            CurveResult::Persson(blocks) => self.cuts.add(blocks),
-            CurveResult::Statistical(blocks) => {
-                blocks.iter().for_each(|rows| self.add_states(rows));
-            }
-        }
-    }
-
-    fn add_states(&mut self, rows: &[CutoffState]) {
-        let contacts = rows.iter().filter_map(|row| row.contact.as_ref());
-        self.states.add(contacts.map(|(_, state)| state));
-        rows.iter().filter_map(|row| row.too_narrow_alpha).for_each(|alpha| self.narrow.add(alpha));
-    }
-
-    /// What there is to say of them.
-    pub fn notes(&self) -> Vec<String> {
-        let all = counted(self.states.all + self.narrow.count, "row");
-        let narrow = narrow_spectra(&self.narrow, &all);
-        let of_states = notes_of_states(&self.states).into_iter().chain(narrow);
-        of_states.chain(self.levels.note()).chain(self.cuts.notes()).collect()
-    }
-}
-
-/// What there is to say of spectra that have no summits, if there are any.
-pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String> {
-    // Rounded down, so that none is told to be 1.5.
-    let [lowest, highest] = narrow.alphas?.map(|alpha| number((1e3 * alpha).floor() / 1e3));
-    let alphas = if lowest == highest { lowest } else { format!("{lowest} to {highest}") };
-    Some(format!(
-        "{} of {of}: alpha = m0 m4/m2^2 is {alphas}, below the 1.5 that every surface reaches: no summits, no result",
-        narrow.count
-    ))
-}
-
-/// What there is to say of states together, with those that are beyond complete contact.
-pub fn notes_of_states(counts: &StateCounts) -> Vec<String> {
-    let what = "beyond complete contact of every asperity, area fraction 1, no separation";
-    of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
-}
-
-/// What there is to say where each state beyond complete contact is told by itself.
-pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
-    let clamped = of_states(
-        counts.clamped,
-        counts,
-        "more contact area than there is nominal area, held at an area fraction of 1",
-    );
-    let out_of_range = of_states(
-        counts.out_of_range,
-        counts,
-        "most of the load on asperities outside the range their law was fitted in",
-    );
-    clamped.into_iter().chain(out_of_range).collect()
-}
-
-fn of_states(found: usize, counts: &StateCounts, what: &str) -> Option<String> {
-    (found > 0).then(|| format!("{found} of {}: {what}", counted(counts.all, "state")))
-}
-
-/// How many levels lie beyond what their law is trusted for.
-#[derive(Debug, Default)]
-struct LevelCounts {
-    all: usize,
-    beyond: usize,
-}
-
-impl LevelCounts {
-    fn add(&mut self, curve: &[Vec<Level>]) {
-        let flagged =
-            |level: &&Level| level.aspect_ratio_over_critical > Some(FLAGGED_ASPECT_RATIO_OVER_CRITICAL);
-        self.all += curve.iter().map(Vec::len).sum::<usize>();
-        self.beyond += curve.iter().flatten().filter(flagged).count();
-    }
-
-    fn note(&self) -> Option<String> {
-        let LevelCounts { all, beyond } = self;
-        (*beyond > 0).then(|| {
-            format!(
-                "{beyond} of {}: B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the elastic-plastic \
-                 sinusoid is trusted for",
-                counted(*all, "level")
-            )
-        })
-    }
 }
 
 fn settled(answer: &LoadAnswer, found: Convergence) -> String {

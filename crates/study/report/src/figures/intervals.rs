@@ -1,9 +1,9 @@
 //! Coverage intervals, on figures of areas.
 
+use crate::uncertainty_words::level;
 use scene::Scene;
 use study::figure::{Band, BandKind, Figure, FigureData, Mark, Shows};
 use uncertainty::{AreaBand, AreaInterval, Uncertainty};
-use units::display::three_digits;
 
 /// A figure with the intervals of the areas that it shows: bands behind the lines against the cutoff, and bars at the loads of
 /// the scene on lines against the load that end at the shortest wavelength. Its lines have the curves' own names.
@@ -26,11 +26,6 @@ pub(crate) fn with_intervals(
         }
         Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => data,
     }
-}
-
-/// `95 %`, the probability that intervals cover.
-pub(crate) fn level(uncertainty: &Uncertainty) -> String {
-    format!("{} %", three_digits(100.0 * uncertainty.settings.level))
 }
 
 /// The band of a line that the figure shows.

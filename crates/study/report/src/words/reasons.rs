@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
+use super::curve_counts::notes_of_block;
 use crate::curve_names::in_full;
-use crate::summary::notes_of_block;
 use findings::answer::{Answer, LoadAnswer};
 use scene::Scene;
 use study::plan::{CurveResult, Results};

@@ -7,10 +7,8 @@ use uncertainty::{
 };
 use units::display::{counted, length, three_digits};
 
-use crate::coverage::level;
 use crate::curve_names::in_full;
-use crate::listing::{capital, listed};
-use crate::number_words::number_word;
+use crate::listing::{capital, listed, number_word};
 
 /// A share above which the input carries most of the interval.
 const MOST: f64 = 0.5;
@@ -29,6 +27,11 @@ pub(crate) fn interval(uncertainty: &Uncertainty, curve: usize, load: usize) -> 
     }
     let from = carried_by(uncertainty, area).map_or_else(String::new, |from| format!(", {from}"));
     Some(format!("{}: {}{from}", level(uncertainty), ends(area)))
+}
+
+/// `95 %`, the probability that intervals cover.
+pub(crate) fn level(uncertainty: &Uncertainty) -> String {
+    format!("{} %", three_digits(100.0 * uncertainty.settings.level))
 }
 
 /// `0.0011 to 0.0024`, both ends of an interval.

@@ -6,18 +6,29 @@ use scene::Scene;
 use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 
-use crate::coverage::level;
 use crate::curve_names::in_full;
 use crate::listing::{at_loads, capital, listed, range};
 use crate::trust::Trust;
-use crate::uncertainty_words::interval;
+use crate::uncertainty_words::{self, interval, level};
 
 /// More loads than this are left to the table.
 const LOADS_TOLD: usize = 3;
 
+/// The number that a judge stands for; where none was asked, or no curve is left to him, the curves with their intervals.
+pub(crate) fn opening(scene: &Scene, answer: &Answer, trust: Trust<'_>) -> Vec<String> {
+    // A spectrum that tells nothing has no number.
+    if answer.too_few_scales.is_some() || answer.instruments_disagree.is_some() {
+        return Vec::new();
+    }
+    if let Some(first) = first_line(trust, scene) {
+        return vec![first];
+    }
+    trust.uncertainty.map_or_else(Vec::new, |found| uncertainty_words::of_curves(found, scene))
+}
+
 /// The number of each of the first loads, with its bracket and its coverage interval; none where no curve has an area, or
 /// nobody judged them.
-pub(crate) fn first_line(trust: Trust<'_>, scene: &Scene) -> Option<String> {
+fn first_line(trust: Trust<'_>, scene: &Scene) -> Option<String> {
     let judgement = trust.judgement?;
     let told: Vec<&Headline> = judgement.headlines.iter().take(LOADS_TOLD).collect();
     let numbers: Vec<String> =

@@ -1,6 +1,9 @@
 //! Loads, names and ranges as people list them.
 
+use findings::features::DecadeShare;
 use scene::Scene;
+use spectrum::ProfilePsd;
+use units::display::length;
 
 /// `at every load`, `at 5 MPa`, `at 1e-3 H and 1e-2 H`.
 pub(crate) fn at_loads(scene: &Scene, loads: &[usize]) -> String {
@@ -36,6 +39,28 @@ pub(crate) fn capital(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
 }
 
+/// `three` of 3; numbers of 13 and more, 0 and 1 in digits.
+pub(crate) fn number_word(number: usize) -> String {
+    const WORDS: [&str; 11] =
+        ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
+    let word = number.checked_sub(2).and_then(|at| WORDS.get(at));
+    word.map_or_else(|| number.to_string(), |word| (*word).to_owned())
+}
+
+/// `10 µm to 1 µm`: a decade that the spectrum covers in part is told as far as the spectrum goes, and one that was not
+/// measured as such.
+pub(crate) fn decade_name(decade: &DecadeShare, psd: &ProfilePsd) -> String {
+    let begins_m = decade.longest_m.min(psd.longest_wavelength_m());
+    let ends_m = decade.shortest_m.max(psd.shortest_wavelength_m());
+    let measured = if decade.measured { "" } else { ", not measured" };
+    format!("{} to {}{measured}", unbroken(begins_m), unbroken(ends_m))
+}
+
+/// A length that stays on its line.
+fn unbroken(length_m: f64) -> String {
+    length(length_m).replace(' ', "\u{a0}")
+}
+
 #[cfg(test)]
 mod tests {
     use units::display::three_digits;
@@ -49,5 +74,15 @@ mod tests {
         assert_eq!(listed(&["a, b", "c", "d"]), "a, b; c and d");
         assert_eq!(range([2.0, 1.0, 3.0].into_iter(), three_digits), "1 to 3");
         assert_eq!(range([2.0, 2.0001].into_iter(), three_digits), "2");
+    }
+
+    #[test]
+    fn a_decade_is_told_as_far_as_the_spectrum_goes() {
+        let psd = ProfilePsd::new(vec![4e-5, 1.26e-6], vec![1e-20, 1e-24]).unwrap();
+        let told = |longest_m, measured| {
+            decade_name(&DecadeShare { longest_m, shortest_m: longest_m / 10.0, share: 0.5, measured }, &psd)
+        };
+        assert_eq!(told(1e-4, true), "40\u{a0}µm to 10\u{a0}µm");
+        assert_eq!(told(1e-5, false), "10\u{a0}µm to 1.26\u{a0}µm, not measured");
     }
 }

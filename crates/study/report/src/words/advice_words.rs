@@ -5,7 +5,7 @@ use uncertainty::{Advice, Settling, Step, StepKind, Uncertainty};
 use units::display::{length, three_digits};
 
 use crate::curve_names::in_full;
-use crate::number_words::number_word;
+use crate::listing::number_word;
 use crate::uncertainty_words::group_in_words;
 
 /// A ratio this close to 1 is none.

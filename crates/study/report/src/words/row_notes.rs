@@ -4,7 +4,7 @@ use state_tables::RowsNote;
 use units::display::counted;
 use units::number;
 
-use crate::summary::{narrow_spectra, state_notes};
+use super::curve_counts::{narrow_spectra, state_notes};
 
 /// A note as people read it; none where there is nothing to say.
 pub fn told(note: &RowsNote) -> Vec<String> {

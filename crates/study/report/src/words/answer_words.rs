@@ -1,8 +1,7 @@
 //! The answer in plain words.
 
 use crate::curve_names::in_full;
-use crate::decade;
-use crate::listing::{at_loads, listed, range};
+use crate::listing::{at_loads, decade_name, listed, range};
 use findings::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
 use scene::Scene;
 use spectrum::ProfilePsd;
@@ -220,7 +219,7 @@ impl<'a> Group<'a> {
     fn deciding(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
-            Some((decade::name(decade, psd), decade.share))
+            Some((decade_name(decade, psd), decade.share))
         };
         let mut decades: Vec<(String, Vec<usize>, Vec<f64>)> = Vec::new();
         for (load, answer) in &self.answers {

@@ -1,0 +1,6 @@
+//! Figures as data that only a report has, and what it lays over the figures of a scene.
+
+pub mod elements_figure;
+pub(crate) mod interface_figure;
+pub(crate) mod intervals;
+pub(crate) mod judged;

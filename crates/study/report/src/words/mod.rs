@@ -1,0 +1,27 @@
+//! Everything that is said in words: sentences, notes and text tables, made from results as data.
+
+pub mod advice_words;
+pub(crate) mod answer_words;
+pub(crate) mod curve_counts;
+pub mod curve_names;
+pub mod doubt_words;
+pub mod elements_words;
+pub mod explain;
+pub mod gap_words;
+pub(crate) mod interface_words;
+pub(crate) mod listing;
+pub mod material_words;
+pub mod persson_words;
+pub mod provenance;
+pub mod reasons;
+pub mod row_notes;
+pub mod scan_words;
+pub mod scans_table;
+#[cfg(feature = "scene-errors")]
+pub mod scene_errors;
+pub mod scene_note_words;
+pub mod spectrum_words;
+pub mod summary;
+pub mod uncertainty_words;
+pub(crate) mod verdict_words;
+pub(crate) mod yardstick_words;
