@@ -116,7 +116,7 @@ def main():
     with multiprocessing.Pool(given.jobs) as pool:
         rows = list(pool.imap(of_case, cases))
     comments = [
-        "Persson's theory: docs/models.md. H0 = 1.",
+        "Persson's theory: docs/theory/models.md. H0 = 1.",
         INPUT_NOTE,
         "agreement: relative deviation between images and eigenfunctions; of growing hardness the last mode left in.",
     ]

@@ -167,10 +167,10 @@ def tiny_shift(k):
 GENERATORS = {"sphere": sphere_inputs, "sinusoid": sinusoid_inputs,
               "sinusoid_interference": interference_inputs}
 TITLES = {
-    "sphere": "One asperity, sphere: Hertz and Jackson-Green (docs/models.md, sections 2.1, "
+    "sphere": "One asperity, sphere: Hertz and Jackson-Green (docs/theory/models.md, sections 2.1, "
               "2.2); the Jackson-Green area is capped at pi R^2, forces and the Hertz area are not.",
-    "sinusoid": "One sinusoid at a mean pressure: docs/models.md, sections 2.3, 2.4, 2.5.",
-    "sinusoid_interference": "One sinusoid pressed to an interference: docs/models.md, section "
+    "sinusoid": "One sinusoid at a mean pressure: docs/theory/models.md, sections 2.3, 2.4, 2.5.",
+    "sinusoid_interference": "One sinusoid pressed to an interference: docs/theory/models.md, section "
                              "2.6; amplitude = aspect_ratio x wavelength.",
 }
 

@@ -66,7 +66,7 @@ def write_moments(spectrum, name, path):
             for wavelength, m0, m2, m4 in moments(spectrum)]
     write_table(path,
                 [f"Cumulative moments (norm 1/pi) and McCool's parameters of {name}: "
-                 "docs/models.md, sections 1.4, 1.5; from the second wavelength on.",
+                 "docs/theory/models.md, sections 1.4, 1.5; from the second wavelength on.",
                  "Wavevectors are 2 pi / lambda_m (any wavevector column is ignored), the PSD "
                  "is a power law between samples.", INPUT_NOTE, PRECISION_NOTE],
                 ["wavelength_m", "m0_m2", "m2", "m4_per_m2", "radius_m", "density_per_m2",
@@ -77,7 +77,7 @@ def write_amplitudes(spectrum, name, path):
     rows = [(wavelength, amplitude_eq5(wavelength, psd), parseval)
             for (wavelength, psd), parseval in zip(spectrum, amplitudes_parseval(spectrum))]
     write_table(path,
-                [f"Amplitudes of {name}: docs/models.md, section 1.6, Eq. (5) and the Parseval "
+                [f"Amplitudes of {name}: docs/theory/models.md, section 1.6, Eq. (5) and the Parseval "
                  "option (band edges at geometric midpoints, ends at the first and last sample).",
                  INPUT_NOTE, PRECISION_NOTE],
                 ["wavelength_m", "amplitude_eq5_m", "amplitude_parseval_m"], rows)

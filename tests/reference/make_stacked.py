@@ -98,7 +98,7 @@ def main():
                                  *map(cell, level)])
                     count[level[-1]] = count.get(level[-1], 0) + 1
         write_table(arguments.output / (stem + ".csv"),
-                    [f"Stacked model, {text}: docs/models.md, section 4. Amplitudes by Eq. (5).",
+                    [f"Stacked model, {text}: docs/theory/models.md, section 4. Amplitudes by Eq. (5).",
                      "area_fraction: A_i/A_n, all scales so far; pressure_in_pa: p_i; "
                      "real_pressure_pa: p_i/phi_i; strength of the level empty in the elastic "
                      "model; regime flattened: phi = 1.",

@@ -141,7 +141,7 @@ def main():
                 print(len(rows), "of", len(todo), flush=True)
     mp.dps = WORKING_DIGITS
     write_table(arguments.output / "statistical_extra.csv",
-                ["Statistical model over a wide range: docs/models.md, section 3.", INPUT_NOTE,
+                ["Statistical model over a wide range: docs/theory/models.md, section 3.", INPUT_NOTE,
                  "Computed with mpmath, panel by panel between every kink, by two schemes of "
                  f"{SCHEMES[0].digits} and {SCHEMES[1].digits} digits with different panels and "
                  "steps; printed with 20 digits.",

@@ -89,7 +89,7 @@ def main():
                 print(len(rows), "of", len(todo), flush=True)
     mp.dps = WORKING_DIGITS
     write_table(arguments.output / "statistical_many.csv",
-                ["Many random states of the statistical model: docs/models.md, section 3.",
+                ["Many random states of the statistical model: docs/theory/models.md, section 3.",
                  INPUT_NOTE,
                  "Computed with mpmath, panel by panel between every kink, by two schemes of "
                  f"{SCHEMES[0].digits} and {SCHEMES[1].digits} digits with different panels and "

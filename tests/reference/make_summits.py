@@ -177,7 +177,7 @@ def main():
         rows = pool.map(row, points, chunksize=1)
     write_table(arguments.output / "summits.csv",
                 ["Summits of Gaussian surfaces under Hertz's ellipses (Bush, Gibson & Thomas): "
-                 "docs/models.md, section 3.6.", INPUT_NOTE,
+                 "docs/theory/models.md, section 3.6.", INPUT_NOTE,
                  "Computed with mpmath by two schemes of 30 and 36 digits with different panels; printed with 20 digits.",
                  "agreement: larger relative deviation between the two schemes. Areas are not held at 1."],
                 ["alpha", "d_over_sqrt_m0", "area_fraction", "pressure_over_e_sqrt_m2", "agreement"], rows)

@@ -45,7 +45,7 @@ def main():
         computed = pool.map(compute, todo, chunksize=1)
     mp.dps = WORKING_DIGITS
     write_table(arguments.output / "work_precision.csv",
-                ["Statistical model, where run time is held against error: docs/models.md, "
+                ["Statistical model, where run time is held against error: docs/theory/models.md, "
                  "section 3.", INPUT_NOTE,
                  "Computed with mpmath, panel by panel between every kink, by two schemes of "
                  f"{SCHEMES[0].digits} and {SCHEMES[1].digits} digits with different panels and "

@@ -31,15 +31,15 @@ cargo xtask python [--anew]    builds the wheel and tries it in an environment b
 
 Crates of evidence:
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
-                               holds random extreme states against the promises of every result: docs/stress.md
+                               holds random extreme states against the promises of every result: docs/develop/stress.md
 cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice]
                                counts how often intervals of the area hold the truth, in studies of known surfaces, and
-                               prints the tables of docs/uncertainty.md (minutes)
+                               prints the tables of docs/guide/uncertainty.md (minutes)
 cargo xtask work-precision     measures run time against error, beside scipy and others; rewrites the tables of
-                               docs/performance.md (minutes)
+                               docs/develop/performance.md (minutes)
 cargo xtask model-trials [--anew]
                                compares every model with boundary elements and rewrites the tables and figures of
-                               docs/which-model.md; presses new surfaces only, --anew all of them (minutes)
+                               docs/guide/which-model.md; presses new surfaces only, --anew all of them (minutes)
 ";
 
 enum Task {

@@ -1,5 +1,5 @@
 //! Comparison of models with boundary elements: presses missing surfaces, and rewrites the tables and figures of
-//! `docs/which-model.md`.
+//! `docs/guide/which-model.md`.
 
 use std::error::Error;
 use std::path::PathBuf;

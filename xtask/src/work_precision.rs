@@ -1,4 +1,4 @@
-//! Run time against error, compared with what users have today: `docs/performance.md`.
+//! Run time against error, compared with what users have today: `docs/develop/performance.md`.
 
 use std::process::{Command, ExitCode};
 

@@ -15,7 +15,7 @@ pub const FLAGGED_ASPECT_RATIO_OVER_CRITICAL: f64 = 100.0;
 const LARGEST_RATIO: f64 = 1e300;
 
 /// Sinusoidal surface, of one aspect ratio and strength, in contact with a flat: Krithivasan & Jackson (2007), as in
-/// `docs/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
+/// `docs/theory/models.md`, section 2.4, with the mean gap of 2.5 and the interference of 2.6.
 ///
 /// It is elastic if its aspect ratio is at most the critical one, and below the critical pressure p_c; elsewhere
 /// plastic flow lowers the pressure of complete contact and raises the area.

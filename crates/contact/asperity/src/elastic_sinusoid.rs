@@ -20,7 +20,7 @@ pub(crate) const LIGHT_EXPONENT: f64 = 1.51;
 pub(crate) const HEAVY_EXPONENT: f64 = 1.04;
 
 /// Sinusoidal surface, of one aspect ratio, in elastic contact with a flat: Johnson, Greenwood & Higginson (1985), as
-/// in `docs/models.md`, section 2.3, with the mean gap of section 2.5. Its results depend on p/p* alone.
+/// in `docs/theory/models.md`, section 2.3, with the mean gap of section 2.5. Its results depend on p/p* alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElasticSinusoid {
     complete_contact_pressure_pa: f64,

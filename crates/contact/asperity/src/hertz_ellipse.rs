@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 use numerics::zero_in_bracket;
 
 /// Ellipse in which a flat touches an elastic summit of principal curvatures k1 >= k2 > 0 (Johnson, Contact
-/// Mechanics, 1985, section 4.2; `docs/models.md`, section 2.8).
+/// Mechanics, 1985, section 4.2; `docs/theory/models.md`, section 2.8).
 ///
 /// Both factors compare it with the sphere of the mean curvature (k1 + k2)/2, and are 1 for k1 = k2.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -56,7 +56,7 @@ impl Hardness {
     }
 }
 
-/// Sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in `docs/models.md`,
+/// Sphere that yields, pressed by a flat to an interference: Jackson & Green (2005, 2006), as in `docs/theory/models.md`,
 /// section 2.2.
 ///
 /// Hertz's law below 1.9 w_c; above, a fit to finite elements for contact radii up to 0.41 R and Sy/E* up to about

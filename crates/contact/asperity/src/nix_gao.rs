@@ -3,7 +3,7 @@
 use crate::{AsperityError, Bound};
 
 /// Yield strength Sy = S0 sqrt(1 + h*/h_p) \[Pa\], constant if no strain-gradient length is given: Nix & Gao (1998);
-/// Jackson & Jacobs, Eq. (8); `docs/models.md`, section 2.7. As a continuum law it loses its meaning at depths of a
+/// Jackson & Jacobs, Eq. (8); `docs/theory/models.md`, section 2.7. As a continuum law it loses its meaning at depths of a
 /// few atoms, which are not refused.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct NixGao {

@@ -1,4 +1,4 @@
-//! Area of a sinusoid that yields: Jackson, Krithivasan & Wilson (2008); `docs/models.md`, section 2.4.
+//! Area of a sinusoid that yields: Jackson, Krithivasan & Wilson (2008); `docs/theory/models.md`, section 2.4.
 //!
 //! With x = p/p*_ep the area fraction is min(1, phi_p (1 - x^1.51) + phi_2 x^1.04): a power of x at light pressures,
 //! joined to the limit phi_2 of the elastic law near complete contact.

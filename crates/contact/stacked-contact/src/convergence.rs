@@ -23,7 +23,7 @@ impl Convergence {
 
 /// Finds the point from which a curve of (wavelength \[m\], area) points, from long to short cutoffs, stays within
 /// `tolerance` (relative, above 0, e.g. 0.01) of its final area. `None` without points. A choice of this project: the
-/// definition in `docs/models.md`, section 4.
+/// definition in `docs/theory/models.md`, section 4.
 #[must_use]
 pub fn convergence(curve: &[(f64, f64)], tolerance: f64) -> Option<Convergence> {
     let &(shortest_m, final_area) = curve.last()?;

@@ -2,7 +2,7 @@
 
 use asperity::{MaterialPair, NixGao};
 
-/// Law that every scale follows (`docs/models.md`, section 4).
+/// Law that every scale follows (`docs/theory/models.md`, section 4).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StackedModel {
     /// Elastic sinusoids (Johnson, Greenwood & Higginson 1985; Jackson & Streator 2006; section 2.3).

@@ -136,7 +136,7 @@ fn curves() -> Vec<(&'static str, AsperityLaw, Vec<StateRequest>)> {
     ]
 }
 
-/// Returns McCool's parameters at every cutoff from the third sample on (`docs/models.md`, sections 1.4 and 1.5),
+/// Returns McCool's parameters at every cutoff from the third sample on (`docs/theory/models.md`, sections 1.4 and 1.5),
 /// with the cutoff.
 fn populations() -> Vec<(f64, Population)> {
     let samples: Vec<[f64; 3]> = SPECTRUM

@@ -8,7 +8,7 @@ use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
 use crate::{AsperityLaw, ContactState, NayakSummits, Population, Sweep};
 
-/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/models.md`, section 3) under any
+/// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/theory/models.md`, section 3) under any
 /// of the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and likewise the area over the nominal one, limited to 1.
 /// Alternatively the summits of a surface, with their spread of curvature and height.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ impl StatisticalContact {
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 
-    /// Creates the elastic contact of the summits of a surface (Bush, Gibson & Thomas 1975; `docs/models.md`, section
+    /// Creates the elastic contact of the summits of a surface (Bush, Gibson & Thomas 1975; `docs/theory/models.md`, section
     /// 3.6). Its separations are measured from the mean plane of the surface.
     #[must_use]
     pub fn from_summits(pair: &MaterialPair, summits: &NayakSummits) -> Self {

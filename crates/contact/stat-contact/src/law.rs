@@ -12,7 +12,7 @@ use crate::asperities::elastic_sines::ElasticSines;
 use crate::asperities::gradient_sines::GradientSines;
 use crate::asperities::hertz_spheres::ElasticSpheres;
 
-/// Response of one asperity to the flat that presses on it (`docs/models.md`, sections 2 and 3.1).
+/// Response of one asperity to the flat that presses on it (`docs/theory/models.md`, sections 2 and 3.1).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub enum AsperityLaw {
     /// An elastic sphere (Greenwood & Williamson 1966).

@@ -3,7 +3,7 @@
 use asperity::{AsperityError, Bound};
 
 /// Asperities of one radius, spread evenly over the nominal area, with Gaussian heights of zero mean (Greenwood &
-/// Williamson 1966). They can be derived from a spectrum by McCool's parameters (`docs/models.md`, section 1.5).
+/// Williamson 1966). They can be derived from a spectrum by McCool's parameters (`docs/theory/models.md`, section 1.5).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Population {
     radius_m: f64,

@@ -1,4 +1,4 @@
-//! `cargo xtask coverage`: runs synthetic studies and prints the tables of `docs/uncertainty.md`.
+//! `cargo xtask coverage`: runs synthetic studies and prints the tables of `docs/guide/uncertainty.md`.
 
 use std::process::ExitCode;
 

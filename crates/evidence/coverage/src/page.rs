@@ -1,4 +1,4 @@
-//! Tables of `docs/uncertainty.md`.
+//! Tables of `docs/guide/uncertainty.md`.
 
 use crate::advised::Shrinkage;
 use crate::bias::DecadeBias;

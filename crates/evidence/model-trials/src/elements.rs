@@ -1,4 +1,4 @@
-//! Table of boundary-element results, kept in the repository: `docs/which-model/elements.csv`.
+//! Table of boundary-element results, kept in the repository: `docs/guide/which-model/elements.csv`.
 
 use std::io::{Read, Write};
 
@@ -60,7 +60,7 @@ impl ElementsRow {
         }
     }
 
-    /// Relative standard error of the area, with the error of the grid added in quadrature: 0.7 % (`docs/judge.md`),
+    /// Relative standard error of the area, with the error of the grid added in quadrature: 0.7 % (`docs/guide/judge.md`),
     /// or half of the step to finer grids if that is more, as it is for contacts a few points wide.
     #[must_use]
     pub fn relative_error(&self) -> f64 {

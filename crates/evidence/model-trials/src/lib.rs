@@ -1,5 +1,5 @@
 //! Every contact model of the program compared with boundary elements on the same surfaces: the study behind
-//! `docs/which-model.md`.
+//! `docs/guide/which-model.md`.
 #![deny(missing_docs)]
 
 pub mod elements;

@@ -1,4 +1,4 @@
-//! Ratios of every model to boundary elements: `docs/which-model/ratios.csv`.
+//! Ratios of every model to boundary elements: `docs/guide/which-model/ratios.csv`.
 
 use serde::Serialize;
 

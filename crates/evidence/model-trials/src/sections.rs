@@ -1,4 +1,4 @@
-//! Tables of `docs/which-model.md`.
+//! Tables of `docs/guide/which-model.md`.
 
 use units::display::three_digits;
 use work_precision::page::{table, with_section};
@@ -13,7 +13,7 @@ use crate::ratios::RatioRow;
 use crate::refit::NayakForm;
 use crate::windows::WindowsRow;
 
-/// Factor within which a model agrees (`docs/judge.md`).
+/// Factor within which a model agrees (`docs/guide/judge.md`).
 const AGREEMENT: f64 = 4.0 / 3.0;
 
 /// Results from which the tables are made.

@@ -1,5 +1,5 @@
 //! Test of the judge's assumption that the error of a contact law on a wide band lies within its errors on the
-//! windows of that band (`docs/judge.md`): `docs/which-model/windows.csv`.
+//! windows of that band (`docs/guide/judge.md`): `docs/guide/which-model/windows.csv`.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! Random extreme states by the million, tested against the promises of every result (`docs/stress.md`).
+//! Random extreme states by the million, tested against the promises of every result (`docs/develop/stress.md`).
 //!
 //! ```
 //! let tally = stress::run(stress::Scope::Everything, 0..200, 1, |_| ());

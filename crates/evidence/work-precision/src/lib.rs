@@ -17,7 +17,7 @@
 //!   program;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
-//! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/performance/` and the tables of `docs/performance.md`.
+//! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/develop/performance/` and the tables of `docs/develop/performance.md`.
 //!
 //! Times are of one thread, the shortest of many repetitions, because the shortest is the least disturbed.
 #![deny(missing_docs)]

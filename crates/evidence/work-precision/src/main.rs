@@ -1,4 +1,4 @@
-//! Measures everything and rewrites `docs/performance/` and the tables of `docs/performance.md`: `cargo xtask work-precision`.
+//! Measures everything and rewrites `docs/develop/performance/` and the tables of `docs/develop/performance.md`: `cargo xtask work-precision`.
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! Pages such as `docs/performance.md`, with text by hand and measured tables between markers.
+//! Pages such as `docs/develop/performance.md`, with text by hand and measured tables between markers.
 
 /// Returns the page with the contents of a section replaced: the lines between `<!-- measured: NAME -->` and `<!--
 /// end -->`.

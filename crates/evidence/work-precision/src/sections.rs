@@ -1,4 +1,4 @@
-//! Tables of `docs/performance.md`, from the measurements.
+//! Tables of `docs/develop/performance.md`, from the measurements.
 
 use crate::competitors::Missing;
 use crate::kernels::{Cost, KernelCost};

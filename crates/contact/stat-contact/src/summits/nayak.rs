@@ -3,7 +3,7 @@
 use asperity::{AsperityError, Bound};
 
 /// Heights and curvatures of the summits of an isotropic Gaussian surface, from the moments of its profiles (Nayak
-/// 1971; `docs/models.md`, section 3.6).
+/// 1971; `docs/theory/models.md`, section 3.6).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct NayakSummits {
     m0_m2: f64,

@@ -1,5 +1,5 @@
 //! Prints the cost of intervals and shares by plain sampling and by fitted polynomials, as a table for
-//! `docs/uncertainty.md`: `cargo run --release -p truearea-work-precision --features surrogate --bin surrogate`.
+//! `docs/guide/uncertainty.md`: `cargo run --release -p truearea-work-precision --features surrogate --bin surrogate`.
 
 use std::process::ExitCode;
 
