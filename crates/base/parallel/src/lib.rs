@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// What `apply` makes of every item.
 pub fn map<T: Sync, U: Send>(items: &[T], apply: impl Fn(&T) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    if !one_thread::is_asked_for() {
+    if !one_thread::is_confined() {
         return items.par_iter().map(&apply).collect();
     }
     items.iter().map(apply).collect()
@@ -23,7 +23,7 @@ pub fn map<T: Sync, U: Send>(items: &[T], apply: impl Fn(&T) -> U + Sync) -> Vec
 /// Applies `apply` to every item by value and returns the results in order.
 pub fn map_taken<T: Send, U: Send>(items: Vec<T>, apply: impl Fn(T) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    if !one_thread::is_asked_for() {
+    if !one_thread::is_confined() {
         return items.into_par_iter().map(&apply).collect();
     }
     items.into_iter().map(apply).collect()
@@ -32,7 +32,7 @@ pub fn map_taken<T: Send, U: Send>(items: Vec<T>, apply: impl Fn(T) -> U + Sync)
 /// Applies `apply` to the indices 0 to `count - 1` and returns the results in order.
 pub fn map_indices<U: Send>(count: usize, apply: impl Fn(usize) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    if !one_thread::is_asked_for() {
+    if !one_thread::is_confined() {
         return (0..count).into_par_iter().map(&apply).collect();
     }
     (0..count).map(apply).collect()
