@@ -1,4 +1,5 @@
-//! Golden curves: every curve of every figure of the scenes that come with the program, as text that reviewers can read.
+//! Golden curves: every curve of every figure of the scenes that come with the program, as text that reviewers can
+//! read.
 
 use std::path::PathBuf;
 

@@ -26,8 +26,8 @@ fn no_two_modules_import_each_other() {
     assert!(circles.is_empty(), "these modules import each other:\n{}", circles.join("\n"));
 }
 
-/// What the modules below a folder import of each other. A module and one inside it are no pair: the outer one shows what the
-/// inner one makes.
+/// What the modules below a folder import of each other. A module and one inside it are no pair: the outer one shows
+/// what the inner one makes.
 fn imports(src: &Path) -> Imports {
     let files = rust_files(src);
     let modules: BTreeSet<String> = files.iter().map(|file| module_of(file, src)).collect();
@@ -77,7 +77,8 @@ fn longest_module(path: &[String], modules: &BTreeSet<String>) -> Option<String>
     (1..=path.len()).rev().map(|length| path[..length].join("::")).find(|name| modules.contains(name))
 }
 
-/// The paths in a file that begin at the crate or a module above, from the crate's root; those of its tests are left out.
+/// The paths in a file that begin at the crate or a module above, from the crate's root; those of its tests are left
+/// out.
 struct Paths<'m> {
     module: &'m str,
     found: Vec<Vec<String>>,
