@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_share_is_refused() {
+    fn shares_outside_of_zero_to_one_are_refused() {
         let error = Sliding::new(20e6, 1.5, 1e6).unwrap_err().to_string();
         assert_eq!(error, "share in contact is 1.5; it must be from 0 to 1");
     }

@@ -395,7 +395,7 @@ mod tests {
     use crate::HardnessKnot;
 
     #[test]
-    fn the_whole_curve_is_what_each_of_its_places_is_alone() {
+    fn each_place_of_a_curve_agrees_with_the_place_alone() {
         let path = HardnessPath::with_squared_growth(1.0, 2.0);
         let variances_pa2: Vec<f64> = (0..40).map(|i| 1e-4 * 10f64.powf(f64::from(i) / 8.0)).collect();
         let together = areas_along(&path, 0.2, &variances_pa2);
@@ -446,7 +446,7 @@ mod tests {
     }
 
     #[test]
-    fn late_and_early_meet() {
+    fn early_and_late_forms_meet() {
         let growth = 0.5f64;
         let at = |elapsed: f64| (libm::expm1(growth * elapsed) / growth).sqrt();
         let [before, after] = [STEADY - 1e-9, STEADY + 1e-9]
