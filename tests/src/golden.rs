@@ -1,4 +1,5 @@
-//! Golden curves: every curve of every figure of the scenes that come with the program, as text that reviewers can read.
+//! Golden curves: every curve of every figure of the scenes that come with the program, as text that reviewers can
+//! read.
 
 use std::path::PathBuf;
 
@@ -213,7 +214,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_deviation_is_found_in_its_column_and_a_change_of_shape_is_told() {
+    fn a_deviation_is_found_in_its_column_and_a_change_of_shape_is_reported() {
         let accepted = "x,a,b\n1e0,2e0,4e0\n2e0,0e0,5e0";
         let found = deviations(accepted, "x,a,b\n1e0,2e0,4e0\n2e0,0e0,5.0005e0").unwrap();
         assert_eq!(found[0], ("x".to_owned(), 0.0));

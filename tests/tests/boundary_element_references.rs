@@ -1,6 +1,6 @@
 //! Boundary elements against another solver's answers on maps as instruments' programs write them.
 
-use half_space::{Ending, Grid, Loading, PeriodicElements};
+use half_space::{Elements, Ending, Grid, Loading};
 use parallel::Unobserved;
 use scans::{Scan, ScanOptions, read_scans};
 use tests::ReferenceTable;
@@ -16,7 +16,7 @@ const GAPS: f64 = 1e-5;
 const MODULUS_PA: f64 = 70e9;
 const UM: f64 = 1e-6;
 
-fn map(name: &str) -> (PeriodicElements, f64) {
+fn map(name: &str) -> (Elements, f64) {
     let file = format!("bem_{name}.nc");
     let bytes = std::fs::read(committed_file("tests/reference").join(&file)).unwrap();
     let scan = read_scans(&bytes, &file, &ScanOptions::default()).unwrap().remove(0);
@@ -25,7 +25,7 @@ fn map(name: &str) -> (PeriodicElements, f64) {
     let (length_x_m, length_y_m) =
         (map.spacing_x_m() * map.columns() as f64, map.spacing_y_m() * map.rows() as f64);
     let grid = Grid::new(map.rows(), map.columns(), length_x_m, length_y_m).unwrap();
-    (PeriodicElements::new(grid, map.heights_m()).unwrap(), (map.rows() * map.columns()) as f64)
+    (Elements::periodic(grid, map.heights_m()).unwrap(), (map.rows() * map.columns()) as f64)
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Real files of instruments in the shared folder beside the checkout, held against what SurfaceTopography 1.27.1 reads of them
-//! (MIT licence; its test files are not committed).
+//! Real files of instruments in the shared folder beside the checkout, held against what SurfaceTopography 1.27.1
+//! reads of them (MIT licence; its test files are not committed).
 
 use std::collections::BTreeMap;
 

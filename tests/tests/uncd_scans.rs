@@ -1,4 +1,5 @@
-//! The real UNCD scans, from the files of the instruments to the contact area: "Demo UNCD data", L. Pastewka, CC BY 4.0, and MIT-licensed test scans of SurfaceTopography.
+//! The real UNCD scans, from the files of the instruments to the contact area: "Demo UNCD data", L. Pastewka, CC BY
+//! 4.0, and MIT-licensed test scans of SurfaceTopography.
 
 use std::collections::BTreeMap;
 

@@ -6,8 +6,8 @@ use std::process::{Command, ExitCode};
 
 use serde_json::Value;
 
-/// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own floor
-/// what its manifest lists.
+/// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own
+/// floor what its manifest lists.
 const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evidence"];
 
 /// The floors whose crates are fit for a browser: bytes in, values out.

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
-use half_space::{Grid, Loading, PeriodicElements};
+use half_space::{Elements, Grid, Loading};
 use parallel::Unobserved;
 use scans::HeightMap;
 use scene::{Scene, Template};
@@ -223,7 +223,7 @@ fn half_space(saturation_pa: Option<f64>) -> Work {
     let loading =
         Loading { contact_modulus_pa: 1e9, nominal_pressure_pa: 1e8, saturation_pa, tolerance: 1e-8 };
     Box::new(move || {
-        let mut elements = PeriodicElements::new(grid, &heights_m).expect("finite heights");
+        let mut elements = Elements::periodic(grid, &heights_m).expect("finite heights");
         black_box(elements.press(&loading, &Unobserved).expect("a load that can be carried"));
     })
 }

@@ -42,8 +42,8 @@ impl ElasticSinusoid {
         self.complete_contact_pressure_pa
     }
 
-    /// Fraction of the nominal area in contact, in (0, 1\], at the mean pressure p > 0 \[Pa\] (Jackson & Streator 2006):
-    /// phi_1 (1 - x^1.51) + phi_2 x^1.04 below x = p/p* = 0.8, phi_2 from there on, and 1 from x = 1 on, with
+    /// Fraction of the nominal area in contact, in (0, 1\], at the mean pressure p > 0 \[Pa\] (Jackson & Streator
+    /// 2006): phi_1 (1 - x^1.51) + phi_2 x^1.04 below x = p/p* = 0.8, phi_2 from there on, and 1 from x = 1 on, with
     /// phi_1 = pi (3 x/(8 pi))^(2/3) and phi_2 = 1 - (3/(2 pi)) (1 - x).
     ///
     /// It lies within +12/-7.4 % of boundary-element solutions for all p, and steps down by 4.2e-4 at x = 0.8.
@@ -80,16 +80,17 @@ impl ElasticSinusoid {
         opening * opening * opening.sqrt()
     }
 
-    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in (0, 1\] at the mean pressure p > 0 \[Pa\] (Jackson & Jacobs,
-    /// Eq. 9), to full precision where it is small. At light pressure it exceeds boundary elements, 2.5 times at 1e-4 p*.
+    /// Deformation over amplitude h_p/Delta = 1 - g/Delta in (0, 1\] at the mean pressure p > 0 \[Pa\] (Jackson &
+    /// Jacobs, Eq. 9), to full precision where it is small. At light pressure it exceeds boundary elements, 2.5 times
+    /// at 1e-4 p*.
     #[must_use]
     pub fn deformation_over_amplitude(&self, pressure_pa: f64) -> f64 {
         let (root, opening) = self.root_and_opening(pressure_pa);
         complement(root, opening)
     }
 
-    /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: p = p* t^2, t = 1 - (1 - w/Delta)^(2/5);
-    /// p* from w = Delta on. At small w it grows like w^2, which is not Hertzian.
+    /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: p = p* t^2, t = 1 - (1 -
+    /// w/Delta)^(2/5); p* from w = Delta on. At small w it grows like w^2, which is not Hertzian.
     #[must_use]
     pub fn pressure_at_interference_pa(&self, interference_over_amplitude: f64) -> f64 {
         if interference_over_amplitude >= 1.0 {

@@ -380,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn outside_the_fitted_range_is_said_so() {
+    fn contacts_outside_the_fitted_range_are_flagged() {
         let metal = sphere(0.3, 0.003);
         assert!(metal.in_fitted_range(metal.plastic_onset_m() * 10.0));
         assert!(!metal.in_fitted_range(0.5e-6));

@@ -1,5 +1,5 @@
-//! Piecewise cubic interpolation that keeps the monotonicity of its data: PCHIP, i.e. the three-point slopes of Fritsch &
-//! Butland (1984), SIAM J. Sci. Stat. Comput. 5:300, within the bounds of Fritsch & Carlson (1980).
+//! Piecewise cubic interpolation that keeps the monotonicity of its data: PCHIP, i.e. the three-point slopes of
+//! Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5:300, within the bounds of Fritsch & Carlson (1980).
 
 /// Monotone interpolant of monotone data, with a continuous slope.
 #[derive(Debug, Clone)]

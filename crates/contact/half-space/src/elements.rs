@@ -1,6 +1,4 @@
-//! Common part of periodic and free elements: a surface, its operators, and the solution for a load.
-
-use std::f64::consts::TAU;
+//! Boundary elements: a surface, its operators, and the solution for a load.
 
 use parallel::Progress;
 use units::Bound;
@@ -11,7 +9,7 @@ use crate::descent::{Outcome, descend};
 use crate::loading::Loading;
 use crate::problem::{Operators, Problem, State};
 use crate::stiffness::approach_per_pressure;
-use crate::{Grid, HalfSpaceError, sums};
+use crate::{Grid, HalfSpaceError, operators, sums};
 
 /// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;
@@ -19,8 +17,8 @@ pub const PROGRESS_STEPS: usize = 100;
 /// Relative distance from the saturation within which a point flows.
 const FLOWING: f64 = 1e-9;
 
-/// Surface laid out for its half-space.
-pub(crate) struct Elements {
+/// Boundary elements under a rigid rough surface: plans and buffers, kept between loads.
+pub struct Elements {
     grid: Grid,
     periodic: bool,
     /// Heights over their mean, in units of `unit_m`.
@@ -31,15 +29,34 @@ pub(crate) struct Elements {
     state: State,
 }
 
-/// Wave number that makes pressures and displacements dimensionless: one wave along the longer side.
-pub(crate) fn unit_wave_number_per_m(grid: &Grid) -> f64 {
-    TAU / grid.length_x_m().max(grid.length_y_m())
-}
-
 impl Elements {
+    /// Lays out the elements under `heights_m`, row by row, of a surface that repeats itself along x and y; high
+    /// points touch first.
+    ///
+    /// A wave of pressure of the wave vector q displaces the half-space by 2/(E* |q|) times its pressure (Westergaard
+    /// 1939); displacements have a mean of 0.
+    ///
     /// # Errors
-    /// [`HalfSpaceError`] for heights that do not match the points, or are not finite.
-    pub(crate) fn new(
+    /// [`HalfSpaceError`] for heights that do not match the points, are not finite, or exceed 1e30 m.
+    pub fn periodic(grid: Grid, heights_m: &[f64]) -> Result<Self, HalfSpaceError> {
+        Self::new(grid, true, heights_m, || operators::periodic(&grid))
+    }
+
+    /// Lays out the elements under `heights_m`, row by row, of a surface of finite size, alone on the half-space; high
+    /// points touch first.
+    ///
+    /// Each element carries a uniform pressure and displaces all others by Love's coefficients (1929); zeros pad the
+    /// grid to twice its size, so that no load meets its own image. The nominal pressure is the force over the area of
+    /// the grid. Points at the edge of a map carry load here, like those of a punch: results for a map cut from a
+    /// larger surface are not comparable with those of a periodic one.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for heights that do not match the points, are not finite, or exceed 1e30 m.
+    pub fn free(grid: Grid, heights_m: &[f64]) -> Result<Self, HalfSpaceError> {
+        Self::new(grid, false, heights_m, || operators::free(&grid))
+    }
+
+    fn new(
         grid: Grid,
         periodic: bool,
         heights_m: &[f64],
@@ -69,21 +86,23 @@ impl Elements {
         Ok(Self { grid, periodic, heights, mean_height_m, unit_m, operators: operators(), state })
     }
 
-    pub(crate) fn grid(&self) -> &Grid {
+    /// Grid of points.
+    #[must_use]
+    pub fn grid(&self) -> &Grid {
         &self.grid
     }
 
     /// Unit of pressure: the pressure that makes one wave of the unit's height along the longer side.
     fn unit_pa(&self, contact_modulus_pa: f64) -> f64 {
-        0.5 * contact_modulus_pa * (unit_wave_number_per_m(&self.grid) * self.unit_m)
+        0.5 * contact_modulus_pa * (self.grid.unit_wave_number_per_m() * self.unit_m)
     }
 
-    /// Presses the surface.
-    pub(crate) fn press(
-        &mut self,
-        loading: &Loading,
-        progress: &dyn Progress,
-    ) -> Result<Contact, HalfSpaceError> {
+    /// Presses the surface with a force over the area of the grid; `progress` receives [`PROGRESS_STEPS`] steps.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for a load, modulus, saturation or tolerance out of bounds, for a load that cannot be
+    /// carried below the saturation, and if `progress` cancels.
+    pub fn press(&mut self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
         loading.check()?;
         let unit_pa = self.unit_pa(loading.contact_modulus_pa);
         let problem = Problem {
@@ -102,8 +121,16 @@ impl Elements {
         Ok(self.contact(loading, unit_pa, &outcome))
     }
 
-    /// Stiffness of a contact; `None` if it has no gap left to close.
-    pub(crate) fn stiffness_pa_per_m(
+    /// Returns the mean pressure that closes the bodies by 1 m from a state in equilibrium, -dp/du \[Pa/m\], with u
+    /// the distance of the mean planes. `None` if the whole of a periodic surface touches and no gap is left to close.
+    ///
+    /// The points in contact stay together and no other joins, which is exact for a small change of load. Where
+    /// points flow, this is the elastic stiffness on unloading (which electrical and thermal contact depend on); on
+    /// loading it is less. One linear problem, solved by conjugate gradients to 1e-8.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for a contact of another grid, for a modulus out of bounds, and if `progress` cancels.
+    pub fn stiffness_pa_per_m(
         &mut self,
         contact: &Contact,
         contact_modulus_pa: f64,

@@ -1,5 +1,7 @@
 //! Rectangular grid of points.
 
+use std::f64::consts::TAU;
+
 use crate::HalfSpaceError;
 use units::Bound;
 
@@ -66,6 +68,11 @@ impl Grid {
     #[must_use]
     pub fn points(&self) -> usize {
         self.rows * self.columns
+    }
+
+    /// Wave number that makes pressures and displacements dimensionless: one wave along the longer side.
+    pub(crate) fn unit_wave_number_per_m(&self) -> f64 {
+        TAU / self.length_x_m.max(self.length_y_m)
     }
 
     /// True if the surface is a line, without changes across it.

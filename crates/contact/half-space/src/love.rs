@@ -95,7 +95,7 @@ mod tests {
     use super::displacement_of_rectangle;
 
     #[test]
-    fn a_pressed_square_sinks_as_is_known_and_far_away_as_under_a_point() {
+    fn a_pressed_square_agrees_with_its_exact_middle_and_with_a_distant_point_load() {
         // Middle of a square of side a: 4 a ln(1 + sqrt 2), over pi E* (Johnson 1985, section 3.3).
         let middle_m = displacement_of_rectangle(0.0, 0.0, [2.0, 2.0]);
         assert!((middle_m - 8.0 * (1.0 + 2.0f64.sqrt()).ln()).abs() < 1e-14);

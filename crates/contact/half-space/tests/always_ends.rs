@@ -3,9 +3,7 @@
 mod common;
 
 use common::{elastic, flowing, heights, press, rough};
-use half_space::{
-    Contact, Ending, FreeElements, Grid, HalfSpaceError, Loading, PROGRESS_STEPS, PeriodicElements,
-};
+use half_space::{Contact, Elements, Ending, Grid, HalfSpaceError, Loading, PROGRESS_STEPS};
 use parallel::{Progress, Unobserved};
 
 /// Whether the pressures carry the load within their bounds and the gaps agree with them.
@@ -64,7 +62,7 @@ fn flat_maps_touch_everywhere() {
         assert_eq!((contact.area_fraction, contact.ending), (1.0, Ending::Converged));
         assert!(contact.mean_gap_m < 1e-15 && (contact.largest_pressure_pa - 0.1).abs() < 1e-15);
     }
-    let single = PeriodicElements::new(Grid::new(1, 1, 1.0, 1.0).unwrap(), &[2.0])
+    let single = Elements::periodic(Grid::new(1, 1, 1.0, 1.0).unwrap(), &[2.0])
         .unwrap()
         .press(&elastic(1.0, 1e-3), &Unobserved);
     assert_eq!(single.unwrap().area_fraction, 1.0);
@@ -75,7 +73,7 @@ fn flat_maps_touch_everywhere() {
 fn work() {
     let map = rough(128, 4.0, 24, 7);
     let grid = Grid::new(128, 128, 1.0, 1.0).unwrap();
-    let mut elements = PeriodicElements::new(grid, &map).unwrap();
+    let mut elements = Elements::periodic(grid, &map).unwrap();
     let mut work = Vec::new();
     for pressure in [0.003, 0.01, 0.03, 0.1, 0.5, 0.9] {
         let contact = elements.press(&elastic(pressure, 1e-8), &Unobserved).unwrap();
@@ -111,7 +109,7 @@ const WORK: [&str; 12] = [
 #[test]
 fn what_cannot_be_pressed_is_refused() {
     let grid = Grid::new(8, 8, 1.0, 1.0).unwrap();
-    let mut elements = PeriodicElements::new(grid, &heights(8, 8, |x, y| x * y)).unwrap();
+    let mut elements = Elements::periodic(grid, &heights(8, 8, |x, y| x * y)).unwrap();
     let mut refused = |loading: Loading| elements.press(&loading, &Unobserved).unwrap_err().to_string();
     assert!(refused(elastic(1.0, 0.0)).contains("tolerance is 0; it must be greater than 0"));
     assert!(refused(elastic(1.0, f64::NAN)).contains("tolerance is NaN"));
@@ -127,11 +125,10 @@ fn what_cannot_be_pressed_is_refused() {
         refused(Loading { contact_modulus_pa: f64::INFINITY, ..elastic(1.0, 1e-6) })
             .contains("contact modulus")
     );
-    let gap = PeriodicElements::new(grid, &heights(8, 8, |x, _| if x == 0.0 { f64::NAN } else { x }))
-        .err()
-        .unwrap();
+    let gap =
+        Elements::periodic(grid, &heights(8, 8, |x, _| if x == 0.0 { f64::NAN } else { x })).err().unwrap();
     assert!(gap.to_string().contains("height in m is NaN"));
-    assert_eq!(FreeElements::new(grid, &[1.0]).err(), Some(HalfSpaceError::Size { given: 1, expected: 64 }));
+    assert_eq!(Elements::free(grid, &[1.0]).err(), Some(HalfSpaceError::Size { given: 1, expected: 64 }));
     assert!(Grid::new(0, 8, 1.0, 1.0).unwrap_err().to_string().contains("0 points along y"));
     assert!(Grid::new(8, 8, 1.0, 0.0).unwrap_err().to_string().contains("length along y in m is 0"));
 }
@@ -151,7 +148,7 @@ impl Progress for EndsAfter {
 #[test]
 fn work_is_watched_and_ended() {
     let grid = Grid::new(64, 64, 1.0, 1.0).unwrap();
-    let mut elements = PeriodicElements::new(grid, &rough(64, 2.0, 12, 8)).unwrap();
+    let mut elements = Elements::periodic(grid, &rough(64, 2.0, 12, 8)).unwrap();
     let whole = EndsAfter(usize::MAX, 0.into());
     elements.press(&elastic(0.1, 1e-8), &whole).unwrap();
     assert_eq!(whole.1.into_inner(), PROGRESS_STEPS);

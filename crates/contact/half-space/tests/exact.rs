@@ -5,13 +5,13 @@ mod common;
 use std::f64::consts::{PI, SQRT_2, TAU};
 
 use common::{CLOSING, elastic, flowing, heights, press, rough};
-use half_space::{Contact, FreeElements, Grid, OpenPaths, PeriodicElements, Sides, open_paths};
+use half_space::{Contact, Elements, Grid, OpenPaths, Sides, open_paths};
 use parallel::Unobserved;
 
 /// One wave of height 1 and length 1 on a line.
-fn wave(points: usize, share_of_closing: f64) -> (PeriodicElements, Contact) {
+fn wave(points: usize, share_of_closing: f64) -> (Elements, Contact) {
     let heights_m = heights(1, points, |x, _| (TAU * x).cos());
-    let mut elements = PeriodicElements::new(Grid::new(1, points, 1.0, 1.0).unwrap(), &heights_m).unwrap();
+    let mut elements = Elements::periodic(Grid::new(1, points, 1.0, 1.0).unwrap(), &heights_m).unwrap();
     let contact = elements.press(&elastic(share_of_closing * CLOSING, 1e-10), &Unobserved).unwrap();
     (elements, contact)
 }
@@ -50,7 +50,7 @@ fn a_wave_along_either_side_of_any_rectangle_is_the_same_wave() {
     for (rows, columns) in [(135, 1), (135, 6), (135, 7)] {
         let heights_m = heights(rows, columns, |_, y| (TAU * y).cos());
         let grid = Grid::new(rows, columns, 0.3, 1.0).unwrap();
-        let contact = PeriodicElements::new(grid, &heights_m)
+        let contact = Elements::periodic(grid, &heights_m)
             .unwrap()
             .press(&elastic(0.3 * CLOSING, 1e-10), &Unobserved)
             .unwrap();
@@ -73,7 +73,7 @@ fn full_contact_is_a_wave_of_pressure_for_every_wave_of_height() {
     };
     let heights_m = heights(rows, columns, |x, y| sum(x, y, &|_| 1.0));
     let exact = heights(rows, columns, |x, y| 3.0 + sum(x, y, &|q| 0.5 * q));
-    let mut elements = PeriodicElements::new(grid, &heights_m).unwrap();
+    let mut elements = Elements::periodic(grid, &heights_m).unwrap();
     let contact = elements.press(&elastic(3.0, 1e-12), &Unobserved).unwrap();
     assert_eq!(contact.area_fraction, 1.0);
     assert_eq!(contact.area_fraction_corrected, 1.0);
@@ -134,7 +134,7 @@ fn hertz_in_a_wide_box_and_alone_on_the_half_space() {
     });
     let grid = Grid::new(points, points, length, length).unwrap();
     let force = 4.0 / 3.0 * radius.powi(3);
-    let mut elements = FreeElements::new(grid, &heights_m).unwrap();
+    let mut elements = Elements::free(grid, &heights_m).unwrap();
     let contact = elements.press(&elastic(force / length.powi(2), 1e-8), &Unobserved).unwrap();
     let found = (contact.area_fraction_corrected * length.powi(2) / PI).sqrt();
     assert!((found / radius - 1.0).abs() < 0.01, "{found} {radius}");
@@ -169,7 +169,7 @@ fn hertz_in_a_wide_box_and_alone_on_the_half_space() {
     let heights_m =
         heights(points, points, |x, y| -0.5 * ((x - 0.5).powi(2) + (y - 0.5).powi(2)) * length * length);
     let grid = Grid::new(points, points, length, length).unwrap();
-    let contact = PeriodicElements::new(grid, &heights_m)
+    let contact = Elements::periodic(grid, &heights_m)
         .unwrap()
         .press(&elastic(4.0 / 3.0 * radius.powi(3) / length.powi(2), 1e-8), &Unobserved)
         .unwrap();
@@ -184,7 +184,7 @@ fn a_square_punch_alone_on_the_half_space() {
     // 1989: 1.1505), and the pressure is least in the middle.
     let points = 96;
     let grid = Grid::new(points, points, 2.0, 2.0).unwrap();
-    let mut elements = FreeElements::new(grid, &vec![5.0; points * points]).unwrap();
+    let mut elements = Elements::free(grid, &vec![5.0; points * points]).unwrap();
     let contact = elements.press(&elastic(1e-3, 1e-9), &Unobserved).unwrap();
     assert_eq!(contact.area_fraction, 1.0);
     let approach = contact.offset_m + 5.0;
@@ -197,7 +197,7 @@ fn a_square_punch_alone_on_the_half_space() {
 fn the_stiffness_is_the_slope_of_pressure_over_separation() {
     let heights_m = rough(96, 2.0, 6, 3);
     let grid = Grid::new(96, 96, 1.0, 1.0).unwrap();
-    let mut elements = PeriodicElements::new(grid, &heights_m).unwrap();
+    let mut elements = Elements::periodic(grid, &heights_m).unwrap();
     for pressure in [0.01, 0.1, 0.4] {
         let at = elements.press(&elastic(pressure, 1e-11), &Unobserved).unwrap();
         let stiffness = elements.stiffness_pa_per_m(&at, 1.0, &Unobserved).unwrap().unwrap();
@@ -213,7 +213,7 @@ fn half_a_wave_flows_as_a_line_of_constant_pressure() {
     // Where all of the contact flows, the area is p/H.
     let heights_m = heights(1, 2048, |x, _| (TAU * x).cos());
     let grid = Grid::new(1, 2048, 1.0, 1.0).unwrap();
-    let mut elements = PeriodicElements::new(grid, &heights_m).unwrap();
+    let mut elements = Elements::periodic(grid, &heights_m).unwrap();
     let contact = elements.press(&flowing(0.01, 0.04, 1e-8), &Unobserved).unwrap();
     assert!(contact.area_fraction >= 0.25 && contact.area_fraction < 0.26, "{}", contact.area_fraction);
     assert!((contact.plastic_area_fraction / 0.25 - 1.0).abs() < 0.02);
@@ -226,7 +226,7 @@ fn a_fluid_passes_along_waves_and_not_across_them() {
     let contact = |share_of_closing: f64| {
         let grid = Grid::new(32, 64, 1.0, 1.0).unwrap();
         let loading = elastic(2.0 * share_of_closing * CLOSING, 1e-10);
-        let contact = PeriodicElements::new(grid, &heights_m).unwrap().press(&loading, &Unobserved).unwrap();
+        let contact = Elements::periodic(grid, &heights_m).unwrap().press(&loading, &Unobserved).unwrap();
         let touching = contact.touching();
         let share = touching.iter().filter(|&&touches| touches).count() as f64 / touching.len() as f64;
         assert_eq!(share, contact.area_fraction);

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{elastic, flowing, press, rough};
-use half_space::{Contact, FreeElements, Grid, Loading, PeriodicElements};
+use half_space::{Contact, Elements, Grid, Loading};
 use parallel::Unobserved;
 
 const POINTS: usize = 96;
@@ -86,7 +86,7 @@ fn units_of_modulus_and_height() {
 fn the_same_map_gives_the_same_digits_whatever_was_pressed_before() {
     let heights_m = rough(POINTS, 2.0, 9, 3);
     let grid = Grid::new(POINTS, POINTS, 1.0, 1.0).unwrap();
-    let mut elements = PeriodicElements::new(grid, &heights_m).unwrap();
+    let mut elements = Elements::periodic(grid, &heights_m).unwrap();
     for loading in loadings() {
         let first = press(&heights_m, &loading);
         elements.press(&elastic(0.9, 1e-6), &Unobserved).unwrap();
@@ -101,7 +101,7 @@ fn heights_of_one_period_beside_each_other_are_pressed_alike() {
     let grid = Grid::new(POINTS, 2 * POINTS, 2.0, 1.0).unwrap();
     for loading in loadings() {
         let one = press(&heights_m, &loading);
-        let two = PeriodicElements::new(grid, &twice).unwrap().press(&loading, &Unobserved).unwrap();
+        let two = Elements::periodic(grid, &twice).unwrap().press(&loading, &Unobserved).unwrap();
         assert_eq!(two.area_fraction, one.area_fraction);
         assert_eq!(two.area_fraction_corrected, one.area_fraction_corrected);
         assert!((two.mean_gap_m / one.mean_gap_m - 1.0).abs() < 1e-10);
@@ -116,7 +116,7 @@ fn free_elements_know_no_left_and_right_on_odd_rectangles() {
     let mirrored: Vec<f64> = heights_m.chunks(columns).flat_map(|row| row.iter().rev()).copied().collect();
     let grid = Grid::new(rows, columns, 1.0, 0.7).unwrap();
     let [one, other] = [&heights_m, &mirrored]
-        .map(|map| FreeElements::new(grid, map).unwrap().press(&elastic(0.02, 1e-12), &Unobserved).unwrap());
+        .map(|map| Elements::free(grid, map).unwrap().press(&elastic(0.02, 1e-12), &Unobserved).unwrap());
     assert_eq!(one.area_fraction, other.area_fraction);
     for (row, mirror) in one.pressures_pa.chunks(columns).zip(other.pressures_pa.chunks(columns)) {
         for (pressure, mirrored) in row.iter().zip(mirror.iter().rev()) {

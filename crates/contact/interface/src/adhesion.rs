@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn the_limit_is_what_it_says() {
+    fn the_limit_agrees_with_its_formula() {
         let limit = std::f64::consts::PI * (3.0f64 / 16.0).powf(2.0 / 3.0);
         assert!((PastewkaRobbins::LIMIT / limit - 1.0).abs() < 1e-15, "{limit:.17}");
     }

@@ -6,13 +6,13 @@ use units::{Bound, OutOfBounds};
 
 /// Contact about to slide.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct Sliding {
+pub struct SlidingContact {
     shear_strength_pa: f64,
     area_fraction: f64,
     nominal_pressure_pa: f64,
 }
 
-impl Sliding {
+impl SlidingContact {
     /// Creates a contact with the shear strength tau \[Pa\], the share A/A_0 of the nominal area in contact, and the
     /// nominal pressure p \[Pa\].
     ///
@@ -24,7 +24,7 @@ impl Sliding {
         nominal_pressure_pa: f64,
     ) -> Result<Self, OutOfBounds> {
         let share = Bound::Within { at_least: 0.0, at_most: 1.0 };
-        Ok(Sliding {
+        Ok(SlidingContact {
             shear_strength_pa: Bound::Magnitude.check("shear strength in Pa", shear_strength_pa)?,
             area_fraction: share.check("share in contact", area_fraction)?,
             nominal_pressure_pa: Bound::Magnitude.check("nominal pressure in Pa", nominal_pressure_pa)?,
@@ -50,15 +50,15 @@ mod tests {
 
     #[test]
     fn an_area_in_proportion_to_the_load_is_amontons_law() {
-        let at = |pressure_pa: f64| Sliding::new(20e6, pressure_pa / 400e6, pressure_pa).unwrap();
+        let at = |pressure_pa: f64| SlidingContact::new(20e6, pressure_pa / 400e6, pressure_pa).unwrap();
         assert!((at(1e6).friction_coefficient() - 0.05).abs() < 1e-15);
         assert!((at(40e6).friction_coefficient() - 0.05).abs() < 1e-15);
         assert!((at(40e6).friction_stress_pa() - 2e6).abs() < 1e-8);
     }
 
     #[test]
-    fn what_is_no_share_is_refused() {
-        let error = Sliding::new(20e6, 1.5, 1e6).unwrap_err().to_string();
+    fn shares_outside_of_zero_to_one_are_refused() {
+        let error = SlidingContact::new(20e6, 1.5, 1e6).unwrap_err().to_string();
         assert_eq!(error, "share in contact is 1.5; it must be from 0 to 1");
     }
 }

@@ -249,7 +249,7 @@ mod tests {
         }
     }
     #[test]
-    fn what_is_flattened_is_what_leaves_the_share_in_contact() {
+    fn the_flattened_variance_leaves_its_share_in_contact() {
         let forms = std::iter::once(None).chain(Correction::ALL.iter().copied().map(Some));
         for correction in forms {
             let alpha = 30.0;

@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn a_share_has_its_argument() {
+    fn the_argument_of_an_area_inverts_the_area() {
         for share in [1e-300, 1e-12, 0.42, 0.5, 0.9, 1.0 - 1e-12] {
             assert!((libm::erf(argument_of_area(share)) / share - 1.0).abs() < 1e-15, "{share}");
         }

@@ -18,13 +18,13 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use nalgebra::{SMatrix, SVector};
 use numerics::GaussLegendre;
 
 use crate::areas::ContactAreas;
 use crate::constant_hardness::image;
 use crate::elastic;
 use crate::hardness_path::{HardnessPath, Piece};
+use crate::linear_system::solve;
 
 /// Unknowns per panel: the coefficients of a polynomial.
 const SIZE: usize = 9;
@@ -194,9 +194,8 @@ impl<'a> March<'a> {
     /// Solves for the polynomials of the last panel: collocates the integral equation at `SIZE` places.
     fn solve_last(&mut self) {
         let Some(panel) = self.panels.last() else { return };
-        let mut matrix = SMatrix::<f64, SIZE, SIZE>::zeros();
-        let mut to_held = matrix;
-        let [mut right, mut held] = [SVector::<f64, SIZE>::zeros(); 2];
+        let (mut matrix, mut to_held) = ([[0.0; SIZE]; SIZE], [[0.0; SIZE]; SIZE]);
+        let (mut right, mut held) = ([0.0; SIZE], [0.0; SIZE]);
         for (row, &t) in self.rules.places.iter().enumerate() {
             let variance_pa2 = panel.variance_pa2(t);
             let here = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
@@ -205,18 +204,20 @@ impl<'a> March<'a> {
             let direct = image(here.hardness_pa, self.pressure_pa, variance_pa2.sqrt()) * relief.exp();
             right[row] = direct + plastic.known;
             held[row] = contact.known;
-            for column in 0..SIZE {
-                matrix[(row, column)] = self.rules.powers[(row, column)] - plastic.powers[column];
-                to_held[(row, column)] = contact.powers[column];
-            }
+            matrix[row] =
+                std::array::from_fn(|column| self.rules.powers[row][column] - plastic.powers[column]);
+            to_held[row] = contact.powers;
         }
         // The equation is of the second kind: its matrix is that of a polynomial through points, less something
         // small.
-        let plastic = matrix.lu().solve(&right).unwrap_or_default();
-        let held = self.rules.powers.lu().solve(&(held + to_held * plastic)).unwrap_or_default();
+        let plastic = solve(matrix, right).unwrap_or_default();
+        for (held, powers) in held.iter_mut().zip(to_held) {
+            *held += powers.iter().zip(plastic).map(|(power, coefficient)| power * coefficient).sum::<f64>();
+        }
+        let held = solve(self.rules.powers, held).unwrap_or_default();
         if let Some(panel) = self.panels.last_mut() {
-            panel.plastic = Some(plastic.into());
-            panel.held = held.into();
+            panel.plastic = Some(plastic);
+            panel.held = held;
         }
     }
 
@@ -330,14 +331,14 @@ struct Rules {
     fine: GaussLegendre,
     places: [f64; SIZE],
     /// Powers of each place, one row per place.
-    powers: SMatrix<f64, SIZE, SIZE>,
+    powers: [Polynomial; SIZE],
 }
 
 impl Rules {
     fn new() -> Self {
         let mut places = [1.0; SIZE];
         places[..SIZE - 1].copy_from_slice(GaussLegendre::new(SIZE - 1).nodes());
-        let powers = SMatrix::from_fn(|row, column| places[row].powi(column as i32));
+        let powers = places.map(|place| std::array::from_fn(|power| place.powi(power as i32)));
         Rules {
             powers,
             coarse: GaussLegendre::new(4),
@@ -395,7 +396,7 @@ mod tests {
     use crate::HardnessKnot;
 
     #[test]
-    fn the_whole_curve_is_what_each_of_its_places_is_alone() {
+    fn each_place_of_a_curve_agrees_with_the_place_alone() {
         let path = HardnessPath::with_squared_growth(1.0, 2.0);
         let variances_pa2: Vec<f64> = (0..40).map(|i| 1e-4 * 10f64.powf(f64::from(i) / 8.0)).collect();
         let together = areas_along(&path, 0.2, &variances_pa2);
@@ -446,7 +447,7 @@ mod tests {
     }
 
     #[test]
-    fn late_and_early_meet() {
+    fn early_and_late_forms_meet() {
         let growth = 0.5f64;
         let at = |elapsed: f64| (libm::expm1(growth * elapsed) / growth).sqrt();
         let [before, after] = [STEADY - 1e-9, STEADY + 1e-9]

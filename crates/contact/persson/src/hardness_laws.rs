@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn each_law_gives_what_it_says() {
+    fn each_law_agrees_with_its_formula() {
         assert_eq!(along(HardnessGrowth::Constant { hardness_pa: 5.0 }), Ok(vec![5.0; 4]));
         let power = along(HardnessGrowth::Power { hardness_pa: 5.0, exponent: 0.5 }).unwrap();
         assert!((power[2] / 50.0 - 1.0).abs() < 1e-15);
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_hardness_is_refused() {
+    fn hardnesses_out_of_bounds_are_refused() {
         let refused = |growth, cap_pa| Hardness::new(growth, cap_pa).unwrap_err().to_string();
         let power = |hardness_pa, exponent| HardnessGrowth::Power { hardness_pa, exponent };
         assert_eq!(

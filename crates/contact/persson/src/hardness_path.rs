@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_square_that_grows_with_the_variance() {
+    fn a_squared_hardness_grows_with_the_variance() {
         assert_eq!(HardnessPath::with_squared_growth(3.0, 2.0).hardness_pa(8.0), 5.0);
         assert!(HardnessPath::with_squared_growth(3.0, 0.0).is_constant());
     }

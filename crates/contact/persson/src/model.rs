@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_plastic_has_no_elastic_separation() {
+    fn plastic_contact_has_no_elastic_separation() {
         let along = |model: &PerssonModel| {
             let separation = model.separation(&roughness(), 0.45);
             model.along(&roughness(), &separation, 0.01).unwrap()

@@ -332,7 +332,7 @@ mod tests {
     }
 
     #[test]
-    fn the_law_of_light_loads_holds_up_to_the_pressure_that_is_told() {
+    fn light_loads_are_accurate_up_to_their_limit() {
         let law = power_law();
         let light = law.light_loads().unwrap();
         let off = |pressure_pa: f64| {

@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_power_law_adds_its_share() {
+    fn a_share_of_a_power_law_agrees_with_its_integral() {
         for exponent in [-900.0, -1.6, 0.0, 0.4, 2.4, 9e4] {
             let share = |part_ln: f64| share_of_power_law(exponent, part_ln, 0.7);
             assert_eq!((share(0.0)[0], share(0.7)[0]), (0.0, 1.0), "{exponent}");
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_beyond_a_place_follows_the_same_law() {
+    fn the_stretch_beyond_a_place_follows_the_same_law() {
         let knot = |wavevector_rad_per_m, variance_pa2| SeparationKnot {
             wavevector_rad_per_m,
             variance_pa2,

@@ -6,7 +6,7 @@
 //! eight roll-off wavelengths closed from 0.35 to 0.48.
 
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Surface, Synthesis};
-use half_space::{Contact, Grid, Loading, OpenPaths, PeriodicElements, Sides, open_paths};
+use half_space::{Contact, Elements, Grid, Loading, OpenPaths, Sides, open_paths};
 use parallel::Unobserved;
 
 const POINTS: usize = 512;
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// Surface with its results under the loads so far.
 struct TriedSurface {
-    elements: PeriodicElements,
+    elements: Elements,
     /// Results by p/(E* h'): area in contact, and open directions.
     known: Vec<(f64, ClosingArea, OpenPaths)>,
 }
@@ -77,7 +77,7 @@ impl TriedSurface {
     fn new(surface: &Surface) -> Result<Self, Box<dyn std::error::Error>> {
         let grid =
             Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
-        Ok(TriedSurface { elements: PeriodicElements::new(grid, surface.heights_m())?, known: Vec::new() })
+        Ok(TriedSurface { elements: Elements::periodic(grid, surface.heights_m())?, known: Vec::new() })
     }
 
     /// Areas at which the channels along x and along y close.

@@ -1,8 +1,6 @@
 //! Heights of one surface to be pressed.
 
-use half_space::{
-    Contact, FreeElements, Grid, HalfSpaceError, Loading, OpenPaths, PeriodicElements, Sides, open_paths,
-};
+use half_space::{Contact, Elements, Grid, HalfSpaceError, Loading, OpenPaths, Sides, open_paths};
 use parallel::Progress;
 use serde::{Deserialize, Serialize};
 use units::named;
@@ -53,11 +51,7 @@ impl Relief {
     /// # Errors
     /// [`HalfSpaceError`] for heights or loads that cannot be pressed, and if `progress` cancels.
     pub fn press(&self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
-        let grid = self.grid()?;
-        match self.boundary {
-            Boundary::Periodic => PeriodicElements::new(grid, &self.heights_m)?.press(loading, progress),
-            Boundary::Free => FreeElements::new(grid, &self.heights_m)?.press(loading, progress),
-        }
+        self.elements()?.press(loading, progress)
     }
 
     /// Presses the relief once, and computes the pressure that would close the bodies by 1 m \[Pa/m\]: `None` if no
@@ -70,21 +64,18 @@ impl Relief {
         loading: &Loading,
         progress: &dyn Progress,
     ) -> Result<(Contact, Option<f64>), HalfSpaceError> {
-        let (grid, modulus_pa) = (self.grid()?, loading.contact_modulus_pa);
-        Ok(match self.boundary {
-            Boundary::Periodic => {
-                let mut elements = PeriodicElements::new(grid, &self.heights_m)?;
-                let contact = elements.press(loading, progress)?;
-                let stiffness_pa_per_m = elements.stiffness_pa_per_m(&contact, modulus_pa, progress)?;
-                (contact, stiffness_pa_per_m)
-            }
-            Boundary::Free => {
-                let mut elements = FreeElements::new(grid, &self.heights_m)?;
-                let contact = elements.press(loading, progress)?;
-                let stiffness_pa_per_m = elements.stiffness_pa_per_m(&contact, modulus_pa, progress)?;
-                (contact, stiffness_pa_per_m)
-            }
-        })
+        let mut elements = self.elements()?;
+        let contact = elements.press(loading, progress)?;
+        let stiffness_pa_per_m =
+            elements.stiffness_pa_per_m(&contact, loading.contact_modulus_pa, progress)?;
+        Ok((contact, stiffness_pa_per_m))
+    }
+
+    fn elements(&self) -> Result<Elements, HalfSpaceError> {
+        match self.boundary {
+            Boundary::Periodic => Elements::periodic(self.grid()?, &self.heights_m),
+            Boundary::Free => Elements::free(self.grid()?, &self.heights_m),
+        }
     }
 
     /// Open paths across the contact. The surroundings of a map that is not periodic are unknown, so no path leads

@@ -121,14 +121,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_read_as_they_are_written() {
+    fn names_parse_as_printed() {
         for law in InterferenceLaw::ALL {
             assert_eq!(law.to_string().parse::<InterferenceLaw>().as_ref(), Ok(law));
         }
     }
 
     #[test]
-    fn a_law_takes_another_strength_where_it_yields_and_keeps_what_else_it_has() {
+    fn a_yielding_law_takes_another_strength_and_keeps_its_other_options() {
         let [soft, hard] = [1e9, 2e9].map(|strength_pa| NixGao::constant(strength_pa).unwrap());
         let law = AsperityLaw::EpSphere { strength: soft, hardness: Hardness::Cosine };
         let harder = law.with_strength(hard).unwrap();

@@ -1,7 +1,7 @@
 //! Gluing of two decades from single ones, compared with both pressed at once: `docs/guide/which-model/gluing.csv`.
 //!
-//! A(p) = Int P_ab(sigma) A_bc(sigma) d sigma, with P_ab the pressures on the first decade and A_bc the area of the second
-//! under a uniform pressure.
+//! A(p) = Int P_ab(sigma) A_bc(sigma) d sigma, with P_ab the pressures on the first decade and A_bc the area of the
+//! second under a uniform pressure.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Boundary elements under surfaces of a spectrum.
 
 use gaussian_surfaces::{AreaSpectrum, Phases, Surface, Synthesis};
-use half_space::{Contact, Grid, Loading, PeriodicElements, extrapolated_area};
+use half_space::{Contact, Elements, Grid, Loading, extrapolated_area};
 use parallel::Unobserved;
 
 use crate::TrialError;
@@ -91,12 +91,12 @@ fn surface(spectrum: &AreaSpectrum, grid: usize, number: u64) -> Result<Surface,
     Ok(surface.scaled(RMS_GRADIENT / own))
 }
 
-fn elements(surface: &Surface) -> Result<PeriodicElements, TrialError> {
+fn elements(surface: &Surface) -> Result<Elements, TrialError> {
     let grid = Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
-    Ok(PeriodicElements::new(grid, surface.heights_m())?)
+    Ok(Elements::periodic(grid, surface.heights_m())?)
 }
 
-fn press(elements: &mut PeriodicElements, load: &TrialLoad) -> Result<Contact, TrialError> {
+fn press(elements: &mut Elements, load: &TrialLoad) -> Result<Contact, TrialError> {
     let loading = Loading {
         contact_modulus_pa: CONTACT_MODULUS_PA,
         nominal_pressure_pa: load.nominal_pressure_pa(),

@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn a_law_goes_through_what_was_pressed_and_is_proportional_to_lighter_loads() {
+    fn a_law_meets_its_knots_and_is_proportional_at_lighter_loads() {
         let rows = [row(0.1, 0.2), row(0.01, 0.022), row(1.0, 0.96)];
         let law = WindowLaw::from_elements(&rows, &rows[0].band()).unwrap();
         for row in &rows {

@@ -14,8 +14,8 @@
 //! ```
 //!
 //! * [`Evidence`]: a scene of the paper with its results;
-//! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a verdict, and
-//!   one honest sentence;
+//! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a
+//!   verdict, and one honest sentence;
 //! * [`table`]: the ledger for `claims.csv`;
 //! * [`other_models`]: results of models that the paper does not use on its surface, outside the ledger's counts.
 //!

@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_lie_where_they_should() {
+    fn numbers_lie_within_their_ranges() {
         let mut draw = Draw::new(3, 0);
         for _ in 0..1000 {
             assert!((-2.0..5.0).contains(&draw.between(-2.0, 5.0)));

@@ -87,7 +87,7 @@ mod tests {
     use crate::point::Engine;
 
     #[test]
-    fn what_was_not_answered_has_empty_cells() {
+    fn unanswered_questions_have_empty_cells() {
         let point = Point {
             population: "steel".to_owned(),
             law: "ep-sine, strain gradient".to_owned(),

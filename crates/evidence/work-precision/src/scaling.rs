@@ -240,7 +240,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cost_beyond_what_is_fixed_has_its_exponent() {
+    fn the_exponent_is_that_of_the_cost_beyond_start_up() {
         let run = |size: f64, power: f64| Run {
             size,
             processor_s: 0.01 + 1e-6 * size.powf(power),

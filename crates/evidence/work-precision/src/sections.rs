@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn where_a_competitor_is_ahead_is_told() {
+    fn points_at_which_a_competitor_is_ahead_are_listed() {
         let ours = Point { outcome: Outcome::Right(1e-5), ..point(Engine::OursBatch, "hertz", 1e-4, 1e-6) };
         let theirs = Point { seconds: 1e-7, ..point(Engine::GridBatch, "hertz", 100.0, 0.0) };
         let text = where_ahead(&[ours.clone(), theirs]);

@@ -294,7 +294,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_polynomial_is_found_and_shared_out() {
+    fn a_polynomial_is_fitted_and_its_variance_shared() {
         let mut random = ChaCha8Rng::seed_from_u64(2);
         let draws: Vec<Draw> =
             (0..40).map(|_| std::array::from_fn(|_| StandardNormal.sample(&mut random))).collect();
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn terms_are_as_many_as_there_are() {
+    fn the_number_of_terms_is_the_binomial_one() {
         assert_eq!(DEGREES.map(|degree| terms(degree).len()), [4, 10, 20]);
     }
 }

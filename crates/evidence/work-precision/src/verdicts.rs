@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_faster_and_more_accurate_competitor_is_told_and_a_wrong_one_is_not() {
+    fn a_faster_and_more_accurate_competitor_is_listed_and_a_wrong_one_is_not() {
         let points = [
             point(Engine::Ours, 1e-6, 1e-5),
             point(Engine::GridBatch, 5e-7, 1e-6),

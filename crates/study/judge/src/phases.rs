@@ -1,7 +1,7 @@
 //! What the spectrum leaves out: a measured map under the elements, beside Gaussian surfaces of its own waves.
 
 use gaussian_surfaces::{MapWaves, Surface};
-use half_space::{Grid, Loading, PeriodicElements};
+use half_space::{Elements, Grid, Loading};
 use measurements::MapPatch;
 use parallel::Progress;
 use serde::Serialize;
@@ -122,6 +122,6 @@ fn area_fraction(
         saturation_pa: None,
         tolerance: TOLERANCE,
     };
-    let contact = PeriodicElements::new(grid, surface.heights_m())?.press(&loading, progress)?;
+    let contact = Elements::periodic(grid, surface.heights_m())?.press(&loading, progress)?;
     Ok(Some(contact.area_fraction_corrected))
 }

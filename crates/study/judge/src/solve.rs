@@ -1,7 +1,7 @@
 //! Surfaces pressed by boundary elements, window by window.
 
 use gaussian_surfaces::{Phases, Synthesis};
-use half_space::{Grid, Loading, PeriodicElements};
+use half_space::{Elements, Grid, Loading};
 use parallel::{Progress, WithinAStep};
 
 use crate::JudgeError;
@@ -100,7 +100,7 @@ fn pressed(
     let surface_gradient = surface.mean_square_gradient().sqrt();
     let surface = surface.scaled(window.rms_gradient / surface_gradient);
     let grid = Grid::new(points, points, box_m, box_m)?;
-    let mut elements = PeriodicElements::new(grid, surface.heights_m())?;
+    let mut elements = Elements::periodic(grid, surface.heights_m())?;
     for (area, press) in outcome.areas.iter_mut().zip(presses) {
         if progress.is_cancelled() {
             break;

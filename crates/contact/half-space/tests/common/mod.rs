@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use half_space::{Contact, Grid, Loading, PeriodicElements};
+use half_space::{Contact, Elements, Grid, Loading};
 use parallel::Unobserved;
 
 /// Heights row by row, of x and y in periods.
@@ -62,7 +62,7 @@ pub fn flowing(nominal_pressure_pa: f64, saturation_pa: f64, tolerance: f64) -> 
 pub fn press(heights_m: &[f64], loading: &Loading) -> Contact {
     let points = heights_m.len().isqrt();
     let grid = Grid::new(points, points, 1.0, 1.0).unwrap();
-    PeriodicElements::new(grid, heights_m).unwrap().press(loading, &Unobserved).unwrap()
+    Elements::periodic(grid, heights_m).unwrap().press(loading, &Unobserved).unwrap()
 }
 
 /// The pressure that closes a wave of height 1 and length 1 between bodies of modulus 1.

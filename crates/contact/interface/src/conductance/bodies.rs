@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_property_is_refused_by_name() {
+    fn properties_out_of_bounds_are_refused_by_name() {
         let error = Conductivities::new(20.0, 0.0).unwrap_err().to_string();
         assert_eq!(error, "thermal conductivity in W/(m K) is 0; it must be finite and greater than 0");
         assert!(Resistivities::new(f64::NAN, 1e-8).unwrap_err().to_string().contains("resistivity in ohm m"));

@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn films_are_never_considered_and_the_rest_is_told_where_it_counts() {
+    fn films_are_always_flagged_and_other_effects_only_where_they_matter() {
         let clean = Circumstances::new(0.0).unwrap();
         assert_eq!(clean.flags(), [Flag::FilmNotConsidered]);
         let wide = clean.with_spots(1e-6, ELECTRON_MEAN_FREE_PATH_M).unwrap();
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_share_or_no_length_is_refused() {
+    fn shares_and_lengths_out_of_range_are_refused() {
         assert!(Circumstances::new(1.1).is_err() && Circumstances::new(f64::NAN).is_err());
         assert!(Circumstances::new(0.0).unwrap().with_spots(0.0, 1e-8).is_err());
     }

@@ -149,7 +149,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pressure_outside_the_range_is_told_not_refused() {
+    fn a_pressure_outside_the_range_is_flagged_not_refused() {
         let range = |ratio: f64| PressureRatio::new(ratio * 3e9, 3e9).unwrap().range();
         assert_eq!(range(1e-7), CorrelationRange::Below);
         assert_eq!(range(1e-3), CorrelationRange::Within);
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn names_lead_back() {
+    fn names_parse_to_their_correlations() {
         for correlation in PlasticCorrelation::ALL {
             assert_eq!(correlation.name().parse(), Ok(*correlation));
         }

@@ -1,8 +1,8 @@
-//! The two charts of a sinusoid whose pressure follows from its interference by the elastic mean gap of Rostami & Jackson
-//! (2013): w/Delta = 1 - (1 - t)^(5/2) and p = p* t^2.
+//! The two charts of a sinusoid whose pressure follows from its interference by the elastic mean gap of Rostami &
+//! Jackson (2013): w/Delta = 1 - (1 - t)^(5/2) and p = p* t^2.
 //!
-//! Towards first touch the coordinate is t^(1/3), which turns the powers t^(4/3) and t^2.08 of the area into smooth ones;
-//! towards complete contact it is -(1-t)^(1/2), in which the interference is a polynomial.
+//! Towards first touch the coordinate is t^(1/3), which turns the powers t^(4/3) and t^2.08 of the area into smooth
+//! ones; towards complete contact it is -(1-t)^(1/2), in which the interference is a polynomial.
 
 use asperity::{ElasticSinusoid, elementary};
 

@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cell_holds_the_separations_that_it_is_the_cell_of() {
+    fn a_cell_contains_its_separations() {
         for u in [-1e4, -60.0, -0.03, 0.0, 0.07, 1.0, 59.9, 1e5] {
             let cell = Cell::containing(u);
             assert!(cell.nearest() <= u && u <= cell.farthest(), "{u}");

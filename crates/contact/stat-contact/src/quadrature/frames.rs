@@ -121,7 +121,7 @@ mod tests {
     use crate::asperities::elastic_sines::ElasticSines;
 
     #[test]
-    fn a_frame_is_built_once_until_its_room_is_needed() {
+    fn a_frame_is_built_once_until_it_is_replaced() {
         let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.3).unwrap());
         let asperities = ElasticSines::new(&pair, &Population::new(1e-8, 1e13, 1e-9).unwrap());
         let mut frames = Frames::new(&asperities, 1e-9, Precision::new(1e-6));

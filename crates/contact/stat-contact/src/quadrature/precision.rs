@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_tolerance_is_held_within_reach() {
+    fn the_tolerance_is_limited_to_reachable_ones() {
         assert_eq!(Precision::new(0.0), Precision::new(1e-13));
         assert_eq!(Precision::new(7.0), Precision::new(1e-2));
         assert!(Precision::new(1e-6).drop < Precision::new(1e-12).drop);

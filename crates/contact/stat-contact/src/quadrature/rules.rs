@@ -104,7 +104,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_rule_of_the_wished_size_or_the_next_larger_is_given() {
+    fn a_rule_has_at_least_the_requested_size() {
         assert_eq!(Rule::of_at_least(0).count(), 2);
         assert_eq!(Rule::of_at_least(9).count(), 10);
         assert_eq!(Rule::of_at_least(1000).count(), 40);

@@ -92,8 +92,8 @@ fn angle(at: usize) -> f64 {
     std::f64::consts::PI * (at as f64 + 0.5) / TERMS as f64
 }
 
-/// The polynomial through values at the Chebyshev points, lowest power first. Its coefficients fall fast enough for powers
-/// to lose nothing.
+/// The polynomial through values at the Chebyshev points, lowest power first. Its coefficients fall fast enough for
+/// powers to lose nothing.
 fn polynomial(values: &[f64; TERMS]) -> [f64; TERMS] {
     let coefficient = |degree: usize| {
         let sum: f64 =

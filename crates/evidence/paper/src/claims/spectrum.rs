@@ -162,8 +162,8 @@ fn slopes_degrees(m2: f64) -> (f64, f64) {
     (m2.sqrt().atan().to_degrees(), (std::f64::consts::PI * m2).sqrt().atan().to_degrees())
 }
 
-/// m2 of the five-parameter form behind the reconstruction (written in its file), from its longest wavelength to 0.1 nm,
-/// sampled so densely that the power law between samples is exact to four digits.
+/// m2 of the five-parameter form behind the reconstruction (written in its file), from its longest wavelength to 0.1
+/// nm, sampled so densely that the power law between samples is exact to four digits.
 fn closed_form_m2() -> f64 {
     const C0_M3: f64 = 1.215386e-22;
     const Q1_RAD_PER_M: f64 = 3.592462e6;

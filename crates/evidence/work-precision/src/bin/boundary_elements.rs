@@ -6,7 +6,7 @@
 
 use std::process::ExitCode;
 
-use half_space::{Grid, Loading, PeriodicElements};
+use half_space::{Elements, Grid, Loading};
 use parallel::Unobserved;
 
 fn main() -> ExitCode {
@@ -36,7 +36,7 @@ fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
     };
     for _ in 0..times.parse::<usize>()? {
         // Laid out anew each time, as for a user with one map and one load.
-        let contact = PeriodicElements::new(grid, &heights_m)?.press(&loading, &Unobserved)?;
+        let contact = Elements::periodic(grid, &heights_m)?.press(&loading, &Unobserved)?;
         let bytes: Vec<u8> =
             contact.pressures_pa.iter().flat_map(|pressure| pressure.to_le_bytes()).collect();
         std::fs::write(pressures, bytes)?;

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_failure_is_told_in_its_last_line() {
+    fn a_failure_is_reported_by_its_last_line() {
         let mut shell = Command::new("sh");
         let reason =
             succeed(shell.args(["-c", "echo first >&2; echo no such package >&2; exit 3"])).unwrap_err();

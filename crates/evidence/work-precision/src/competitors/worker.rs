@@ -165,7 +165,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn answers_are_read_with_what_is_no_number() {
+    fn answers_with_nan_are_read() {
         let rows = rows(r#"{"rows": [{"numbers": [3.0, NaN, -Infinity], "seconds": 1e-3}]}"#).unwrap();
         assert_eq!((rows[0].number(0), rows[0].seconds), (3.0, 1e-3));
         assert!(rows[0].number(1).is_nan() && rows[0].number(2).is_nan() && rows[0].number(7).is_nan());
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn tolerances_and_nodes_are_told_apart() {
+    fn tolerances_and_nodes_are_distinguished() {
         let written = |number| serde_json::to_string(&Setting::from_number(number)).unwrap();
         assert_eq!((written(1e-4).as_str(), written(1e5).as_str()), ("0.0001", "100000"));
     }

@@ -6,7 +6,7 @@ use asperity::MaterialPair;
 use interface::OutOfBounds;
 use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness};
-use interface::friction::Sliding;
+use interface::friction::SlidingContact;
 use interface::leak::Constriction;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
@@ -127,7 +127,7 @@ impl<'a> InterfaceStates<'a> {
         area_fraction: f64,
     ) -> Result<Option<f64>, InterfaceError> {
         let Some(shear_strength_pa) = self.asked.shear_strength_pa else { return Ok(None) };
-        let sliding = Sliding::new(shear_strength_pa, area_fraction, self.pressure_pa(load))?;
+        let sliding = SlidingContact::new(shear_strength_pa, area_fraction, self.pressure_pa(load))?;
         Ok(match quantity {
             Quantity::FrictionStress => Some(sliding.friction_stress_pa()),
             Quantity::FrictionCoefficient => Some(sliding.friction_coefficient()),

@@ -1,0 +1,41 @@
+//! Operators of periodic and free surfaces, in units of the grid's longest wave.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::Grid;
+use crate::love::LoveFactors;
+use crate::problem::Operators;
+use crate::transform::Convolution;
+
+/// Operators of a periodic surface: displacements of pressures and pressures of displacements.
+pub(crate) fn periodic(grid: &Grid) -> Operators {
+    let map = [grid.rows(), grid.columns()];
+    let wave_number = wave_number(*grid);
+    Operators {
+        compliance: Convolution::new(map, map, |row, column| match (row, column) {
+            (0, 0) => 0.0,
+            _ => 1.0 / wave_number(row, column),
+        }),
+        preconditioner: Convolution::new(map, map, wave_number),
+    }
+}
+
+/// Operators of a surface alone on the half-space: displacements by Love's coefficients; directions are preconditioned
+/// by the waves of the grid, without padding.
+pub(crate) fn free(grid: &Grid) -> Operators {
+    let map = [grid.rows(), grid.columns()];
+    // The unit of pressure makes one wave of the unit's height along the longer side: E* q/2, in which E* cancels.
+    let love = LoveFactors::new(grid, 2.0 * PI / grid.unit_wave_number_per_m());
+    Operators {
+        compliance: Convolution::new(map, LoveFactors::period(grid), |row, column| love.factor(row, column)),
+        preconditioner: Convolution::new(map, map, wave_number(*grid)),
+    }
+}
+
+/// Wave number |q| of a wave with given periods along y and x, in units of the longest wave.
+fn wave_number(grid: Grid) -> impl Fn(usize, usize) -> f64 + Copy {
+    let unit_per_m = grid.unit_wave_number_per_m();
+    let along_y = TAU / grid.length_y_m() / unit_per_m;
+    let along_x = TAU / grid.length_x_m() / unit_per_m;
+    move |row, column| (row as f64 * along_y).hypot(column as f64 * along_x)
+}
