@@ -387,7 +387,7 @@ fn an_option_and_a_column_of_one_name_are_refused_and_both_named() {
     let message = with_constants(&bench, &table(&[SPHERES])).refused();
     assert_eq!(
         message,
-        "error: standard input: column model stands in the table, and is given for all rows besides; keep one: leave \
+        "error: standard input: column model is in the table and is also given for all rows; keep one: leave \
          --model out, or the column\n"
     );
     let both = ["statistical", "--input", "-", "--pressure", "1MPa", "--separation", "1nm"];

@@ -127,7 +127,7 @@ fn a_bad_table_is_refused_with_line_column_value_and_bound_and_nothing_is_writte
     );
     assert_eq!(
         refused(&SPHERES.replace("7.09842e-08", "")),
-        "error: standard input, line 3, column interference_m: the cell is empty; a number is needed\n"
+        "error: standard input, line 3, column interference_m: the cell is empty; enter a number\n"
     );
     assert_eq!(
         refused(&SPHERES.replace("radius_m", "r")),
@@ -136,14 +136,16 @@ fn a_bad_table_is_refused_with_line_column_value_and_bound_and_nothing_is_writte
     );
     assert_eq!(
         refused(&SPHERES.replace("radius_m", "poisson_ratio")),
-        "error: standard input: column \"poisson_ratio\" stands twice; keep one\n"
+        "error: standard input: column \"poisson_ratio\" appears twice; keep one\n"
     );
     assert_eq!(
         refused(&SPHERES.replace(",4.43628e-11", "")),
-        "error: standard input, line 2: 4 fields; the header has 5, and every row must have as many\n"
+        "error: standard input, line 2: 4 fields, but the header has 5\n"
     );
     assert_eq!(refused(""), "error: standard input: no header row; the first line must name the columns\n");
-    assert!(refused("[{\"a\":1},3]").starts_with("error: standard input: reading an array of row objects: "));
+    assert!(
+        refused("[{\"a\":1},3]").starts_with("error: standard input: expected a JSON array of row objects: ")
+    );
 }
 
 #[test]
@@ -178,8 +180,7 @@ fn constants_stand_for_columns_that_are_not_there() {
     }
     let message = bench.run_with_input(&args, SPHERES).refused();
     assert!(
-        message.contains("column youngs_modulus_pa stands in the table")
-            && message.contains("--youngs-modulus"),
+        message.contains("column youngs_modulus_pa is in the table") && message.contains("--youngs-modulus"),
         "{message}"
     );
     let message = bench.run_with_input(&args[..6], input).refused();

@@ -13,10 +13,10 @@ pub struct GaussLegendre {
 }
 
 impl GaussLegendre {
-    /// The rule of so many nodes. Costs some `5 count^2` multiplications: keep it.
+    /// Computes the rule with `count` nodes. Costs about `5 count^2` multiplications: reuse it.
     ///
     /// # Panics
-    /// Where `count` is zero.
+    /// If `count` is zero.
     #[must_use]
     pub fn new(count: usize) -> Self {
         assert!(count > 0, "a rule needs a node");
@@ -31,19 +31,19 @@ impl GaussLegendre {
         GaussLegendre { nodes, weights }
     }
 
-    /// The zeros of P_n, from the least to the largest.
+    /// The zeros of P_n in ascending order.
     #[must_use]
     pub fn nodes(&self) -> &[f64] {
         &self.nodes
     }
 
-    /// A weight for each node; their sum is 2.
+    /// The weights, one per node; their sum is 2.
     #[must_use]
     pub fn weights(&self) -> &[f64] {
         &self.weights
     }
 
-    /// Nodes with their weights, moved to an interval.
+    /// Returns (node, weight) pairs scaled to the interval \[from, to\].
     pub fn over(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
         let (middle, half_width) = (0.5 * (from + to), 0.5 * (to - from));
         self.nodes
@@ -53,7 +53,7 @@ impl GaussLegendre {
     }
 }
 
-/// P_0(x) to P_{count-1}(x), by their three-term recurrence.
+/// Computes P_0(x) to P_{count-1}(x) by the three-term recurrence.
 #[must_use]
 pub fn legendre_polynomials(x: f64, count: usize) -> Vec<f64> {
     let mut values = vec![1.0, x];
@@ -65,7 +65,9 @@ pub fn legendre_polynomials(x: f64, count: usize) -> Vec<f64> {
     values
 }
 
-/// The integral from x to 1 of sum c_k P_k, which is that of (P_(k-1)(x) - P_(k+1)(x))/(2k+1), and 1 - x for k = 0.
+/// Integrates sum c_k P_k from x to 1.
+///
+/// P_k contributes (P_(k-1)(x) - P_(k+1)(x))/(2k+1), and 1 - x for k = 0.
 #[must_use]
 #[inline]
 pub fn legendre_integral_above(x: f64, coefficients: &[f64]) -> f64 {
@@ -81,7 +83,7 @@ pub fn legendre_integral_above(x: f64, coefficients: &[f64]) -> f64 {
     integral
 }
 
-/// The i-th largest zero of P_n: Newton's method from the asymptotic value of Tricomi, which is good to O(n^-4).
+/// Computes the i-th largest zero of P_n by Newton's method from Tricomi's asymptotic value, accurate to O(n^-4).
 fn positive_node(n: usize, i: usize) -> f64 {
     const MOST_STEPS: usize = 10;
     let size = n as f64;
@@ -91,7 +93,7 @@ fn positive_node(n: usize, i: usize) -> f64 {
     for _ in 0..MOST_STEPS {
         let step = newton_step(n, x);
         x -= step;
-        // Newton squares the error: the step after one of 1e-9 is below rounding.
+        // Newton squares the error: after a step of 1e-9 the next one is below rounding.
         if step.abs() < 1e-9 {
             break;
         }
@@ -106,8 +108,9 @@ fn newton_step(n: usize, x: f64) -> f64 {
     legendre[n] / slope
 }
 
-/// The weight of a node, 1/sum (k + 1/2) P_k(x)^2 over the degrees below their number: a sum of positive terms, which
-/// keeps its digits where eigenvectors and 2/((1 - x^2) P_n'^2) near the ends lose them.
+/// Computes the weight of a node, 1/sum (k + 1/2) P_k(x)^2 over k < count.
+///
+/// A sum of positive terms keeps its digits; eigenvectors and 2/((1 - x^2) P_n'^2) lose them near the ends.
 fn christoffel_number(x: f64, count: usize) -> f64 {
     let legendre = legendre_polynomials(x, count);
     1.0 / legendre.iter().enumerate().map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>()
@@ -118,7 +121,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_rule_integrates_the_polynomials_it_must() {
+    fn a_rule_of_n_nodes_integrates_polynomials_below_degree_2n() {
         for size in 1..=40 {
             let rule = GaussLegendre::new(size);
             assert_eq!(rule.nodes().len(), size);

@@ -1,6 +1,8 @@
-//! The minimum of a function known to have a single one.
+//! The minimum of a unimodal function.
 
-/// Where a function with one minimum in [low, high] has it, by golden sections; the upper end of the last of them.
+/// Locates the minimum of a function that has a single one in [low, high] by golden-section search.
+///
+/// Returns the upper end of the bracket after `steps` sections.
 #[must_use]
 pub fn minimum_in_bracket(low: f64, high: f64, steps: usize, f: impl Fn(f64) -> f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;

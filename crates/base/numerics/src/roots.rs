@@ -1,11 +1,11 @@
-//! Zeros of functions that change their sign once in a bracket: each method keeps the bracket, so that it cannot run away.
+//! Zeros of functions that change sign once in a bracket. Every method keeps the bracket and so cannot diverge.
 
-/// The zero of a function in [low, high] by Newton's method, where f(low) <= 0 <= f(high); `f` returns its value and its derivative.
+/// Finds the zero of a function in [low, high] by Newton's method; requires f(low) <= 0 <= f(high).
 ///
-/// Newton steps from `start`, and a bisection wherever a step would leave the bracket, which shrinks at every step.
-/// The result is exact to rounding: Newton's steps square their error, so that the first one below 1e-10 of the argument
-/// is the last (waiting for one that changes nothing cost a quarter of all evaluations), and bisection goes on to the
-/// last place.
+/// `f` returns the value and the derivative. Newton's method starts at `start`; a step that would leave the bracket is
+/// replaced by a bisection, and every step shrinks the bracket. The result is exact to rounding: Newton steps square
+/// their error, so the first one below 1e-10 of the argument is the last (waiting for a step of zero cost a quarter of
+/// all evaluations); bisection continues to the last place.
 #[must_use]
 pub fn newton_in_bracket(
     mut low: f64,
@@ -13,7 +13,7 @@ pub fn newton_in_bracket(
     start: f64,
     mut f: impl FnMut(f64) -> (f64, f64),
 ) -> f64 {
-    // Bisection alone exhausts the doubles of any bracket of one sign in about 60 steps once exponents agree.
+    // Bisection alone exhausts the doubles in a bracket of one sign in about 60 steps once exponents agree.
     const MOST_STEPS: usize = 200;
     const LAST_STEP: f64 = 1e-10;
     let mut x = start.clamp(low, high);
@@ -39,12 +39,13 @@ pub fn newton_in_bracket(
     x
 }
 
-/// The zero of `f` in [low, high], f having opposite signs at the ends, to rounding.
+/// Finds the zero of `f` in [low, high] to rounding; f has opposite signs at the ends.
 ///
-/// The secant of Anderson & Bjorck, which keeps the bracket, with a bisection whenever three steps have not halved it.
+/// Uses the secant of Anderson & Bjorck, which keeps the bracket, and a bisection whenever three steps have not halved
+/// it.
 #[must_use]
 pub fn zero_in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    // Against a plateau secants gain nothing, and only every third to sixth step halves the bracket: sixty halvings.
+    // On a plateau secants gain nothing and only every third to sixth step halves the bracket; 60 halvings are needed.
     const MOST_STEPS: usize = 400;
     let (mut a, mut b) = (low, high);
     let (mut at_a, mut at_b) = (f(a), f(b));
@@ -54,7 +55,7 @@ pub fn zero_in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f6
             return b;
         }
         let secant = b - at_b * ((b - a) / (at_b - at_a));
-        // A secant that does not move is right next to the zero, or small at b beside a jump: a step across tells which.
+        // A secant that does not move is next to the zero, or f(b) is tiny beside a jump. A step across b decides.
         let least = f64::EPSILON * b.abs();
         let secant = if (secant - b).abs() < least { b + least.copysign(a - b) } else { secant };
         let x = if step % 3 == 0 && (b - a).abs() > due { 0.5 * (a + b) } else { secant };
@@ -73,10 +74,10 @@ pub fn zero_in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f6
     b
 }
 
-/// The boundary between where a condition does not hold and where it does, from the side on which it does.
+/// Finds the boundary between failing and holding of a condition by bisection; returns the holding side.
 ///
-/// Halves the bracket until it is narrower than `tolerance` times the end that is returned. `holds` is not asked at the
-/// ends: the caller knows that it does not hold at `fails_at` and does at `holds_at`, whichever is larger.
+/// Halves the bracket until it is narrower than `tolerance` times the returned end. `holds` is not evaluated at the
+/// ends: the condition must fail at `fails_at` and hold at `holds_at`, in either order.
 #[must_use]
 pub fn bisect(fails_at: f64, holds_at: f64, tolerance: f64, mut holds: impl FnMut(f64) -> bool) -> f64 {
     let (mut without, mut with) = (fails_at, holds_at);

@@ -1,16 +1,17 @@
-//! Columns of numbers filled in block by block, where they lie.
+//! Columns of numbers filled in place, block by block.
 
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// Lets `fill` set the rows of some columns of one length, in blocks of `block` rows (the last may be shorter). It is given
-/// the first row of its block, and the block of every column.
+/// Fills columns of equal length in blocks of `block` rows; the last block may be shorter.
+///
+/// `fill` receives the index of the block's first row and the block of every column.
 ///
 /// # Errors
-/// The first error in the order of the blocks, however many threads there are.
+/// The first error in the order of the blocks, for any number of threads.
 ///
 /// # Panics
-/// Where the columns are not of one length, or `block` is 0.
+/// If the columns differ in length or `block` is 0.
 pub fn fill_blocks<const N: usize, E: Send>(
     columns: [&mut [f64]; N],
     block: usize,
@@ -18,26 +19,26 @@ pub fn fill_blocks<const N: usize, E: Send>(
 ) -> Result<(), E> {
     let rows = columns.first().map_or(0, |column| column.len());
     assert!(columns.iter().all(|column| column.len() == rows), "the columns of a table are of one length");
-    let mut of_columns = columns.map(|column| column.chunks_mut(block));
+    let mut column_blocks = columns.map(|column| column.chunks_mut(block));
     let mut next = || {
         let mut is_there = true;
-        let of_block = of_columns.each_mut().map(|blocks| {
+        let block_columns = column_blocks.each_mut().map(|blocks| {
             blocks.next().unwrap_or_else(|| {
                 is_there = false;
                 &mut []
             })
         });
-        is_there.then_some(of_block)
+        is_there.then_some(block_columns)
     };
     let blocks: Vec<(usize, [&mut [f64]; N])> =
         (0..rows).step_by(block).map_while(|first| Some((first, next()?))).collect();
     #[cfg(feature = "threads")]
-    if !crate::one_thread::is_asked_for() {
+    if !crate::one_thread::is_confined() {
         let found: Vec<Result<(), E>> =
-            blocks.into_par_iter().map(|(first, of_block)| fill(first, of_block)).collect();
+            blocks.into_par_iter().map(|(first, block_columns)| fill(first, block_columns)).collect();
         return found.into_iter().collect();
     }
-    blocks.into_iter().try_for_each(|(first, of_block)| fill(first, of_block))
+    blocks.into_iter().try_for_each(|(first, block_columns)| fill(first, block_columns))
 }
 
 #[cfg(test)]
@@ -45,7 +46,7 @@ mod tests {
     use super::fill_blocks;
 
     #[test]
-    fn every_row_is_set_once_and_the_first_error_is_told() {
+    fn every_row_is_set_once_and_the_first_error_is_returned() {
         let (mut rows, mut squares) = (vec![0.0; 1001], vec![0.0; 1001]);
         let set = |first: usize, [rows, squares]: [&mut [f64]; 2]| {
             for (at, (row, square)) in rows.iter_mut().zip(squares).enumerate() {

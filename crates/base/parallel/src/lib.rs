@@ -11,40 +11,40 @@ pub use progress::{Progress, Unobserved, WithinAStep};
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
-/// What `of` makes of every item, in their order.
-pub fn map<T: Sync, U: Send>(items: &[T], of: impl Fn(&T) -> U + Sync) -> Vec<U> {
+/// Applies `apply` to every item and returns the results in order.
+pub fn map<T: Sync, U: Send>(items: &[T], apply: impl Fn(&T) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    if !one_thread::is_asked_for() {
-        return items.par_iter().map(&of).collect();
+    if !one_thread::is_confined() {
+        return items.par_iter().map(&apply).collect();
     }
-    items.iter().map(of).collect()
+    items.iter().map(apply).collect()
 }
 
-/// What `of` makes of every item, which it takes, in their order.
-pub fn map_taken<T: Send, U: Send>(items: Vec<T>, of: impl Fn(T) -> U + Sync) -> Vec<U> {
+/// Applies `apply` to every item by value and returns the results in order.
+pub fn map_taken<T: Send, U: Send>(items: Vec<T>, apply: impl Fn(T) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    if !one_thread::is_asked_for() {
-        return items.into_par_iter().map(&of).collect();
+    if !one_thread::is_confined() {
+        return items.into_par_iter().map(&apply).collect();
     }
-    items.into_iter().map(of).collect()
+    items.into_iter().map(apply).collect()
 }
 
-/// What `of` makes of every number below `count`, in their order.
-pub fn map_indices<U: Send>(count: usize, of: impl Fn(usize) -> U + Sync) -> Vec<U> {
+/// Applies `apply` to the indices 0 to `count - 1` and returns the results in order.
+pub fn map_indices<U: Send>(count: usize, apply: impl Fn(usize) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
-    if !one_thread::is_asked_for() {
-        return (0..count).into_par_iter().map(&of).collect();
+    if !one_thread::is_confined() {
+        return (0..count).into_par_iter().map(&apply).collect();
     }
-    (0..count).map(of).collect()
+    (0..count).map(apply).collect()
 }
 
-/// What `of` makes of every item, in their order.
+/// Applies a fallible `apply` to every item and returns the results in order.
 ///
 /// # Errors
-/// The first error in the order of the items, however many threads there are.
+/// The first error in the order of the items, for any number of threads.
 pub fn try_map<T: Sync, U: Send, E: Send>(
     items: &[T],
-    of: impl Fn(&T) -> Result<U, E> + Sync,
+    apply: impl Fn(&T) -> Result<U, E> + Sync,
 ) -> Result<Vec<U>, E> {
-    map(items, of).into_iter().collect()
+    map(items, apply).into_iter().collect()
 }

@@ -1,32 +1,34 @@
-//! Work that stays on the thread that asks for it.
+//! Work confined to the calling thread.
 
 use std::cell::Cell;
 
 thread_local! {
-    static IS_ASKED_FOR: Cell<bool> = const { Cell::new(false) };
+    static ONE_THREAD_ONLY: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Carries work out with every map in it on this thread: for callers that have threads or processes of their own, each with
-/// a piece of the work. The digits are the same.
+/// Runs `work` with every map in it on this thread, for callers that split the work over their own threads or
+/// processes.
+///
+/// No digit changes.
 pub fn on_this_thread<T>(work: impl FnOnce() -> T) -> T {
-    let _until_the_end = Asked { before: IS_ASKED_FOR.replace(true) };
+    let _restore = RestoreOnDrop { before: ONE_THREAD_ONLY.replace(true) };
     work()
 }
 
-/// Whether this thread has been asked to do all by itself.
+/// Returns true if maps on this thread must stay on it.
 #[cfg(any(feature = "threads", test))]
-pub(crate) fn is_asked_for() -> bool {
-    IS_ASKED_FOR.get()
+pub(crate) fn is_confined() -> bool {
+    ONE_THREAD_ONLY.get()
 }
 
-/// Puts back what was before, however the work ends.
-struct Asked {
+/// Restores the previous setting when dropped, also on panic.
+struct RestoreOnDrop {
     before: bool,
 }
 
-impl Drop for Asked {
+impl Drop for RestoreOnDrop {
     fn drop(&mut self) {
-        IS_ASKED_FOR.set(self.before);
+        ONE_THREAD_ONLY.set(self.before);
     }
 }
 
@@ -38,7 +40,7 @@ mod tests {
     use crate::{map, map_indices};
 
     #[test]
-    fn work_stays_on_the_thread_that_asks_for_it() {
+    fn work_stays_on_the_calling_thread() {
         let here = current().id();
         on_this_thread(|| {
             on_this_thread(|| ());
@@ -46,6 +48,6 @@ mod tests {
             let by_index = map_indices(1000, |_| current().id());
             assert!(by_map.into_iter().chain(by_index).all(|thread| thread == here));
         });
-        assert!(!super::is_asked_for());
+        assert!(!super::is_confined());
     }
 }

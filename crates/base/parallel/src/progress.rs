@@ -1,17 +1,17 @@
-//! How somebody watches long work, and ends it.
+//! Progress and cancellation of long work.
 
-/// Watches work from any thread, and may end it.
+/// Observer of long work; called from any thread, and able to cancel it.
 pub trait Progress: Sync {
-    /// So many more steps are done; what a step is, is told where the work is begun.
+    /// Reports `steps` more finished steps. The function that starts the work defines a step.
     fn advance(&self, steps: usize);
 
-    /// Whether the work should end as soon as it can, with what is known by then thrown away.
+    /// Returns true if the work should stop as soon as it can; partial results are discarded.
     fn is_cancelled(&self) -> bool {
         false
     }
 }
 
-/// Nobody watches, and the work runs to its end.
+/// A [`Progress`] that ignores every report and never cancels.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unobserved;
 
@@ -19,7 +19,7 @@ impl Progress for Unobserved {
     fn advance(&self, _: usize) {}
 }
 
-/// Work within a step of other work: its own steps are not told, and it ends with the other.
+/// A [`Progress`] for work inside one step of other work: it reports no steps and is cancelled with the outer work.
 #[derive(Clone, Copy)]
 pub struct WithinAStep<'p>(pub &'p dyn Progress);
 

@@ -12,40 +12,40 @@ pub use new_folder::NewFolder;
 use temporaries::Temporary;
 pub use temporaries::{Removed, remove_temporaries};
 
-/// A staged file that could not be put into its place. Nothing has changed, unless `not_restored` says so.
+/// A staged file could not be put into place. Nothing has changed but the files in `not_restored`.
 #[derive(Debug, thiserror::Error)]
 #[error("writing {}: {error}{}", path.display(), left_behind(not_restored))]
 pub struct PublishError {
-    /// The place.
+    /// The target path.
     pub path: PathBuf,
-    /// Why.
+    /// The system's error.
     pub error: io::Error,
-    /// The places, replaced before it, that could not be given back what they held, with why.
+    /// Targets replaced earlier that could not be restored, with the reason.
     pub not_restored: Vec<(PathBuf, io::Error)>,
 }
 
 fn left_behind(not_restored: &[(PathBuf, io::Error)]) -> String {
-    let told = |(path, error): &(PathBuf, io::Error)| {
+    let describe = |(path, error): &(PathBuf, io::Error)| {
         format!("; {} is replaced already and could not be restored: {error}", path.display())
     };
-    not_restored.iter().map(told).collect()
+    not_restored.iter().map(describe).collect()
 }
 
 /// Files written aside, to be renamed into place together.
 #[derive(Default)]
 pub struct StagedFiles(Vec<Staged>);
 
-/// One file, written aside.
+/// A file written aside.
 struct Staged {
     aside: Temporary,
     target: PathBuf,
 }
 
 impl StagedFiles {
-    /// Writes one file aside, in the folder it is meant for.
+    /// Writes one file aside, in the folder of its target.
     ///
     /// # Errors
-    /// What stopped `write`, or the writing itself. Nothing is left behind.
+    /// Any error of `write` or of the file system. Nothing is left behind.
     pub fn stage<E: From<io::Error>>(
         &mut self,
         path: &Path,
@@ -67,18 +67,18 @@ impl StagedFiles {
         Ok(())
     }
 
-    /// Renames every staged file into its place. Where one cannot be, those before it get back what they held.
+    /// Renames every staged file into place. If one fails, the targets before it are restored.
     ///
     /// # Errors
     /// [`PublishError`] for the first path that could not be replaced.
     pub fn publish(self) -> Result<(), PublishError> {
         let mut left = self.0.into_iter();
-        // Whoever removes temporaries waits for the end of this. What is left in the end needs the lock in order to go, and
-        // is declared before it.
+        // `remove_temporaries` waits for this lock. `left` is declared before it: files left at the end need the lock
+        // to be dropped.
         let mut locked = temporaries::lock();
         let mut replaced: Vec<Replaced> = Vec::new();
         while let Some(Staged { aside, target }) = left.next() {
-            // Nothing can fail after the last one, whose old file therefore need not be kept.
+            // Nothing can fail after the last file, so its old version need not be kept.
             let keep_old = left.len() > 0;
             match replace(aside, &target, keep_old, &mut locked) {
                 Ok(old) => replaced.push(Replaced { target, old }),
@@ -96,14 +96,14 @@ impl StagedFiles {
     }
 }
 
-/// A place that has its new file; what it held before goes with this value.
+/// A target with its new file; dropping this value deletes the old one.
 struct Replaced {
     target: PathBuf,
     old: Option<NamedTempFile<()>>,
 }
 
 impl Replaced {
-    /// Gives the place back what it held.
+    /// Restores the old file.
     fn restore(self) -> Result<(), (PathBuf, io::Error)> {
         let restored = match self.old {
             Some(old) => put_back(old, &self.target),
@@ -113,7 +113,7 @@ impl Replaced {
     }
 }
 
-/// Replaces the file at a place, and yields the old one where there was one and it is to be kept.
+/// Replaces the file at `target`; returns the old one if there was one and `keep_old` is set.
 fn replace(
     mut aside: Temporary,
     target: &Path,
@@ -126,11 +126,11 @@ fn replace(
         _ => None,
     };
     if let Some(existing) = existing {
-        // Replacing a file does not make it readable to others.
+        // Keep the permissions of the replaced file.
         aside.set_permissions(existing.permissions());
     }
     if let Err(error) = aside.rename(target, locked) {
-        // Where the old file only got a second name, it is still in its place.
+        // If the old file only got a second name, it is still in place.
         if let Some(old) = old.filter(|_| !target.exists()) {
             put_back(old, target)?;
         }
@@ -146,7 +146,7 @@ fn put_back(old: NamedTempFile<()>, target: &Path) -> io::Result<()> {
 /// Writes one file, whole or not at all.
 ///
 /// # Errors
-/// Why it could not be written.
+/// Any error of the file system.
 pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
     let mut files = StagedFiles::default();
     files.stage(path, |out| out.write_all(contents.as_ref()))?;

@@ -5,18 +5,18 @@ use std::path::{Path, PathBuf};
 
 use crate::temporaries::lock;
 
-/// A folder that was made where there was none: it goes again with this value, or with a program that is ended, unless files
-/// were published into it or it was told to stay.
+/// A newly created folder. It is removed when this value is dropped or a signal ends the program, unless it holds
+/// published files or [`NewFolder::keep`] was called.
 #[derive(Debug)]
 pub struct NewFolder {
     path: PathBuf,
 }
 
 impl NewFolder {
-    /// Makes a folder, and those above it; `None` where it is there already.
+    /// Creates a folder and its parents; `None` if it exists already.
     ///
     /// # Errors
-    /// Why it cannot be made.
+    /// Any error of the file system.
     pub fn make(path: &Path) -> io::Result<Option<Self>> {
         if path.is_dir() {
             return Ok(None);
@@ -28,7 +28,7 @@ impl NewFolder {
         Ok(Some(NewFolder { path }))
     }
 
-    /// It stays.
+    /// Keeps the folder.
     pub fn keep(self) {
         lock().remove(&self.path);
     }

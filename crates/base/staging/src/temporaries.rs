@@ -1,4 +1,4 @@
-//! The temporary files of the whole program, so that whoever ends it by a signal can remove them.
+//! The temporary files of the whole program, so that a signal handler can remove them.
 
 use std::collections::BTreeSet;
 use std::fs::{File, Permissions};
@@ -8,42 +8,43 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::NamedTempFile;
 
-/// The paths of all of them. A signal reaches no value of the program, hence a static.
+/// Paths of all temporary files. A signal handler reaches no other value of the program, hence a static.
 static PATHS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// While it is held, nobody else makes, renames or removes a temporary file.
+/// Lock under which temporary files are created, renamed and removed.
 pub(crate) type Locked = MutexGuard<'static, BTreeSet<PathBuf>>;
 
 pub(crate) fn lock() -> Locked {
-    // A set of paths is whole after any panic.
+    // No panic leaves a set of paths half changed.
     PATHS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// As long as this is held, no file is staged or published.
-#[must_use = "files are staged and published again once this is dropped"]
+/// Guard: no file is staged or published while it is held.
+#[must_use = "dropping it allows staging and publishing again"]
 pub struct Removed {
     _locked: Locked,
 }
 
-/// Removes every temporary file and empty new folder, after the end of a publication that has begun. For a program that ends without dropping
-/// its values: hold what is returned until then.
+/// Removes every temporary file and empty new folder, after any publication under way has finished.
+///
+/// For a program that ends without dropping its values: hold the returned guard until then.
 pub fn remove_temporaries() -> Removed {
     let mut locked = lock();
-    // What is in a folder comes behind it, and goes first. Nobody is left who could be told of an error.
+    // In reverse order, files are removed before their folders. The program is ending: errors have no reader.
     for path in std::mem::take(&mut *locked).into_iter().rev() {
         let _ = if path.is_dir() { std::fs::remove_dir(path) } else { std::fs::remove_file(path) };
     }
     Removed { _locked: locked }
 }
 
-/// A temporary file, which goes with its value.
+/// A temporary file, removed when dropped.
 pub(crate) struct Temporary {
-    /// None once it has been renamed.
+    /// `None` once renamed.
     file: Option<NamedTempFile>,
 }
 
 impl Temporary {
-    /// An empty one in the folder of `target`.
+    /// Creates an empty temporary file in the folder of `target`.
     pub(crate) fn beside(target: &Path) -> io::Result<Self> {
         let mut paths = lock();
         let file = builder().tempfile_in(folder_of(target))?;
@@ -55,12 +56,12 @@ impl Temporary {
         self.existing().as_file_mut()
     }
 
-    /// Sets them where the disk knows permissions.
+    /// Sets permissions if the file system has them.
     pub(crate) fn set_permissions(&mut self, permissions: Permissions) {
         let _ = self.file().set_permissions(permissions);
     }
 
-    /// Renames it to `target`, or removes it.
+    /// Renames the file to `target`, or removes it on failure.
     pub(crate) fn rename(mut self, target: &Path, locked: &mut Locked) -> io::Result<()> {
         let Some(file) = self.file.take() else { return Ok(()) };
         locked.remove(file.path());
@@ -80,8 +81,8 @@ impl Drop for Temporary {
     }
 }
 
-/// A second name of a file, under which it stays when the first one is given away, until this is dropped. Where the disk
-/// knows no second names the file moves there.
+/// Gives a file a second name, under which it survives a replacement until the returned value is dropped. File systems
+/// without hard links move the file instead.
 pub(crate) fn second_name(target: &Path) -> io::Result<NamedTempFile<()>> {
     builder().make_in(folder_of(target), |name| match std::fs::hard_link(target, name) {
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => std::fs::rename(target, name),
@@ -93,7 +94,7 @@ fn folder_of(target: &Path) -> &Path {
     target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Temporary files are private by default; results get the permissions any new file gets.
+/// Builds temporary files with the permissions of any new file; the default is private to the user.
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]

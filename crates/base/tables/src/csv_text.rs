@@ -7,7 +7,7 @@ use units::write_number;
 use crate::error::TableError;
 use crate::table::{Cells, Table};
 
-/// Rows as they are read.
+/// Reader of CSV rows.
 pub(super) struct Rows<'s, R: Read> {
     /// The column names.
     pub names: Vec<String>,
@@ -33,11 +33,11 @@ impl<'s, R: Read> Rows<'s, R> {
         Ok(Rows { names, reader, source })
     }
 
-    /// The next row, and the line that it ends on.
+    /// Reads the next row; returns it with the line that it ends on.
     pub fn next(&mut self) -> Result<Option<(u64, csv::StringRecord)>, TableError> {
         let mut record = csv::StringRecord::new();
         let more = self.reader.read_record(&mut record);
-        // A record's own position is that of the comments before it: the line it ends on is counted from behind.
+        // A record's own position is that of the comments before it, so the line it ends on is counted from its end.
         let behind = self.reader.position();
         let ended = self.reader.get_ref().byte_before(behind.byte());
         let line = behind.line() - u64::from(ended == Some(b'\n'));
@@ -49,7 +49,7 @@ impl<'s, R: Read> Rows<'s, R> {
     }
 }
 
-/// What has been read last of a text, to look back by one byte from any place in it.
+/// Reader that keeps its last block, to look back by one byte from any place in it.
 struct Window<R> {
     inner: R,
     bytes: Vec<u8>,
@@ -69,7 +69,7 @@ impl<R: Read> Read for Window<R> {
 }
 
 impl<R> Window<R> {
-    /// The byte before a position that is not before the window.
+    /// Returns the byte before a position within the last block.
     fn byte_before(&self, position: u64) -> Option<u8> {
         let begin = self.delivered - self.bytes.len() as u64;
         match position.checked_sub(begin)? {
@@ -96,9 +96,9 @@ pub(super) fn write_comments(comments: &[String], out: &mut dyn Write) -> io::Re
     Ok(())
 }
 
-/// Writes rows, under the column names where these are wanted.
+/// Writes rows; `names` writes the column names first.
 pub(super) fn write(table: &Table, names: bool, out: &mut dyn Write) -> io::Result<()> {
-    // A first cell that begins like a comment is quoted, or the next reader would take its row for one.
+    // The writer must know the comment character: it quotes a first cell that begins with it.
     let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
     write_rows(table, names, &mut writer).map_err(|error| match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

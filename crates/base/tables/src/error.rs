@@ -1,49 +1,49 @@
-//! What can be wrong with a table that comes in.
+//! Errors of input tables.
 
 use std::fmt;
 use std::io;
 
 use units::OutOfBounds;
 
-/// How many bad cells one message lists.
+/// Largest number of bad cells that one message lists.
 const MOST_PROBLEMS_LISTED: usize = 10;
 
-/// Why a table cannot be read. `table` stands for it, such as the name of its file.
+/// Errors of reading a table. `table` is its name in messages, such as its file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// Its bytes cannot be had.
+    /// The bytes cannot be read.
     #[error("reading {table}: {error}")]
     Reading {
         /// The table.
         table: String,
-        /// Why.
+        /// The system's error.
         error: io::Error,
     },
-    /// Its bytes are no text.
+    /// The bytes are not UTF-8 text.
     #[error("{table}, line {line}: not UTF-8 text; save the table as UTF-8")]
     NotText {
         /// The table.
         table: String,
-        /// The first line that is none.
+        /// The first line that is not text.
         line: usize,
     },
-    /// Nothing names its columns.
+    /// The header row is missing.
     #[error("{table}: no header row; the first line must name the columns")]
     NoHeader {
         /// The table.
         table: String,
     },
-    /// Two columns have one name.
-    #[error("{table}: column {column:?} stands twice; keep one")]
+    /// Two columns have the same name.
+    #[error("{table}: column {column:?} appears twice; keep one")]
     NamedTwice {
         /// The table.
         table: String,
         /// The name.
         column: String,
     },
-    /// A column is given for all rows at once, and stands in the table too.
-    #[error("{table}: column {column} stands in the table, and is given for all rows besides; keep one")]
+    /// A column is in the table and is also given for all rows.
+    #[error("{table}: column {column} is in the table and is also given for all rows; keep one")]
     GivenTwice {
         /// The table.
         table: String,
@@ -51,9 +51,7 @@ pub enum TableError {
         column: &'static str,
     },
     /// A row has more or fewer fields than there are columns.
-    #[error(
-        "{table}, line {line}: {fields} fields; the header has {columns}, and every row must have as many"
-    )]
+    #[error("{table}, line {line}: {fields} fields, but the header has {columns}")]
     UnequalRow {
         /// The table.
         table: String,
@@ -64,48 +62,48 @@ pub enum TableError {
         /// The columns that the header names.
         columns: u64,
     },
-    /// A row is no CSV.
+    /// A row is not valid CSV.
     #[error("{table}, line {line}: {error}")]
     Csv {
         /// The table.
         table: String,
         /// The line that the row ends on.
         line: u64,
-        /// What is wrong.
+        /// The CSV reader's error.
         error: csv::Error,
     },
-    /// The text is no array of row objects.
-    #[error("{table}: reading an array of row objects: {error}")]
+    /// The text is not a JSON array of row objects.
+    #[error("{table}: expected a JSON array of row objects: {error}")]
     Json {
         /// The table.
         table: String,
-        /// What is wrong.
+        /// The JSON reader's error.
         error: serde_json::Error,
     },
-    /// A value that no law takes.
+    /// A value outside the range of every law.
     #[error(transparent)]
     Value(#[from] OutOfBounds),
-    /// A column is missing, or cells are bad.
+    /// A column is missing or cells are invalid.
     #[error(transparent)]
     Refused(#[from] Refusal),
 }
 
-/// What is wrong with columns and cells: the first problems, and how many more there are.
+/// Problems with columns and cells: the first ten, and the number of further ones.
 #[derive(Debug, Default, Clone, PartialEq, Eq)]
 pub struct Refusal {
     listed: Vec<String>,
     more: usize,
-    /// A missing column, which need not be told again of the next block of rows.
+    /// A missing column, which later blocks of rows need not report again.
     of_every_row: bool,
 }
 
 impl Refusal {
-    /// A refusal of every row, whatever it holds.
+    /// Refuses every row, as for a missing column.
     pub(crate) fn of_every_row(problem: String) -> Self {
         Refusal { listed: vec![problem], more: 0, of_every_row: true }
     }
 
-    /// Goes on with what is wrong with the next block of rows.
+    /// Adds the problems of the next block of rows.
     pub fn extend(&mut self, next: Refusal) {
         if self.of_every_row {
             return;
@@ -128,15 +126,15 @@ impl Refusal {
         }
     }
 
-    /// Whether there is anything wrong.
+    /// Returns `Ok` if nothing is listed.
     ///
     /// # Errors
-    /// The refusal itself, where it lists something.
+    /// The refusal itself if it lists a problem.
     pub fn into_result(self) -> Result<(), Refusal> {
         if self.listed.is_empty() { Ok(()) } else { Err(self) }
     }
 
-    /// What is wrong, with file, line or row, column, value and bound; a last line counts what is not listed.
+    /// Problems with file, line or row, column, value and bound, one per line; a last line counts unlisted ones.
     pub fn lines(&self) -> Vec<String> {
         let more = (self.more > 0).then(|| format!("and {} more", self.more));
         self.listed.iter().cloned().chain(more).collect()
@@ -145,7 +143,7 @@ impl Refusal {
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Lines stand under each other behind the word that an error is reported with.
+        // Aligns the lines behind the word `error: `.
         f.write_str(&self.lines().join("\n       "))
     }
 }

@@ -1,4 +1,4 @@
-//! Tables that come in, CSV or JSON, and the numbers in them.
+//! Input tables, CSV or JSON, and the numbers in them.
 
 use std::borrow::Cow;
 
@@ -7,20 +7,20 @@ use units::Bound;
 use crate::error::Refusal;
 use crate::table::{Cells, Table};
 
-/// A table, and where each of its rows came from.
+/// An input table with the origin of each row.
 pub struct InputTable {
     /// The cells as typed.
     pub table: Table,
-    /// The comments of the file, without the program's own.
+    /// Comments of the file without those that this program wrote.
     pub comments: Vec<String>,
     source: String,
     /// `line 12` or `row 3`.
     row_names: Vec<String>,
-    /// Columns that are not in the table, and what every row has there.
+    /// Columns that are not in the table, with the one value of all rows.
     constants: Constants,
 }
 
-/// Columns of one value, the text of their cells behind each name.
+/// Columns with one value for all rows, as (name, text).
 pub(crate) type Constants = Vec<(&'static str, String)>;
 
 impl InputTable {
@@ -28,16 +28,16 @@ impl InputTable {
         InputTable { table, comments: Vec::new(), source, row_names, constants }
     }
 
-    /// The named columns as numbers within their bounds, row by row.
+    /// Parses the named columns as numbers within their bounds, row by row.
     ///
     /// # Errors
-    /// [`Refusal`] for a missing column, or of the bad cells with line, column, value and bound.
+    /// [`Refusal`] for a missing column, or for bad cells with line, column, value and bound.
     pub fn numbers<const N: usize>(&self, columns: [(&str, Bound); N]) -> Result<Vec<[f64; N]>, Refusal> {
         let mut values = vec![[0.0; N]; self.row_names.len()];
         let mut problems = Vec::new();
         for (at, (name, bound)) in columns.into_iter().enumerate() {
             if !self.has(name) {
-                // No rows at all are no mistake.
+                // A table without rows and columns is valid.
                 if self.row_names.is_empty() && self.table.columns().next().is_none() {
                     continue;
                 }
@@ -54,10 +54,10 @@ impl InputTable {
         if problems.is_empty() { Ok(values) } else { Err(self.bad_rows(problems)) }
     }
 
-    /// What `read` makes of every row.
+    /// Applies `read` to every row.
     ///
     /// # Errors
-    /// [`Refusal`] where one of the `required` columns is missing, or of the bad rows.
+    /// [`Refusal`] if one of the `required` columns is missing, or for the bad rows.
     pub fn rows<T>(
         &self,
         required: &[&str],
@@ -77,18 +77,18 @@ impl InputTable {
         if problems.is_empty() { Ok(values) } else { Err(self.bad_rows(problems)) }
     }
 
-    /// The name of a row in messages.
+    /// Names a row in messages, such as `spheres.csv, line 12`.
     pub fn row_name(&self, row: usize) -> String {
         format!("{}, {}", self.source, self.row_names[row])
     }
 
-    /// Whether the table has the column, or all of its rows the one value of it.
+    /// Returns true if the column is in the table or is given for all rows.
     #[must_use]
     pub fn has(&self, column: &str) -> bool {
         self.table.column(column).is_some() || self.constants.iter().any(|(name, _)| *name == column)
     }
 
-    /// The cell as a person would read it, or what every row has; empty where there is no such column.
+    /// Text of a cell, or the value given for all rows; empty if there is no such column.
     fn text(&self, column: &str, row: usize) -> Cow<'_, str> {
         let constant = || self.constants.iter().find(|(name, _)| *name == column);
         match self.table.column(column) {
@@ -113,37 +113,32 @@ impl InputTable {
     }
 }
 
-/// One row of a table that came in.
+/// One row of an input table.
 pub struct Row<'t> {
     table: &'t InputTable,
     at: usize,
 }
 
 impl Row<'_> {
-    /// The cell as a person would read it; empty where there is no such column.
+    /// Text of a cell; empty if there is no such column.
     pub fn text(&self, column: &str) -> Cow<'_, str> {
         self.table.text(column, self.at)
     }
 
-    /// The cell as a number within its bound, or what is wrong with it.
+    /// Parses a cell as a number within a bound.
     ///
     /// # Errors
-    /// The problem, with the column.
+    /// The problem with the name of the column.
     pub fn number(&self, column: &str, bound: Bound) -> Result<f64, String> {
         read_number(&self.text(column), bound).map_err(|problem| format!("column {column}: {problem}"))
     }
 
-    /// The same, where an empty cell or an absent column is no number.
+    /// Parses a cell as a number within a bound; `None` for an empty cell or a missing column.
     ///
     /// # Errors
-    /// The problem, with the column.
+    /// The problem with the name of the column.
     pub fn optional_number(&self, column: &str, bound: Bound) -> Result<Option<f64>, String> {
-        let text = self.text(column);
-        if text.trim().is_empty() {
-            return Ok(None);
-        }
-        let number = read_number(&text, bound).map_err(|problem| format!("column {column}: {problem}"))?;
-        Ok(Some(number))
+        if self.text(column).trim().is_empty() { Ok(None) } else { self.number(column, bound).map(Some) }
     }
 }
 
@@ -151,11 +146,11 @@ fn read_number(text: &str, bound: Bound) -> Result<f64, String> {
     let text = text.trim();
     let Ok(value) = text.parse::<f64>() else {
         return Err(if text.is_empty() {
-            "the cell is empty; a number is needed".to_owned()
+            "the cell is empty; enter a number".to_owned()
         } else {
             format!("{text:?} is not a number")
         });
     };
-    // Of what is wrong with the value the plainest bound is told.
+    // `check` reports the simplest bound that is violated.
     bound.check("the cell", value).map_err(|error| format!("{text} must be {}", error.bound))
 }

@@ -13,7 +13,7 @@ use crate::table::{Cell, Cells, Table};
 
 pub(super) type Row = IndexMap<String, Box<RawValue>>;
 
-/// A row as it stands in the text; a map would let the last of two equal keys win.
+/// A row with its keys checked for repeats; a plain map would keep the last of two equal keys.
 struct RowText(Row);
 
 impl<'de> Deserialize<'de> for RowText {
@@ -35,7 +35,7 @@ impl<'de> Visitor<'de> for RowVisitor {
         let mut row = Row::new();
         while let Some((key, value)) = entries.next_entry::<String, Box<RawValue>>()? {
             if row.contains_key(&key) {
-                return Err(A::Error::custom(format!("key {key:?} stands twice in a row; keep one")));
+                return Err(A::Error::custom(format!("key {key:?} appears twice in a row; keep one")));
             }
             row.insert(key, value);
         }
@@ -43,7 +43,7 @@ impl<'de> Visitor<'de> for RowVisitor {
     }
 }
 
-/// Reads an array of rows, one after the other.
+/// Reads an array of rows one at a time.
 pub(super) fn each_row<E: From<TableError>>(
     text: impl Read,
     source: &str,
@@ -63,7 +63,7 @@ pub(super) fn each_row<E: From<TableError>>(
 
 struct RowsVisitor<'e, E> {
     each: &'e mut dyn FnMut(Row) -> Result<(), E>,
-    /// Why `each` ended it.
+    /// The error with which `each` stopped.
     stopped: &'e mut Option<E>,
 }
 
@@ -85,7 +85,7 @@ impl<'de, E> Visitor<'de> for RowsVisitor<'_, E> {
     }
 }
 
-/// Writes rows; the first of all rows has none before it.
+/// Writes rows; `first` is true if none was written before.
 pub(super) fn write(table: &Table, first: bool, out: &mut dyn Write) -> io::Result<()> {
     let keys: Vec<String> =
         table.columns().map(|(name, _)| serde_json::to_string(name)).collect::<Result<_, _>>()?;
@@ -120,7 +120,7 @@ fn write_cell(text: &mut String, cells: &Cells, row: usize) -> io::Result<()> {
     Ok(())
 }
 
-/// JSON knows no infinities.
+/// Writes a number; infinities and NaN, which JSON lacks, become null.
 fn write_finite(text: &mut String, value: Option<f64>) {
     match value.filter(|value| value.is_finite()) {
         Some(value) => write_number(text, value),

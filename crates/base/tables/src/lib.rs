@@ -14,5 +14,5 @@ pub use source::TableSource;
 pub use table::{Cell, Cells, Table};
 pub use writer::{Format, TableWriter};
 
-/// What begins the comment lines that this program writes itself.
+/// Prefix of comment lines that this program writes.
 pub const OWN_COMMENT: &str = "truearea ";

@@ -1,4 +1,4 @@
-//! A table that comes in, read in blocks of rows as often as needed: first to check all of it, then to compute.
+//! An input table read in blocks of rows, as often as needed: first to check all of it, then to compute.
 
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 
@@ -15,21 +15,22 @@ impl<T: Read + Seek> Rereadable for T {}
 pub struct TableSource {
     name: String,
     bytes: Box<dyn Rereadable>,
-    /// Behind a byte-order mark.
+    /// Offset of the text, after a byte-order mark.
     start: u64,
     is_json: bool,
     columns: Vec<String>,
     constants: Constants,
-    /// The comments of the file, without the program's own.
+    /// Comments of the file without those that this program wrote.
     pub comments: Vec<String>,
 }
 
 impl TableSource {
-    /// The table in `bytes`, which `name` stands for in messages: JSON where it begins like an array and else CSV. Its columns
-    /// are found.
+    /// Opens the table in `bytes` and reads its columns; `name` stands for it in messages.
+    ///
+    /// A text that begins with `[` is JSON, any other CSV.
     ///
     /// # Errors
-    /// [`TableError`] with the line where it has one.
+    /// [`TableError`] with the line if there is one.
     pub fn new(name: &str, bytes: impl Read + Seek + 'static) -> Result<Self, TableError> {
         let mut source = TableSource {
             name: name.to_owned(),
@@ -45,10 +46,10 @@ impl TableSource {
         source.with_columns()
     }
 
-    /// Gives every row the same cell in a column that the table does not have; it is read, and not written.
+    /// Sets the value of all rows for a column that the table lacks. It is read but not written.
     ///
     /// # Errors
-    /// [`TableError::GivenTwice`] where the table has that column.
+    /// [`TableError::GivenTwice`] if the table has that column.
     pub fn set_constant(&mut self, column: &'static str, text: String) -> Result<(), TableError> {
         if self.columns.iter().any(|other| other == column) {
             return Err(TableError::GivenTwice { table: self.name.clone(), column });
@@ -57,10 +58,10 @@ impl TableSource {
         Ok(())
     }
 
-    /// All of it at once.
+    /// Reads all rows at once.
     ///
     /// # Errors
-    /// [`TableError`] with the line where it has one.
+    /// [`TableError`] with the line if there is one.
     pub fn whole(mut self) -> Result<InputTable, TableError> {
         let mut whole =
             InputTable::new(Table::default(), self.name.clone(), Vec::new(), self.constants.clone());
@@ -91,10 +92,10 @@ impl TableSource {
         Ok(source)
     }
 
-    /// Reads the rows from the first on, in blocks of at most so many; one block without rows where there are none.
+    /// Reads all rows from the first, in blocks of at most `most_rows`. A table without rows is one empty block.
     ///
     /// # Errors
-    /// Those of `each`, and [`TableError`] that names the file and the line.
+    /// Errors of `each`, and [`TableError`] with file and line.
     pub fn blocks<E: From<TableError>>(
         &mut self,
         most_rows: usize,
@@ -145,7 +146,7 @@ impl TableSource {
         Ok(BufReader::new(&mut self.bytes))
     }
 
-    /// Where the text begins, once all of it is known to be text.
+    /// Checks that all of it is UTF-8 and returns the offset of the text.
     fn checked_start(&mut self) -> Result<u64, TableError> {
         let name = self.name.clone();
         let (mut line, mut held, mut first) = (1, Vec::new(), true);
@@ -163,7 +164,7 @@ impl TableSource {
             first = false;
             let valid = match std::str::from_utf8(&held) {
                 Ok(text) => text.len(),
-                // A character may go on in what is read next.
+                // A character may continue in the next block.
                 Err(error) if error.error_len().is_none() && !ended => error.valid_up_to(),
                 Err(error) => {
                     let before = &held[..error.valid_up_to()];
@@ -190,7 +191,7 @@ impl TableSource {
         Ok(false)
     }
 
-    /// The comments, wherever they stand.
+    /// Collects comments anywhere in the file, without this program's own.
     fn foreign_comments(&mut self) -> Result<Vec<String>, TableError> {
         let name = self.name.clone();
         let mut comments = Vec::new();
@@ -203,7 +204,7 @@ impl TableSource {
     }
 }
 
-/// Rows on their way into columns.
+/// Rows being collected into columns.
 #[derive(Default)]
 struct Block {
     columns: Vec<String>,
@@ -288,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn text_is_told_from_bytes_across_whatever_is_read_at_once() {
+    fn invalid_text_is_located_across_the_ends_of_buffers() {
         // Two bytes to a character, and an odd one first: characters lie across the ends of any buffer.
         let long = format!("a\n{}\n", "é".repeat(40_000));
         for text in [long.clone(), format!("x{long}")] {

@@ -1,9 +1,9 @@
-//! A table as columns of one length.
+//! A table as columns of equal length.
 
 use serde_json::value::RawValue;
 use units::number;
 
-/// Columns of one length.
+/// A table as columns of equal length.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     columns: Vec<(String, Cells)>,
@@ -12,22 +12,22 @@ pub struct Table {
 /// The cells of one column.
 #[derive(Debug, Clone)]
 pub enum Cells {
-    /// Echoed as they came in.
+    /// Cells of the input, written unchanged.
     Typed(Vec<Cell>),
-    /// Computed numbers; absent ones are empty cells.
+    /// Computed numbers; `None` is an empty cell.
     Numbers(Vec<Option<f64>>),
     /// Computed words.
     Words(Vec<&'static str>),
 }
 
-/// One cell as typed.
+/// A cell of the input, or a number filled in beside such cells.
 #[derive(Debug, Clone)]
 pub enum Cell {
     /// A CSV field.
     Field(String),
-    /// A JSON value, `null` where a row lacks the key.
+    /// A JSON value; `null` if a row lacks the key.
     Json(Box<RawValue>),
-    /// A number filled in beside what was typed.
+    /// A computed number in a column of typed cells.
     Computed(f64),
 }
 
@@ -38,7 +38,7 @@ impl From<&str> for Cell {
 }
 
 impl Cell {
-    /// What a person would read in the cell; nothing in an empty one.
+    /// The text of the cell; empty for an empty cell, null and numbers that are not finite.
     pub fn text(&self) -> std::borrow::Cow<'_, str> {
         match self {
             Cell::Field(text) => text.as_str().into(),
@@ -61,7 +61,7 @@ impl Cells {
 }
 
 impl Table {
-    /// The column of this name is set: what came in under it is replaced in its place, and else it is the last one.
+    /// Sets a column: replaces the one of this name in place, or appends it.
     pub fn set(&mut self, name: &str, cells: Cells) {
         debug_assert!(self.columns.is_empty() || cells.len() == self.rows());
         match self.columns.iter_mut().find(|(existing, _)| existing == name) {
@@ -70,7 +70,7 @@ impl Table {
         }
     }
 
-    /// Appends a column. A name that is taken gets a number, so that no column of a table takes the place of another.
+    /// Appends a column; a name that is taken gets a number, so that no column replaces another.
     fn append(&mut self, name: &str, cells: Cells) {
         debug_assert!(self.columns.is_empty() || cells.len() == self.rows());
         let is_taken = |name: &str| self.columns.iter().any(|(existing, _)| existing == name);
@@ -79,7 +79,7 @@ impl Table {
         self.columns.extend(name.map(|name| (name, cells)));
     }
 
-    /// The table with a column of numbers appended.
+    /// Appends a column of numbers.
     pub fn with_numbers(
         mut self,
         name: &str,
@@ -89,13 +89,13 @@ impl Table {
         self
     }
 
-    /// The table with a column of words appended.
+    /// Appends a column of fixed words.
     pub fn with_words(mut self, name: &str, words: impl IntoIterator<Item = &'static str>) -> Self {
         self.append(name, Cells::Words(words.into_iter().collect()));
         self
     }
 
-    /// The table with a column of text appended.
+    /// Appends a column of text.
     pub fn with_text(mut self, name: &str, texts: impl IntoIterator<Item = String>) -> Self {
         self.append(name, Cells::Typed(texts.into_iter().map(Cell::Field).collect()));
         self
@@ -116,7 +116,7 @@ impl Table {
         self.columns().find(|(existing, _)| *existing == name).map(|(_, cells)| cells)
     }
 
-    /// How many computed numbers lie beyond the range of doubles; their cells are written empty.
+    /// Counts computed numbers that are not finite; their cells are written empty.
     pub fn unrepresentable(&self) -> usize {
         let unrepresentable = |value: &f64| !value.is_finite();
         let count = |cells: &Cells| match cells {
@@ -138,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn f_a_9_a_computed_column_never_takes_the_place_of_another() {
+    fn a_computed_column_never_replaces_another() {
         let table = Table::default().with_numbers("a", [1.0]).with_numbers("a", [2.0]).with_words("a", ["w"]);
         let names: Vec<&str> = table.columns().map(|(name, _)| name).collect();
         assert_eq!(names, ["a", "a (2)", "a (3)"]);

@@ -1,11 +1,11 @@
-//! A table written block by block, so that it need not be held.
+//! Tables written block by block, so that they need not fit into memory.
 
 use std::io::{self, Write};
 
 use crate::table::Table;
 use crate::{csv_text, json_text};
 
-/// How a table is written.
+/// File format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Format {
     /// Comma-separated values with a header row.
@@ -18,17 +18,17 @@ pub enum Format {
 units::named!(Format, "format of a table", { Csv => "csv", Json => "json" });
 
 impl Format {
-    /// The ending of a file in this format.
+    /// File extension of this format.
     pub fn extension(self) -> &'static str {
         self.name()
     }
 }
 
 impl Table {
-    /// Writes the table; `comments` stand before it as `#` lines where the format has comments.
+    /// Writes the table, after `comments` as `#` lines if the format has comments.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write(&self, format: Format, comments: &[String], out: &mut dyn Write) -> io::Result<()> {
         let mut writer = TableWriter::begin(format, comments, out)?;
         writer.block(self)?;
@@ -36,7 +36,7 @@ impl Table {
     }
 }
 
-/// Writes blocks of rows with the same columns, one under the other.
+/// Writer of a table in blocks of rows with the same columns.
 pub struct TableWriter<'o> {
     out: &'o mut dyn Write,
     format: Format,
@@ -46,10 +46,10 @@ pub struct TableWriter<'o> {
 }
 
 impl<'o> TableWriter<'o> {
-    /// Begins a table; `comments` stand before it as `#` lines where the format has comments.
+    /// Begins a table, after `comments` as `#` lines if the format has comments.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn begin(format: Format, comments: &[String], out: &'o mut dyn Write) -> io::Result<Self> {
         match format {
             Format::Csv => csv_text::write_comments(comments, out)?,
@@ -61,7 +61,7 @@ impl<'o> TableWriter<'o> {
     /// Writes more rows. The first block names the columns, even if it has no rows.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn block(&mut self, block: &Table) -> io::Result<()> {
         match self.format {
             Format::Csv => csv_text::write(block, !self.begun, self.out)?,
@@ -73,10 +73,10 @@ impl<'o> TableWriter<'o> {
         Ok(())
     }
 
-    /// Ends the table, and tells how many computed numbers lay beyond the range of doubles; their cells are empty.
+    /// Ends the table; returns the number of computed numbers that were not finite and were left empty.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn end(self) -> io::Result<usize> {
         match self.format {
             Format::Csv => {}

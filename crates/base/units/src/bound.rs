@@ -1,4 +1,4 @@
-//! The bounds that numbers are held against, and what is said where they are broken.
+//! Bounds of input numbers, and the error for a number outside its bound.
 
 /// The interval a value must lie in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,10 +31,9 @@ pub enum Bound {
         /// The upper end.
         at_most: f64,
     },
-    /// Greater than zero and within thirty decades of one: no product or power of such numbers in any law leaves the range
-    /// of doubles.
+    /// From 1e-30 to 1e30: no product or power of such numbers in any law leaves the range of doubles.
     Magnitude,
-    /// Of either sign, and at most as large as [`Magnitude`](Self::Magnitude) admits.
+    /// From -1e30 to 1e30, zero included.
     Signed,
 }
 
@@ -43,7 +42,7 @@ const SMALLEST: f64 = 1e-30;
 const LARGEST: f64 = 1e30;
 
 impl Bound {
-    /// Whether `value` satisfies the bound. NaN and infinities never do.
+    /// Returns true if `value` satisfies the bound. NaN and infinities never do.
     #[must_use]
     pub fn admits(self, value: f64) -> bool {
         value.is_finite()
@@ -59,21 +58,21 @@ impl Bound {
             }
     }
 
-    /// `value`, or the error that names the quantity, the value and this bound.
+    /// Returns `value` if the bound admits it.
     ///
     /// # Errors
-    /// [`OutOfBounds`] where the bound does not admit `value`.
+    /// [`OutOfBounds`] with the quantity, the value and the simplest bound that is violated.
     pub fn check(self, quantity: &'static str, value: f64) -> Result<f64, OutOfBounds> {
         if self.admits(value) {
             return Ok(value);
         }
-        // Of what is wrong the plainest is named.
-        let plainest = match self {
+        // Report the simplest bound that is violated.
+        let simplest = match self {
             Bound::Magnitude => Bound::Positive,
             Bound::Signed => Bound::Finite,
             other => other,
         };
-        Err(OutOfBounds { quantity, value, bound: if plainest.admits(value) { self } else { plainest } })
+        Err(OutOfBounds { quantity, value, bound: if simplest.admits(value) { self } else { simplest } })
     }
 }
 
@@ -98,21 +97,21 @@ impl std::fmt::Display for Bound {
     }
 }
 
-/// A number as people write it, with an exponent only where it is far from 1.
+/// Formats a number with an exponent only below 1e-3 and from 1e5.
 fn short(value: f64) -> String {
     if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
-/// A quantity outside the range in which it makes sense; its message names quantity, value and bound.
+/// A quantity outside its bound; the message names quantity, value and bound.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{quantity} is {}; it must be {bound}", short(*.value))]
 #[non_exhaustive]
 pub struct OutOfBounds {
-    /// What was being given, with its unit.
+    /// Name of the quantity with its unit.
     pub quantity: &'static str,
-    /// The value given, in that unit.
+    /// Value in that unit.
     pub value: f64,
-    /// What it must satisfy.
+    /// The violated bound.
     pub bound: Bound,
 }
 
@@ -121,7 +120,7 @@ mod tests {
     use super::Bound;
 
     #[test]
-    fn what_is_no_magnitude_is_told_by_the_plainest_bound_that_it_breaks() {
+    fn a_violation_is_reported_by_the_simplest_bound() {
         let told = |bound: Bound, value| bound.check("it", value).map_err(|error| error.to_string());
         assert_eq!(told(Bound::Magnitude, 1e-30), Ok(1e-30));
         assert_eq!(told(Bound::Magnitude, 1e-31).unwrap_err(), "it is 1e-31; it must be from 1e-30 to 1e30");

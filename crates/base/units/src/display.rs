@@ -1,56 +1,56 @@
-//! Lengths and pressures as people read them: three digits and a prefix.
+//! Lengths and pressures as people read them: three significant digits and a prefix.
 
 use std::collections::{HashMap, HashSet};
 
-/// A length, e.g. `5.65 nm`.
+/// Formats a length \[m\] with three significant digits, e.g. `5.65 nm`.
 #[must_use]
 pub fn length(length_m: f64) -> String {
     length_with(LEAST_DIGITS, length_m)
 }
 
-/// Lengths \[m\] with three digits each, and with more where that takes to tell different ones apart.
+/// Formats lengths \[m\] with three significant digits, and more only as needed to distinguish different ones.
 #[must_use]
 pub fn lengths_apart(lengths_m: &[f64]) -> Vec<String> {
     let mut digits = vec![LEAST_DIGITS; lengths_m.len()];
     loop {
-        let told: Vec<String> =
+        let texts: Vec<String> =
             digits.iter().zip(lengths_m).map(|(&digits, &length_m)| length_with(digits, length_m)).collect();
         let mut first_of: HashMap<&str, f64> = HashMap::new();
         let mut ambiguous: HashSet<&str> = HashSet::new();
-        for (text, &length_m) in told.iter().zip(lengths_m) {
+        for (text, &length_m) in texts.iter().zip(lengths_m) {
             if *first_of.entry(text).or_insert(length_m) != length_m {
                 ambiguous.insert(text);
             }
         }
         let mut any_left = false;
-        for (text, digits) in told.iter().zip(&mut digits) {
+        for (text, digits) in texts.iter().zip(&mut digits) {
             if ambiguous.contains(text.as_str()) && *digits < MOST_DIGITS {
                 *digits += 1;
                 any_left = true;
             }
         }
         if !any_left {
-            return told;
+            return texts;
         }
     }
 }
 
-/// The digits that numbers are told with where fewer do not have to be.
+/// Significant digits unless more are needed.
 const LEAST_DIGITS: usize = 3;
-/// So many digits tell any two doubles apart.
+/// Significant digits that distinguish any two doubles.
 const MOST_DIGITS: usize = 17;
 
 fn length_with(digits: usize, length_m: f64) -> String {
     with_prefix(digits, length_m, &[("m", 0), ("mm", -3), ("µm", -6), ("nm", -9), ("pm", -12)])
 }
 
-/// A pressure, e.g. `5.4 MPa`.
+/// Formats a pressure \[Pa\] with three significant digits, e.g. `5.4 MPa`.
 #[must_use]
 pub fn pressure(pressure_pa: f64) -> String {
     with_prefix(LEAST_DIGITS, pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
 }
 
-/// What is zero, or no finite number, has the plain unit.
+/// Formats a value with the largest fitting prefix; zero and values that are not finite take the plain unit.
 fn with_prefix(digits: usize, value: f64, units: &[(&str, i32)]) -> String {
     let has_size = value.is_finite() && value != 0.0;
     let fits = |(_, power): &&(&str, i32)| match has_size {
@@ -61,14 +61,14 @@ fn with_prefix(digits: usize, value: f64, units: &[(&str, i32)]) -> String {
     format!("{} {unit}", significant(digits, value / 10f64.powi(*power)))
 }
 
-/// A number of things, e.g. `1 scale`, `2 scales`; `thing` takes an s.
+/// Formats a count of things, e.g. `1 scale`, `2 scales`; the plural of `thing` takes an s.
 #[must_use]
 pub fn counted(number: usize, thing: &str) -> String {
     let s = if number == 1 { "" } else { "s" };
     format!("{number} {thing}{s}")
 }
 
-/// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
+/// Formats a number with three significant digits, and with an exponent outside 1e-3 to 1e4.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
     significant(LEAST_DIGITS, value)
@@ -87,7 +87,7 @@ fn significant(digits: usize, value: f64) -> String {
     if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
 }
 
-/// A power of ten as it is set, e.g. `10⁻³`.
+/// Formats a power of ten with a superscript, e.g. `10⁻³`.
 #[must_use]
 pub fn power_of_ten(power: i32) -> String {
     const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -95,7 +95,7 @@ pub fn power_of_ten(power: i32) -> String {
     format!("10{}", power.to_string().chars().map(raised).collect::<String>())
 }
 
-/// Exponents as they are set: `10⁻³ H` of `1e-3 H`, `1.2 × 10⁻³` of `1.2e-3`, `mm²` of `mm^2`. Anything else stays.
+/// Replaces exponents by superscripts: `1e-3 H` becomes `10⁻³ H`, `1.2e-3` `1.2 × 10⁻³`, `mm^2` `mm²`.
 pub fn typeset(text: &str) -> String {
     let text = text.replace("m^2", "m²").replace("m^3", "m³");
     text.split(' ').map(typeset_word).collect::<Vec<_>>().join(" ")
@@ -114,7 +114,7 @@ fn typeset_word(word: &str) -> String {
     format!("{times}{power}{space}{unit}")
 }
 
-/// Three significant digits; below a tenth with a power of ten, e.g. `3.33 × 10⁻³`.
+/// Formats a number with three significant digits, below 0.1 with a power of ten, e.g. `3.33 × 10⁻³`.
 #[must_use]
 pub fn typeset_digits(value: f64) -> String {
     if (1e-3..0.1).contains(&value.abs()) {
@@ -124,7 +124,7 @@ pub fn typeset_digits(value: f64) -> String {
     }
 }
 
-/// A load as typed; one typed in units of pressure or force also in units of the hardness, e.g. `10 MPa = 3.33 × 10⁻³ H`.
+/// Formats a load as typed, and also in units of the hardness unless typed so: `10 MPa = 3.33 × 10⁻³ H`.
 #[must_use]
 pub fn load_in_full(typed: &str, pressure_pa: f64, hardness_pa: Option<f64>) -> String {
     match hardness_pa.filter(|_| !typed.ends_with('H')) {
@@ -152,12 +152,12 @@ mod tests {
     }
 
     #[test]
-    fn one_thing_is_no_things() {
+    fn a_count_of_one_takes_no_plural() {
         assert_eq!([0, 1, 2].map(|number| counted(number, "bin")), ["0 bins", "1 bin", "2 bins"]);
     }
 
     #[test]
-    fn f_a_9_lengths_that_differ_are_told_apart_and_others_as_ever() {
+    fn more_digits_are_printed_only_to_distinguish_lengths() {
         assert_eq!(
             lengths_apart(&[35e-9, 35.004e-9, 70e-9, 35e-9]),
             ["35 nm", "35.004 nm", "70 nm", "35 nm"]

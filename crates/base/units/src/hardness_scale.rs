@@ -1,8 +1,8 @@
 //! Hardness numbers of the scales that certificates use, as pressures.
 //!
-//! Vickers' and Brinell's numbers are loads in kgf over the area in mm^2 of the indent itself (ISO 6507-1, ISO 6506-1), and are
-//! taken as they stand: 9.80665 MPa for 1 HV or 1 HBW. A number of Rockwell's C scale is a depth and becomes a pressure by
-//! way of Vickers' number.
+//! Vickers and Brinell numbers are loads in kgf over the area in mm^2 of the indent itself (ISO 6507-1, ISO 6506-1) and
+//! are used unchanged: 9.80665 MPa for 1 HV or 1 HBW. A Rockwell C number is a depth; it becomes a pressure through the
+//! Vickers number.
 
 use crate::bound::Bound;
 use crate::quantity_error::QuantityError;
@@ -23,15 +23,15 @@ pub(crate) enum HardnessScale {
 /// 1 kgf/mm^2 = 9.80665 MPa.
 const KGF_PER_MM2: UnitScale = UnitScale::decimal(980_665, 1);
 
-/// Brinell's number with a ball of hard metal ends here (ISO 6506-1), as the ball yields as well.
+/// Brinell numbers with a ball of hard metal end at 650 (ISO 6506-1): beyond, the ball yields as well.
 const BRINELL: Bound = Bound::LeftOpen { above: 0.0, at_most: 650.0 };
 
-/// The C scale of table 1 of ASTM E140, steels that are not austenitic.
+/// Range of the Rockwell C scale in table 1 of ASTM E140 (steels that are not austenitic).
 const ROCKWELL_C: Bound = Bound::Within { at_least: 20.0, at_most: 68.0 };
 
 impl HardnessScale {
-    /// The scale that a unit names.
-    pub(crate) fn of(unit: &str) -> Option<Self> {
+    /// Parses the name of a scale.
+    pub(crate) fn parse(unit: &str) -> Option<Self> {
         match unit {
             "HV" => Some(HardnessScale::Vickers),
             "HBW" | "HB" => Some(HardnessScale::Brinell),
@@ -40,7 +40,7 @@ impl HardnessScale {
         }
     }
 
-    /// The pressure \[Pa\] of a number, which stands at the beginning of the text.
+    /// Converts `number`, the first part of `text`, to a pressure \[Pa\].
     pub(crate) fn pascals(self, text: &str, number: &str) -> Result<f64, QuantityError> {
         let within = |bound: Bound, quantity: &'static str| {
             let value = scaled(number, UnitScale::ONE);
@@ -51,7 +51,7 @@ impl HardnessScale {
         match self {
             HardnessScale::Vickers => {}
             HardnessScale::Brinell => {
-                // What is no hardness at all is told as such.
+                // A number <= 0 is no hardness on any scale; report that first.
                 HARDNESS.positive(text, scaled(number, UnitScale::ONE))?;
                 within(BRINELL, "Brinell's number")?;
             }
@@ -64,15 +64,15 @@ impl HardnessScale {
     }
 }
 
-/// Vickers' number of a steel from its number of Rockwell's C scale: (223 HRC + 14500)/(100 - HRC).
+/// Converts a Rockwell C number of a steel to a Vickers number: (223 HRC + 14500)/(100 - HRC).
 ///
-/// The closed form is one that simulations of heat treatment use; over the whole range it is within 1.5 % of table 1 of ASTM E140
-/// (steels that are not austenitic), against which the tests hold it. The pole is where the cone's depth is 0.
+/// Simulations of heat treatment use this closed form. It is within 1.5 % of table 1 of ASTM E140 (steels that are not
+/// austenitic) over the whole range; the tests compare it. The pole is where the depth of the cone is 0.
 pub(crate) fn vickers_of_rockwell_c(hrc: f64) -> f64 {
     (223.0 * hrc + 14_500.0) / (100.0 - hrc)
 }
 
-/// The pressure \[Pa\] by which a hardness of this number of Rockwell's C scale changes over one step of it.
+/// Slope of the hardness \[Pa\] per Rockwell C step at the number `hrc`.
 pub(crate) fn pascals_per_rockwell_c(hrc: f64) -> f64 {
     let left = 100.0 - hrc;
     KGF_PER_MM2.to_si((223.0 * left + 223.0 * hrc + 14_500.0) / (left * left))

@@ -1,4 +1,4 @@
-//! Units of length: one table, which typed lengths, headers of spectra and files of instruments read.
+//! Units of length, in one table for typed lengths, headers of spectra and files of instruments.
 
 use std::fmt;
 use std::str::FromStr;
@@ -13,17 +13,17 @@ pub struct LengthUnit {
     scale: UnitScale,
     name: &'static str,
     ascii: &'static str,
-    /// Signs in which case counts, beside the name and its plain form: M is mega, A is ampere.
+    /// Case-sensitive signs besides `name` and `ascii`: M is mega, A is ampere.
     signs: &'static [&'static str],
-    /// Words, singular and in lower case, in which it does not.
+    /// Case-insensitive words, singular and in lower case.
     words: &'static [&'static str],
 }
 
-/// A text that names no unit of length.
+/// A text that is not a unit of length.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("'{text}' is no unit of length; write one of {}", LengthUnit::accepted())]
+#[error("'{text}' is not a unit of length; use one of {}", LengthUnit::accepted())]
 pub struct UnknownLengthUnit {
-    /// What stands in the place of the unit.
+    /// The text in the place of the unit.
     pub text: String,
 }
 
@@ -51,7 +51,7 @@ impl LengthUnit {
     pub const MICROINCH: Self =
         Self::inches(-10, "uin", "uin", &["\u{b5}in", "\u{3bc}in"], &["microinch", "microinche"]);
 
-    /// Every unit there is.
+    /// All units.
     pub const ALL: [Self; 10] = [
         Self::METRE,
         Self::CENTIMETRE,
@@ -75,7 +75,7 @@ impl LengthUnit {
         Self { scale: UnitScale::power_of_ten(decimal_exponent), name, ascii, signs, words }
     }
 
-    /// 254 x 10^`decimal_exponent` m.
+    /// A unit of 254 x 10^`decimal_exponent` m.
     const fn inches(
         decimal_exponent: i32,
         name: &'static str,
@@ -86,25 +86,25 @@ impl LengthUnit {
         Self { scale: UnitScale::decimal(254, decimal_exponent), name, ascii, signs, words }
     }
 
-    /// The names that messages offer.
+    /// Lists the names of all units for messages.
     #[must_use]
     pub fn accepted() -> String {
         Self::ALL.map(|unit| unit.name).join(", ")
     }
 
-    /// The unit that a person means by `nm`, `um`, `µm` with either micro sign, `Å`, `Angstrom`, `microns`, `inch`.
+    /// Parses a typed unit: `nm`, `um`, `µm` with either micro sign, `Å`, `Angstrom`, `microns`, `inch`.
     ///
-    /// Case counts in signs, where M is mega, but not in words.
+    /// Signs are case-sensitive (M is mega), words are not.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         Self::ALL
             .into_iter()
             .find(|unit| unit.signs().any(|sign| sign == text))
-            .or_else(|| Self::of_word(text))
+            .or_else(|| Self::parse_word(text))
     }
 
-    /// The same from the file of an instrument, where `A` is the angstrom and `~m` (Nanoscope) the micrometre.
+    /// Parses a unit from an instrument's file, where `A` is the angstrom and `~m` (Nanoscope) the micrometre.
     #[must_use]
     pub fn parse_instrument(text: &str) -> Option<Self> {
         match text.trim() {
@@ -114,41 +114,41 @@ impl LengthUnit {
         }
     }
 
-    /// The same where case does not count in signs either: `NM` in the header of a spectrum.
+    /// Parses a unit with signs in any case, such as `NM` in the header of a spectrum.
     #[must_use]
     pub fn parse_any_case(text: &str) -> Option<Self> {
         let lower = text.trim().to_lowercase();
         let is_sign = |unit: &Self| unit.signs().any(|sign| sign.to_lowercase() == lower);
-        Self::ALL.into_iter().find(is_sign).or_else(|| Self::of_word(&lower))
+        Self::ALL.into_iter().find(is_sign).or_else(|| Self::parse_word(&lower))
     }
 
     fn signs(&self) -> impl Iterator<Item = &'static str> {
         [self.name, self.ascii].into_iter().chain(self.signs.iter().copied())
     }
 
-    /// `Micrometers`, `MICRO_METER`, `angstrom`.
-    fn of_word(text: &str) -> Option<Self> {
+    /// Parses words such as `Micrometers`, `MICRO_METER`, `angstrom`.
+    fn parse_word(text: &str) -> Option<Self> {
         let lower = text.to_lowercase().replace(['_', ' '], "");
         let singular = lower.strip_suffix('s').unwrap_or(&lower);
-        // Names as short as a sign have no plural and no other case.
+        // Names as short as a sign have neither plural nor another case.
         let is_word =
             |unit: &Self| unit.words.contains(&singular) || (unit.ascii.len() > 3 && unit.ascii == singular);
         Self::ALL.into_iter().find(is_word)
     }
 
-    /// How much of a metre it is.
+    /// Size of the unit in metres.
     #[must_use]
     pub const fn scale(self) -> UnitScale {
         self.scale
     }
 
-    /// A length in this unit, in m; of a decimal unit, rounded once.
+    /// Converts a length in this unit to metres, with a single rounding for decimal units.
     #[must_use]
     pub fn to_m(self, value: f64) -> f64 {
         self.scale.to_si(value)
     }
 
-    /// The name in plain letters: `um`, `angstrom`.
+    /// The name in ASCII: `um`, `angstrom`.
     #[must_use]
     pub const fn ascii(self) -> &'static str {
         self.ascii
@@ -158,7 +158,7 @@ impl LengthUnit {
 impl FromStr for LengthUnit {
     type Err = UnknownLengthUnit;
 
-    /// As [`LengthUnit::parse_instrument`]: the unit of a file that says nothing of it is typed in the words of instruments.
+    /// Parses as [`LengthUnit::parse_instrument`] does: users type the unit that a file lacks as instruments write it.
     fn from_str(text: &str) -> Result<Self, UnknownLengthUnit> {
         Self::parse_instrument(text).ok_or_else(|| UnknownLengthUnit { text: text.to_owned() })
     }
@@ -213,7 +213,7 @@ mod tests {
         assert_eq!(LengthUnit::NANOMETRE.to_m(5.65), 5.65e-9);
         assert_eq!(
             "ft".parse::<LengthUnit>().unwrap_err().to_string(),
-            "'ft' is no unit of length; write one of m, cm, mm, µm, nm, Å, pm, km, inch, uin"
+            "'ft' is not a unit of length; use one of m, cm, mm, µm, nm, Å, pm, km, inch, uin"
         );
     }
 

@@ -1,16 +1,16 @@
-//! Options with a fixed list of names, the same ones in messages, on a command line and in a scene file.
+//! Options with a fixed list of names, used alike in messages, on the command line and in scene files.
 
 use thiserror::Error;
 
-/// A name that is none of an option's names.
+/// A name that an option does not have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("reading the {what}: '{given}' is none of {accepted}")]
 pub struct UnknownName {
-    /// What was being read, such as `convention`.
+    /// The option, such as `convention`.
     pub what: &'static str,
-    /// The text given.
+    /// The unknown name.
     pub given: String,
-    /// The names there are.
+    /// The accepted names.
     pub accepted: String,
 }
 
@@ -19,7 +19,7 @@ pub struct UnknownName {
 macro_rules! named {
     ($type:ident, $what:literal, { $($variant:ident => $name:literal),+ $(,)? }) => {
         impl $type {
-            /// Every value there is.
+            /// All values.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// The name in messages, options and files.

@@ -1,13 +1,13 @@
-//! Numbers as they are printed: the fewest digits that read back to the same double.
+//! Printed numbers: the fewest digits that read back to the same double.
 
-/// Appends `value`, with an exponent where that is shorter.
+/// Appends `value` with the fewest digits that read back, with an exponent if that is shorter.
 pub fn write_number(out: &mut String, value: f64) {
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format(value);
     out.push_str(text.strip_suffix(".0").unwrap_or(text));
 }
 
-/// `value` as text.
+/// Formats `value` with the fewest digits that read back to the same double.
 #[must_use]
 pub fn number(value: f64) -> String {
     let mut text = String::new();

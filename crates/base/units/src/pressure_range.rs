@@ -1,37 +1,37 @@
-//! Ranges of pressures, evenly spaced in their logarithms.
+//! Ranges of logarithmically spaced pressures.
 
 use std::str::FromStr;
 
 use crate::{Pressure, QuantityError};
 
-/// Pressures from one to another, as typed: `1kPa:1GPa:1000`.
+/// A range of pressures, typed as `1kPa:1GPa:1000`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PressureRange {
-    /// The first.
+    /// The first pressure.
     pub from: Pressure,
-    /// The last.
+    /// The last pressure.
     pub to: Pressure,
-    /// How many, both ends included: at least 2.
+    /// Number of pressures with both ends, at least 2.
     pub points: u32,
 }
 
-/// What is wrong with a typed range.
+/// Errors of parsing a [`PressureRange`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PressureRangeError {
-    /// Not three parts.
-    #[error("'{0}' is no range of pressures; one reads FROM:TO:COUNT, as in '1kPa:1GPa:1000'")]
+    /// The text does not have three parts.
+    #[error("'{0}' is not a range of pressures; write FROM:TO:COUNT, as in '1kPa:1GPa:1000'")]
     NotThreeParts(String),
-    /// An end that is no pressure.
+    /// An end is not a pressure.
     #[error(transparent)]
     End(#[from] QuantityError),
-    /// A count that is none.
+    /// The count is not a whole number in range.
     #[error("'{0}' must be a whole number from 2 to {most}", most = PressureRange::MOST_POINTS)]
     Count(String),
 }
 
 impl PressureRange {
-    /// The most pressures in a range.
+    /// Largest number of pressures in a range.
     pub const MOST_POINTS: u32 = 10_000_000;
 }
 
@@ -49,7 +49,7 @@ impl FromStr for PressureRange {
     }
 }
 
-/// Values evenly spaced in their logarithms from one > 0 to another, both included; `points` is at least 2.
+/// Yields `points` >= 2 logarithmically spaced values from `from` > 0 to `to` > 0, both included.
 pub fn log_spaced(from: f64, to: f64, points: u32) -> impl Iterator<Item = f64> + Clone {
     let ratio = to / from;
     let last = points - 1;
@@ -73,11 +73,11 @@ mod tests {
     }
 
     #[test]
-    fn a_bad_range_is_told_how_one_reads() {
+    fn a_bad_range_is_refused_with_an_example() {
         let message = |text: &str| text.parse::<PressureRange>().unwrap_err().to_string();
         assert_eq!(
             message("1kPa:1GPa"),
-            "'1kPa:1GPa' is no range of pressures; one reads FROM:TO:COUNT, as in '1kPa:1GPa:1000'"
+            "'1kPa:1GPa' is not a range of pressures; write FROM:TO:COUNT, as in '1kPa:1GPa:1000'"
         );
         assert_eq!(message("1kPa:1GPa:1"), "'1' must be a whole number from 2 to 10000000");
         assert!(message("1:1GPa:5").contains("'1' has no unit; a pressure needs one of Pa"));

@@ -45,11 +45,11 @@ pub struct Modulus {
     pub pa: f64,
 }
 
-/// An indentation hardness > 0, a pressure or a number of Vickers, Brinell or Rockwell's C scale.
+/// An indentation hardness > 0: a pressure or a Vickers, Brinell or Rockwell C number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IndentationHardness {
-    /// In pascals; of a Vickers or Brinell number, the load over the area of the indent itself, 9.80665 MPa for 1 HV (ISO 6507)
-    /// or 1 HBW (ISO 6506); of a number of Rockwell's C scale, that of the Vickers number it is converted to.
+    /// In pascals. A Vickers or Brinell number is the load over the area of the indent itself, 9.80665 MPa for 1 HV
+    /// (ISO 6507) or 1 HBW (ISO 6506); a Rockwell C number is first converted to a Vickers number.
     pub pa: f64,
 }
 
@@ -82,15 +82,15 @@ pub struct WorkOfAdhesion {
 }
 
 impl IndentationHardness {
-    /// A standard uncertainty \[Pa\] that is typed in steps of Rockwell's C scale, of a hardness that is; `None` where the
-    /// uncertainty is typed in another unit.
+    /// Converts a standard uncertainty in Rockwell C steps of a Rockwell C hardness to \[Pa\]; `None` for any other
+    /// unit of the uncertainty.
     ///
-    /// A step is worth more pressure the harder the body is, so that it has no size without the hardness.
+    /// The conversion needs the hardness: a step is worth more pressure the harder the body is.
     ///
     /// # Errors
-    /// [`QuantityError::WrongUnit`] where the hardness is not of that scale, [`QuantityError::Uncertainty`] for steps below 0.
+    /// [`QuantityError::WrongUnit`] if the hardness is not in HRC, [`QuantityError::Uncertainty`] for steps below 0.
     pub fn uncertainty_of_steps(hardness: &str, uncertainty: &str) -> Result<Option<f64>, QuantityError> {
-        let is_steps = |unit| HardnessScale::of(unit) == Some(HardnessScale::RockwellC);
+        let is_steps = |unit| HardnessScale::parse(unit) == Some(HardnessScale::RockwellC);
         let Ok((steps, unit)) = HARDNESS.split(uncertainty) else { return Ok(None) };
         if !is_steps(unit) {
             return Ok(None);
@@ -117,7 +117,7 @@ pub enum Pressure {
 }
 
 impl Pressure {
-    /// The pressure \[Pa\], given the hardness \[Pa\] where there is one.
+    /// Returns the pressure \[Pa\]; `None` for a multiple of the hardness without `hardness_pa`.
     #[must_use]
     pub fn pascals(self, hardness_pa: Option<f64>) -> Option<f64> {
         match self {
@@ -177,7 +177,7 @@ impl FromStr for IndentationHardness {
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let (number, unit) = HARDNESS.split(text)?;
-        let pa = match HardnessScale::of(unit) {
+        let pa = match HardnessScale::parse(unit) {
             Some(scale) => scale.pascals(text, number)?,
             None => HARDNESS.parse(text)?,
         };
@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_quantity_is_refused_with_the_mend() {
+    fn an_invalid_quantity_is_refused_with_a_valid_example() {
         let message = |text: &str| text.parse::<Pressure>().unwrap_err().to_string();
         assert_eq!(
             message("463e9"),

@@ -1,59 +1,59 @@
-//! What is wrong with a typed quantity.
+//! Errors of typed quantities.
 
 use crate::bound::OutOfBounds;
 
-/// What is wrong with a typed quantity.
+/// Errors of parsing a quantity with its unit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
-    /// No number at its start.
-    #[error("'{text}' does not start with a number; a {what} reads like '{example}'")]
+    /// The text does not start with a number.
+    #[error("'{text}' does not start with a number; {} {what} reads like '{example}'", article(what))]
     NoNumber {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
-        /// A good one.
+        /// A valid example.
         example: &'static str,
     },
     /// A number without a unit.
-    #[error("'{text}' has no unit; a {what} needs one of {units}, as in '{example}'")]
+    #[error("'{text}' has no unit; {} {what} needs one of {units}, as in '{example}'", article(what))]
     NoUnit {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
         /// The accepted units.
         units: String,
-        /// A good one.
+        /// A valid example.
         example: &'static str,
     },
-    /// A unit of something else, or of nothing.
-    #[error("'{text}' has the unit '{unit}'; a {what} needs one of {units}")]
+    /// A unit of another kind of quantity, or an unknown one.
+    #[error("'{text}' has the unit '{unit}'; {} {what} needs one of {units}", article(what))]
     WrongUnit {
-        /// What was typed.
+        /// The typed text.
         text: String,
-        /// Its unit.
+        /// The unit in it.
         unit: String,
         /// The kind of quantity.
         what: &'static str,
         /// The accepted units.
         units: String,
     },
-    /// Not a usable magnitude.
-    #[error("'{text}' is out of range; a {what} must be greater than 0 and finite")]
+    /// Zero, negative or beyond the largest double.
+    #[error("'{text}' is out of range; {} {what} must be greater than 0 and finite", article(what))]
     NotPositive {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
     },
-    /// A number that its scale of hardness does not have.
+    /// A number outside its hardness scale.
     #[error(
         "'{text}' is off its scale: {error}; give the hardness as a Vickers number, such as 300 HV, or as a pressure"
     )]
     OffScale {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The number and its bound.
         error: OutOfBounds,
@@ -61,24 +61,28 @@ pub enum QuantityError {
     /// Beyond the largest double.
     #[error("'{text}' is out of range; it must be finite")]
     NotFinite {
-        /// What was typed.
+        /// The typed text.
         text: String,
     },
     /// A standard uncertainty below 0 or beyond the largest double.
     #[error("'{text}' is out of range; a standard uncertainty must be at least 0 and finite")]
     Uncertainty {
-        /// What was typed.
+        /// The typed text.
         text: String,
     },
-    /// A spread where one value is wanted.
+    /// A value with its uncertainty where a single value is expected.
     #[error(
-        "'{text}' says how well a {what} is known, and one value is wanted here; a scene takes it for its material, as \
-         [material] youngs_modulus = \"210 GPa +- 5 GPa\""
+        "expected a single {what}, not '{text}'; uncertainties (+-, to) are allowed only for materials of scenes"
     )]
     OneValueWanted {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
     },
+}
+
+/// The indefinite article of a kind of quantity.
+fn article(what: &str) -> &'static str {
+    if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" }
 }

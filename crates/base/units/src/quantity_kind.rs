@@ -1,15 +1,15 @@
-//! Kinds of quantities, their units, and how text is read as one.
+//! Kinds of quantities, their units, and the parser of typed quantities.
 //!
-//! No unit crate serves here: uom's parser wants a blank before the unit, knows no `um`, and turns 5 µm into
-//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number, by which the
-//! decimal text is multiplied before the one rounding to a double.
+//! No unit crate fits: uom's parser needs a blank before the unit, knows no `um`, and turns 5 µm into
+//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number; the
+//! decimal text is multiplied by it before the single rounding to a double.
 
 use crate::length_unit::LengthUnit;
 use crate::quantity_error::QuantityError;
 use crate::typed_spread::TypedSpread;
 use crate::unit_scale::UnitScale;
 
-/// A kind of quantity: its name, its units, those that only this kind has beside them, and an example.
+/// A kind of quantity: its name, its units, further units of this kind alone, and an example.
 pub(crate) struct Kind {
     what: &'static str,
     units: Units,
@@ -19,9 +19,9 @@ pub(crate) struct Kind {
 
 /// Units with their spellings.
 enum Units {
-    /// Those of [`LengthUnit`].
+    /// The units of [`LengthUnit`].
     Lengths,
-    /// Spellings, the first of which is the name, and sizes.
+    /// Spellings and size of each unit; the first spelling is its name.
     Listed(&'static [(&'static [&'static str], UnitScale)]),
 }
 
@@ -52,12 +52,12 @@ pub(crate) const PRESSURE: Kind = Kind {
     example: "5.4 MPa",
 };
 
-/// The unit of pressure that is the material's own.
+/// The hardness of the material as a unit of pressure.
 pub(crate) const HARDNESS_UNIT: &str = "H";
 
 pub(crate) const MODULUS: Kind = Kind { what: "modulus", own_units: &[], example: "210 GPa", ..PRESSURE };
 
-/// Its own units are those of [`HardnessScale`](crate::hardness_scale::HardnessScale).
+/// Hardness; its own units are the scales of [`HardnessScale`](crate::hardness_scale::HardnessScale).
 pub(crate) const HARDNESS: Kind =
     Kind { what: "hardness", own_units: &["HV", "HBW", "HRC"], example: "3 GPa", ..PRESSURE };
 
@@ -86,7 +86,7 @@ pub(crate) const THERMAL_CONDUCTIVITY: Kind = Kind {
     example: "46 W/(m K)",
 };
 
-/// The letter omega and the sign for ohm look the same.
+/// Resistivity. The letter omega and the ohm sign look alike, so both are accepted.
 pub(crate) const RESISTIVITY: Kind = Kind {
     what: "resistivity",
     units: Units::Listed(&[
@@ -136,7 +136,7 @@ pub(crate) const AREA: Kind = Kind {
 };
 
 impl Kind {
-    /// Every unit under its first spelling.
+    /// Lists every unit by its first spelling.
     fn unit_list(&self) -> String {
         let mut names: Vec<&str> = match self.units {
             Units::Lengths => LengthUnit::ALL.map(LengthUnit::ascii).to_vec(),
@@ -146,12 +146,12 @@ impl Kind {
         names.join(", ")
     }
 
-    /// The value in SI units, which must be positive.
+    /// Parses a positive value into SI units.
     pub(crate) fn parse(&self, text: &str) -> Result<f64, QuantityError> {
         self.positive(text, self.parse_signed(text)?)
     }
 
-    /// The value in SI units, whatever its sign.
+    /// Parses a value of either sign into SI units.
     pub(crate) fn parse_signed(&self, text: &str) -> Result<f64, QuantityError> {
         let (number, unit) = self.split(text)?;
         let scale = match self.units {
@@ -163,7 +163,7 @@ impl Kind {
         Ok(scaled(number, scale.ok_or_else(|| self.wrong_unit(text, unit))?))
     }
 
-    /// The number's text and the unit's, both there.
+    /// Splits a text into number and unit, neither of them empty.
     pub(crate) fn split<'t>(&self, text: &'t str) -> Result<(&'t str, &'t str), QuantityError> {
         let (number, unit) = split_number(text.trim()).ok_or_else(|| QuantityError::NoNumber {
             text: text.to_owned(),
@@ -202,7 +202,7 @@ impl Kind {
     }
 }
 
-/// The longest prefix that reads as a decimal number, and the rest without blanks around it.
+/// Splits off the longest prefix that is a decimal number; the rest is trimmed.
 fn split_number(text: &str) -> Option<(&str, &str)> {
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
     let longest = text.find(|c| !numeric(c)).unwrap_or(text.len());
@@ -212,12 +212,12 @@ fn split_number(text: &str) -> Option<(&str, &str)> {
         .map(|end| (&text[..end], text[end..].trim_start()))
 }
 
-/// Whether the number at the start of a text is 0.
+/// Returns true if the number at the start of a text is 0.
 pub(crate) fn is_zero(text: &str) -> bool {
     split_number(text.trim()).is_some_and(|(number, _)| number.parse() == Ok(0.0))
 }
 
-/// The value in SI units of what [`split_number`] found.
+/// Converts a number found by [`split_number`] to SI units.
 pub(crate) fn scaled(number: &str, scale: UnitScale) -> f64 {
     scale.read(number).expect("it reads as a number")
 }

@@ -1,6 +1,6 @@
-//! One wavelength of the roughness, as spectra give it and stacks take it.
+//! A wavelength of the roughness with its amplitude: output of spectra, input of stacked models.
 
-/// A sinusoid that stands for one wavelength of the roughness.
+/// A sinusoid that represents one wavelength of the roughness.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Scale {
     /// Wavelength lambda > 0 \[m\].

@@ -1,19 +1,19 @@
-//! Shares of a whole, as people type them.
+//! Fractions typed in percent or as plain numbers.
 
 use std::str::FromStr;
 
 use crate::unit_scale::UnitScale;
 
-/// A share, typed in percent or as a plain number: `3 %` or `0.03`. Finite; whoever takes one has its bounds.
+/// A fraction, typed as `3 %` or `0.03`. Finite; further bounds belong to its use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
-    /// As a plain number: 0.03 for 3 %.
+    /// The fraction as a plain number: 0.03 for 3 %.
     pub of_one: f64,
 }
 
-/// What is wrong with a typed share.
+/// A text that is not a fraction.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("'{0}' is no share; one reads '3 %' or '0.03'")]
+#[error("'{0}' is not a fraction; write '3 %' or '0.03'")]
 pub struct ShareError(pub String);
 
 impl FromStr for Share {
@@ -44,11 +44,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_share_is_told_how_one_reads() {
+    fn a_bad_fraction_is_refused_with_an_example() {
         for text in ["", "%", "3 nm", "three", "inf", "NaN %", "1e999", "3 % %"] {
             assert_eq!(
                 text.parse::<Share>().unwrap_err().to_string(),
-                format!("'{text}' is no share; one reads '3 %' or '0.03'")
+                format!("'{text}' is not a fraction; write '3 %' or '0.03'")
             );
         }
     }

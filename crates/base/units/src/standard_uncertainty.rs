@@ -1,14 +1,14 @@
-//! Standard uncertainties as people type them: a quantity that may be none at all.
+//! Typed standard uncertainties: quantities that may be zero.
 
 use std::str::FromStr;
 
 use crate::quantity_error::QuantityError;
 use crate::quantity_kind::is_zero;
 
-/// A standard uncertainty in the units of its quantity; `None` where it is 0.
+/// Parses a standard uncertainty in a unit of its quantity; `None` if it is 0.
 ///
 /// # Errors
-/// [`QuantityError`] for what is no such quantity, or below 0.
+/// [`QuantityError`] if the text is not such a quantity or is below 0.
 pub fn standard_uncertainty<T: FromStr<Err = QuantityError>>(text: &str) -> Result<Option<T>, QuantityError> {
     match text.parse() {
         Err(QuantityError::NotPositive { text, .. }) if is_zero(&text) => Ok(None),
@@ -23,7 +23,7 @@ mod tests {
     use crate::{IndentationHardness, Length, Modulus, Pressure};
 
     #[test]
-    fn a_standard_uncertainty_may_be_none_and_not_below() {
+    fn a_standard_uncertainty_may_be_zero_but_not_negative() {
         assert_eq!(standard_uncertainty("5 GPa"), Ok(Some(Modulus { pa: 5e9 })));
         assert_eq!(standard_uncertainty("10 HV"), Ok(Some(IndentationHardness { pa: 98_066_500.0 })));
         for text in ["0 GPa", "0.0GPa", "-0 Pa", "0e9 Pa"] {

@@ -1,13 +1,13 @@
-//! How well a quantity is known, as people type it: `210 GPa +- 5 GPa`, `0.8 GPa to 1.2 GPa`.
+//! Typed uncertain quantities: `210 GPa +- 5 GPa`, `0.8 GPa to 1.2 GPa`.
 
-/// The two texts that a spread is typed as.
+/// The two parts of a typed uncertain quantity, as text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TypedSpread<'t> {
     /// A value and its standard uncertainty, with `+-`, `+/-` or `±` between them.
     PlusMinus {
         /// The value.
         value: &'t str,
-        /// Its standard uncertainty, in its unit or as a share of it.
+        /// The standard uncertainty, in a unit of the value or as a fraction of it.
         uncertainty: &'t str,
     },
     /// The ends of an interval, with `to` between them.
@@ -20,7 +20,7 @@ pub enum TypedSpread<'t> {
 }
 
 impl<'t> TypedSpread<'t> {
-    /// The spread that a text is; `None` where it is a single quantity, good or bad.
+    /// Splits the text of an uncertain quantity; `None` for a single quantity, valid or not.
     #[must_use]
     pub fn of(text: &'t str) -> Option<Self> {
         let parts = |sign: &str| text.split_once(sign).map(|(first, last)| (first.trim(), last.trim()));
@@ -38,7 +38,7 @@ mod tests {
     use crate::{IndentationHardness, Length, Modulus, Pressure, QuantityError};
 
     #[test]
-    fn a_spread_is_told_from_a_single_quantity() {
+    fn an_uncertain_quantity_differs_from_a_single_one() {
         let plus_minus = Some(TypedSpread::PlusMinus { value: "210 GPa", uncertainty: "5 GPa" });
         for text in ["210 GPa +- 5 GPa", "210 GPa ± 5 GPa", "210 GPa+/-5 GPa", " 210 GPa  +-5 GPa "] {
             assert_eq!(TypedSpread::of(text), plus_minus, "{text}");
@@ -51,12 +51,11 @@ mod tests {
     }
 
     #[test]
-    fn where_one_value_is_wanted_a_spread_is_told_where_it_belongs() {
+    fn an_uncertainty_is_refused_where_a_single_value_is_expected() {
         for text in ["210 GPa +- 5 GPa", "210 +- 5 GPa", "210 GPa ± 2 %", "0.8 GPa to 1.2 GPa", "1 to 2 GPa"]
         {
             let expected = format!(
-                "'{text}' says how well a modulus is known, and one value is wanted here; a scene takes it for its \
-                 material, as [material] youngs_modulus = \"210 GPa +- 5 GPa\""
+                "expected a single modulus, not '{text}'; uncertainties (+-, to) are allowed only for materials of scenes"
             );
             assert_eq!(text.parse::<Modulus>().unwrap_err().to_string(), expected);
         }

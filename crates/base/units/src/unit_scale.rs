@@ -1,7 +1,7 @@
-//! Decimal text times the size of its unit, rounded once.
+//! Conversion of decimal text to SI units with a single rounding.
 
-/// How much of the SI unit another unit is: `multiple`/`divisor` times a power of ten, all whole numbers, so that scaled
-/// text is rounded once, when it becomes a double.
+/// Size of a unit in SI units: `multiple`/`divisor` times a power of ten. All are whole numbers, so that scaled text is
+/// rounded once, when it becomes a double.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct UnitScale {
     multiple: u64,
@@ -13,19 +13,19 @@ impl UnitScale {
     /// The SI unit itself.
     pub const ONE: Self = Self::power_of_ten(0);
 
-    /// 10^`decimal_exponent` of the SI unit.
+    /// A unit of 10^`decimal_exponent` SI units.
     #[must_use]
     pub const fn power_of_ten(decimal_exponent: i32) -> Self {
         Self::decimal(1, decimal_exponent)
     }
 
-    /// `multiple` x 10^`decimal_exponent` of the SI unit.
+    /// A unit of `multiple` x 10^`decimal_exponent` SI units.
     #[must_use]
     pub const fn decimal(multiple: u64, decimal_exponent: i32) -> Self {
         Self { multiple, divisor: 1, decimal_exponent }
     }
 
-    /// The scale of the unit raised to a small whole power, which may be below 0.
+    /// Raises the unit to a small whole power of either sign.
     #[must_use]
     pub const fn to_the(self, power: i32) -> Self {
         let raised = power.unsigned_abs();
@@ -38,14 +38,14 @@ impl UnitScale {
         }
     }
 
-    /// The number in SI units that a text in this unit stands for, `None` where the text is no number.
+    /// Parses a number in this unit into SI units; `None` if the text is not a number.
     ///
-    /// Rounded once, and once more where there is a divisor, as of wavevectors per inch. NaN, infinities and overflow come
-    /// back as such.
+    /// Rounds once, and once more for a divisor, as for wavevectors per inch. NaN, infinities and overflow are returned
+    /// unchanged.
     #[must_use]
     pub fn read(self, text: &str) -> Option<f64> {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        // An exponent too long for an integer makes zero or infinity of any number.
+        // An exponent too long for an integer turns any number into zero or infinity.
         let exponent = exponent.parse().map_or_else(
             |_| exponent.to_owned(),
             |exponent: i64| exponent.saturating_add(i64::from(self.decimal_exponent)).to_string(),
@@ -57,17 +57,17 @@ impl UnitScale {
         Some(scaled.or_else(not_finite)? / self.divisor as f64)
     }
 
-    /// The number in SI units that a number in this unit stands for; of a decimal unit, rounded once.
+    /// Converts a number in this unit to SI units, with a single rounding for decimal units.
     #[must_use]
     pub fn to_si(self, value: f64) -> f64 {
         let ratio = value * self.multiple as f64 / self.divisor as f64;
-        // Powers of ten are exact where they are whole.
+        // Only whole powers of ten are exact.
         let power = 10f64.powi(self.decimal_exponent.abs());
         if self.decimal_exponent < 0 { ratio / power } else { ratio * power }
     }
 }
 
-/// The digits of a decimal number times a whole one; sign, point and anything else stay where they are.
+/// Multiplies the digits of a decimal number by a whole number; sign, point and other characters stay in place.
 fn product(mantissa: &str, multiple: u64) -> String {
     let start = mantissa.find(|c: char| c.is_ascii_digit() || c == '.').unwrap_or(mantissa.len());
     let (sign, digits) = mantissa.split_at(start);

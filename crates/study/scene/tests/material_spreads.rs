@@ -132,7 +132,7 @@ fn what_is_no_spread_is_refused_with_key_value_and_bound() {
             "\"210 GPa +- 5\"",
             "'5' has no unit; a modulus needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, as in '210 GPa'",
         ),
-        ("\"210 GPa +- x %\"", "'x %' is no share; one reads '3 %' or '0.03'"),
+        ("\"210 GPa +- x %\"", "'x %' is not a fraction; write '3 %' or '0.03'"),
         (
             "\"1.2 GPa to 0.8 GPa\"",
             "the interval begins at 1200000000 and ends at 800000000, which is less; the smaller value stands first",
@@ -209,7 +209,7 @@ fn a_spread_elsewhere_is_told_where_it_belongs() {
                 youngs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n[[curve]]\nmodel = \"elastic\"\n";
     let error = Scene::parse(text, &NoFiles, &Overrides::default()).unwrap_err().to_string();
     assert!(
-        error.starts_with("key loads.pressures: '1 MPa +- 1 kPa' says how well a pressure is known"),
+        error.starts_with("key loads.pressures: expected a single pressure, not '1 MPa +- 1 kPa'"),
         "{error}"
     );
 }

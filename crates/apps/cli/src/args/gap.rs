@@ -142,7 +142,7 @@ pub(crate) struct LawArgs {
 fn parse_range(text: &str) -> Result<[Pressure; 2], String> {
     let (from, to) = text
         .split_once(':')
-        .ok_or_else(|| format!("'{text}' is no range of pressures; one reads FROM:TO, as in '1kPa:1GPa'"))?;
+        .ok_or_else(|| format!("'{text}' is not a range of pressures; write FROM:TO, as in '1kPa:1GPa'"))?;
     let end = |text: &str| text.trim().parse::<Pressure>().map_err(|error| error.to_string());
     Ok([end(from)?, end(to)?])
 }
