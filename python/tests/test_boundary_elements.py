@@ -268,8 +268,8 @@ def test_heights_that_cannot_be_pressed_are_refused(h: Any, size: Any, changes: 
         ({"side": -1.0}, "side is -1; it must be"),
         ({"phases": 3}, "phases: text is needed, and this is of type int"),
         ({"phases": "none"}, "phases: .*none.* fixed-modulus, gaussian"),
-        ({"longest": 1e-3, "shortest": 1e-6}, f"{UNCD}: laying out a grid: the band from 1 mm to 1 µm is wider than 32 points"),
-        ({"longest": 1e-6, "shortest": 2e-6}, "it holds no roughness"),
+        ({"longest": 1e-3, "shortest": 1e-6}, f"{UNCD}: the band from 1 mm to 1 µm is too wide for 32 points"),
+        ({"longest": 1e-6, "shortest": 2e-6}, "no roughness between"),
     ],
 )
 def test_surfaces_that_cannot_be_made_are_refused(changes: dict[str, Any], told: str) -> None:

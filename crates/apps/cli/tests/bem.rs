@@ -192,15 +192,15 @@ fn bad_input_is_refused_with_what_would_do() {
     let pressed = |parts: &[&str]| refused(&[parts, &["--pressure", "1MPa"]].concat());
     assert_eq!(
         pressed(&["psd.csv", "--longest", "1mm"]),
-        "error: psd.csv: laying out a grid: the band from 1 mm to 1 µm is wider than 512 points can hold with 4 points for \
-         the shortest wavelength and 2 lengths of the longest a side; give a longest wavelength of at most 64 µm, a \
-         shortest of at least 15.6 µm, or at least 8000 points"
+        "error: psd.csv: the band from 1 mm to 1 µm is too wide for 512 points a side (4 per shortest wavelength, 2 longest \
+         wavelengths per side); give a longest wavelength of at most 64 µm, a shortest of at least 15.6 µm, or at least \
+         8000 points"
     );
     assert!(
         pressed(&["psd.csv", "--shortest", "1nm"])
-            .contains("goes beyond the spectrum, which holds 1 mm to 1 µm")
+            .contains("extends beyond the spectrum, which covers 1 mm to 1 µm")
     );
-    assert!(pressed(&["psd.csv", "--box=1mm", "--shortest=1um"]).contains("is wider than the grid can hold"));
+    assert!(pressed(&["psd.csv", "--box=1mm", "--shortest=1um"]).contains("is wider than the grid holds"));
     assert_eq!(
         pressed(&["psd.csv", "--saturation", "1MPa"]),
         "error: a nominal pressure of 1 MPa cannot be carried: --saturation lets no point carry more than 1 MPa; give a \

@@ -1,4 +1,4 @@
-//! The isotropic spectrum of an area, and what follows from it.
+//! The isotropic spectrum of an area: moments, profiles, bands.
 
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
@@ -9,16 +9,16 @@ use crate::conversion::{self, Conversion};
 use crate::error::SurfaceError;
 use crate::grading::before_knot;
 
-/// How far a band may go beyond the spectrum by rounding.
+/// Relative excess of a band over the spectrum that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// The spectrum Ciso \[m^4\] of an isotropic surface over a band, <h^2> = (1/2 pi) Int q Ciso dq: a power law between
 /// neighbouring wavevectors, and zero outside the band.
 ///
-/// All that is asked of it (moments, the spectrum of profiles, surfaces) is exact for this piecewise power law.
+/// Moments, the spectrum of profiles and surfaces are exact for this piecewise power law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AreaSpectrum {
-    /// By rising wavevector, without overlaps; a gap between two is a band without roughness.
+    /// Pieces by rising wavevector, without overlaps; between two that do not touch there is no roughness.
     pieces: Vec<PowerLaw>,
     longest_m: f64,
     shortest_m: f64,
@@ -26,29 +26,29 @@ pub struct AreaSpectrum {
 }
 
 impl AreaSpectrum {
-    /// The spectrum of the surface whose profiles have this one, Ciso(q) = -2 Int_q^inf C1D'(p) (p^2 - q^2)^(-1/2) dp
+    /// Converts the spectrum of profiles to that of their surface, Ciso(q) = -2 Int_q^inf C1D'(p) (p^2 - q^2)^(-1/2) dp
     /// (the inverse of Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, Eq. 2.17).
     ///
-    /// C1D goes on above its last sample with its last slope (level where it rises there), as a cut in a spectrum of
-    /// profiles is none of any surface; Ciso is cut at the last wavevector and begins at the first. Noise by which Ciso
-    /// would be negative is smoothed or clipped, see [`AreaSpectrum::conversion`].
+    /// C1D is continued above its last sample with its last slope (level if it rises there), because profiles of a
+    /// surface have no sharp cutoff; Ciso covers the wavevectors of the samples. Noise that would make Ciso negative is
+    /// smoothed or clipped, see [`AreaSpectrum::conversion`].
     ///
     /// # Errors
-    /// [`SurfaceError::TooFewSamples`] for a single sample; [`SurfaceError::EmptyBand`] for a spectrum that nowhere
-    /// falls, which is that of no surface.
+    /// [`SurfaceError::TooFewSamples`] for a single sample; [`SurfaceError::EmptyBand`] for a spectrum that falls
+    /// nowhere, which no surface has.
     pub fn of_profile(profile: &ProfilePsd) -> Result<Self, SurfaceError> {
         let (pieces, conversion) = conversion::of_profile(profile)?;
         let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
         Self::of_pieces(pieces, longest_m, shortest_m, conversion)
     }
 
-    /// The spectrum of a surface by samples in any convention: those of areas are taken as they are, a power law between
-    /// neighbours; those of profiles as [`AreaSpectrum::of_profile`] does.
+    /// Builds the spectrum from samples in any convention. Samples of areas are joined by power laws; samples of
+    /// profiles are converted by [`AreaSpectrum::of_profile`].
     ///
     /// # Errors
     /// As [`AreaSpectrum::of_profile`].
     pub fn of_psd(psd: &Psd) -> Result<Self, SurfaceError> {
-        // A factor joins the conventions of one kind, and none those of two.
+        // A factor exists only among conventions of areas, or among those of profiles.
         let factor: Result<f64, ConversionError> = psd.convention().factor_to(Convention::Ciso);
         let Ok(factor) = factor else {
             let factor = psd.convention().factor_to(Convention::C1D).unwrap_or(1.0);
@@ -63,7 +63,7 @@ impl AreaSpectrum {
         Self::of_pieces(pieces, longest_m, shortest_m, Conversion::default())
     }
 
-    /// A spectrum of pieces by rising wavevector within its band; some must hold roughness.
+    /// Builds the spectrum from pieces by rising wavevector within the band, at least one.
     pub(crate) fn of_pieces(
         pieces: Vec<PowerLaw>,
         longest_m: f64,
@@ -76,11 +76,11 @@ impl AreaSpectrum {
         Ok(Self { pieces, longest_m, shortest_m, conversion })
     }
 
-    /// The part of the spectrum from a longest to a shortest wavelength \[m\]; Ciso is zero outside.
+    /// Cuts the spectrum to the band from a longest to a shortest wavelength \[m\]; Ciso is zero outside.
     ///
     /// # Errors
-    /// [`SurfaceError::BeyondSpectrum`] where the band goes on beyond the spectrum, [`SurfaceError::EmptyBand`] where
-    /// nothing is left.
+    /// [`SurfaceError::BeyondSpectrum`] if the band extends beyond the spectrum, [`SurfaceError::EmptyBand`] if no
+    /// roughness is left.
     pub fn cut(&self, longest_m: f64, shortest_m: f64) -> Result<Self, SurfaceError> {
         if longest_m.is_nan() || shortest_m.is_nan() || longest_m <= shortest_m {
             return Err(SurfaceError::EmptyBand { longest_m, shortest_m });
@@ -112,7 +112,7 @@ impl AreaSpectrum {
         self.shortest_m
     }
 
-    /// What noise in a spectrum of profiles made necessary on the way to this one.
+    /// Smoothing and clipping that noise required in the conversion from profiles.
     #[must_use]
     pub fn conversion(&self) -> Conversion {
         self.conversion
@@ -146,8 +146,8 @@ impl AreaSpectrum {
         self.mean_square(5)
     }
 
-    /// The moments of the profiles of the surface: m0 = <h^2>, m2 = <|grad h|^2>/2 and m4 = (3/8) <(lap h)^2>, as the
-    /// mean of cos^2 and cos^4 over all directions is (Nayak 1971, J. Lubr. Technol. 93:398).
+    /// Moments of the profiles of the surface: m0 = <h^2>, m2 = <|grad h|^2>/2 and m4 = (3/8) <(lap h)^2>; the factors
+    /// are the means of cos^2 and cos^4 over all directions (Nayak 1971, J. Lubr. Technol. 93:398).
     #[must_use]
     pub fn moments(&self) -> Moments {
         Moments {
@@ -158,21 +158,22 @@ impl AreaSpectrum {
         }
     }
 
-    /// The spectrum C1D of profiles of the surface at wavelengths \[m\] from long to short, all above the shortest of the
-    /// band: C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp (Jacobs, Junge & Pastewka 2017, Surf. Topogr.:
-    /// Metrol. Prop. 5:013001). A profile crosses the waves of the surface at a slant, so that it has waves longer than the
-    /// longest of the band; its spectrum is level there.
+    /// Computes the spectrum of profiles of the surface, C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp
+    /// (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001).
+    ///
+    /// The wavelengths \[m\] run from long to short, all above the shortest of the band. A profile crosses waves at a
+    /// slant, so it also has waves longer than the longest of the band; its spectrum is level there.
     ///
     /// # Errors
     /// [`SurfaceError::NoWaves`] for a wavelength at which C1D is zero; [`SurfaceError::Samples`] for wavelengths that
-    /// make no spectrum.
+    /// are not those of a spectrum.
     pub fn profile(&self, wavelengths_m: &[f64]) -> Result<ProfilePsd, SurfaceError> {
-        let of_profile = |piece: &PowerLaw| PowerLaw {
+        let integrand = |piece: &PowerLaw| PowerLaw {
             at_start: piece.at_start * piece.start_rad_per_m / PI,
             exponent: piece.exponent + 1.0,
             ..*piece
         };
-        let integral = AbelIntegral::of(self.pieces.iter().map(of_profile));
+        let integral = AbelIntegral::of(self.pieces.iter().map(integrand));
         let c1d_m3: Vec<f64> =
             wavelengths_m.iter().map(|wavelength_m| integral.from(TAU / wavelength_m)).collect();
         if let Some(row) = c1d_m3.iter().position(|&c1d_m3| c1d_m3 == 0.0) {
@@ -182,11 +183,12 @@ impl AreaSpectrum {
         Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?)
     }
 
-    /// Wavelengths \[m\] at which [`AreaSpectrum::profile`] is sampled well: from `longest_m` on, where that lies above the
-    /// band, `per_decade` of them a decade and more before both ends of the band, where C1D has roots.
+    /// Wavelengths \[m\] for sampling [`AreaSpectrum::profile`]: `per_decade` per decade, starting at `longest_m` if
+    /// that lies above the band, and denser before both ends of the band, where C1D behaves like a square root.
     ///
-    /// With 20 a decade from a longest wavelength of 100 times the band's on, the moments of such a profile are those of the
-    /// surface to 0.2 % in slopes, 0.5 % in curvatures and 1 % in heights (what is missing are still longer waves).
+    /// With 20 per decade from 100 times the longest wavelength of the band, the moments of the profile agree with
+    /// those of the surface within 0.2 % in slopes, 0.5 % in curvatures and 1 % in heights (still longer waves are
+    /// missing).
     #[must_use]
     pub fn profile_wavelengths_m(&self, longest_m: f64, per_decade: NonZeroU32) -> Vec<f64> {
         let (first, last) = (TAU / self.longest_m, TAU / self.shortest_m);

@@ -1,4 +1,4 @@
-//! From the spectrum of profiles to that of their surface, with what noise does to it.
+//! Conversion of the spectrum of profiles to that of their surface, and its treatment of noise.
 
 use std::f64::consts::TAU;
 
@@ -9,29 +9,29 @@ use crate::error::SurfaceError;
 use crate::grading::before_knot;
 use crate::monotone::not_rising;
 
-/// The share of negative roughness up to which it is only clipped: less than a spectrum's own error.
+/// Share of negative roughness up to which it is only clipped; the error of a spectrum is larger.
 const CLIPPED_AT_MOST: f64 = 0.01;
-/// The continuation of a spectrum ends where what lies beyond is below rounding: the integral from there falls at least as
-/// fast as 1/q, and e^37 is 1/(the rounding of doubles).
+/// Range of ln q over which a spectrum is continued: the integral beyond falls at least as 1/q, and e^-37 is the
+/// rounding of doubles.
 const CONTINUED: f64 = 37.0;
 
 /// The widest step in ln q at which Ciso is sampled.
 const WIDEST_STEP: f64 = 0.1;
 
-/// What was done about wavevectors at which the profiles are those of no isotropic surface: where C1D rises steeply, as
-/// noise does, Ciso comes out negative.
+/// Treatment of wavevectors at which Ciso comes out negative: where C1D rises steeply, as noise makes it, no isotropic
+/// surface has these profiles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Conversion {
-    /// Share of the roughness that came out negative, the larger of those of Int q |Ciso| and Int q^3 |Ciso|; 0 to 1.
+    /// Negative share of the roughness, 0 to 1: the larger of the shares in Int q |Ciso| and Int q^3 |Ciso|.
     pub negative_share: f64,
-    /// Whether C1D was therefore replaced by the spectrum that does not rise and is nearest to it in ln C1D.
+    /// True if C1D was replaced by the nearest spectrum in ln C1D that does not rise.
     pub smoothed: bool,
-    /// Share of what was still negative and therefore taken for zero.
+    /// Share of the roughness that was still negative and set to zero.
     pub clipped_share: f64,
 }
 
-/// The pieces of Ciso between the first and the last wavevector of a spectrum of profiles.
+/// Computes the pieces of Ciso between the first and the last wavevector of a spectrum of profiles.
 pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Conversion), SurfaceError> {
     if profile.len() < 2 {
         return Err(SurfaceError::TooFewSamples { samples: profile.len() });
@@ -52,7 +52,7 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
     Ok((positive_pieces(&smooth), conversion))
 }
 
-/// Ciso at the samples and between them, as (wavevector, value).
+/// Computes Ciso at the samples and between them, as (wavevector, value).
 fn ciso(wavevectors: &[f64], c1d_m3: &[f64]) -> Vec<(f64, f64)> {
     let last = wavevectors.len() - 1;
     let sample = |i: usize| (wavevectors[i], c1d_m3[i]);
@@ -76,7 +76,7 @@ fn ciso(wavevectors: &[f64], c1d_m3: &[f64]) -> Vec<(f64, f64)> {
     points.into_iter().map(|q| (q, integral.from(q))).collect()
 }
 
-/// The larger of the negative shares of height and gradient, by trapezia in ln q.
+/// Computes the larger of the negative shares of height and gradient, by trapezia in ln q.
 fn negative_share(ciso: &[(f64, f64)]) -> f64 {
     let share = |power: i32| {
         let (mut all, mut negative) = (0.0, 0.0);
@@ -93,7 +93,7 @@ fn negative_share(ciso: &[(f64, f64)]) -> f64 {
     share(2).max(share(4))
 }
 
-/// Power laws between neighbours that are both above zero, and nothing elsewhere.
+/// Joins neighbours that are both positive by power laws; the rest is left out.
 fn positive_pieces(ciso: &[(f64, f64)]) -> Vec<PowerLaw> {
     let positive = ciso.windows(2).filter(|pair| pair.iter().all(|(_, value)| *value > 0.0));
     positive.map(|pair| PowerLaw::through(pair[0], pair[1])).collect()

@@ -1,30 +1,26 @@
-//! What cannot be made into a spectrum of an area, or into a surface.
+//! Errors of spectra of areas and of surfaces.
 
 use spectrum::PsdError;
 use thiserror::Error;
 use units::OutOfBounds;
 use units::display::length;
 
-/// Why there is no spectrum, no band of it, or no surface.
+/// Errors of making a spectrum of an area, a band of it, or a surface.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// A number outside the range in which it makes sense.
+    /// A number outside its bound.
     #[error("describing a surface: {0}")]
     Bounds(#[from] OutOfBounds),
-    /// One sample has no slope by which the spectrum could be continued.
-    #[error(
-        "converting a spectrum of profiles to that of their surface: the number of samples is {samples}, it must be at \
-         least 2"
-    )]
+    /// A single sample has no slope with which to continue the spectrum.
+    #[error("converting a spectrum of profiles to that of a surface: {samples} samples; give at least 2")]
     TooFewSamples {
         /// Number of samples.
         samples: usize,
     },
-    /// No roughness is left between the two ends of a band.
+    /// A band without roughness.
     #[error(
-        "cutting a spectrum: between {} and {} it holds no roughness; give a longest wavelength above the shortest, both \
-         where the spectrum has values",
+        "no roughness between {} and {}; give a longest wavelength above the shortest, both within the spectrum",
         length(*.longest_m), length(*.shortest_m)
     )]
     EmptyBand {
@@ -33,9 +29,9 @@ pub enum SurfaceError {
         /// The shortest wavelength in m.
         shortest_m: f64,
     },
-    /// A band that goes on where the spectrum has ended.
+    /// A band that extends beyond the spectrum.
     #[error(
-        "cutting a spectrum: the band from {} to {} goes beyond the spectrum, which holds {} to {}",
+        "the band from {} to {} extends beyond the spectrum, which covers {} to {}",
         length(*.longest_m), length(*.shortest_m), length(*.spectrum_longest_m), length(*.spectrum_shortest_m)
     )]
     BeyondSpectrum {
@@ -48,10 +44,9 @@ pub enum SurfaceError {
         /// The shortest wavelength of the spectrum in m.
         spectrum_shortest_m: f64,
     },
-    /// Profiles of a surface have no waves shorter than the surface's shortest.
+    /// A wavelength below the shortest of the surface, where its profiles have no waves.
     #[error(
-        "taking the profile of a surface: at the wavelength {} its spectrum is zero, as the surface's shortest waves are \
-         {} long",
+        "the profile of the surface has no waves at {}: the shortest wave of the surface is {}; give longer wavelengths",
         length(*.wavelength_m), length(*.shortest_m)
     )]
     NoWaves {
@@ -60,13 +55,13 @@ pub enum SurfaceError {
         /// The shortest wavelength of the surface in m.
         shortest_m: f64,
     },
-    /// Wavelengths that make no profile.
+    /// Wavelengths that are not those of a profile.
     #[error(transparent)]
     Samples(#[from] PsdError),
     /// A band wider than the grid can hold.
     #[error(
-        "making a surface: the band from {} to {} is wider than the grid can hold: {points} points over {} hold {} \
-         (one length a side) to {} (two points a wavelength)",
+        "the band from {} to {} is wider than the grid holds: {points} points over {} hold {} (one wave per side) to {} \
+         (two points per wave)",
         length(*.longest_m), length(*.shortest_m), length(*.length_m), length(*.length_m),
         length(2.0 * .length_m / *.points as f64)
     )]
@@ -75,16 +70,16 @@ pub enum SurfaceError {
         longest_m: f64,
         /// The shortest wavelength of the band in m.
         shortest_m: f64,
-        /// Points along the side on which it does not fit.
+        /// Points along the side that is too coarse or too short.
         points: usize,
         /// Length of that side in m.
         length_m: f64,
     },
-    /// A band wider than a grid holds with as many points and lengths as areas of contact need.
+    /// A band wider than a grid holds with the points and lengths that contact areas need.
     #[error(
-        "laying out a grid: the band from {} to {} is wider than {points} points can hold with {points_per_shortest} points \
-         for the shortest wavelength and {lengths} lengths of the longest a side; give a longest wavelength of at most {}, \
-         a shortest of at least {}, or at least {} points",
+        "the band from {} to {} is too wide for {points} points a side ({points_per_shortest} per shortest wavelength, \
+         {lengths} longest wavelengths per side); give a longest wavelength of at most {}, a shortest of at least {}, or \
+         at least {} points",
         length(*.longest_m), length(*.shortest_m), length(.shortest_m * .widest), length(.longest_m / .widest),
         (.longest_m / .shortest_m * .points_per_shortest * .lengths * (1.0 - 1e-9)).ceil()
     )]
@@ -95,16 +90,16 @@ pub enum SurfaceError {
         shortest_m: f64,
         /// Points along a side.
         points: usize,
-        /// The ratio of longest to shortest wavelength that fits.
+        /// Largest ratio of longest to shortest wavelength that fits.
         widest: f64,
-        /// Points that the shortest wavelength needs.
+        /// Points needed per shortest wavelength.
         points_per_shortest: f64,
-        /// Lengths of the longest wavelength that a side needs.
+        /// Longest wavelengths needed per side.
         lengths: f64,
     },
-    /// A band so narrow that no wave of the box lies in it.
+    /// A band so narrow that it contains no wave of the box.
     #[error(
-        "making a surface: no wave of a box of {} by {} lies in the band from {} to {}; widen the band or enlarge the box",
+        "no wave of a box of {} by {} lies in the band from {} to {}; widen the band or enlarge the box",
         length(*.length_x_m), length(*.length_y_m), length(*.longest_m), length(*.shortest_m)
     )]
     NoModes {
@@ -117,8 +112,8 @@ pub enum SurfaceError {
         /// Length of the box along y in m.
         length_y_m: f64,
     },
-    /// More points than can be numbered.
-    #[error("making a surface: {points_x} by {points_y} points are none, or more than can be numbered")]
+    /// No points, or too many to index.
+    #[error("a grid of {points_x} by {points_y} points; give at least 1 and at most {} points", u32::MAX)]
     Points {
         /// Points along x.
         points_x: usize,

@@ -1,4 +1,4 @@
-//! The inverse transform of half a Hermitian spectrum to real values on a grid.
+//! Inverse transform of half a Hermitian spectrum to real values on a grid.
 
 use std::sync::Arc;
 
@@ -6,16 +6,16 @@ use realfft::{ComplexToReal, RealFftPlanner};
 use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
 
-/// Columns that are transformed together: their rows lie side by side in memory.
+/// Columns transformed together, because their rows are contiguous in memory.
 const BLOCK: usize = 8;
 
-/// Amplitudes of waves, and the grid on which they are summed.
+/// Amplitudes of waves and the grid on which they are summed.
 pub(crate) struct HalfSpectrum {
     rows: usize,
     columns: usize,
-    /// Row-major, columns/2 + 1 of them a row: those of negative wavenumber are the conjugates of what is there.
+    /// Row-major, columns/2 + 1 per row; negative wavenumbers are the conjugates of these.
     amplitudes: Vec<Complex64>,
-    /// The columns from here on are all zero.
+    /// Number of leading columns that may be nonzero.
     occupied: usize,
 }
 
@@ -25,8 +25,8 @@ impl HalfSpectrum {
         Self { rows, columns, amplitudes, occupied: 0 }
     }
 
-    /// Adds the real wave 2 Re a exp(2 pi i (m x/columns + n y/rows)), 0 <= m <= columns/2 and |n| <= rows/2, as its
-    /// samples are: at the highest wavenumbers a wave and its conjugate fall together.
+    /// Adds the samples of the real wave 2 Re a exp(2 pi i (m x/columns + n y/rows)), 0 <= m <= columns/2 and |n| <=
+    /// rows/2. At the highest wavenumbers a wave and its conjugate coincide.
     pub(crate) fn add(&mut self, m: usize, n: i64, amplitude: Complex64) {
         let width = self.columns / 2 + 1;
         let row = |n: i64| n.rem_euclid(self.rows as i64) as usize;
@@ -37,7 +37,7 @@ impl HalfSpectrum {
         self.occupied = self.occupied.max(m + 1);
     }
 
-    /// The sum of all waves at the points, row by row.
+    /// Sums all waves at the points, row by row.
     pub(crate) fn sum(mut self) -> Vec<f64> {
         self.transform_columns(&FftPlanner::new().plan_fft_inverse(self.rows));
         self.transform_rows(&RealFftPlanner::new().plan_fft_inverse(self.columns))
@@ -69,7 +69,7 @@ impl HalfSpectrum {
         let mut scratch = transform.make_scratch_vec();
         let rows = self.amplitudes.chunks_exact_mut(width).zip(heights.chunks_exact_mut(self.columns));
         for (values, heights) in rows {
-            // Real but for rounding, as the columns are Hermitian.
+            // Real up to rounding, because the columns are Hermitian.
             values[0].im = 0.0;
             if self.columns.is_multiple_of(2) {
                 values[width - 1].im = 0.0;

@@ -1,12 +1,12 @@
-//! Which band of a spectrum a square grid holds.
+//! Bands of a spectrum on square grids.
 
 use crate::area_spectrum::AreaSpectrum;
 use crate::error::SurfaceError;
 
 /// A band of wavelengths laid out on a square grid.
 ///
-/// Areas of contact counted in points need at least 4 points for the shortest wavelength, so that a grid of every second
-/// point still tells its waves apart and areas can be extrapolated; and at least 2 lengths of the longest, or single
+/// Contact areas counted in points need at least 4 points per shortest wavelength: the grid of every second point then
+/// still resolves all waves, and areas can be extrapolated. A side needs at least 2 longest wavelengths, or single
 /// surfaces scatter by several per cent at light loads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -22,23 +22,23 @@ pub struct GridBand {
 }
 
 impl GridBand {
-    /// Points that the shortest wavelength needs.
+    /// Points needed per shortest wavelength.
     pub const POINTS_PER_SHORTEST: f64 = 4.0;
-    /// Lengths of the longest wavelength that a side needs.
+    /// Longest wavelengths needed per side.
     pub const LENGTHS: f64 = 2.0;
 
-    /// The widest band that ends at a shortest wavelength \[m\].
+    /// Returns the widest band with this shortest wavelength \[m\] on `points` points a side.
     #[must_use]
     pub fn widest_to(shortest_m: f64, points: usize) -> Self {
         let length_m = points as f64 * shortest_m / Self::POINTS_PER_SHORTEST;
         Self { points, length_m, longest_m: length_m / Self::LENGTHS, shortest_m }
     }
 
-    /// A given band \[m\], with points for its shortest and lengths of its longest wavelength more than are needed by the
-    /// same factor.
+    /// Lays out a given band \[m\]. Spare points are shared: points per shortest wavelength and longest wavelengths per
+    /// side exceed their minimum by the same factor.
     ///
     /// # Errors
-    /// [`SurfaceError::GridTooSmall`] where the points do not hold the band.
+    /// [`SurfaceError::GridTooSmall`] if the points do not hold the band.
     pub fn of(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, SurfaceError> {
         let (points_per_shortest, lengths) = (Self::POINTS_PER_SHORTEST, Self::LENGTHS);
         let widest = points as f64 / (points_per_shortest * lengths);
@@ -56,13 +56,14 @@ impl GridBand {
         Ok(Self { points, length_m: lengths * longest_m * room.max(1.0).sqrt(), longest_m, shortest_m })
     }
 
-    /// The band of a spectrum on a grid, both ends and the side \[m\] as asked for. Left open, the shortest wavelength is
-    /// that of the spectrum, and the longest as long as the grid holds and the spectrum goes; with a side that is given the
-    /// band ends at the fewest points and lengths that it has room for.
+    /// Lays out a band of a spectrum; both ends and the side \[m\] may be left open.
+    ///
+    /// Without a side, the shortest wavelength defaults to that of the spectrum, and the longest to the longest that
+    /// the grid and the spectrum hold. With a given side, the ends default to the minimum of points and lengths.
     ///
     /// # Errors
-    /// [`SurfaceError::GridTooSmall`] where the points do not hold the band; with a side that is given, the surfaces
-    /// themselves are refused where not even two points and one length are left.
+    /// [`SurfaceError::GridTooSmall`] if the points do not hold the band. With a given side nothing is refused here;
+    /// making the surface fails with fewer than two points per shortest wavelength or one longest wavelength per side.
     pub fn in_spectrum(
         spectrum: &AreaSpectrum,
         points: usize,
@@ -81,13 +82,13 @@ impl GridBand {
         Ok(Self { points, length_m, longest_m, shortest_m })
     }
 
-    /// Points for the shortest wavelength.
+    /// Points per shortest wavelength.
     #[must_use]
     pub fn points_per_shortest(&self) -> f64 {
         self.shortest_m / (self.length_m / self.points as f64)
     }
 
-    /// Lengths of the longest wavelength along a side.
+    /// Longest wavelengths per side.
     #[must_use]
     pub fn lengths(&self) -> f64 {
         self.length_m / self.longest_m
@@ -122,9 +123,9 @@ mod tests {
         let message = GridBand::of(100e-6, 1e-6, 512).unwrap_err().to_string();
         assert_eq!(
             message,
-            "laying out a grid: the band from 100 µm to 1 µm is wider than 512 points can hold with 4 points for the \
-             shortest wavelength and 2 lengths of the longest a side; give a longest wavelength of at most 64 µm, a \
-             shortest of at least 1.56 µm, or at least 800 points"
+            "the band from 100 µm to 1 µm is too wide for 512 points a side (4 per shortest wavelength, 2 longest \
+             wavelengths per side); give a longest wavelength of at most 64 µm, a shortest of at least 1.56 µm, or at \
+             least 800 points"
         );
         assert!(GridBand::of(f64::NAN, 1e-6, 512).is_err());
     }

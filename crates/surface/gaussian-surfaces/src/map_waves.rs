@@ -1,4 +1,4 @@
-//! The waves of a measured map, and surfaces of the same waves at random.
+//! The waves of a measured map, and random surfaces with the same waves.
 
 use std::f64::consts::TAU;
 
@@ -10,29 +10,30 @@ use crate::fourier::HalfSpectrum;
 use crate::modes::Draws;
 use crate::surface::Surface;
 
-/// A map made periodic, as the waves that it is the sum of.
+/// A map made periodic, as a sum of waves.
 ///
-/// Heights at opposite edges of a scan do not meet. Of the map its periodic part is taken (Moisan 2011, J. Math. Imaging
-/// Vis. 39:161): the map less the smoothest surface that has its steps across the edges, so that neither a window nor a
-/// mirror changes the roughness inside. Its mean is dropped.
+/// Heights at opposite edges of a scan do not match. The periodic part of the map is used (Moisan 2011, J. Math.
+/// Imaging Vis. 39:161): the map minus the smoothest surface with the same steps across the edges. No window or mirror
+/// then changes the roughness inside. The mean is dropped.
 #[derive(Clone, Debug)]
 pub struct MapWaves {
     points_x: usize,
     points_y: usize,
     length_x_m: f64,
     length_y_m: f64,
-    /// Wave numbers along x and y, one half of the plane, with the amplitude \[m\] of exp(i q r).
+    /// Wavenumbers along x and y, one half of the plane, with the amplitude \[m\] of exp(i q r).
     waves: Vec<(usize, i64, Complex64)>,
     shortest_m: f64,
 }
 
 impl MapWaves {
-    /// The waves of heights \[m\] row by row, `points_x` to a row, on a box of these lengths \[m\], that have at least so many
-    /// points of the grid to a wavelength. A map that is periodic already is taken as it is; of any other a plane should have
-    /// been subtracted.
+    /// Decomposes heights \[m\], row by row with `points_x` per row, on a box of the given lengths \[m\].
+    ///
+    /// Keeps waves with at least `least_points` grid points per wavelength. A periodic map is used unchanged; from any
+    /// other a plane should have been subtracted.
     ///
     /// # Panics
-    /// Unless the heights make whole rows, at least one.
+    /// If the heights do not fill whole rows, at least one.
     #[must_use]
     pub fn of(
         heights_m: &[f64],
@@ -47,7 +48,7 @@ impl MapWaves {
             true => amplitudes(heights_m, points_x),
             false => periodic_part(heights_m, points_x),
         };
-        // A wave is short along the direction in which it has the fewest points.
+        // A wave with `least_points` per wavelength has |(2 m/points_x, 2 n/points_y)| = 2/least_points.
         let longest = (0.5 * least_points).recip();
         let held = |m: i64, n: i64| {
             let (x, y) = (2.0 * m as f64 / points_x as f64, 2.0 * n as f64 / points_y as f64);
@@ -68,14 +69,14 @@ impl MapWaves {
         MapWaves { points_x, points_y, length_x_m, length_y_m, waves, shortest_m }
     }
 
-    /// The map itself, as far as it is periodic and these waves go.
+    /// Returns the map as the sum of its kept waves.
     #[must_use]
     pub fn surface(&self) -> Surface {
         self.summed(|amplitude, _| amplitude)
     }
 
-    /// A Gaussian surface of the same waves: each as high as in the map, its phase at random. Seed and realisation count as
-    /// for surfaces of a spectrum.
+    /// Returns a Gaussian surface of the same waves: the amplitudes of the map with random phases. Seed and realisation
+    /// act as in [`AreaSpectrum::surface`](crate::AreaSpectrum::surface).
     #[must_use]
     pub fn twin(&self, seed: u64, realisation: u64) -> Surface {
         self.summed_with(Draws::new(seed, realisation), |amplitude, turn| {
@@ -91,7 +92,7 @@ impl MapWaves {
     fn summed_with(&self, draws: Draws, of: impl Fn(Complex64, f64) -> Complex64) -> Surface {
         let mut spectrum = HalfSpectrum::new(self.points_y, self.points_x);
         let mut sums = [0.0; 3];
-        // Waves stand row by row, and so do their random numbers.
+        // Waves are stored row by row, and so are their random numbers.
         for row in self.waves.chunk_by(|a, b| a.1 == b.1) {
             let (first, n, _) = row[0];
             let places = row.iter().zip(draws.row(n, first));
@@ -122,7 +123,7 @@ impl MapWaves {
     }
 }
 
-/// The amplitudes \[m\] of a map, row by row.
+/// Computes the amplitudes \[m\] of a map, row by row.
 fn amplitudes(heights_m: &[f64], columns: usize) -> Vec<Complex64> {
     let norm = (heights_m.len() as f64).recip();
     let mut values: Vec<Complex64> =
@@ -131,7 +132,7 @@ fn amplitudes(heights_m: &[f64], columns: usize) -> Vec<Complex64> {
     values
 }
 
-/// Those of the periodic part of a map.
+/// Computes the amplitudes \[m\] of the periodic part of a map (Moisan 2011).
 fn periodic_part(heights_m: &[f64], columns: usize) -> Vec<Complex64> {
     let rows = heights_m.len() / columns;
     let mut steps = vec![0.0; heights_m.len()];
@@ -156,7 +157,7 @@ fn periodic_part(heights_m: &[f64], columns: usize) -> Vec<Complex64> {
     pairs.enumerate().map(periodic).collect()
 }
 
-/// The discrete Fourier transform of rows of so many values, in place.
+/// Computes the discrete Fourier transform in place; `columns` values per row.
 fn transform(values: &mut [Complex64], columns: usize) {
     let rows = values.len() / columns;
     let mut planner = FftPlanner::new();
@@ -189,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn a_periodic_map_is_itself_whatever_its_sides() {
+    fn a_periodic_map_is_reproduced_for_even_and_odd_sides() {
         for (columns, rows) in [(24, 16), (25, 17), (24, 17)] {
             let heights_m = waves(columns, rows);
             let surface = MapWaves::of(&heights_m, columns, SIDES_M, true, 2.0).surface();

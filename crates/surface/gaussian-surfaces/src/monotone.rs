@@ -1,7 +1,7 @@
-//! Values that may not rise.
+//! Isotonic regression.
 
-/// The sequence that does not rise and is nearest to `values` in the sum of squares: neighbours in the wrong order are
-/// pooled into their mean (pool adjacent violators, Barlow, Bartholomew, Bremner & Brunk 1972, section 1.2).
+/// Finds the non-rising sequence nearest to `values` in the sum of squares by pooling adjacent violators into their
+/// mean (Barlow, Bartholomew, Bremner & Brunk 1972, section 1.2).
 pub(crate) fn not_rising(values: &[f64]) -> Vec<f64> {
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for &value in values {
@@ -20,7 +20,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_falls_is_left_and_what_rises_is_pooled() {
+    fn falling_values_are_kept_and_rising_ones_pooled() {
         assert_eq!(not_rising(&[5.0, 4.0, 4.0, -1.0]), [5.0, 4.0, 4.0, -1.0]);
         assert_eq!(not_rising(&[1.0, 3.0, 2.0]), [2.0, 2.0, 2.0]);
         assert_eq!(not_rising(&[5.0, 1.0, 3.0, 0.0]), [5.0, 2.0, 2.0, 0.0]);

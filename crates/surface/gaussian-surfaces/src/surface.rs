@@ -2,7 +2,7 @@
 
 use spectrum::Moments;
 
-/// Heights of zero mean on a periodic grid, row by row along x, with the moments of the waves that they are the sum of.
+/// Heights of zero mean on a periodic grid, row by row along x, with the moments of their waves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     pub(crate) points_x: usize,
@@ -38,32 +38,32 @@ impl Surface {
         self.length_y_m
     }
 
-    /// Heights \[m\], the one at column x and row y at y * points_x + x.
+    /// Heights \[m\]; column x and row y are at index y * points_x + x.
     #[must_use]
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
     }
 
-    /// Its heights alone.
+    /// Returns the heights alone.
     #[must_use]
     pub fn into_heights_m(self) -> Vec<f64> {
         self.heights_m
     }
 
-    /// The moments of its profiles in the mean over all directions, by the sum over its own waves; they do not depend on
-    /// the grid.
+    /// Moments of the profiles, averaged over all directions, as a sum over the waves of this surface. They do not
+    /// depend on the grid.
     #[must_use]
     pub fn moments(&self) -> Moments {
         self.moments
     }
 
-    /// Mean square of its own gradient, by the sum over its waves.
+    /// Mean square gradient, as a sum over the waves of this surface.
     #[must_use]
     pub fn mean_square_gradient(&self) -> f64 {
         2.0 * self.moments.m2
     }
 
-    /// The same surface with all heights `factor` times as large.
+    /// Multiplies all heights by `factor`.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.heights_m.iter_mut().for_each(|height_m| *height_m *= factor);
@@ -74,8 +74,8 @@ impl Surface {
         self
     }
 
-    /// The same surface at every second point of every second row: what the same seed gives on that grid. `None` where the
-    /// points of a side are odd.
+    /// Keeps every second point of every second row, which equals the surface of the same seed on that grid. `None` if
+    /// a side has an odd number of points.
     #[must_use]
     pub fn every_second_point(&self) -> Option<Self> {
         if !(self.points_x.is_multiple_of(2) && self.points_y.is_multiple_of(2)) {

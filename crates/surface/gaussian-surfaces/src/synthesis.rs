@@ -13,24 +13,24 @@ use crate::fourier::HalfSpectrum;
 use crate::modes::{Draw, Draws};
 use crate::surface::Surface;
 
-/// How far a wave may lie outside the band by rounding.
+/// Relative distance outside the band that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What is random in a surface.
+/// Randomness of a surface: phases alone, or phases and moduli.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Phases {
-    /// The phases alone: every wave has the amplitude of its spectrum, so that variance and slope are those of the
-    /// spectrum for each surface.
+    /// Random phases; every wave has the amplitude of the spectrum, so that each surface has the variance and slope of
+    /// the spectrum.
     #[default]
     FixedModulus,
-    /// Phases and moduli, by which heights are a Gaussian process: variance and slope scatter from surface to surface.
+    /// Random phases and moduli: heights are a Gaussian process, and variance and slope scatter between surfaces.
     Gaussian,
 }
 
 named!(Phases, "phases", { FixedModulus => "fixed-modulus", Gaussian => "gaussian" });
 
-/// A periodic grid and the random numbers of surfaces on it.
+/// A periodic grid with the seed of the surfaces on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Synthesis {
     /// Points along x, the columns.
@@ -41,14 +41,14 @@ pub struct Synthesis {
     pub length_x_m: f64,
     /// Length along y \[m\].
     pub length_y_m: f64,
-    /// The seed: surfaces of one seed are the same on every grid over the same lengths.
+    /// The seed; it gives the same surfaces on every grid over the same lengths.
     pub seed: u64,
-    /// What is random.
+    /// Randomness of phases and moduli.
     pub phases: Phases,
 }
 
 impl Synthesis {
-    /// A square of so many points and so long \[m\] a side.
+    /// Describes a square grid of `points` points and `length_m` \[m\] a side.
     #[must_use]
     pub fn square(points: usize, length_m: f64, seed: u64, phases: Phases) -> Self {
         Self { points_x: points, points_y: points, length_x_m: length_m, length_y_m: length_m, seed, phases }
@@ -56,22 +56,24 @@ impl Synthesis {
 }
 
 impl AreaSpectrum {
-    /// The surface of a seed and the number of its realisation: the sum of all waves of the box within the band, a circle in
-    /// the plane of wavevectors, sampled at the points of the grid.
+    /// Makes the surface of a seed and a realisation: the sum of all waves of the box within the band, a ring in the
+    /// plane of wavevectors, sampled at the points of the grid.
     ///
-    /// A wave with the wavevector q has the mean square amplitude Ciso(q)/(L_x L_y), by which <h^2> becomes
-    /// (1/2 pi) Int q Ciso dq in a large box (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, section
-    /// 2). Its random numbers belong to the wave: the surface is the same on every grid that holds the band. They are words
-    /// of a stream of ChaCha with 8 rounds, whose key is made of the seed and the realisation (eight bytes each, the lowest
-    /// first) and the sixteen bytes `truearea surface`, and whose nonce of 64 bits is the row of the wave, 2 n for n >= 0
-    /// and -2 n - 1 below. The wave exp(i (2 pi m x/L_x + 2 pi n y/L_y)), m > 0 or m = 0 < n, has the words 4 m to 4 m + 3:
-    /// two numbers of 64 bits, the lower half first, of which the upper 53 bits are a number in [0, 1): the first is its
-    /// phase in turns, the second, u, makes its modulus sqrt(-ln(1 - u)) times the mean one where moduli are random.
+    /// A wave with the wavevector q has the mean square amplitude Ciso(q)/(L_x L_y), so that <h^2> approaches
+    /// (1/2 pi) Int q Ciso dq in a large box (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001,
+    /// section 2).
+    ///
+    /// Random numbers belong to the wave, so the surface is the same on every grid that holds the band. They are words
+    /// of a stream of ChaCha with 8 rounds. Its key is the seed and the realisation (eight bytes each, the lowest
+    /// first) and the sixteen bytes `truearea surface`; its nonce of 64 bits is the row of the wave, 2 n for n >= 0 and
+    /// -2 n - 1 below. The wave exp(i (2 pi m x/L_x + 2 pi n y/L_y)), m > 0 or m = 0 < n, has the words 4 m to 4 m + 3:
+    /// two numbers of 64 bits, the lower half first. The upper 53 bits of each are a number in [0, 1). The first is the
+    /// phase in turns; from the second, u, a random modulus is sqrt(-ln(1 - u)) times the mean one.
     ///
     /// # Errors
-    /// [`SurfaceError::BandTooWide`] where a side is shorter than the longest wavelength or has less than two points for
-    /// the shortest; [`SurfaceError::NoModes`] where no wave of the box lies in the band; [`SurfaceError::Bounds`] for
-    /// lengths that are not finite and above 0, [`SurfaceError::Points`] for points that are none or beyond counting.
+    /// [`SurfaceError::BandTooWide`] if a side is shorter than the longest wavelength or has fewer than two points per
+    /// shortest wavelength; [`SurfaceError::NoModes`] if no wave of the box lies in the band; [`SurfaceError::Bounds`]
+    /// for lengths that are not finite and above 0; [`SurfaceError::Points`] for no points or more than `u32::MAX`.
     pub fn surface(&self, synthesis: &Synthesis, realisation: u64) -> Result<Surface, SurfaceError> {
         let Synthesis { points_x, points_y, length_x_m, length_y_m, seed, phases } = *synthesis;
         self.check(synthesis)?;
@@ -153,17 +155,17 @@ impl<'s> Waves<'s> {
         }
     }
 
-    /// Numbers of waves along y, from the negative ones on.
+    /// Wavenumbers along y in ascending order.
     fn rows(&self) -> impl Iterator<Item = i64> {
         let highest = (self.last * (1.0 + ROUNDING) / self.step_y).floor() as i64;
         -highest..=highest
     }
 
-    /// Numbers of waves along x that may lie in the band, one half of the plane: the other is its conjugate.
+    /// Wavenumbers along x that may lie in the band, for one half of the plane; the other half is its conjugate.
     fn columns(&self, n: i64) -> std::ops::Range<usize> {
         let along_y = (n as f64 * self.step_y).abs();
         let end = |q: f64| (q * q - along_y * along_y).max(0.0).sqrt() / self.step_x;
-        // One more on either side, as the ends are rounded; the waves themselves are asked whether they lie in the band.
+        // One more on either side, because the ends are rounded; `holds` decides for each wave.
         let least = (end(self.first).floor() as usize).saturating_sub(1).max(usize::from(n <= 0));
         least..end(self.last).ceil() as usize + 1
     }

@@ -189,5 +189,5 @@ fn what_is_no_surface_is_refused() {
     assert!(
         message(SelfAffine { size: Size::RmsGradient(f64::NAN), ..good }).contains("the rms gradient is NaN")
     );
-    assert!(message(SelfAffine { longest_m: 0.1, rolloff_m: 0.1, ..good }).contains("holds no roughness"));
+    assert!(message(SelfAffine { longest_m: 0.1, rolloff_m: 0.1, ..good }).contains("no roughness between"));
 }

@@ -196,12 +196,12 @@ fn bands_that_a_grid_does_not_hold_are_refused() {
     };
     assert_eq!(
         refused(128, 1.0),
-        "making a surface: the band from 1 m to 10 mm is wider than the grid can hold: 128 points over 1 m hold 1 m \
-         (one length a side) to 15.6 mm (two points a wavelength)"
+        "the band from 1 m to 10 mm is wider than the grid holds: 128 points over 1 m hold 1 m (one wave per side) to \
+         15.6 mm (two points per wave)"
     );
-    assert!(refused(1024, 0.5).contains("1024 points over 500 mm hold 500 mm (one length a side)"));
-    assert!(refused(0, 1.0).contains("0 by 0 points are none"));
-    assert!(refused(usize::MAX, 1.0).contains("more than can be numbered"));
+    assert!(refused(1024, 0.5).contains("1024 points over 500 mm hold 500 mm (one wave per side)"));
+    assert!(refused(0, 1.0).contains("a grid of 0 by 0 points; give at least 1"));
+    assert!(refused(usize::MAX, 1.0).contains("at most 4294967295 points"));
     assert!(refused(512, -1.0).contains("the length of the box along x in m is -1"));
     let one_row = Synthesis { points_y: 1, ..Synthesis::square(512, 1.0, 1, Phases::FixedModulus) };
     assert!(matches!(area.surface(&one_row, 0), Err(SurfaceError::BandTooWide { points: 1, .. })));
