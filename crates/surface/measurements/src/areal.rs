@@ -11,18 +11,20 @@ use tables::Table;
 
 /// The two-dimensional spectrum of a map, averaged radially.
 pub struct AreaSpectrum {
-    /// `wavelength_m, wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, as far as it shows the surface.
+    /// Columns `wavelength_m, wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, within the
+    /// reliable band.
     pub table: Table,
-    /// How it was made: the file with its SHA-256, and what was done to the heights.
+    /// Provenance: the file with its SHA-256, the detrending and the window.
     pub provenance: String,
-    /// What reading took for granted, and what is doubtful.
+    /// Assumptions of the reader, and doubts.
     pub remarks: Vec<Remark>,
 }
 
-/// The spectrum of the one map in a file.
+/// Computes the two-dimensional spectrum of the one map in a file.
 ///
 /// # Errors
-/// [`TopographyError`] where the file holds no map, or several, where gaps left lines alone, or a direction is asked for.
+/// [`TopographyError`] if the file holds no map or several, if the treatment of missing points left only lines, or if
+/// the recipe asks for a direction.
 pub fn areal_spectrum(
     request: &ScanRequest,
     files: &dyn Files,

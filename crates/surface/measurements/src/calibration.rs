@@ -1,13 +1,13 @@
-//! How well the heights of an instrument are known, as people type it.
+//! Typed options about the calibration of an instrument.
 
 use std::str::FromStr;
 
 use units::{Bound, Share};
 
-/// One standard uncertainty of a height scale, as a share of it: above 0 and at most 1, typed as `3 %` or `0.03`.
+/// Relative standard uncertainty of a height scale, above 0 and at most 1, typed as `3 %` or `0.03`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ZCalibration {
-    /// The share.
+    /// The relative standard uncertainty.
     pub share: f64,
 }
 
@@ -22,10 +22,10 @@ impl FromStr for ZCalibration {
     }
 }
 
-/// One standard uncertainty of the exponent of a spectrum, d ln C/d ln q: from 0 to 10, beyond which no exponent is known.
+/// Standard uncertainty of the exponent of a spectrum, d ln C/d ln q, from 0 to 10.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlopeUncertainty {
-    /// Of the exponent, which has no unit.
+    /// Standard uncertainty of the exponent, dimensionless.
     pub of_exponent: f64,
 }
 
@@ -33,14 +33,15 @@ impl FromStr for SlopeUncertainty {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let value: f64 = text.trim().parse().map_err(|_| format!("'{text}' is no number, such as 0.05"))?;
+        let value: f64 =
+            text.trim().parse().map_err(|_| format!("'{text}' is not a number; write one such as 0.05"))?;
         let bound = Bound::Within { at_least: 0.0, at_most: 10.0 };
         let checked = bound.check("the standard uncertainty of the spectrum's exponent", value);
         checked.map(|of_exponent| SlopeUncertainty { of_exponent }).map_err(|error| error.to_string())
     }
 }
 
-/// The name of an instrument, which is not empty.
+/// The name of an instrument, not empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Instrument(pub String);
 

@@ -13,7 +13,6 @@ mod load;
 mod map;
 mod only_map;
 mod request;
-mod tables;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
 pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
