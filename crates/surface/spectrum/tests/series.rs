@@ -178,13 +178,13 @@ fn standard_errors_are_kept_where_there_are_any() {
     assert_eq!(other.psd.standard_errors(), None);
     assert_eq!(other.notes, ["column 'C1D_se_m4' is ignored: its unit does not fit its quantity"]);
     for (field, complaint) in [
-        ("-1", "it must be finite and at least 0; correct it, or leave it empty"),
-        ("inf", "it must be finite and at least 0; correct it, or leave it empty"),
-        ("a", "which is no number; write it like 1.5e-9, with a point, or remove the row"),
+        ("-1", "; it must be finite and at least 0: correct it, or leave it empty"),
+        ("inf", "; it must be finite and at least 0: correct it, or leave it empty"),
+        ("a", ", not a number; write it like 1.5e-9, with a point, or remove the row"),
     ] {
         assert_eq!(
             refusal(&format!("lambda_m,C1D_m3,C1D_se_m3\n1,5,{field}\n2,6,0\n"), &ReadOptions::default()),
-            format!("line 2: column 'C1D_se_m3' is '{field}', {complaint}")
+            format!("line 2: column 'C1D_se_m3' is '{field}'{complaint}")
         );
     }
 }

@@ -183,8 +183,7 @@ fn a_workbook_that_swells_is_refused_before_it_is_parsed() {
     assert!(bytes.len() < 1 << 20);
     assert_eq!(
         refusal(&bytes),
-        "reading the workbook: unpacked, it is larger than 128 MiB, the most that is read; export the series as CSV, which \
-         has no limit"
+        "reading the workbook: unpacked, it exceeds 128 MiB; export the series as CSV, which has no limit"
     );
 }
 
