@@ -283,7 +283,7 @@ fn wrong_scans_are_refused_with_what_is_wrong() {
         ("flat.txt", "flat.txt: "),
         ("other.bin", "other.bin"),
         ("absent.txt", "absent.txt"),
-        ("one.txt:width=3nm", "there is no option 'width'"),
+        ("one.txt:width=3nm", "unknown option 'width'"),
     ] {
         let refused = bench.run(&["psd", file, "--unit", "nm"]).refused();
         assert!(refused.contains(expected), "{file}: {refused}");

@@ -3,9 +3,9 @@
 /// Finds the zero of a function in [low, high] by Newton's method; requires f(low) <= 0 <= f(high).
 ///
 /// `f` returns the value and the derivative. Newton's method starts at `start`; a step that would leave the bracket is
-/// replaced by a bisection, and every step shrinks the bracket. The result is exact to rounding: Newton steps square their
-/// error, so the first one below 1e-10 of the argument is the last (waiting for a step of zero cost a quarter of all
-/// evaluations); bisection continues to the last place.
+/// replaced by a bisection, and every step shrinks the bracket. The result is exact to rounding: Newton steps square
+/// their error, so the first one below 1e-10 of the argument is the last (waiting for a step of zero cost a quarter of
+/// all evaluations); bisection continues to the last place.
 #[must_use]
 pub fn newton_in_bracket(
     mut low: f64,
@@ -41,7 +41,8 @@ pub fn newton_in_bracket(
 
 /// Finds the zero of `f` in [low, high] to rounding; f has opposite signs at the ends.
 ///
-/// Uses the secant of Anderson & Bjorck, which keeps the bracket, and a bisection whenever three steps have not halved it.
+/// Uses the secant of Anderson & Bjorck, which keeps the bracket, and a bisection whenever three steps have not halved
+/// it.
 #[must_use]
 pub fn zero_in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     // On a plateau secants gain nothing and only every third to sixth step halves the bracket; 60 halvings are needed.
@@ -75,8 +76,8 @@ pub fn zero_in_bracket(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f6
 
 /// Finds the boundary between failing and holding of a condition by bisection; returns the holding side.
 ///
-/// Halves the bracket until it is narrower than `tolerance` times the returned end. `holds` is not evaluated at the ends:
-/// the condition must fail at `fails_at` and hold at `holds_at`, in either order.
+/// Halves the bracket until it is narrower than `tolerance` times the returned end. `holds` is not evaluated at the
+/// ends: the condition must fail at `fails_at` and hold at `holds_at`, in either order.
 #[must_use]
 pub fn bisect(fails_at: f64, holds_at: f64, tolerance: f64, mut holds: impl FnMut(f64) -> bool) -> f64 {
     let (mut without, mut with) = (fails_at, holds_at);

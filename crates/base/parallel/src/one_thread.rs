@@ -6,7 +6,8 @@ thread_local! {
     static ONE_THREAD_ONLY: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `work` with every map in it on this thread, for callers that split the work over their own threads or processes.
+/// Runs `work` with every map in it on this thread, for callers that split the work over their own threads or
+/// processes.
 ///
 /// No digit changes.
 pub fn on_this_thread<T>(work: impl FnOnce() -> T) -> T {

@@ -73,8 +73,8 @@ impl StagedFiles {
     /// [`PublishError`] for the first path that could not be replaced.
     pub fn publish(self) -> Result<(), PublishError> {
         let mut left = self.0.into_iter();
-        // `remove_temporaries` waits for this lock. `left` is declared before it: files left at the end need the lock to be
-        // dropped.
+        // `remove_temporaries` waits for this lock. `left` is declared before it: files left at the end need the lock
+        // to be dropped.
         let mut locked = temporaries::lock();
         let mut replaced: Vec<Replaced> = Vec::new();
         while let Some(Staged { aside, target }) = left.next() {

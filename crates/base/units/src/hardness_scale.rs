@@ -1,8 +1,8 @@
 //! Hardness numbers of the scales that certificates use, as pressures.
 //!
-//! Vickers and Brinell numbers are loads in kgf over the area in mm^2 of the indent itself (ISO 6507-1, ISO 6506-1) and are
-//! used unchanged: 9.80665 MPa for 1 HV or 1 HBW. A Rockwell C number is a depth; it becomes a pressure through the Vickers
-//! number.
+//! Vickers and Brinell numbers are loads in kgf over the area in mm^2 of the indent itself (ISO 6507-1, ISO 6506-1) and
+//! are used unchanged: 9.80665 MPa for 1 HV or 1 HBW. A Rockwell C number is a depth; it becomes a pressure through the
+//! Vickers number.
 
 use crate::bound::Bound;
 use crate::quantity_error::QuantityError;

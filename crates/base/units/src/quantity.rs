@@ -82,8 +82,8 @@ pub struct WorkOfAdhesion {
 }
 
 impl IndentationHardness {
-    /// Converts a standard uncertainty in Rockwell C steps of a Rockwell C hardness to \[Pa\]; `None` for any other unit of
-    /// the uncertainty.
+    /// Converts a standard uncertainty in Rockwell C steps of a Rockwell C hardness to \[Pa\]; `None` for any other
+    /// unit of the uncertainty.
     ///
     /// The conversion needs the hardness: a step is worth more pressure the harder the body is.
     ///

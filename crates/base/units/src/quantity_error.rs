@@ -9,31 +9,31 @@ pub enum QuantityError {
     /// The text does not start with a number.
     #[error("'{text}' does not start with a number; {} {what} reads like '{example}'", article(what))]
     NoNumber {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
-        /// A good one.
+        /// A valid example.
         example: &'static str,
     },
     /// A number without a unit.
     #[error("'{text}' has no unit; {} {what} needs one of {units}, as in '{example}'", article(what))]
     NoUnit {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
         /// The accepted units.
         units: String,
-        /// A good one.
+        /// A valid example.
         example: &'static str,
     },
     /// A unit of another kind of quantity, or an unknown one.
     #[error("'{text}' has the unit '{unit}'; {} {what} needs one of {units}", article(what))]
     WrongUnit {
-        /// What was typed.
+        /// The typed text.
         text: String,
-        /// Its unit.
+        /// The unit in it.
         unit: String,
         /// The kind of quantity.
         what: &'static str,
@@ -43,7 +43,7 @@ pub enum QuantityError {
     /// Zero, negative or beyond the largest double.
     #[error("'{text}' is out of range; {} {what} must be greater than 0 and finite", article(what))]
     NotPositive {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,
@@ -53,7 +53,7 @@ pub enum QuantityError {
         "'{text}' is off its scale: {error}; give the hardness as a Vickers number, such as 300 HV, or as a pressure"
     )]
     OffScale {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The number and its bound.
         error: OutOfBounds,
@@ -61,13 +61,13 @@ pub enum QuantityError {
     /// Beyond the largest double.
     #[error("'{text}' is out of range; it must be finite")]
     NotFinite {
-        /// What was typed.
+        /// The typed text.
         text: String,
     },
     /// A standard uncertainty below 0 or beyond the largest double.
     #[error("'{text}' is out of range; a standard uncertainty must be at least 0 and finite")]
     Uncertainty {
-        /// What was typed.
+        /// The typed text.
         text: String,
     },
     /// A value with its uncertainty where a single value is expected.
@@ -75,7 +75,7 @@ pub enum QuantityError {
         "expected a single {what}, not '{text}'; uncertainties (+-, to) are allowed only for materials of scenes"
     )]
     OneValueWanted {
-        /// What was typed.
+        /// The typed text.
         text: String,
         /// The kind of quantity.
         what: &'static str,

@@ -1,8 +1,8 @@
 //! Kinds of quantities, their units, and the parser of typed quantities.
 //!
 //! No unit crate fits: uom's parser needs a blank before the unit, knows no `um`, and turns 5 µm into
-//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number; the decimal
-//! text is multiplied by it before the single rounding to a double.
+//! 4.9999999999999996e-6 m because it multiplies. A unit here is a power of ten, perhaps times a whole number; the
+//! decimal text is multiplied by it before the single rounding to a double.
 
 use crate::length_unit::LengthUnit;
 use crate::quantity_error::QuantityError;
@@ -190,7 +190,7 @@ impl Kind {
     }
 
     pub(crate) fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
-        if TypedSpread::of(text).is_some() {
+        if TypedSpread::parse(text).is_some() {
             return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
         }
         QuantityError::WrongUnit {

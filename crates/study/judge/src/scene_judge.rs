@@ -1,7 +1,7 @@
 //! The judge at work on a scene.
 
 use gaussian_surfaces::AreaSpectrum;
-use parallel::{Progress, WithinAStep};
+use parallel::{NestedProgress, Progress};
 use scene::Scene;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::{PlanError, Results};
@@ -113,7 +113,7 @@ impl<'s> Case<'s> {
             results,
             composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
             moments: cumulative_moments(&results.psd, Normalisation::default()),
-            surface: (results.psd.len() > 1).then(|| AreaSpectrum::of_profile(&results.psd).ok()).flatten(),
+            surface: (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten(),
             bodies,
             saturations_pa,
             loads_by_pressure,
@@ -177,7 +177,7 @@ impl<'s> Case<'s> {
             grid: layout.grid,
             pressures_pa: &pressures_pa,
         };
-        of_maps(maps, &pressed, &WithinAStep(progress))
+        of_maps(maps, &pressed, &NestedProgress(progress))
     }
 
     fn judgement(

@@ -84,7 +84,7 @@ fn keys_that_contradict_lack_or_repeat_one_another_are_refused_with_the_mend() {
         "key surface.x is for a psd, and roughness parameters are given; leave it out"
     );
     assert!(told(&format!("{GROUND}mean_width = \"1 um\"")).starts_with(
-        "[surface]: an rms slope of 0.15 is too small for an rms height of 400 nm with a roll-off wavelength of 1 µm"
+        "[surface]: the rms slope 0.15 is too small for an rms height of 400 nm and a roll-off wavelength of 1 µm"
     ));
     assert!(
         told(&format!("{GROUND}mean_width = \"80 um\"\nhurst = 1.2")).contains("the Hurst exponent is 1.2")

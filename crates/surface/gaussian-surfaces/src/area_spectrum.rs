@@ -29,42 +29,42 @@ impl AreaSpectrum {
     /// Converts the spectrum of profiles to that of their surface, Ciso(q) = -2 Int_q^inf C1D'(p) (p^2 - q^2)^(-1/2) dp
     /// (the inverse of Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, Eq. 2.17).
     ///
-    /// C1D is continued above its last sample with its last slope (level if it rises there), because profiles of a surface
-    /// have no sharp cutoff; Ciso covers the wavevectors of the samples. Noise that would make Ciso negative is smoothed or
-    /// clipped, see [`AreaSpectrum::conversion`].
+    /// C1D is continued above its last sample with its last slope (level if it rises there), because profiles of a
+    /// surface have no sharp cutoff; Ciso covers the wavevectors of the samples. Noise that would make Ciso negative is
+    /// smoothed or clipped, see [`AreaSpectrum::conversion`].
     ///
     /// # Errors
-    /// [`SurfaceError::TooFewSamples`] for a single sample; [`SurfaceError::EmptyBand`] for a spectrum that falls nowhere,
-    /// which no surface has.
-    pub fn of_profile(profile: &ProfilePsd) -> Result<Self, SurfaceError> {
+    /// [`SurfaceError::TooFewSamples`] for a single sample; [`SurfaceError::EmptyBand`] for a spectrum that falls
+    /// nowhere, which no surface has.
+    pub fn from_profile(profile: &ProfilePsd) -> Result<Self, SurfaceError> {
         let (pieces, conversion) = conversion::of_profile(profile)?;
         let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
-        Self::of_pieces(pieces, longest_m, shortest_m, conversion)
+        Self::from_pieces(pieces, longest_m, shortest_m, conversion)
     }
 
-    /// Builds the spectrum from samples in any convention. Samples of areas are joined by power laws; samples of profiles are
-    /// converted by [`AreaSpectrum::of_profile`].
+    /// Builds the spectrum from samples in any convention. Samples of areas are joined by power laws; samples of
+    /// profiles are converted by [`AreaSpectrum::from_profile`].
     ///
     /// # Errors
-    /// As [`AreaSpectrum::of_profile`].
-    pub fn of_psd(psd: &Psd) -> Result<Self, SurfaceError> {
+    /// As [`AreaSpectrum::from_profile`].
+    pub fn from_psd(psd: &Psd) -> Result<Self, SurfaceError> {
         // A factor exists only among conventions of areas, or among those of profiles.
         let factor: Result<f64, ConversionError> = psd.convention().factor_to(Convention::Ciso);
         let Ok(factor) = factor else {
             let factor = psd.convention().factor_to(Convention::C1D).unwrap_or(1.0);
             let c1d_m3 = psd.values().iter().map(|value| factor * value).collect();
-            return Self::of_profile(&ProfilePsd::new(psd.wavelengths_m().to_vec(), c1d_m3)?);
+            return Self::from_profile(&ProfilePsd::new(psd.wavelengths_m().to_vec(), c1d_m3)?);
         };
         let points = psd.wavelengths_m().iter().zip(psd.values());
         let points: Vec<(f64, f64)> =
             points.map(|(wavelength_m, value)| (TAU / wavelength_m, factor * value)).collect();
         let pieces = points.windows(2).map(|pair| PowerLaw::through(pair[0], pair[1])).collect();
         let (longest_m, shortest_m) = (psd.wavelengths_m()[0], psd.wavelengths_m()[psd.len() - 1]);
-        Self::of_pieces(pieces, longest_m, shortest_m, Conversion::default())
+        Self::from_pieces(pieces, longest_m, shortest_m, Conversion::default())
     }
 
     /// Builds the spectrum from pieces by rising wavevector within the band, at least one.
-    pub(crate) fn of_pieces(
+    pub(crate) fn from_pieces(
         pieces: Vec<PowerLaw>,
         longest_m: f64,
         shortest_m: f64,
@@ -97,7 +97,7 @@ impl AreaSpectrum {
         let (longest_m, shortest_m) = (longest_m.min(self.longest_m), shortest_m.max(self.shortest_m));
         let (first, last) = (TAU / longest_m, TAU / shortest_m);
         let pieces = self.pieces.iter().filter_map(|piece| piece.between(first, last)).collect();
-        Self::of_pieces(pieces, longest_m, shortest_m, self.conversion)
+        Self::from_pieces(pieces, longest_m, shortest_m, self.conversion)
     }
 
     /// The longest wavelength of the band \[m\].
@@ -146,8 +146,8 @@ impl AreaSpectrum {
         self.mean_square(5)
     }
 
-    /// Moments of the profiles of the surface: m0 = <h^2>, m2 = <|grad h|^2>/2 and m4 = (3/8) <(lap h)^2>; the factors are
-    /// the means of cos^2 and cos^4 over all directions (Nayak 1971, J. Lubr. Technol. 93:398).
+    /// Moments of the profiles of the surface: m0 = <h^2>, m2 = <|grad h|^2>/2 and m4 = (3/8) <(lap h)^2>; the factors
+    /// are the means of cos^2 and cos^4 over all directions (Nayak 1971, J. Lubr. Technol. 93:398).
     #[must_use]
     pub fn moments(&self) -> Moments {
         Moments {
@@ -158,22 +158,22 @@ impl AreaSpectrum {
         }
     }
 
-    /// Computes the spectrum of profiles of the surface, C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp (Jacobs,
-    /// Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001).
+    /// Computes the spectrum of profiles of the surface, C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp
+    /// (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001).
     ///
-    /// The wavelengths \[m\] run from long to short, all above the shortest of the band. A profile crosses waves at a slant,
-    /// so it also has waves longer than the longest of the band; its spectrum is level there.
+    /// The wavelengths \[m\] run from long to short, all above the shortest of the band. A profile crosses waves at a
+    /// slant, so it also has waves longer than the longest of the band; its spectrum is level there.
     ///
     /// # Errors
-    /// [`SurfaceError::NoWaves`] for a wavelength at which C1D is zero; [`SurfaceError::Samples`] for wavelengths that are
-    /// not those of a spectrum.
+    /// [`SurfaceError::NoWaves`] for a wavelength at which C1D is zero; [`SurfaceError::Samples`] for wavelengths that
+    /// are not those of a spectrum.
     pub fn profile(&self, wavelengths_m: &[f64]) -> Result<ProfilePsd, SurfaceError> {
         let integrand = |piece: &PowerLaw| PowerLaw {
             at_start: piece.at_start * piece.start_rad_per_m / PI,
             exponent: piece.exponent + 1.0,
             ..*piece
         };
-        let integral = AbelIntegral::of(self.pieces.iter().map(integrand));
+        let integral = AbelIntegral::new(self.pieces.iter().map(integrand));
         let c1d_m3: Vec<f64> =
             wavelengths_m.iter().map(|wavelength_m| integral.from(TAU / wavelength_m)).collect();
         if let Some(row) = c1d_m3.iter().position(|&c1d_m3| c1d_m3 == 0.0) {
@@ -183,11 +183,12 @@ impl AreaSpectrum {
         Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?)
     }
 
-    /// Wavelengths \[m\] for sampling [`AreaSpectrum::profile`]: `per_decade` per decade, starting at `longest_m` if that
-    /// lies above the band, and denser before both ends of the band, where C1D behaves like a square root.
+    /// Wavelengths \[m\] for sampling [`AreaSpectrum::profile`]: `per_decade` per decade, starting at `longest_m` if
+    /// that lies above the band, and denser before both ends of the band, where C1D behaves like a square root.
     ///
-    /// With 20 per decade from 100 times the longest wavelength of the band, the moments of the profile agree with those of
-    /// the surface within 0.2 % in slopes, 0.5 % in curvatures and 1 % in heights (still longer waves are missing).
+    /// With 20 per decade from 100 times the longest wavelength of the band, the moments of the profile agree with
+    /// those of the surface within 0.2 % in slopes, 0.5 % in curvatures and 1 % in heights (still longer waves are
+    /// missing).
     #[must_use]
     pub fn profile_wavelengths_m(&self, longest_m: f64, per_decade: NonZeroU32) -> Vec<f64> {
         let (first, last) = (TAU / self.longest_m, TAU / self.shortest_m);

@@ -11,8 +11,8 @@ use crate::monotone::not_rising;
 
 /// Share of negative roughness up to which it is only clipped; the error of a spectrum is larger.
 const CLIPPED_AT_MOST: f64 = 0.01;
-/// Range of ln q over which a spectrum is continued: the integral beyond falls at least as 1/q, and e^-37 is the rounding of
-/// doubles.
+/// Range of ln q over which a spectrum is continued: the integral beyond falls at least as 1/q, and e^-37 is the
+/// rounding of doubles.
 const CONTINUED: f64 = 37.0;
 
 /// The widest step in ln q at which Ciso is sampled.
@@ -67,7 +67,7 @@ fn ciso(wavevectors: &[f64], c1d_m3: &[f64]) -> Vec<(f64, f64)> {
         exponent: piece.exponent - 1.0,
         ..piece
     };
-    let integral = AbelIntegral::of(pieces.into_iter().map(integrand));
+    let integral = AbelIntegral::new(pieces.into_iter().map(integrand));
     let mut points = vec![wavevectors[0]];
     for pair in wavevectors.windows(2) {
         points.extend(before_knot(pair[0], pair[1], WIDEST_STEP));

@@ -25,8 +25,8 @@ impl HalfSpectrum {
         Self { rows, columns, amplitudes, occupied: 0 }
     }
 
-    /// Adds the samples of the real wave 2 Re a exp(2 pi i (m x/columns + n y/rows)), 0 <= m <= columns/2 and |n| <= rows/2.
-    /// At the highest wavenumbers a wave and its conjugate coincide.
+    /// Adds the samples of the real wave 2 Re a exp(2 pi i (m x/columns + n y/rows)), 0 <= m <= columns/2 and |n| <=
+    /// rows/2. At the highest wavenumbers a wave and its conjugate coincide.
     pub(crate) fn add(&mut self, m: usize, n: i64, amplitude: Complex64) {
         let width = self.columns / 2 + 1;
         let row = |n: i64| n.rem_euclid(self.rows as i64) as usize;

@@ -5,9 +5,9 @@ use crate::error::SurfaceError;
 
 /// A band of wavelengths laid out on a square grid.
 ///
-/// Contact areas counted in points need at least 4 points per shortest wavelength: the grid of every second point then still
-/// resolves all waves, and areas can be extrapolated. A side needs at least 2 longest wavelengths, or single surfaces
-/// scatter by several per cent at light loads.
+/// Contact areas counted in points need at least 4 points per shortest wavelength: the grid of every second point then
+/// still resolves all waves, and areas can be extrapolated. A side needs at least 2 longest wavelengths, or single
+/// surfaces scatter by several per cent at light loads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GridBand {
@@ -34,12 +34,12 @@ impl GridBand {
         Self { points, length_m, longest_m: length_m / Self::LENGTHS, shortest_m }
     }
 
-    /// Lays out a given band \[m\]. Spare points are shared: points per shortest wavelength and longest wavelengths per side
-    /// exceed their minimum by the same factor.
+    /// Lays out a given band \[m\]. Spare points are shared: points per shortest wavelength and longest wavelengths per
+    /// side exceed their minimum by the same factor.
     ///
     /// # Errors
     /// [`SurfaceError::GridTooSmall`] if the points do not hold the band.
-    pub fn of(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, SurfaceError> {
+    pub fn new(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, SurfaceError> {
         let (points_per_shortest, lengths) = (Self::POINTS_PER_SHORTEST, Self::LENGTHS);
         let widest = points as f64 / (points_per_shortest * lengths);
         let room = widest / (longest_m / shortest_m);
@@ -58,12 +58,12 @@ impl GridBand {
 
     /// Lays out a band of a spectrum; both ends and the side \[m\] may be left open.
     ///
-    /// Without a side, the shortest wavelength defaults to that of the spectrum, and the longest to the longest that the
-    /// grid and the spectrum hold. With a given side, the ends default to the minimum of points and lengths.
+    /// Without a side, the shortest wavelength defaults to that of the spectrum, and the longest to the longest that
+    /// the grid and the spectrum hold. With a given side, the ends default to the minimum of points and lengths.
     ///
     /// # Errors
-    /// [`SurfaceError::GridTooSmall`] if the points do not hold the band. With a given side nothing is refused here; making
-    /// the surface fails with fewer than two points per shortest wavelength or one longest wavelength per side.
+    /// [`SurfaceError::GridTooSmall`] if the points do not hold the band. With a given side nothing is refused here;
+    /// making the surface fails with fewer than two points per shortest wavelength or one longest wavelength per side.
     pub fn in_spectrum(
         spectrum: &AreaSpectrum,
         points: usize,
@@ -74,7 +74,7 @@ impl GridBand {
         let Some(length_m) = side_m else {
             let shortest_m = shortest_m.unwrap_or(spectrum.shortest_m());
             let widest_m = Self::widest_to(shortest_m, points).longest_m;
-            return Self::of(longest_m.unwrap_or(widest_m.min(spectrum.longest_m())), shortest_m, points);
+            return Self::new(longest_m.unwrap_or(widest_m.min(spectrum.longest_m())), shortest_m, points);
         };
         let finest_m = Self::POINTS_PER_SHORTEST * length_m / points as f64;
         let longest_m = longest_m.unwrap_or((length_m / Self::LENGTHS).min(spectrum.longest_m()));
@@ -107,26 +107,26 @@ mod tests {
         assert_relative_eq!(band.longest_m, 64e-6, max_relative = 1e-15);
         assert_relative_eq!(band.points_per_shortest(), 4.0, max_relative = 1e-15);
         assert_relative_eq!(band.lengths(), 2.0, max_relative = 1e-15);
-        let again = GridBand::of(band.longest_m, 1e-6, 512).unwrap();
+        let again = GridBand::new(band.longest_m, 1e-6, 512).unwrap();
         assert_relative_eq!(again.length_m, band.length_m, max_relative = 1e-15);
     }
 
     #[test]
     fn room_is_shared_between_points_and_lengths() {
-        let band = GridBand::of(16e-6, 1e-6, 512).unwrap();
+        let band = GridBand::new(16e-6, 1e-6, 512).unwrap();
         assert_relative_eq!(band.points_per_shortest(), 8.0, max_relative = 1e-15);
         assert_relative_eq!(band.lengths(), 4.0, max_relative = 1e-15);
     }
 
     #[test]
     fn a_band_too_wide_is_refused_with_the_one_that_fits() {
-        let message = GridBand::of(100e-6, 1e-6, 512).unwrap_err().to_string();
+        let message = GridBand::new(100e-6, 1e-6, 512).unwrap_err().to_string();
         assert_eq!(
             message,
             "the band from 100 µm to 1 µm is too wide for 512 points a side (4 per shortest wavelength, 2 longest \
              wavelengths per side); give a longest wavelength of at most 64 µm, a shortest of at least 1.56 µm, or at \
              least 800 points"
         );
-        assert!(GridBand::of(f64::NAN, 1e-6, 512).is_err());
+        assert!(GridBand::new(f64::NAN, 1e-6, 512).is_err());
     }
 }

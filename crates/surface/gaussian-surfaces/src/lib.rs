@@ -1,8 +1,8 @@
 #![doc = include_str!("../README.md")]
 //!
 //! The nouns:
-//! * [`AreaSpectrum`]: Ciso of an isotropic surface, a power law between neighbouring wavevectors and zero outside its band;
-//!   [`AreaSpectrum::cut`] narrows the band, [`AreaSpectrum::profile`] is the spectrum that a stylus measures;
+//! * [`AreaSpectrum`]: Ciso of an isotropic surface, a power law between neighbouring wavevectors and zero outside its
+//!   band; [`AreaSpectrum::cut`] narrows the band, [`AreaSpectrum::profile`] is the spectrum that a stylus measures;
 //! * [`SelfAffine`]: a self-affine spectrum by its Hurst exponent and three wavelengths;
 //! * [`GridBand`]: a band laid out on a square grid;
 //! * [`MapWaves`]: a measured map made periodic, and Gaussian surfaces of its own waves;

@@ -12,9 +12,9 @@ use crate::surface::Surface;
 
 /// A map made periodic, as a sum of waves.
 ///
-/// Heights at opposite edges of a scan do not match. The periodic part of the map is used (Moisan 2011, J. Math. Imaging
-/// Vis. 39:161): the map minus the smoothest surface with the same steps across the edges. No window or mirror then changes
-/// the roughness inside. The mean is dropped.
+/// Heights at opposite edges of a scan do not match. The periodic part of the map is used (Moisan 2011, J. Math.
+/// Imaging Vis. 39:161): the map minus the smoothest surface with the same steps across the edges. No window or mirror
+/// then changes the roughness inside. The mean is dropped.
 #[derive(Clone, Debug)]
 pub struct MapWaves {
     points_x: usize,
@@ -29,13 +29,13 @@ pub struct MapWaves {
 impl MapWaves {
     /// Decomposes heights \[m\], row by row with `points_x` per row, on a box of the given lengths \[m\].
     ///
-    /// Keeps waves with at least `least_points` grid points per wavelength. A periodic map is used unchanged; from any other
-    /// a plane should have been subtracted.
+    /// Keeps waves with at least `least_points` grid points per wavelength. A periodic map is used unchanged; from any
+    /// other a plane should have been subtracted.
     ///
     /// # Panics
     /// If the heights do not fill whole rows, at least one.
     #[must_use]
-    pub fn of(
+    pub fn new(
         heights_m: &[f64],
         points_x: usize,
         [length_x_m, length_y_m]: [f64; 2],
@@ -75,8 +75,8 @@ impl MapWaves {
         self.summed(|amplitude, _| amplitude)
     }
 
-    /// Returns a Gaussian surface of the same waves: the amplitudes of the map with random phases. Seed and realisation act
-    /// as in [`AreaSpectrum::surface`](crate::AreaSpectrum::surface).
+    /// Returns a Gaussian surface of the same waves: the amplitudes of the map with random phases. Seed and realisation
+    /// act as in [`AreaSpectrum::surface`](crate::AreaSpectrum::surface).
     #[must_use]
     pub fn twin(&self, seed: u64, realisation: u64) -> Surface {
         self.summed_with(Draws::new(seed, realisation), |amplitude, turn| {
@@ -193,7 +193,7 @@ mod tests {
     fn a_periodic_map_is_reproduced_for_even_and_odd_sides() {
         for (columns, rows) in [(24, 16), (25, 17), (24, 17)] {
             let heights_m = waves(columns, rows);
-            let surface = MapWaves::of(&heights_m, columns, SIDES_M, true, 2.0).surface();
+            let surface = MapWaves::new(&heights_m, columns, SIDES_M, true, 2.0).surface();
             for (found, expected) in surface.heights_m().iter().zip(&heights_m) {
                 assert!((found - expected).abs() < 1e-22, "{found:e} {expected:e}");
             }
@@ -211,7 +211,7 @@ mod tests {
         let arched: Vec<f64> =
             rough.iter().enumerate().map(|(at, height_m)| height_m + 10e-9 * quarter(at)).collect();
         let gradient = |heights_m: &[f64], is_periodic: bool| {
-            MapWaves::of(heights_m, columns, SIDES_M, is_periodic, 4.0).surface().mean_square_gradient()
+            MapWaves::new(heights_m, columns, SIDES_M, is_periodic, 4.0).surface().mean_square_gradient()
         };
         let expected = gradient(&rough, true);
         assert!(
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn a_twin_has_the_moments_of_the_map_and_other_heights() {
-        let map = MapWaves::of(&waves(24, 16), 24, SIDES_M, true, 2.0);
+        let map = MapWaves::new(&waves(24, 16), 24, SIDES_M, true, 2.0);
         let [twin, again, other] = [(1, 0), (1, 0), (1, 1)].map(|(seed, at)| map.twin(seed, at));
         assert_eq!(twin, again);
         assert!(twin.heights_m() != other.heights_m() && twin.heights_m() != map.surface().heights_m());

@@ -8,8 +8,8 @@ const WORDS: u128 = 4;
 
 /// Random numbers of each wave, independent of grid, band and order of evaluation.
 ///
-/// [`AreaSpectrum::surface`](crate::AreaSpectrum::surface) documents the scheme: key and nonce of the ChaCha8 stream, and
-/// the words of each wave.
+/// [`AreaSpectrum::surface`](crate::AreaSpectrum::surface) documents the scheme: key and nonce of the ChaCha8 stream,
+/// and the words of each wave.
 pub(crate) struct Draws {
     of_realisation: ChaCha8Rng,
 }

@@ -1,7 +1,7 @@
 //! Isotonic regression.
 
-/// Finds the non-rising sequence nearest to `values` in the sum of squares by pooling adjacent violators into their mean
-/// (Barlow, Bartholomew, Bremner & Brunk 1972, section 1.2).
+/// Finds the non-rising sequence nearest to `values` in the sum of squares by pooling adjacent violators into their
+/// mean (Barlow, Bartholomew, Bremner & Brunk 1972, section 1.2).
 pub(crate) fn not_rising(values: &[f64]) -> Vec<f64> {
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for &value in values {

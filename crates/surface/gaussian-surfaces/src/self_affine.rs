@@ -9,8 +9,9 @@ use crate::area_spectrum::AreaSpectrum;
 use crate::conversion::Conversion;
 use crate::error::SurfaceError;
 
-/// A self-affine surface: Ciso is level from the longest wavelength to the roll-off and falls as q^(-2(1 + H)) from there
-/// to the shortest (Persson, Albohr, Tartaglino, Volokitin & Tosatti 2005, J. Phys.: Condens. Matter 17:R1, section 2).
+/// A self-affine surface: Ciso is level from the longest wavelength to the roll-off and falls as q^(-2(1 + H)) from
+/// there to the shortest (Persson, Albohr, Tartaglino, Volokitin & Tosatti 2005, J. Phys.: Condens. Matter 17:R1,
+/// section 2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SelfAffine {
     /// Hurst exponent H, above 0 and at most 1.
@@ -39,8 +40,8 @@ impl AreaSpectrum {
     /// Builds the spectrum of a self-affine surface.
     ///
     /// # Errors
-    /// [`SurfaceError::Bounds`] for a Hurst exponent outside 0 to 1, lengths and sizes that are not finite and above 0, or
-    /// a roll-off outside the band; [`SurfaceError::EmptyBand`] if the shortest wavelength is not below the longest.
+    /// [`SurfaceError::Bounds`] for a Hurst exponent outside 0 to 1, lengths and sizes that are not finite and above 0,
+    /// or a roll-off outside the band; [`SurfaceError::EmptyBand`] if the shortest wavelength is not below the longest.
     pub fn self_affine(surface: &SelfAffine) -> Result<Self, SurfaceError> {
         let SelfAffine { hurst_exponent, longest_m, rolloff_m, shortest_m, size } = *surface;
         Bound::LeftOpen { above: 0.0, at_most: 1.0 }.check("the Hurst exponent", hurst_exponent)?;
@@ -62,7 +63,7 @@ impl AreaSpectrum {
             let fall = PowerLaw { start_rad_per_m: rolloff, end_rad_per_m: last, at_start: height, exponent };
             let pieces =
                 [level, fall].into_iter().filter(|piece| piece.start_rad_per_m < piece.end_rad_per_m);
-            Self::of_pieces(pieces.collect(), longest_m, shortest_m, Conversion::default())
+            Self::from_pieces(pieces.collect(), longest_m, shortest_m, Conversion::default())
         };
         // A guess of the order of a length to the fourth keeps every product within the range of doubles.
         let guess = of_form(rolloff_m.powi(4))?;

@@ -50,8 +50,8 @@ impl Surface {
         self.heights_m
     }
 
-    /// Moments of the profiles, averaged over all directions, as a sum over the waves of this surface. They do not depend on
-    /// the grid.
+    /// Moments of the profiles, averaged over all directions, as a sum over the waves of this surface. They do not
+    /// depend on the grid.
     #[must_use]
     pub fn moments(&self) -> Moments {
         self.moments
@@ -74,8 +74,8 @@ impl Surface {
         self
     }
 
-    /// Keeps every second point of every second row, which equals the surface of the same seed on that grid. `None` if a
-    /// side has an odd number of points.
+    /// Keeps every second point of every second row, which equals the surface of the same seed on that grid. `None` if
+    /// a side has an odd number of points.
     #[must_use]
     pub fn every_second_point(&self) -> Option<Self> {
         if !(self.points_x.is_multiple_of(2) && self.points_y.is_multiple_of(2)) {

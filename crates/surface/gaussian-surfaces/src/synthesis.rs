@@ -20,8 +20,8 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Phases {
-    /// Random phases; every wave has the amplitude of the spectrum, so that each surface has the variance and slope of the
-    /// spectrum.
+    /// Random phases; every wave has the amplitude of the spectrum, so that each surface has the variance and slope of
+    /// the spectrum.
     #[default]
     FixedModulus,
     /// Random phases and moduli: heights are a Gaussian process, and variance and slope scatter between surfaces.
@@ -56,24 +56,24 @@ impl Synthesis {
 }
 
 impl AreaSpectrum {
-    /// Makes the surface of a seed and a realisation: the sum of all waves of the box within the band, a ring in the plane of
-    /// wavevectors, sampled at the points of the grid.
+    /// Makes the surface of a seed and a realisation: the sum of all waves of the box within the band, a ring in the
+    /// plane of wavevectors, sampled at the points of the grid.
     ///
     /// A wave with the wavevector q has the mean square amplitude Ciso(q)/(L_x L_y), so that <h^2> approaches
-    /// (1/2 pi) Int q Ciso dq in a large box (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, section
-    /// 2).
+    /// (1/2 pi) Int q Ciso dq in a large box (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001,
+    /// section 2).
     ///
-    /// Random numbers belong to the wave, so the surface is the same on every grid that holds the band. They are words of a
-    /// stream of ChaCha with 8 rounds. Its key is the seed and the realisation (eight bytes each, the lowest first) and the
-    /// sixteen bytes `truearea surface`; its nonce of 64 bits is the row of the wave, 2 n for n >= 0 and -2 n - 1 below. The
-    /// wave exp(i (2 pi m x/L_x + 2 pi n y/L_y)), m > 0 or m = 0 < n, has the words 4 m to 4 m + 3: two numbers of 64 bits,
-    /// the lower half first. The upper 53 bits of each are a number in [0, 1). The first is the phase in turns; from the
-    /// second, u, a random modulus is sqrt(-ln(1 - u)) times the mean one.
+    /// Random numbers belong to the wave, so the surface is the same on every grid that holds the band. They are words
+    /// of a stream of ChaCha with 8 rounds. Its key is the seed and the realisation (eight bytes each, the lowest
+    /// first) and the sixteen bytes `truearea surface`; its nonce of 64 bits is the row of the wave, 2 n for n >= 0 and
+    /// -2 n - 1 below. The wave exp(i (2 pi m x/L_x + 2 pi n y/L_y)), m > 0 or m = 0 < n, has the words 4 m to 4 m + 3:
+    /// two numbers of 64 bits, the lower half first. The upper 53 bits of each are a number in [0, 1). The first is the
+    /// phase in turns; from the second, u, a random modulus is sqrt(-ln(1 - u)) times the mean one.
     ///
     /// # Errors
     /// [`SurfaceError::BandTooWide`] if a side is shorter than the longest wavelength or has fewer than two points per
-    /// shortest wavelength; [`SurfaceError::NoModes`] if no wave of the box lies in the band; [`SurfaceError::Bounds`] for
-    /// lengths that are not finite and above 0; [`SurfaceError::Points`] for no points or more than `u32::MAX`.
+    /// shortest wavelength; [`SurfaceError::NoModes`] if no wave of the box lies in the band; [`SurfaceError::Bounds`]
+    /// for lengths that are not finite and above 0; [`SurfaceError::Points`] for no points or more than `u32::MAX`.
     pub fn surface(&self, synthesis: &Synthesis, realisation: u64) -> Result<Surface, SurfaceError> {
         let Synthesis { points_x, points_y, length_x_m, length_y_m, seed, phases } = *synthesis;
         self.check(synthesis)?;

@@ -1,31 +1,31 @@
-//! Scans of one instrument share its height scale, so that what is said of it must be the same.
+//! Scans of one instrument share its calibration, so their options about it must agree.
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::instrument::InstrumentOfScan;
 
-/// A scan, as it was asked for.
-pub(crate) struct Asked<'s> {
-    /// Which request it belongs to, by index.
+/// A scan with its instrument.
+pub(crate) struct InstrumentUse<'s> {
+    /// Index of its request.
     pub request: usize,
     /// The file.
     pub path: &'s str,
-    /// Its instrument.
+    /// The instrument of the scan.
     pub instrument: &'s InstrumentOfScan,
 }
 
-/// Refuses scans of one instrument, named or guessed, that say different things of it.
-pub(crate) fn check(scans: &[Asked<'_>]) -> Result<(), TopographyError> {
-    type Said = fn(&InstrumentOfScan) -> Option<f64>;
-    let sayings: [(&str, Said); 2] = [
+/// Refuses scans of one instrument, named or guessed, with different calibrations.
+pub(crate) fn check(scans: &[InstrumentUse<'_>]) -> Result<(), TopographyError> {
+    type Property = fn(&InstrumentOfScan) -> Option<f64>;
+    let properties: [(&str, Property); 2] = [
         ("z-calibration", |instrument| instrument.z_calibration),
         ("slope uncertainty", |instrument| instrument.slope_uncertainty),
     ];
     for (at, scan) in scans.iter().enumerate() {
         let name = &scan.instrument.name;
         let before = || scans[..at].iter().filter(|other| other.instrument.name == *name);
-        for (what, said) in sayings {
-            let Some(here) = said(scan.instrument) else { continue };
-            let Some((other, there)) = before().find_map(|other| Some((other, said(other.instrument)?)))
+        for (what, value_of) in properties {
+            let Some(here) = value_of(scan.instrument) else { continue };
+            let Some((other, there)) = before().find_map(|other| Some((other, value_of(other.instrument)?)))
             else {
                 continue;
             };
@@ -33,7 +33,7 @@ pub(crate) fn check(scans: &[Asked<'_>]) -> Result<(), TopographyError> {
                 let other = other.path.to_owned();
                 let problem =
                     ScanProblem::InstrumentDisagrees { instrument: name.clone(), what, here, there, other };
-                let error = TopographyError::of_file(scan.path, problem);
+                let error = TopographyError::for_file(scan.path, problem);
                 return Err(TopographyError { request: Some(scan.request), ..error });
             }
         }

@@ -11,18 +11,20 @@ use tables::Table;
 
 /// The two-dimensional spectrum of a map, averaged radially.
 pub struct AreaSpectrum {
-    /// `wavelength_m, wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, as far as it shows the surface.
+    /// Columns `wavelength_m, wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, within the
+    /// reliable band.
     pub table: Table,
-    /// How it was made: the file with its SHA-256, and what was done to the heights.
+    /// Provenance: the file with its SHA-256, the detrending and the window.
     pub provenance: String,
-    /// What reading took for granted, and what is doubtful.
+    /// Assumptions of the reader, and doubts.
     pub remarks: Vec<Remark>,
 }
 
-/// The spectrum of the one map in a file.
+/// Computes the two-dimensional spectrum of the one map in a file.
 ///
 /// # Errors
-/// [`TopographyError`] where the file holds no map, or several, where gaps left lines alone, or a direction is asked for.
+/// [`TopographyError`] if the file holds no map or several, if the treatment of missing points left only lines, or if
+/// the recipe asks for a direction.
 pub fn areal_spectrum(
     request: &ScanRequest,
     files: &dyn Files,
@@ -31,12 +33,12 @@ pub fn areal_spectrum(
     let recipe = &request.recipe(recipe);
     if recipe.direction != Direction::X {
         let problem = ScanProblem::AreaHasNoDirection(recipe.direction);
-        return Err(TopographyError::of_file(&request.path, problem));
+        return Err(TopographyError::for_file(&request.path, problem));
     }
     let Loaded { scans, sha256 } = load(request, files)?;
     let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneMap)?;
     let map = map_in(request, &file, ScanProblem::LineHasNoArea)?;
-    let found = MapSpectrum::of(map, &file, request.limits(), recipe)
+    let found = MapSpectrum::new(map, &file, request.limits(), recipe)
         .map_err(|error| untransformed(request, error))?;
     let wavelengths_m = found.reliable.wavelengths_m();
     let modes = |wavelength_m: &f64| found.modes_at(*wavelength_m).map(|modes| modes as f64);

@@ -1,13 +1,13 @@
-//! How well the heights of an instrument are known, as people type it.
+//! Typed options about the calibration of an instrument.
 
 use std::str::FromStr;
 
 use units::{Bound, Share};
 
-/// One standard uncertainty of a height scale, as a share of it: above 0 and at most 1, typed as `3 %` or `0.03`.
+/// Relative standard uncertainty of a height scale, above 0 and at most 1, typed as `3 %` or `0.03`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ZCalibration {
-    /// The share.
+    /// The relative standard uncertainty.
     pub share: f64,
 }
 
@@ -17,30 +17,33 @@ impl FromStr for ZCalibration {
     fn from_str(text: &str) -> Result<Self, String> {
         let share: Share = text.parse().map_err(|error: units::ShareError| error.to_string())?;
         let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
-        let checked = bound.check("the standard uncertainty of the height scale, as a share", share.of_one);
+        let checked = bound.check("the standard uncertainty of the height scale, as a share", share.fraction);
         checked.map(|share| ZCalibration { share }).map_err(|error| error.to_string())
     }
 }
 
-/// One standard uncertainty of the exponent of a spectrum, d ln C/d ln q: from 0 to 10, beyond which no exponent is known.
+/// Standard uncertainty of the exponent of a spectrum, d ln C/d ln q, from 0 to 10.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlopeUncertainty {
-    /// Of the exponent, which has no unit.
-    pub of_exponent: f64,
+    /// Standard uncertainty of the exponent, dimensionless.
+    pub standard_uncertainty: f64,
 }
 
 impl FromStr for SlopeUncertainty {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let value: f64 = text.trim().parse().map_err(|_| format!("'{text}' is no number, such as 0.05"))?;
+        let value: f64 =
+            text.trim().parse().map_err(|_| format!("'{text}' is not a number; write one such as 0.05"))?;
         let bound = Bound::Within { at_least: 0.0, at_most: 10.0 };
         let checked = bound.check("the standard uncertainty of the spectrum's exponent", value);
-        checked.map(|of_exponent| SlopeUncertainty { of_exponent }).map_err(|error| error.to_string())
+        checked
+            .map(|standard_uncertainty| SlopeUncertainty { standard_uncertainty })
+            .map_err(|error| error.to_string())
     }
 }
 
-/// The name of an instrument, which is not empty.
+/// The name of an instrument, not empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Instrument(pub String);
 

@@ -1,4 +1,4 @@
-//! What is in the files of instruments: a row for each channel.
+//! Channels of the files of instruments, one row each.
 
 use scans::{Axis, Measure, Probe, ScanFile, Statistics, visit_channels};
 use tables::Table;
@@ -13,13 +13,13 @@ use crate::request::ScanRequest;
 #[derive(Debug, Default)]
 #[non_exhaustive]
 pub struct Channels {
-    /// A row for each channel that was looked at.
+    /// One row per channel.
     rows: Vec<Row>,
-    /// The files that cannot be read, each with why.
+    /// Files that cannot be read, with the error of each.
     pub unreadable: Vec<TopographyError>,
 }
 
-/// A channel in numbers. What cannot be said is absent.
+/// A channel in numbers; `None` where a number is not known.
 #[derive(Debug, Default, Clone, PartialEq)]
 struct Row {
     file: String,
@@ -37,15 +37,17 @@ struct Row {
 }
 
 impl Channels {
-    /// That of a scan that is in memory.
+    /// Lists the channel of a scan in memory.
     #[must_use]
-    pub fn of_scan(request: &ScanRequest, file: &ScanFile) -> Self {
+    pub fn from_scan(request: &ScanRequest, file: &ScanFile) -> Self {
         Channels { rows: vec![Row::of(request, file)], unreadable: Vec::new() }
     }
 
-    /// `file, format, channel, points_x, points_y, size_x_m, size_y_m, rms_height_m, peak_to_valley_m, gaps, rms_slope_x,
-    /// rms_slope_y, note`. A line has one point along y and no size there; lengths of channels that measure none stand in the
-    /// note, with their unit.
+    /// Makes a table with the columns `file, format, channel, points_x, points_y, size_x_m, size_y_m, rms_height_m,
+    /// peak_to_valley_m, gaps, rms_slope_x, rms_slope_y, note`.
+    ///
+    /// `gaps` counts missing points. A line has one point along y and no size there. For channels that measure no
+    /// length, rms and peak to valley are in the note, with their unit.
     #[must_use]
     pub fn table(&self) -> Table {
         let text = |of: fn(&Row) -> &String| self.rows.iter().map(move |row| of(row).clone());
@@ -69,11 +71,11 @@ impl Channels {
     }
 }
 
-/// Looks at every channel of heights in some files, or at every channel whatever it measures, and shows each to `see` while it is
-/// held in memory.
+/// Reads the height channels of files, or all channels with `all_channels`, one at a time, and passes each to `see`.
 ///
 /// # Errors
-/// That of `see`; what is wrong with a file is told in [`Channels::unreadable`], with a channel in its note.
+/// Errors of `see`. Files that cannot be read are listed in [`Channels::unreadable`]; the error of a channel is its
+/// note.
 pub fn read_channels<E>(
     requests: &[ScanRequest],
     files: &dyn Files,
@@ -103,7 +105,7 @@ fn channels_of(
     all_channels: bool,
     see: &mut dyn FnMut(&ScanFile),
 ) -> Result<Vec<Row>, TopographyError> {
-    let blame = |problem| TopographyError::of_file(&request.path, problem);
+    let blame = |problem| TopographyError::for_file(&request.path, problem);
     let bytes = bytes_of_scans(request, files)?;
     let options = options(request, files)?;
     let (mut rows, mut first_error, mut is_any_read) = (Vec::new(), None, false);
@@ -121,7 +123,7 @@ fn channels_of(
         });
     visited.map_err(|error| blame(ScanProblem::Format(Box::new(error))))?;
     match first_error {
-        // Where another channel can be read, this one is not the whole file's failure.
+        // The file fails only if none of its channels can be read.
         Some(error) if !is_any_read => Err(blame(ScanProblem::Format(Box::new(error)))),
         _ => Ok(rows),
     }
@@ -151,23 +153,23 @@ impl Row {
     }
 }
 
-/// The channel, behind the measurement where a container has several.
+/// Names the channel, after its measurement if that differs from the file.
 fn channel(request: &ScanRequest, file: &ScanFile) -> String {
     let measurement = (file.name != file_name(&request.path)).then(|| file.name.clone());
     [measurement, file.channel.clone()].into_iter().flatten().collect::<Vec<_>>().join(": ")
 }
 
-/// What the numbers do not say.
+/// Describes properties of a channel that its numbers do not show.
 fn note(file: &ScanFile, found: Option<Statistics>) -> String {
     let mut parts = Vec::new();
     match (&file.measure, found) {
         (Measure::Height, _) => {}
-        (Measure::Length, _) => parts.push("a length that is no height".to_owned()),
+        (Measure::Length, _) => parts.push("a length, but not a height".to_owned()),
         (Measure::Other(unit), Some(found)) => parts.push(format!(
-            "no length: rms {:.6e} {unit} about the mean, peak to valley {:.6e} {unit}",
+            "not a length: rms {:.6e} {unit} about the mean, peak to valley {:.6e} {unit}",
             found.rms_height_m, found.peak_to_valley_m
         )),
-        (Measure::Other(unit), None) => parts.push(format!("no length, in {unit}")),
+        (Measure::Other(unit), None) => parts.push(format!("not a length, in {unit}")),
     }
     if found.is_none() {
         parts.push("no point has a value".to_owned());

@@ -1,11 +1,12 @@
-//! The scans in some files become one spectrum, which remembers its files.
+//! The composite spectrum of the scans in files, with its provenance.
 
 use parallel::{Progress, Unobserved};
 use scans::{Axis, HeightMap, Scan, ScanFile};
+use tables::Table;
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 
-use crate::agreement::{self, Asked};
+use crate::agreement::{self, InstrumentUse};
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::instrument::InstrumentOfScan;
@@ -13,41 +14,41 @@ use crate::load::{Loaded, load};
 use crate::request::ScanRequest;
 use topography::Recipe;
 
-/// The composite spectrum of the scans in some files.
+/// The composite spectrum of the scans in files.
 #[derive(Debug, Clone)]
 pub struct CompositeOfFiles {
     /// The spectra of the scans and their composite.
     pub spectrum: CompositeSpectrum,
-    /// Where each scan comes from.
+    /// Origin of each scan.
     pub sources: Vec<Source>,
-    /// What of its maps can be pressed.
+    /// Middles of its maps, for boundary elements.
     pub maps: Vec<MapPatch>,
 }
 
-/// The middle of a map, for whoever presses it.
+/// The middle of a map, for boundary elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapPatch {
     /// The name of the measurement.
     pub name: String,
-    /// Its heights, as measured.
+    /// Heights as measured.
     pub map: HeightMap,
-    /// Whether the map meets itself at its edges; its middle then does only where it is the whole of it.
+    /// True if opposite edges match; false for a part of a periodic map.
     pub is_periodic: bool,
 }
 
-/// What a composite is to be made of.
+/// Input of a composite: a file or scans in memory.
 #[derive(Debug, Clone)]
-pub enum AskedScan {
-    /// The scans of a file, which is yet to be read.
+pub enum ScanInput {
+    /// The scans of a file to read.
     File(ScanRequest),
-    /// Scans that are in memory, and what is known of them besides; what the request says of reading a file does not count.
+    /// Scans in memory; options of the request about reading a file are ignored.
     InMemory(ScanRequest, Loaded),
 }
 
-/// A file is read, and what is in it transformed.
+/// Progress steps per file: reading it and transforming its scans.
 pub const STEPS_PER_FILE: usize = 2;
 
-/// Points along a side of a patch: what the boundary elements of a judge take.
+/// Largest number of points along a side of a patch, for the boundary elements of the judge.
 const MOST_POINTS: usize = 256;
 
 impl MapPatch {
@@ -62,22 +63,22 @@ impl MapPatch {
     }
 }
 
-/// The file of a scan.
+/// The origin of a scan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Source {
-    /// Its name, as typed.
+    /// File name as typed.
     pub file: String,
-    /// Its SHA-256, in hexadecimal digits.
+    /// SHA-256 in hexadecimal digits.
     pub sha256: String,
-    /// The instrument that made it.
+    /// The instrument of the scan.
     pub instrument: InstrumentOfScan,
 }
 
 impl CompositeOfFiles {
-    /// Reads the scans, transforms them and averages them.
+    /// Reads scans, transforms them and averages their spectra.
     ///
     /// # Errors
-    /// [`TopographyError`] that names the file, and place, value and bound where they are to blame.
+    /// [`TopographyError`] with the file, and with place, value and bound where they apply.
     pub fn read(
         requests: &[ScanRequest],
         files: &dyn Files,
@@ -86,31 +87,31 @@ impl CompositeOfFiles {
         Self::read_observed(requests, files, recipe, &Unobserved)
     }
 
-    /// The same, told how far it is: [`STEPS_PER_FILE`] steps for each file.
+    /// Reads scans as [`read`](Self::read) does and reports progress, [`STEPS_PER_FILE`] steps per file.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read).
+    /// As [`read`](Self::read).
     pub fn read_observed(
         requests: &[ScanRequest],
         files: &dyn Files,
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let asked = requests.iter().cloned().map(AskedScan::File).collect();
-        Self::of_scans(asked, files, recipe, progress)
+        let inputs = requests.iter().cloned().map(ScanInput::File).collect();
+        Self::from_scans(inputs, files, recipe, progress)
     }
 
-    /// The same of scans some of which are in memory already; their heights are taken and not copied.
+    /// Transforms and averages scans from files and from memory; heights in memory are moved, not copied.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read).
-    pub fn of_scans(
-        asked: Vec<AskedScan>,
+    /// As [`read`](Self::read).
+    pub fn from_scans(
+        inputs: Vec<ScanInput>,
         files: &dyn Files,
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let of_files = parallel::map_taken(asked, |asked| of_asked(asked, files, recipe, progress));
+        let of_files = parallel::map_owned(inputs, |input| transform_input(input, files, recipe, progress));
         let (mut scans, mut maps) = (Vec::new(), Vec::new());
         let mut sources: Vec<Source> = Vec::new();
         let mut request_of = Vec::new();
@@ -121,18 +122,22 @@ impl CompositeOfFiles {
             sources.extend(of_file.sources);
             maps.extend(of_file.maps);
         }
-        let asked: Vec<Asked<'_>> = sources
+        let uses: Vec<InstrumentUse<'_>> = sources
             .iter()
             .zip(&request_of)
-            .map(|(source, &request)| Asked { request, path: &source.file, instrument: &source.instrument })
+            .map(|(source, &request)| InstrumentUse {
+                request,
+                path: &source.file,
+                instrument: &source.instrument,
+            })
             .collect();
-        agreement::check(&asked)?;
-        let spectrum = CompositeSpectrum::of(scans, recipe)
-            .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
+        agreement::check(&uses)?;
+        let spectrum = CompositeSpectrum::new(scans, recipe)
+            .map_err(|error| TopographyError::for_all(ScanProblem::Transform { scan: None, error }))?;
         Ok(CompositeOfFiles { spectrum, sources, maps })
     }
 
-    /// How the composite was made: the recipe, and the files with their SHA-256.
+    /// Provenance of the composite: the recipe, and the files with their SHA-256.
     #[must_use]
     pub fn provenance(&self) -> Vec<String> {
         let (scans, recipe) = (&self.spectrum.scans, self.spectrum.recipe.describe());
@@ -159,44 +164,92 @@ impl CompositeOfFiles {
     }
 }
 
-/// What a file brings, a source for each spectrum.
-struct OfFile {
+/// Spectra of one file, with one source per spectrum.
+struct FileSpectra {
     scans: Vec<ScanSpectrum>,
     sources: Vec<Source>,
     maps: Vec<MapPatch>,
 }
 
-/// Reads a file, where one is asked for, and transforms every scan in it.
-fn of_asked(
-    asked: AskedScan,
+/// Reads the file, if the scans are not in memory, and transforms every scan in it.
+fn transform_input(
+    input: ScanInput,
     files: &dyn Files,
     recipe: &Recipe,
     progress: &dyn Progress,
-) -> Result<OfFile, TopographyError> {
-    let (request, Loaded { scans, sha256 }) = match asked {
-        AskedScan::File(request) => {
+) -> Result<FileSpectra, TopographyError> {
+    let (request, Loaded { scans, sha256 }) = match input {
+        ScanInput::File(request) => {
             let loaded = load(&request, files)?;
             (request, loaded)
         }
-        AskedScan::InMemory(request, loaded) => (request, loaded),
+        ScanInput::InMemory(request, loaded) => (request, loaded),
     };
     let request = &request;
     progress.advance(1);
     let recipe = request.recipe(recipe);
-    let mut found = OfFile { scans: Vec::new(), sources: Vec::new(), maps: Vec::new() };
+    let mut found = FileSpectra { scans: Vec::new(), sources: Vec::new(), maps: Vec::new() };
     for scan in scans {
         let name = (scan.name != request.path).then(|| scan.name.clone());
         let blame = |error: TransformError| {
-            TopographyError::of_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
+            TopographyError::for_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::of(request, &scan);
         found.maps.extend(MapPatch::of(&scan));
-        let spectra = ScanSpectrum::of_directions(scan, request.limits(), &recipe).map_err(blame)?;
+        let spectra = ScanSpectrum::per_direction(scan, request.limits(), &recipe).map_err(blame)?;
         let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };
         found.sources.extend(spectra.iter().map(|_| source.clone()));
         found.scans.extend(spectra);
     }
     progress.advance(1);
     Ok(found)
+}
+
+impl CompositeOfFiles {
+    /// Makes a table of the composite, one row per bin from long to short wavelengths, with the columns `wavelength_m,
+    /// wavevector_rad_per_m, C1D_m3, C1D_se_m3, measurements, degrees_of_freedom`.
+    #[must_use]
+    pub fn table(&self) -> Table {
+        let bins = self.spectrum.composite.bins();
+        Table::default()
+            .with_numbers("wavelength_m", bins.iter().map(|bin| bin.wavelength_m))
+            .with_numbers("wavevector_rad_per_m", bins.iter().map(|bin| wavevector(bin.wavelength_m)))
+            .with_numbers("C1D_m3", bins.iter().map(|bin| bin.c1d_m3))
+            .with_numbers("C1D_se_m3", bins.iter().map(|bin| bin.standard_error_m3))
+            .with_numbers("measurements", bins.iter().map(|bin| bin.measurements as f64))
+            .with_numbers("degrees_of_freedom", bins.iter().map(|bin| bin.degrees_of_freedom))
+    }
+
+    /// Makes a table of all spectra with the columns `series, wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3`.
+    ///
+    /// Each scan has two series: its reliable band under its name, and the whole under its name with `(incl. unreliable
+    /// data)`. The composite comes last.
+    #[must_use]
+    pub fn series_table(&self) -> Table {
+        let found = &self.spectrum;
+        let mut rows: Vec<(String, f64, f64, Option<f64>)> = Vec::new();
+        for (scan, name) in found.scans.iter().zip(found.series_names()) {
+            let reliable = scan.reliable.wavelengths_m().iter().zip(scan.reliable.c1d_m3());
+            rows.extend(reliable.map(|(wavelength_m, c1d_m3)| (name.clone(), *wavelength_m, *c1d_m3, None)));
+            let whole = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3());
+            rows.extend(whole.filter(|(_, c1d_m3)| **c1d_m3 > 0.0).map(|(wavelength_m, c1d_m3)| {
+                (format!("{name} (incl. unreliable data)"), wavelength_m, *c1d_m3, None)
+            }));
+        }
+        let bins = found.composite.bins().iter();
+        rows.extend(
+            bins.map(|bin| ("composite".to_owned(), bin.wavelength_m, bin.c1d_m3, bin.standard_error_m3)),
+        );
+        Table::default()
+            .with_text("series", rows.iter().map(|row| row.0.clone()))
+            .with_numbers("wavelength_m", rows.iter().map(|row| row.1))
+            .with_numbers("wavevector_rad_per_m", rows.iter().map(|row| wavevector(row.1)))
+            .with_numbers("C1D_m3", rows.iter().map(|row| row.2))
+            .with_numbers("C1D_se_m3", rows.iter().map(|row| row.3))
+    }
+}
+
+fn wavevector(wavelength_m: f64) -> f64 {
+    std::f64::consts::TAU / wavelength_m
 }

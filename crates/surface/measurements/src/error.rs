@@ -1,4 +1,4 @@
-//! What can be wrong on the way from the files of scans to a spectrum.
+//! Errors on the way from scan files to a spectrum.
 
 use std::{fmt, io};
 
@@ -6,28 +6,28 @@ use scans::{Mend, ScanReadError};
 use topography::{Direction, TransformError};
 use units::number;
 
-/// Why the scans of a file, or all of them together, yield no spectrum.
+/// Error of the scans of a file, or of all scans together.
 #[derive(Debug)]
 pub struct TopographyError {
-    /// The file to blame, as asked for; absent where it is all of them together.
+    /// The file at fault, as typed; `None` if all scans together are.
     pub file: Option<String>,
-    /// Which of the scans asked for is to blame, by index.
+    /// Index of the request at fault.
     pub request: Option<usize>,
-    /// What is wrong.
+    /// The problem.
     pub problem: ScanProblem,
 }
 
-/// What is wrong with scans.
+/// Problems with scans.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ScanProblem {
-    /// The file cannot be had.
+    /// The file cannot be opened or read.
     #[error("{0}")]
     Reading(io::Error),
-    /// A text that describes the scans beside it is none.
+    /// A metadata file is not UTF-8 text.
     #[error("line {line}: not UTF-8 text; save the metadata as UTF-8")]
     NotText {
-        /// The first line that is none.
+        /// The first line that is not text.
         line: usize,
     },
     /// The file holds a spectrum, which needs no transform.
@@ -39,55 +39,51 @@ pub enum ScanProblem {
     /// The heights cannot be transformed.
     #[error("{}{error}", scan.as_ref().map_or(String::new(), |scan| format!("{scan}: ")))]
     Transform {
-        /// The scan, where it has another name than its file.
+        /// Name of the scan if it differs from its file.
         scan: Option<String>,
-        /// Why.
+        /// The error of the transform.
         error: TransformError,
     },
-    /// A text that is neither heights nor a spectrum.
+    /// The text is neither heights nor a spectrum.
     #[error("as a scan: {as_scan}{}", as_spectrum.as_ref().map_or(String::new(), |why| format!("; as a spectrum: {why}")))]
     NeitherKind {
-        /// Why it is no scan.
+        /// Error of reading it as a scan.
         as_scan: Box<ScanReadError>,
-        /// Why it is no spectrum.
+        /// Error of reading it as a spectrum.
         as_spectrum: Option<String>,
     },
-    /// Scans of one instrument say different things of it.
+    /// Scans of one instrument give different calibrations.
     #[error(
-        "the {what} of {instrument} is {} here and {} with {other}; scans of one instrument share one",
+        "the {what} of {instrument} is {} here but {} for {other}; give all scans of an instrument the same",
         number(*here),
         number(*there)
     )]
     InstrumentDisagrees {
         /// The name of the instrument.
         instrument: String,
-        /// What is said of it.
+        /// The option.
         what: &'static str,
-        /// What this scan says.
+        /// Value of this scan.
         here: f64,
-        /// What one before it says.
+        /// Value of an earlier scan.
         there: f64,
-        /// The file of that one.
+        /// File of the earlier scan.
         other: String,
     },
-    /// A surface of none or several scans.
-    #[error("{0} scans; boundary elements press one map, which a channel may choose")]
+    /// Boundary elements are given no scan or several.
+    #[error("the file holds {0} scans, and boundary elements press one map; choose it by its channel")]
     NotOneSurface(usize),
-    /// A surface of a line.
-    #[error(
-        "a line scan is no surface that boundary elements could press; make a spectrum of it and give that"
-    )]
+    /// Boundary elements are given a line scan.
+    #[error("boundary elements cannot press a line scan; compute its spectrum and give that")]
     LineIsNoSurface,
-    /// An areal spectrum of none or several scans.
-    #[error("{0} scans; an areal spectrum is that of one map")]
+    /// An areal spectrum is asked of no scan or several.
+    #[error("the file holds {0} scans, and an areal spectrum needs one map; choose it by its channel")]
     NotOneMap(usize),
-    /// An areal spectrum of a line.
-    #[error("a line scan has no areal spectrum")]
+    /// An areal spectrum is asked of a line.
+    #[error("a line scan has no areal spectrum; give a map")]
     LineHasNoArea,
-    /// An areal spectrum along an axis.
-    #[error(
-        "an areal spectrum is averaged over all directions of a map, and direction = \"{0}\" is asked for; leave it out"
-    )]
+    /// An areal spectrum is asked for along an axis.
+    #[error("an areal spectrum averages over all directions of a map; leave out direction = \"{0}\"")]
     AreaHasNoDirection(Direction),
 }
 
@@ -104,7 +100,7 @@ impl fmt::Display for TopographyError {
 impl std::error::Error for TopographyError {}
 
 impl TopographyError {
-    /// The option of a scan that mends it, where one does; whoever asked knows what it is called there.
+    /// The scan option that fixes the error, if there is one; front ends name it in their own terms.
     #[must_use]
     pub fn mend(&self) -> Option<Mend> {
         match &self.problem {
@@ -114,14 +110,14 @@ impl TopographyError {
         }
     }
 
-    /// The scans of one file are to blame.
-    pub(crate) fn of_file(file: &str, problem: ScanProblem) -> Self {
+    /// Blames the scans of one file.
+    pub(crate) fn for_file(file: &str, problem: ScanProblem) -> Self {
         TopographyError { file: Some(file.to_owned()), request: None, problem }
     }
 
-    /// All of the scans together are to blame.
+    /// Blames all scans together.
     #[must_use]
-    pub fn of_all(problem: ScanProblem) -> Self {
+    pub fn for_all(problem: ScanProblem) -> Self {
         TopographyError { file: None, request: None, problem }
     }
 }

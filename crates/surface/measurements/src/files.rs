@@ -1,20 +1,20 @@
-//! Where the files come from that a scene names: whoever runs a study hands them over by name.
+//! Access to files by name, supplied by the caller.
 
 use std::collections::BTreeMap;
 use std::io;
 
-/// Hands out the bytes of files by the names that stand in a scene.
+/// Source of the bytes of files, by the names that a scene uses.
 pub trait Files: Sync {
-    /// All bytes of a file.
+    /// Returns all bytes of a file.
     ///
     /// # Errors
-    /// Why they cannot be had.
+    /// The system's error if the file cannot be read.
     fn read(&self, name: &str) -> io::Result<Vec<u8>>;
 
-    /// All bytes of the file called `sibling` in the folder of the file `name`; none where there is no such file.
+    /// Returns all bytes of the file called `sibling` in the folder of the file `name`; `None` if it does not exist.
     ///
     /// # Errors
-    /// Why they cannot be had, of a file that is there.
+    /// The system's error if the file exists but cannot be read.
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>>;
 }
 
@@ -30,7 +30,7 @@ impl Files for BTreeMap<String, Vec<u8>> {
     }
 }
 
-/// No files at all: built-in spectra alone can be named.
+/// A source without files, for scenes that use built-in spectra only.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct NoFiles;
 
@@ -44,7 +44,7 @@ impl Files for NoFiles {
     }
 }
 
-/// The last part of a path, which formats and metadata know a file by.
+/// Returns the last part of a path, the name by which formats and metadata know a file.
 pub(crate) fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }

@@ -1,19 +1,19 @@
-//! Which scans are of one instrument: those that are said to be, and else those of one format and maker.
+//! Assignment of scans to instruments: by the given name, else by the file's own text or its format.
 
 use scans::ScanFile;
 
 use crate::request::ScanRequest;
 
-/// The instrument of a scan, and what is known of its calibration.
+/// The instrument of a scan and its calibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstrumentOfScan {
-    /// Its name; scans of one name are of one instrument.
+    /// Name; scans with equal names share the instrument.
     pub name: String,
-    /// Whether the name was guessed from the file.
+    /// True if the name was guessed from the file.
     pub is_guessed: bool,
-    /// One standard uncertainty of its height scale, as a share, where it is given.
+    /// Relative standard uncertainty of the height scale, if given.
     pub z_calibration: Option<f64>,
-    /// One standard uncertainty of the exponent of its spectrum, where it is given.
+    /// Standard uncertainty of the exponent of the spectrum, if given.
     pub slope_uncertainty: Option<f64>,
 }
 
@@ -28,7 +28,7 @@ impl InstrumentOfScan {
     }
 }
 
-/// What people wrote down as the instrument, and else the format, which is that of a maker.
+/// Guesses the instrument from a line `Instrument: ...` in the file's text, else from its format, which is a maker's.
 fn guessed_name<S>(file: &ScanFile<S>) -> String {
     let written = file.free_text.lines().find_map(|line| {
         let rest = line.trim().strip_prefix("Instrument")?.trim_start();

@@ -1,10 +1,10 @@
-//! A list of scans with their options, a row each.
+//! Lists of scans with their options, one row each.
 
 use tables::{InputTable, Refusal, Row};
 
 use crate::request::{RequestError, ScanRequest};
 
-/// The columns of a list and the options of a scan that they hold; the file stands in `file`.
+/// Columns of a list and the scan options in them; the column `file` holds the file.
 const COLUMNS: [(&str, &str); 10] = [
     ("unit", "unit"),
     ("channel", "channel"),
@@ -18,13 +18,14 @@ const COLUMNS: [(&str, &str); 10] = [
     ("slope_uncertainty", "slope-uncertainty"),
 ];
 
-/// Why a table is no list of scans.
+/// Errors of reading a list of scans.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ListError {
-    /// A column that says nothing about scans.
+    /// A column that is not an option of a scan.
     #[error(
-        "{list}: column {column} says nothing about a scan; the columns are file, unit, channel, size, tip_radius, shortest, gaps, direction, instrument, z_calibration and slope_uncertainty"
+        "{list}: column {column} is not an option of a scan; use file, unit, channel, size, tip_radius, shortest, gaps, \
+         direction, instrument, z_calibration or slope_uncertainty"
     )]
     UnknownColumn {
         /// The list.
@@ -32,22 +33,24 @@ pub enum ListError {
         /// The column.
         column: String,
     },
-    /// No rows.
-    #[error("{list}: there is no scan in this list")]
+    /// The list has no rows.
+    #[error("{list}: the list has no rows; give a row for each scan")]
     Empty {
         /// The list.
         list: String,
     },
-    /// Rows that cannot be read, or no column of files.
+    /// Rows cannot be read, or the column `file` is missing.
     #[error(transparent)]
     Rows(#[from] Refusal),
 }
 
-/// The scans of a list, which `name` stands for in messages: columns `file, unit, channel, size, tip_radius, shortest,
-/// gaps, direction, instrument, z_calibration, slope_uncertainty`, all but the first one optional; an empty cell says nothing.
+/// Parses a list of scans; `name` stands for it in messages.
+///
+/// The columns are `file, unit, channel, size, tip_radius, shortest, gaps, direction, instrument, z_calibration,
+/// slope_uncertainty`. All but the first are optional; an empty cell leaves the option open.
 ///
 /// # Errors
-/// [`ListError`] with line, column and value where they are to blame.
+/// [`ListError`] with line, column and value where they apply.
 pub fn requests_of_list(name: &str, list: &InputTable) -> Result<Vec<ScanRequest>, ListError> {
     let is_known = |column: &str| column == "file" || COLUMNS.iter().any(|(known, _)| *known == column);
     if let Some((column, _)) = list.table.columns().find(|(column, _)| !is_known(column)) {
@@ -60,7 +63,7 @@ pub fn requests_of_list(name: &str, list: &InputTable) -> Result<Vec<ScanRequest
 fn request(row: &Row<'_>) -> Result<ScanRequest, String> {
     let path = row.text("file").trim().to_owned();
     if path.is_empty() {
-        return Err("column file: the cell is empty; a file is needed".to_owned());
+        return Err("column file: the cell is empty; enter a file".to_owned());
     }
     let mut request = ScanRequest { path, ..ScanRequest::default() };
     for (column, option) in COLUMNS {

@@ -1,4 +1,4 @@
-//! The heights of one map, less their trend, as they are pressed.
+//! The detrended heights of one map, for boundary elements.
 
 use scans::HeightMap;
 use topography::{Direction, Recipe, Remark, ScanRemark, detrended_m};
@@ -13,21 +13,21 @@ use crate::request::ScanRequest;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MapOfFile {
-    /// The heights less their trend.
+    /// Heights minus their trend.
     pub map: HeightMap,
-    /// Whether the file says that they repeat themselves beyond the scan.
+    /// True if the file declares the map periodic.
     pub is_periodic: bool,
-    /// Where it comes from: the file with its SHA-256, and what was subtracted.
+    /// Provenance: the file with its SHA-256 and the detrending.
     pub provenance: String,
-    /// What was taken for granted.
+    /// Assumptions made on reading.
     pub remarks: Vec<Remark>,
 }
 
 impl MapOfFile {
-    /// The one map in the bytes of a file, less the trend that a spectrum of it would be made without.
+    /// Reads the one map in the bytes of a file and subtracts the trend, as for its spectrum.
     ///
     /// # Errors
-    /// [`TopographyError`] where the file holds no map, several, or one with too many gaps.
+    /// [`TopographyError`] if the file holds no map, several, or one with too many missing points.
     pub fn read(
         request: &ScanRequest,
         bytes: &[u8],
@@ -38,14 +38,14 @@ impl MapOfFile {
         let recipe = &request.recipe(recipe);
         let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneSurface)?;
         let map = map_in(request, &file, ScanProblem::LineIsNoSurface)?;
-        // Pressing knows no direction, but a trend of lines and the pictures do.
+        // Contact has no direction, but line-by-line detrending and pictures do.
         let turned = (recipe.direction == Direction::Y).then(|| map.turned());
         let map = turned.as_ref().unwrap_or(map);
         let detrend = recipe.preparation(file.is_periodic).detrend;
         let rest_m = detrended_m(map, detrend);
         let map =
             HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m).map_err(|error| {
-                TopographyError::of_file(&request.path, ScanProblem::Format(Box::new(error.into())))
+                TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error.into())))
             })?;
         let provenance = format!(
             "map: {} ({}){}, SHA-256 {sha256}, detrend {detrend}",
@@ -54,7 +54,8 @@ impl MapOfFile {
             if turned.is_some() { ", turned" } else { "" }
         );
         let pressed_once = (recipe.direction == Direction::Both).then(|| {
-            "direction both makes two spectra of a map, but no other surface: it is pressed as it was scanned".to_owned()
+            "direction both makes two spectra of a map but one surface, which is pressed as scanned"
+                .to_owned()
         });
         let of_map = |note| Remark::Scan { name: file.name.clone(), remark: ScanRemark::Reading(note) };
         let remarks = file.notes.iter().cloned().chain(pressed_once).map(of_map).collect();

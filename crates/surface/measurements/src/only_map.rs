@@ -1,4 +1,4 @@
-//! The one map of a file, for whoever wants its area and no lines.
+//! The one map of a file, for areal spectra and boundary elements.
 
 use scans::{HeightMap, Scan, ScanFile};
 use topography::{GapTreatment, TransformError, map_of, without_gaps};
@@ -6,7 +6,7 @@ use topography::{GapTreatment, TransformError, map_of, without_gaps};
 use crate::error::{ScanProblem, TopographyError};
 use crate::request::ScanRequest;
 
-/// The one scan of a file, without gaps; `not_one` says what is wrong with so many others.
+/// Returns the one scan of a file, without missing points; `not_one` makes the error for another number of scans.
 pub(crate) fn only_scan(
     request: &ScanRequest,
     mut scans: Vec<ScanFile>,
@@ -16,22 +16,22 @@ pub(crate) fn only_scan(
     match (scans.pop(), scans.len()) {
         (Some(file), 0) => without_gaps(file, gaps).map_err(|error| untransformed(request, error)),
         (file, others) => {
-            Err(TopographyError::of_file(&request.path, not_one(others + usize::from(file.is_some()))))
+            Err(TopographyError::for_file(&request.path, not_one(others + usize::from(file.is_some()))))
         }
     }
 }
 
-/// The map that a scan is; `no_map` says what is wrong with a line.
+/// Returns the map of a scan; `no_map` is the error for a line.
 pub(crate) fn map_in<'f>(
     request: &ScanRequest,
     file: &'f ScanFile<Scan>,
     no_map: ScanProblem,
 ) -> Result<&'f HeightMap, TopographyError> {
     let map = map_of(&file.scan).map_err(|error| untransformed(request, error))?;
-    map.ok_or_else(|| TopographyError::of_file(&request.path, no_map))
+    map.ok_or_else(|| TopographyError::for_file(&request.path, no_map))
 }
 
-/// The heights of a file with one scan cannot be transformed.
+/// Makes the error of a file with one scan that cannot be transformed.
 pub(crate) fn untransformed(request: &ScanRequest, error: TransformError) -> TopographyError {
-    TopographyError::of_file(&request.path, ScanProblem::Transform { scan: None, error })
+    TopographyError::for_file(&request.path, ScanProblem::Transform { scan: None, error })
 }

@@ -1,4 +1,4 @@
-//! Which scans, each with what its file does not say.
+//! Requests for scans: a file and its options.
 
 use std::str::FromStr;
 
@@ -7,41 +7,41 @@ use units::{Length, LengthUnit};
 
 use crate::calibration::{Instrument, SlopeUncertainty, ZCalibration};
 
-/// A file of scans, and what is known of them besides.
+/// A scan file with options for what the file does not state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScanRequest {
-    /// The file, as typed.
+    /// File name as typed.
     pub path: String,
-    /// Unit of lengths and heights where neither the file nor metadata beside it tell.
+    /// Unit of lengths and heights, used if neither the file nor metadata beside it state one.
     pub unit: Option<LengthUnit>,
-    /// The channel, where the file has several; its first one of heights where absent.
+    /// Channel to read; defaults to the first height channel.
     pub channel: Option<String>,
-    /// The measurement, by its name, of containers that have several; all of them where absent.
+    /// Name of the measurement to read from a container; defaults to all.
     pub measurement: Option<String>,
-    /// Size along the scan lines \[m\], where the file gives none.
+    /// Size along the scan lines \[m\], used if the file states none.
     pub size_m: Option<f64>,
-    /// Radius of the tip, which limits the wavelengths that are trusted.
+    /// Radius of the tip, which limits the reliable band.
     pub tip_radius: Option<TipRadius>,
-    /// The shortest wavelength \[m\] that is trusted.
+    /// The shortest reliable wavelength \[m\].
     pub shortest_m: Option<f64>,
-    /// What becomes of points without a height; as for all scans, where absent.
+    /// Treatment of missing points; defaults to the recipe for all scans.
     pub gaps: Option<GapTreatment>,
-    /// Along which axis of a map its spectrum is taken; as for all scans, where absent.
+    /// Axis of a map along which its spectrum is taken; defaults to the recipe for all scans.
     pub direction: Option<Direction>,
-    /// The instrument that it was made with, which scans of one share the errors of.
+    /// Name of the instrument; scans with equal names share its calibration errors.
     pub instrument: Option<String>,
-    /// One standard uncertainty of the height scale of that instrument, as a share above 0 and at most 1.
+    /// Relative standard uncertainty of the height scale of the instrument, above 0 and at most 1.
     pub z_calibration: Option<f64>,
-    /// One standard uncertainty of the exponent of its spectrum, at least 0.
+    /// Standard uncertainty of the exponent of its spectrum, at least 0.
     pub slope_uncertainty: Option<f64>,
 }
 
-/// What is told of the radius of a tip.
+/// The radius of a tip: given, or taken from the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TipRadius {
-    /// It is so many m.
+    /// A given radius \[m\].
     Known(f64),
-    /// It stands in the file or in what lies beside it, in a field or in free text.
+    /// The radius that the file or its metadata states, in a field or in free text.
     Auto,
 }
 
@@ -51,15 +51,16 @@ impl FromStr for TipRadius {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim() {
             "auto" => Ok(Self::Auto),
-            length => length.parse::<Length>().map(|length| Self::Known(length.m)).map_err(|error| {
-                format!("{error}; or write auto, to take the radius that the file speaks of")
-            }),
+            length => length
+                .parse::<Length>()
+                .map(|length| Self::Known(length.m))
+                .map_err(|error| format!("{error}; or write auto for the radius that the file states")),
         }
     }
 }
 
 impl TipRadius {
-    /// The radius \[m\], where it is given.
+    /// Returns the radius \[m\] if it is given.
     #[must_use]
     pub fn known_m(self) -> Option<f64> {
         match self {
@@ -70,12 +71,12 @@ impl TipRadius {
 }
 
 impl ScanRequest {
-    /// What is known of the instrument besides the file.
+    /// Limits of the reliable band that the request gives.
     pub(crate) fn limits(&self) -> BandLimits {
         BandLimits { tip_radius_m: self.tip_radius.and_then(TipRadius::known_m), shortest_m: self.shortest_m }
     }
 
-    /// The recipe for this scan: that for all of them but for what is asked for here.
+    /// Returns the recipe for this scan: the one for all scans with this request's changes.
     pub(crate) fn recipe(&self, for_all: &Recipe) -> Recipe {
         Recipe {
             gaps: self.gaps.unwrap_or(for_all.gaps),
@@ -86,27 +87,28 @@ impl ScanRequest {
     }
 }
 
-/// Options of a single file that cannot be read.
+/// Errors of parsing the options of a file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum RequestError {
-    /// No such option.
+    /// An unknown option.
     #[error(
-        "{file}: there is no option '{key}' of a scan; there are unit, channel, size, tip-radius, shortest, gaps, direction, instrument, z-calibration and slope-uncertainty"
+        "{file}: unknown option '{key}' of a scan; use unit, channel, size, tip-radius, shortest, gaps, direction, \
+         instrument, z-calibration or slope-uncertainty"
     )]
     UnknownKey {
         /// The file.
         file: String,
-        /// What was typed.
+        /// The unknown name.
         key: String,
     },
-    /// A value that does not do.
+    /// An invalid value.
     #[error("{file}: option {key}: {problem}")]
     BadValue {
         /// The file.
         file: String,
         /// The option.
         key: String,
-        /// What is wrong.
+        /// The problem with the value.
         problem: String,
     },
 }
@@ -114,9 +116,9 @@ pub enum RequestError {
 impl FromStr for ScanRequest {
     type Err = RequestError;
 
-    /// Reads `scan.asc`, or `scan.asc:unit=nm,channel=Height,tip-radius=20nm,shortest=46nm`.
+    /// Parses `scan.asc`, or `scan.asc:unit=nm,channel=Height,tip-radius=20nm,shortest=46nm`.
     fn from_str(text: &str) -> Result<Self, RequestError> {
-        // A colon may belong to the path: options are what follows the last one and looks like them.
+        // A colon may belong to the path: options follow the last one and all contain `=`.
         let (path, options) = match text.rsplit_once(':') {
             Some((path, options))
                 if !path.is_empty() && options.split(',').all(|part| part.contains('=')) =>
@@ -164,8 +166,8 @@ impl ScanRequest {
                 self.z_calibration = Some(share);
             }
             "slope-uncertainty" => {
-                let SlopeUncertainty { of_exponent } = value.parse().map_err(bad)?;
-                self.slope_uncertainty = Some(of_exponent);
+                let SlopeUncertainty { standard_uncertainty } = value.parse().map_err(bad)?;
+                self.slope_uncertainty = Some(standard_uncertainty);
             }
             _ => {
                 return Err(RequestError::UnknownKey { file: self.path.clone(), key: key.to_owned() });

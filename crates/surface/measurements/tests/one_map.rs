@@ -53,7 +53,7 @@ fn a_direction_is_refused_of_an_areal_spectrum_and_told_of_a_map_that_is_pressed
     for direction in ["y", "both"] {
         let refused = areal(&map, &format!(":direction={direction}")).unwrap_err();
         let told = format!(
-            "scan.txt: an areal spectrum is averaged over all directions of a map, and direction = \"{direction}\""
+            "scan.txt: an areal spectrum averages over all directions of a map; leave out direction = \"{direction}\""
         );
         assert!(refused.to_string().starts_with(&told), "{refused}");
         let of_all = Recipe { direction: direction.parse().unwrap(), ..Recipe::default() };

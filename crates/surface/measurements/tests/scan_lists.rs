@@ -32,10 +32,10 @@ fn a_row_says_what_is_known_of_an_instrument() {
 fn bad_lists_are_refused_with_their_place() {
     assert_eq!(
         read("file,width\na.txt,3nm\n").unwrap_err(),
-        "scans.csv: column width says nothing about a scan; the columns are file, unit, channel, size, tip_radius, \
-         shortest, gaps, direction, instrument, z_calibration and slope_uncertainty"
+        "scans.csv: column width is not an option of a scan; use file, unit, channel, size, tip_radius, shortest, \
+         gaps, direction, instrument, z_calibration or slope_uncertainty"
     );
     let bad = read("file,size\na.txt,3\n").unwrap_err();
     assert!(bad.starts_with("scans.csv, line 2, column size: '3' has no unit"), "{bad}");
-    assert_eq!(read("file\n").unwrap_err(), "scans.csv: there is no scan in this list");
+    assert_eq!(read("file\n").unwrap_err(), "scans.csv: the list has no rows; give a row for each scan");
 }

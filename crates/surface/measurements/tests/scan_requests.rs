@@ -29,8 +29,8 @@ fn wrong_options_are_named_with_the_right_ones() {
     let error = |text: &str| text.parse::<ScanRequest>().unwrap_err().to_string();
     assert_eq!(
         error("s.txt:units=nm"),
-        "s.txt: there is no option 'units' of a scan; there are unit, channel, size, tip-radius, shortest, gaps, direction, \
-         instrument, z-calibration and slope-uncertainty"
+        "s.txt: unknown option 'units' of a scan; use unit, channel, size, tip-radius, shortest, gaps, direction, \
+         instrument, z-calibration or slope-uncertainty"
     );
     assert!(error("s.txt:unit=furlong").starts_with("s.txt: option unit: 'furlong' is not a unit of length"));
     assert!(error("s.txt:shortest=46").starts_with("s.txt: option shortest: '46' has no unit"));
@@ -66,7 +66,7 @@ fn what_is_no_uncertainty_of_an_instrument_is_refused_with_value_and_bound() {
     );
     assert_eq!(
         error("slope-uncertainty=5 %"),
-        "s.txt: option slope-uncertainty: '5 %' is no number, such as 0.05"
+        "s.txt: option slope-uncertainty: '5 %' is not a number; write one such as 0.05"
     );
     assert!(error("instrument= ").contains("the name of an instrument is empty"));
 }
@@ -91,7 +91,7 @@ fn scans_of_one_instrument_must_agree_on_it() {
     assert_eq!(error.request, Some(1));
     assert_eq!(
         error.to_string(),
-        "b.txt: the z-calibration of AFM is 0.01 here and 0.03 with a.txt; scans of one instrument share one"
+        "b.txt: the z-calibration of AFM is 0.01 here but 0.03 for a.txt; give all scans of an instrument the same"
     );
     // Without names they are guessed to be of one instrument, their format.
     let error = read([",z-calibration=3 %", ",z-calibration=1 %"]).unwrap_err();

@@ -1,4 +1,4 @@
-//! What ends the band of a scan at its short end.
+//! The limit that ends the band of a scan at its short end.
 
 use scans::{Scan, ScanFile};
 
@@ -9,21 +9,21 @@ use crate::tip_indication::TipIndication;
 use crate::tip_words::proposed_tip;
 use crate::{BandLimits, ReliableBand, TransformError};
 
-/// The band of a scan, what ends it, and what there is to say of its tip.
+/// The band of a scan, the limit that ends it, and remarks on the tip.
 pub(crate) struct FoundBand {
     pub(crate) band: ReliableBand,
     pub(crate) end: BandEnd,
-    pub(crate) of_tip: Vec<ScanRemark>,
+    pub(crate) tip_remarks: Vec<ScanRemark>,
 }
 
-/// The band of a scan, and what ends it.
+/// Computes the band of a scan and the limit that ends it.
 pub(crate) fn band_of(
     file: &ScanFile<Scan>,
     given: BandLimits,
     recipe: &Recipe,
 ) -> Result<FoundBand, TransformError> {
     let limits = recipe.limits(given, file);
-    let band = ReliableBand::of(&file.scan, limits)?;
+    let band = ReliableBand::new(&file.scan, limits)?;
     let ends = |limit_m: Option<f64>| limit_m == Some(band.shortest_m);
     let end = match limits.tip_radius_m {
         Some(radius_m) if ends(band.tip_m) => BandEnd::Tip { radius_m },
@@ -32,12 +32,12 @@ pub(crate) fn band_of(
         None if limits.shortest_m.is_none() && may_have_a_tip(file) => BandEnd::PixelsWithoutTip,
         _ => BandEnd::Pixels,
     };
-    let of_tip = of_tip(file, given, recipe, (&band, end));
-    Ok(FoundBand { band, end, of_tip })
+    let tip_remarks = tip_remarks(file, given, recipe, (&band, end));
+    Ok(FoundBand { band, end, tip_remarks })
 }
 
-/// Where the radius of the tip comes from, and what there is to say of a tip that nobody knows.
-fn of_tip(
+/// Remarks on a tip of unknown radius, and on a radius found in the text of the file.
+fn tip_remarks(
     file: &ScanFile<Scan>,
     given: BandLimits,
     recipe: &Recipe,
