@@ -68,6 +68,12 @@ pub fn counted(number: usize, thing: &str) -> String {
     format!("{number} {thing}{s}")
 }
 
+/// A share in percent with three significant digits, e.g. `0.18 %` of 0.0018.
+#[must_use]
+pub fn percent(share: f64) -> String {
+    format!("{} %", three_digits(100.0 * share))
+}
+
 /// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
@@ -149,6 +155,11 @@ mod tests {
         assert_eq!(length(0.000008226666666666667), "8.23 µm");
         assert_eq!([length(0.0), length(-2e-9), length(f64::NAN)], ["0 m", "-2 nm", "NaN m"]);
         assert_eq!([pressure(0.0), three_digits(0.0)], ["0 Pa", "0"]);
+    }
+
+    #[test]
+    fn shares_are_told_in_percent() {
+        assert_eq!([0.0018, 0.322, 1.0].map(percent), ["0.18 %", "32.2 %", "100 %"]);
     }
 
     #[test]

@@ -17,7 +17,8 @@
 //! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a verdict, and
 //!   one honest sentence;
 //! * [`table`]: the same for `claims.csv`;
-//! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts.
+//! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts;
+//! * [`section`]: both as a section of a report.
 //!
 //! Nothing is tuned to make a row pass: when a statement counts as reproduced is written beside it, before any number.
 #![deny(missing_docs)]
@@ -26,8 +27,10 @@ mod claims;
 mod evidence;
 mod ledger;
 mod other_models;
+mod section;
 
 pub use claims::ledger;
 pub use evidence::Evidence;
 pub use ledger::{Finding, Row, Statement, Verdict, table};
 pub use other_models::{OtherFinding, OtherModel, other_models};
+pub use section::section;

@@ -5,6 +5,7 @@ use std::error::Error;
 use persson::Cut;
 use study::models::{Framework, ModelOptions, named};
 use study::plan::{Curve, CurveResult, Cutoffs, Needs, Plan};
+use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
@@ -31,9 +32,6 @@ pub struct OtherFinding {
 
 /// The area is p/H where it is within this of it.
 const NEAR: f64 = 0.01;
-
-/// Beyond this share of E*, the rms pressure of full contact belongs to slopes that no half-space knows.
-const STEEPEST: f64 = 0.1;
 
 /// Persson's theory, at a constant hardness and with one that grows at small scales, on the spectra in `evidence`.
 ///
@@ -142,7 +140,7 @@ fn spread_pa(evidence: &Evidence, cut: &Cut) -> f64 {
 /// From where on slopes are too large for any model.
 fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
     let modulus_pa = evidence.contact_modulus_pa();
-    let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > STEEPEST * modulus_pa;
+    let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > SMALL_SLOPE_PRESSURE * modulus_pa;
     match cuts.first().and_then(|cuts| cuts.iter().find(too_steep).zip(cuts.last())) {
         Some((first, last)) => format!(
             "s exceeds E*/10 from {} down and ends at {} E*: slopes that no half-space knows",

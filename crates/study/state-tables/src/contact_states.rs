@@ -1,4 +1,4 @@
-//! Populations pressed to many separations or pressures, with all that is given and found as columns of numbers.
+//! Populations pressed to many separations or pressures, with inputs and results as columns of numbers.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -12,32 +12,32 @@ use study::plan::Tolerance;
 use crate::pressed::{Pressed, Roughness};
 use crate::{NarrowSpectra, StateCounts};
 
-/// States that are computed one after the other, and share what they can.
+/// The number of states that are computed one after the other and share work.
 const BLOCK: usize = 1024;
 
-/// A statistical model with what it leaves to choose, for rows of any material and population.
+/// A statistical model with its options, for rows of any material and population.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactStates {
     /// The model.
     pub entry: &'static ModelEntry,
-    /// What it leaves to choose.
+    /// The options of the model.
     pub options: ModelOptions,
     /// Relative tolerance of the states.
     pub tolerance: Tolerance,
 }
 
-/// What one row asks.
+/// The request of one row.
 #[derive(Debug, Clone, Copy)]
 pub struct AskedState<'m> {
     /// The bodies in contact.
     pub material: &'m Material,
-    /// What is pressed.
+    /// The roughness.
     pub roughness: Roughness,
-    /// To where, or by what.
+    /// The separation or pressure.
     pub at: At,
 }
 
-/// What a state is asked at.
+/// The condition of a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum At {
     /// A separation \[m\] from the mean of the asperity heights.
@@ -46,8 +46,8 @@ pub enum At {
     Pressure(f64),
 }
 
-/// What is found of every row, of one length. NaN is how a column of doubles says that there is none: a separation beyond
-/// complete contact, or a state of a spectrum that is narrower than that of any surface.
+/// The result columns, all of one length. NaN marks a missing value: a separation beyond complete contact, or a state
+/// of a spectrum narrower than that of any surface.
 #[derive(Debug)]
 pub struct StateColumns<'c> {
     /// Separations \[m\].
@@ -68,37 +68,37 @@ pub struct StateColumns<'c> {
     pub out_of_range_load_share: &'c mut [f64],
 }
 
-/// What there is to say of all rows together.
+/// Counts over all rows, for notes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StatesFound {
     /// States at a bound, or outside the range of their law.
     pub counts: StateCounts,
     /// Rows that have no summits to press.
     pub narrow: NarrowSpectra,
-    /// Rows for which a third of the hardness was taken as the strength.
+    /// The number of rows that use a third of the hardness as the strength.
     pub assumed_strengths: usize,
 }
 
-/// Why states are not found.
+/// The reason why states cannot be computed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StatesError {
-    /// What a row asks cannot be had.
+    /// The request of a row cannot be met.
     #[error("row {row}: {problem}")]
     Row {
-        /// Which, from 0 on.
+        /// The row, counted from 0.
         row: usize,
-        /// What is wrong with it.
+        /// The problem.
         problem: MaterialError,
     },
-    /// Whoever watches has ended it.
+    /// The work was cancelled.
     #[error("ended before all rows were computed")]
     Cancelled,
 }
 
 impl ContactStates {
-    /// Sets the columns from what each row asks. Rows behind one another of one material and population share what they can;
-    /// no digit depends on who stands beside whom, nor on the number of threads. A step of `progress` is a row.
+    /// Sets the columns from the request of each row. Neighbouring rows of one material and population share work; the
+    /// digits depend neither on the order of rows nor on the number of threads. `progress` advances once per row.
     ///
     /// # Errors
     /// [`StatesError`] of the first bad row, or where `progress` is cancelled.
@@ -171,7 +171,7 @@ impl ContactStates {
         Ok(found)
     }
 
-    /// What a row presses.
+    /// The contact of a row.
     fn pressed(&self, asked: &AskedState<'_>) -> Result<Pressed, MaterialError> {
         let CurveModel::Statistical { pair, law } = self.entry.build(asked.material, &self.options)? else {
             unreachable!("populations are pressed by statistical models");

@@ -8,7 +8,7 @@ use units::Bound;
 
 use super::{RowByRow, RowsError, RowsNote};
 
-/// A table of pressures and spreads, with what holds for all of its rows.
+/// A table of pressures and spreads, with the option that holds for all of its rows.
 #[derive(Debug, Default)]
 pub struct Flattened {
     yields: Option<bool>,
@@ -28,13 +28,13 @@ struct Asked {
 const REQUIRED_COLUMNS: [&str; 2] = ["pressure_pa", "rms_pressure_pa"];
 
 impl Flattened {
-    /// Rows of which hardnesses count or not; where `yields` is absent, a row that has one yields.
+    /// A table whose hardnesses count or not; if `yields` is `None`, a row with a hardness yields.
     #[must_use]
     pub fn new(yields: Option<bool>) -> Self {
         Flattened { yields, ..Flattened::default() }
     }
 
-    /// What every row asks for.
+    /// The requests of all rows.
     fn asked(&self, block: &InputTable) -> Result<Vec<Asked>, Refusal> {
         block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
     }

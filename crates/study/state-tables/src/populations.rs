@@ -16,7 +16,7 @@ use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOption
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
-/// Which of two filled columns the rows are computed from.
+/// The column that rows with both filled are computed from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GivenColumn {
     /// `separation_m`
@@ -30,19 +30,19 @@ units::named!(GivenColumn, "column that is given", { Separation => "separation",
 /// A table of populations, with what holds for all of its rows.
 #[derive(Debug)]
 pub struct Populations {
-    /// What presses on them; rigid where absent.
+    /// The counterface; rigid if `None`.
     pub counterface: Option<ElasticBody>,
-    /// What laws leave to choose; whether the strength grows is told by the rows.
+    /// The options of the laws; the rows decide whether the strength grows.
     pub options: ModelOptions,
     /// The cap of a growing strength.
     pub strength_cap: Option<Pressure>,
-    /// Which column counts where both are filled.
+    /// The column that counts if both are filled.
     pub given: Option<GivenColumn>,
-    /// How to say which one counts, in the words of who asks.
+    /// The remedy for rows with both filled, in the words of the front end.
     pub how_to_say_given: &'static str,
     /// Relative tolerance of the states.
     pub tolerance: Tolerance,
-    /// Whether to append how each state was found.
+    /// True to append columns on how each state was found.
     pub details: bool,
     counts: StateCounts,
     without_asperities: usize,
@@ -50,11 +50,11 @@ pub struct Populations {
     assumed_strengths: usize,
 }
 
-/// A row of the table: a population, and what it is asked at.
+/// A row of the table: a population and the condition of its state.
 struct Asked {
     pressed: Pressed,
     at: At,
-    /// Whether its yield strength was not given, and a third of the hardness is taken.
+    /// True if a third of the hardness is used as the yield strength.
     strength_is_assumed: bool,
 }
 
@@ -79,7 +79,7 @@ impl Populations {
         }
     }
 
-    /// What every row asks for; nothing where it has no asperities.
+    /// The requests of all rows; `None` for a row without asperities.
     fn asked(&self, block: &InputTable) -> Result<Vec<Option<Asked>>, Refusal> {
         block.rows(&required_columns(block)?, |row| self.read(row))
     }
@@ -93,7 +93,7 @@ impl Populations {
         pressed.map(|pressed| Ok(Asked { pressed, at: self.asked_at(row)?, strength_is_assumed })).transpose()
     }
 
-    /// The material is checked of every row, the population where there is one.
+    /// The contact of a row, if it has a population. The material is checked in any case.
     fn pressed(
         &self,
         row: &Row<'_>,
@@ -115,7 +115,7 @@ impl Populations {
         Pressed::of(&pair, &law, roughness).map(Some).map_err(|error| error.to_string())
     }
 
-    /// The material of a row; its strength is not looked at where the model has none.
+    /// The material of a row. Its strength is ignored if the model has none.
     fn material(&self, row: &Row<'_>, strong: bool) -> Result<Material, String> {
         let modulus_pa = row.number("youngs_modulus_pa", Bound::Magnitude)?;
         let poisson_ratio = row.number("poisson_ratio", ElasticBody::POISSON_RATIO)?;
@@ -162,7 +162,7 @@ impl Populations {
         }
     }
 
-    /// What was given stays as typed; the rest is computed, and empty where there are no asperities.
+    /// Sets the results. Given cells stay as typed; computed ones are empty without asperities.
     fn set_results(&self, input: &mut InputTable, asked: &[Option<Asked>], states: &[Option<ContactState>]) {
         let computed = |value: Option<f64>| value.map_or_else(|| Cell::Field(String::new()), Cell::Computed);
         let mut filled = |name: &str, given: fn(&At) -> bool, of: fn(&ContactState) -> Option<f64>| {
@@ -254,7 +254,7 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
     Ok(REQUIRED_COLUMNS.into_iter().chain([asperities, moments].into_iter().flatten().flatten()).collect())
 }
 
-/// What the material of a row lacks, told by its column.
+/// The message on a missing property, with its column.
 fn missing_cell(error: &MaterialError) -> String {
     let MaterialError::Missing(needed_for) = error else { return error.to_string() };
     let column = match needed_for.property() {

@@ -1,7 +1,8 @@
-//! What to measure next, from the same draws.
+//! Advice on what to measure next, from the same draws.
 
 use study::Progress;
 use study::plan::{Cutoffs, Results, Work};
+use study::student::{half_width, normal_half_width};
 
 use findings::features::convergence;
 use spectrum::ProfilePsd;
@@ -18,16 +19,15 @@ use crate::quantiles::interval;
 use crate::settings::Settings;
 use crate::shares::first_order;
 use crate::spectrum_ends::{End, PowerLaw, prolonged, prolonged_to_m};
-use crate::student::{half_width, normal_half_width};
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
 /// Draws of a prolonged spectrum.
 const PROLONGED_DRAWS: usize = 64;
 
-/// Scans that are tried to be added.
+/// The numbers of added scans that are tried.
 const ADDED: [usize; 3] = [1, 3, 10];
 
-/// With fewer scans than this an interval is a guess.
+/// The fewest scans whose interval is not a guess.
 pub(crate) const TELLING_SCANS: usize = 3;
 
 /// The mean square slope has a limit where the spectrum falls more steeply than this.
@@ -39,7 +39,7 @@ const STEEP_FOR_RADII: f64 = -5.0;
 /// An area that moves by less than this when the spectrum goes on has settled.
 const SETTLED_WITHIN: f64 = 0.01;
 
-/// What the advice rests on.
+/// The inputs of the advice.
 pub(crate) struct Adviser<'p> {
     pub inputs: &'p Inputs,
     pub areas: &'p Areas,
@@ -50,7 +50,7 @@ pub(crate) struct Adviser<'p> {
 }
 
 impl Adviser<'_> {
-    /// How many steps of progress the advice is, at most.
+    /// The most steps of progress that the advice takes.
     pub fn steps(inputs: &Inputs) -> usize {
         match single(&inputs.surface) {
             Some(psd) => Influence::parts_of(&psd) + 2 * PROLONGED_DRAWS,
@@ -58,7 +58,8 @@ impl Adviser<'_> {
         }
     }
 
-    /// The advice for every area that has one; none where the surface does not scatter, is two, or somebody has ended it.
+    /// The advice for every area that has some; empty if the surface is certain, is a sum of two, or if the work was
+    /// cancelled.
     pub fn advice(&self, progress: &dyn Progress) -> (Vec<Advice>, Work, usize) {
         let nothing = || (Vec::new(), Work::default(), 0);
         let Some(psd) = single(&self.inputs.surface).filter(|_| self.inputs.surface_scatters()) else {
@@ -110,7 +111,7 @@ impl Adviser<'_> {
         Some(found.high.value - found.low.value)
     }
 
-    /// The same of draws that there are.
+    /// ln(high/low) of draws of ln A; 0 without draws.
     fn width_of(&self, draws: &[f64]) -> f64 {
         self.width(draws).unwrap_or(0.0)
     }
@@ -132,7 +133,7 @@ impl Adviser<'_> {
             .collect()
     }
 
-    /// What could be done, the step that shrinks the interval most first.
+    /// The possible steps, the one that shrinks the interval most first.
     fn steps_of(
         &self,
         area: usize,
@@ -181,7 +182,7 @@ impl Adviser<'_> {
         steps
     }
 
-    /// What the interval of scans is multiplied by when more of them are made; none where it would still be a guess.
+    /// The factor on the width of the interval of scans when `added` are made; `None` if it would still be a guess.
     fn width_of_more(&self, resampled: Resampled, added: usize) -> Option<f64> {
         let level = self.settings.level;
         let width = |scans: usize| half_width(level, scans) / (scans as f64).sqrt();
@@ -217,8 +218,8 @@ impl Adviser<'_> {
         (width_before > 0.0).then(|| Step { kind, width_ratio: width_after / width_before, area_ratio })
     }
 
-    /// Draws of the spectrum prolonged at an end by a power law whose exponent scatters as the end does; none where the scene
-    /// does not look beyond that end.
+    /// Draws with the spectrum prolonged at an end by a power law, whose exponent scatters as the end does; `None` if
+    /// the scene does not use wavelengths beyond that end.
     fn prolongation(&self, end: End, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Prolongation> {
         let law = PowerLaw::at(end, psd)?;
         if end == End::Short && self.areas.has_cutoff() {
@@ -268,7 +269,7 @@ struct Prolongation {
     drawn: Drawn,
 }
 
-/// The spectrum of a surface that is one and scatters.
+/// The spectrum of a single uncertain surface.
 fn single(surface: &SurfaceScatter) -> Option<ProfilePsd> {
     match surface {
         SurfaceScatter::Scans(scans) => scans.psd(scans.centre()),
@@ -277,8 +278,8 @@ fn single(surface: &SurfaceScatter) -> Option<ProfilePsd> {
     }
 }
 
-/// The share of each decade in the variance of the totals, from long to short wavelengths. Totals in the outermost parts of heavy
-/// tails are left out, which would count for all others.
+/// The share of each decade in the variance of the totals, from long to short wavelengths. The outermost totals of
+/// heavy tails are left out, which would outweigh all others.
 fn decades(psd: &ProfilePsd, influence: &Influence, parts: &[Vec<f64>]) -> Vec<DecadeOfVariance> {
     let totals: Vec<f64> = parts.iter().map(|parts| parts.iter().sum()).collect();
     let Some(kept) = interval(&totals, 0.95) else { return Vec::new() };

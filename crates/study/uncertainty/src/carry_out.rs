@@ -1,4 +1,4 @@
-//! The draws of a scene, from its inputs to what is told.
+//! The draws of a scene, from its inputs to the result.
 
 use scene::Scene;
 use study::Progress;
@@ -17,7 +17,7 @@ use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
-/// What has to be done to tell how sure the areas of a scene are.
+/// The plan of an uncertainty analysis.
 #[derive(Debug)]
 pub struct UncertaintyPlan<'p> {
     results: &'p Results,
@@ -28,20 +28,21 @@ pub struct UncertaintyPlan<'p> {
     area_fractions: Vec<Option<f64>>,
 }
 
-/// With fewer draws than this nothing is told.
+/// The fewest draws that give a result.
 const FEWEST_DRAWS: usize = 20;
 
-/// The error that the number of draws leaves, as a share of the interval, from which on the interval is a guess.
+/// The relative Monte Carlo error of an interval above which it is a guess.
 const LOOSE: f64 = 0.25;
 
-/// The share of draws that have to have an area for an interval of them.
+/// The least share of draws with an area for an interval of them.
 const LEAST_WITH_AREA: f64 = 0.9;
 
-/// The level of the narrower interval, that of one standard uncertainty of a normal distribution.
+/// The level of the narrower interval: one standard uncertainty of a normal distribution.
 const ONE_STANDARD_UNCERTAINTY: f64 = 0.68;
 
 impl<'p> UncertaintyPlan<'p> {
-    /// That of a scene and its results; none where nothing of the scene scatters, or it has no areas.
+    /// Plans the analysis of a scene and its results; `None` if nothing in the scene is uncertain, or if it has no
+    /// areas.
     #[must_use]
     pub fn of(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
         let inputs = Inputs::of(scene, settings.seed)?;
@@ -67,7 +68,7 @@ impl<'p> UncertaintyPlan<'p> {
         })
     }
 
-    /// How many steps of progress it takes, at most; most of them are draws.
+    /// The most steps of progress, most of which are draws.
     #[must_use]
     pub fn steps(&self) -> usize {
         let draws = self.settings.draws;
@@ -76,7 +77,8 @@ impl<'p> UncertaintyPlan<'p> {
         draws + of_quantities + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
     }
 
-    /// Carries it out. Whoever watches may end the draws: what was drawn by then is told, without shares and advice.
+    /// Runs the analysis. `progress` may end the draws early: the result then rests on the draws made so far, without
+    /// shares and advice.
     ///
     /// # Errors
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
@@ -144,7 +146,7 @@ impl<'p> UncertaintyPlan<'p> {
         Ok(found)
     }
 
-    /// The intervals alone, without indices, bands and advice; a step of `progress` is a draw.
+    /// Computes the intervals only, without indices, bands and advice. `progress` advances once per draw.
     ///
     /// # Errors
     /// Those of [`carry_out`](Self::carry_out).
@@ -152,7 +154,7 @@ impl<'p> UncertaintyPlan<'p> {
         Ok(self.intervals_of(&self.drawn(progress)?, &[]).0)
     }
 
-    /// The draws, as many as were made before somebody ended them.
+    /// Makes the draws, fewer if they are cancelled.
     fn drawn(&self, progress: &dyn Progress) -> Result<Drawn, PlanError> {
         let wanted = self.settings.draws;
         let drawn = draws::all(&self.inputs, &self.areas, wanted, DrawOf::all, progress);
@@ -162,7 +164,7 @@ impl<'p> UncertaintyPlan<'p> {
         Ok(drawn)
     }
 
-    /// The interval of every area that has one, about that of the best estimates.
+    /// The interval of every area that has one, centred on the best estimates.
     fn intervals_of(&self, drawn: &Drawn, indices: &[Vec<Indices>]) -> (Vec<AreaInterval>, Work) {
         let best = match self.inputs.best_psd() {
             Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
@@ -200,7 +202,7 @@ impl<'p> UncertaintyPlan<'p> {
         draws::along(&self.inputs, &self.areas, self.draws_of_bands(), progress)
     }
 
-    /// What the best estimates have along the cutoff; none where no curve is followed.
+    /// The areas of the best estimates along the cutoff; `None` if no curve is followed.
     fn best_along(&self) -> Option<(Along, Work)> {
         let psd = self.inputs.best_psd().filter(|_| self.follows_any())?;
         self.areas.along(psd.as_ref(), self.areas.curves().to_vec())

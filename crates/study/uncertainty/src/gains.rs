@@ -1,17 +1,16 @@
-//! The gain and slope of every instrument: what their calibrations leave open, less what the wavelengths tell that two of them
-//! share.
+//! The gain and slope of every instrument: the uncertainty of their calibrations, reduced by overlaps.
 
 use rand_chacha::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use crate::found::InstrumentInput;
 
-/// What is known of an instrument before its overlaps are looked at: one standard uncertainty each, about 0.
+/// The standard uncertainties of an instrument before its overlaps, about 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Prior {
-    /// Of the gain of ln C: twice that of the height scale.
+    /// The standard uncertainty of the gain of ln C: twice that of the height scale.
     pub gain_sd: f64,
-    /// Of the exponent.
+    /// The standard uncertainty of the exponent.
     pub slope_sd: f64,
 }
 
@@ -21,10 +20,10 @@ impl Prior {
     }
 }
 
-/// What two instruments tell of the difference of their gains.
+/// The observed difference of the gains of two instruments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Observation {
-    /// Both, by index.
+    /// Both instruments, by index.
     pub instruments: [usize; 2],
     /// The mean of ln(q/q_i) over the wavelengths that they share, for each.
     pub ln_q: [f64; 2],
@@ -38,10 +37,10 @@ pub(crate) struct Observation {
 #[derive(Debug, Clone)]
 pub(crate) struct Gains {
     priors: Vec<Prior>,
-    /// Each overlap, and how far it moves every parameter.
+    /// Each overlap, and the change of every parameter by it.
     updates: Vec<(Observation, Vec<f64>)>,
     mean: Vec<[f64; 2]>,
-    /// Of the gains, after all overlaps.
+    /// The variances of the gains after all overlaps.
     variances: Vec<f64>,
 }
 
@@ -74,7 +73,7 @@ impl Gains {
         gains
     }
 
-    /// The mean of gain and slope of each.
+    /// The mean gain and slope of each instrument.
     pub fn mean(&self) -> &[[f64; 2]] {
         &self.mean
     }
@@ -84,7 +83,7 @@ impl Gains {
         [self.mean[instrument][0], self.variances[instrument].sqrt()]
     }
 
-    /// Whether any of them is uncertain.
+    /// True if any gain or slope is uncertain.
     pub fn scatter(&self) -> bool {
         self.priors.iter().any(|prior| prior.gain_sd > 0.0 || prior.slope_sd > 0.0)
     }
@@ -98,8 +97,8 @@ impl Gains {
         Gains::of(&priors, &observations)
     }
 
-    /// Gain and slope of every instrument in a draw. A draw from what was known before is moved by each overlap as the mean is,
-    /// the overlap itself drawn with its scatter: a draw of what is known after (Matheron's rule).
+    /// Draws gain and slope of every instrument: each overlap moves a draw of the prior as it moves the mean, with the
+    /// overlap itself drawn with its scatter. This is a draw of the posterior (Matheron's rule).
     pub fn draw(&self, numbers: &mut impl Rng) -> Vec<[f64; 2]> {
         let mut normal = || -> f64 { StandardNormal.sample(numbers) };
         let before: Vec<f64> = self
@@ -122,7 +121,7 @@ impl Gains {
 }
 
 impl Observation {
-    /// How the difference depends on gain and slope of each instrument.
+    /// The coefficients of the difference for gain and slope of each instrument.
     fn coefficients(&self, size: usize) -> Vec<f64> {
         let mut coefficients = vec![0.0; size];
         for ((instrument, ln_q), sign) in self.instruments.iter().zip(self.ln_q).zip([1.0, -1.0]) {

@@ -1,4 +1,4 @@
-//! Which group of inputs the variance comes from: first-order and total indices from Saltelli's design.
+//! First-order and total indices of groups of inputs from Saltelli's design.
 //!
 //! The design has three outputs a draw: two independent draws of all inputs, A and B, and AB, which is A with the inputs of
 //! one group taken from B (Saltelli et al. 2010, Comput. Phys. Commun. 181:259). AB and B share that group alone, AB and A
@@ -30,17 +30,17 @@
 
 use crate::group::{Index, Indices};
 
-/// With fewer draws than this, correlations say nothing.
+/// The fewest draws from which correlations are estimated.
 const FEWEST_DRAWS: usize = 8;
 
-/// Whose standard error is as large as a share can be.
+/// An unknown index: its standard error is as large as a share can be.
 const UNKNOWN: Index = Index { value: 0.0, standard_error: 1.0 };
 
-/// Of an output that does not vary.
+/// The index for an output that does not vary.
 const NOTHING: Index = Index { value: 0.0, standard_error: 0.0 };
 
-/// The indices of one group from the outputs of Saltelli's design: `a` and `b` from two independent draws of all inputs,
-/// `ab` from those of `a` with this group's from `b`. What the slices have beyond the shortest of them is left out.
+/// Computes the indices of one group from the outputs of Saltelli's design: `a` and `b` from two independent draws of
+/// all inputs, `ab` from those of `a` with this group's from `b`. Slices are cut to the shortest of them.
 ///
 /// Standard errors are of first order, from the influence of each draw on the index; they agree with a bootstrap over the
 /// draws. Where the output does not vary, both indices are 0 with no error: there is no variance to share out. Fewer than 8
@@ -90,14 +90,15 @@ fn standardised(outputs: &[f64]) -> Option<Vec<f64>> {
         .then(|| outputs.iter().map(|output| (output - mean) / deviation).collect())
 }
 
-/// A coefficient of correlation, and how much each draw moves it.
+/// A correlation coefficient, and the influence of each draw on it.
 struct Correlation {
     value: f64,
     influences: Vec<f64>,
 }
 
 impl Correlation {
-    /// Of outputs that are standardised. The influence of a pair is u v - c (u^2 + v^2)/2 (Devlin et al. 1975, Biometrika 62:531).
+    /// The correlation of standardised outputs. The influence of a pair is u v - c (u^2 + v^2)/2 (Devlin et al. 1975,
+    /// Biometrika 62:531).
     fn of(u: &[f64], v: &[f64]) -> Self {
         let pairs = || u.iter().zip(v);
         let value = pairs().map(|(u, v)| u * v).sum::<f64>() / u.len() as f64;
@@ -106,7 +107,7 @@ impl Correlation {
     }
 }
 
-/// Of a mean, whose influences have the mean 0.
+/// The standard error of a mean whose influences have the mean 0.
 fn standard_error(influences: impl Iterator<Item = f64>, draws: usize) -> f64 {
     let n = draws as f64;
     (influences.map(|influence| influence * influence).sum::<f64>() / (n - 1.0) / n).sqrt()

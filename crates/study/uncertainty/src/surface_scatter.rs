@@ -1,4 +1,4 @@
-//! What of a scene's surface is drawn anew: scans, or standard errors, or either of two surfaces.
+//! The uncertain surface of a scene: scans, standard errors, or a sum of two surfaces.
 
 use spectrum::{ProfilePsd, superpose};
 use study::surface::Surface;
@@ -8,10 +8,10 @@ use crate::random::Streams;
 use crate::scan_scatter::ScanScatter;
 use crate::spectrum_errors::ErrorsOfSpectrum;
 
-/// A surface, to be drawn.
+/// An uncertain surface.
 #[derive(Debug)]
 pub(crate) enum SurfaceScatter {
-    /// A spectrum of which nothing is known besides.
+    /// A spectrum without uncertainty.
     Certain(ProfilePsd, String),
     /// A spectrum with standard errors.
     Errors(ErrorsOfSpectrum),
@@ -21,26 +21,26 @@ pub(crate) enum SurfaceScatter {
     Sum(Box<[SurfaceScatter; 2]>),
 }
 
-/// Which draw the random numbers of each group are those of.
+/// The draw from which each group takes its random numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DrawOf {
-    /// Of the scans.
+    /// The draw of the scans.
     pub scans: u64,
-    /// Of the instruments.
+    /// The draw of the instruments.
     pub instruments: u64,
-    /// Of the elastic constants.
+    /// The draw of the elastic constants.
     pub material: u64,
-    /// Of the strength.
+    /// The draw of the strength.
     pub strength: u64,
 }
 
 impl DrawOf {
-    /// Every group of one draw.
+    /// All groups from one draw.
     pub fn all(draw: u64) -> Self {
         DrawOf { scans: draw, instruments: draw, material: draw, strength: draw }
     }
 
-    /// The same but for one group, which is of another draw.
+    /// Takes one group from another draw.
     pub fn with(mut self, group: Group, draw: u64) -> Self {
         *match group {
             Group::Scans => &mut self.scans,
@@ -69,7 +69,7 @@ impl SurfaceScatter {
         }
     }
 
-    /// The surfaces that it is the sum of, or itself.
+    /// The surfaces of the sum, or the surface itself.
     pub fn parts(&self) -> Vec<&SurfaceScatter> {
         match self {
             SurfaceScatter::Sum(parts) => parts.iter().flat_map(SurfaceScatter::parts).collect(),
@@ -77,7 +77,7 @@ impl SurfaceScatter {
         }
     }
 
-    /// Whether the group takes part in its draws.
+    /// True if the group is uncertain for this surface.
     pub fn has(&self, group: Group) -> bool {
         let of_part = |part: &&SurfaceScatter| match (part, group) {
             (SurfaceScatter::Errors(_), Group::Scans) => true,
@@ -88,13 +88,13 @@ impl SurfaceScatter {
         self.parts().iter().any(of_part)
     }
 
-    /// The spectrum of a draw; none where its values leave the range of what a spectrum may have. The second surface of a sum
-    /// has random numbers of its own.
+    /// The spectrum of a draw; `None` if its values leave the range of spectra. The second surface of a sum has random
+    /// numbers of its own.
     pub fn psd(&self, streams: Streams, draw: DrawOf) -> Option<ProfilePsd> {
         self.psd_of(streams, draw, 0)
     }
 
-    /// The spectrum of the best estimates: nothing deviates but by what overlaps tell of the gains.
+    /// The spectrum of the best estimates: no deviations but the mean gains after overlaps.
     pub fn best(&self) -> Option<ProfilePsd> {
         match self {
             SurfaceScatter::Certain(psd, _) => Some(psd.clone()),

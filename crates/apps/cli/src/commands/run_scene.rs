@@ -18,14 +18,14 @@ use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
 use findings::answer::Answer;
+use report::assessment::Assessment;
 use report::explain::explain;
-use report::occasion::Occasion;
 use report::products;
 use report::reasons::reasons;
 use report::run::{self, Asked, Phase, RunError, Watch};
+use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
-use report::trust::Trust;
 use report::uncertainty_words;
 use scene::{Overrides, Scene};
 
@@ -47,10 +47,11 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let watching = Watching { timings: RefCell::new(timings) };
     let carried = run::carry_out(&scene, asked(args), &watching).map_err(|error| failed(args, error))?;
     let mut timings = watching.timings.into_inner();
-    let trust = Trust { judgement: carried.judgement.as_ref(), uncertainty: carried.uncertainty.as_ref() };
+    let trust =
+        Assessment { judgement: carried.judgement.as_ref(), uncertainty: carried.uncertainty.as_ref() };
     let (results, uncertainty) = (carried.results, &carried.uncertainty);
-    let occasion = Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) };
-    let findings = carried.findings.map(|findings| findings.on(occasion));
+    let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
+    let findings = carried.findings.map(|findings| findings.on(run_stamp));
     make_folder("--out", &folder)?;
     let written =
         output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;

@@ -1,4 +1,4 @@
-//! Sensitivities: each choice that the models leave open, made another way, and how far it moves the final areas.
+//! Sensitivities: the change of the final areas if an open modelling choice is made differently.
 //!
 //! Only final areas are computed, by plans of their own, and none that the results hold.
 

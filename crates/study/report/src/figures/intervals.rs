@@ -5,7 +5,7 @@ use scene::Scene;
 use study::figure::{Band, BandKind, Figure, FigureData, Mark, Shows};
 use uncertainty::{AreaBand, AreaInterval, Uncertainty};
 
-/// A figure with the intervals of the areas that it shows: bands behind the lines against the cutoff, and bars at the loads of
+/// Adds coverage intervals to a figure of areas: bands behind the lines against the cutoff, and bars at the loads of
 /// the scene on lines against the load that end at the shortest wavelength. Its lines have the curves' own names.
 pub(crate) fn with_intervals(
     data: FigureData,
