@@ -106,7 +106,7 @@ pub fn uncertainty_of<'py>(
     let settings = Settings::of(scene.uncertainty.as_ref());
     let drawn = carry_out(py, observer, |progress| -> Result<_, PlanError> {
         let results = scene.plan().compute_observed(progress)?;
-        let plan = UncertaintyPlan::of(&scene, &results, &settings);
+        let plan = UncertaintyPlan::new(&scene, &results, &settings);
         let found = plan.map(|plan| plan.carry_out(progress)).transpose()?;
         Ok((results, found))
     })?;

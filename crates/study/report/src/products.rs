@@ -59,7 +59,15 @@ fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&
 /// does not ask for them, then the others.
 fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>) -> Vec<FigureData> {
     let mut own = scene.figures.clone();
-    let mut first = Vec::new();
+    let data = |figure: &Figure| data(scene, results, figure, assessment.uncertainty);
+    let finished = |data: FigureData| {
+        let named = with_full_names(data, &scene.needs.curves);
+        match assessment.judgement {
+            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
+            _ => named,
+        }
+    };
+    let mut figures = Vec::new();
     let followed: Vec<usize> = (0..scene.needs.curves.len())
         .filter(|&at| scene.needs.curves[at].cutoffs == Cutoffs::Every)
         .collect();
@@ -67,12 +75,15 @@ fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>
         figure.shows == Shows::Area && followed.iter().all(|curve| figure.curves.contains(curve))
     };
     if !followed.is_empty() {
-        first.push(match own.iter().position(shows_all) {
-            Some(at) => own.remove(at),
-            None => Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) },
-        });
+        figures.push(finished(match own.iter().position(shows_all) {
+            Some(at) => data(&own.remove(at)),
+            None => {
+                let all = Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) };
+                at_two_loads(scene, data(&all))
+            }
+        }));
     }
-    first.push(match own.iter().position(|figure| figure.shows == Shows::Psd) {
+    let spectrum = match own.iter().position(|figure| figure.shows == Shows::Psd) {
         Some(at) => own.remove(at),
         None => Figure {
             name: SPECTRUM_NAME.to_owned(),
@@ -81,20 +92,13 @@ fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>
             curves: Vec::new(),
             sweeps: Vec::new(),
         },
-    });
-    let of = |figure: &Figure| {
-        let data = data(scene, results, figure, assessment.uncertainty);
-        let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
-        let named = with_full_names(legible, &scene.needs.curves);
-        match assessment.judgement {
-            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
-            _ => named,
-        }
     };
-    first.iter().chain(&own).map(of).collect()
+    figures.push(finished(data(&spectrum)));
+    figures.extend(own.iter().map(|figure| finished(data(figure))));
+    figures
 }
 
-/// Names that no figure of a scene can have, since they begin with no letter.
+/// The names of figures that only the report has. No figure of a scene has such a name, which begins with a letter.
 const ANSWER_NAME: &str = "_answer";
 const SPECTRUM_NAME: &str = "_spectrum";
 
@@ -110,9 +114,8 @@ fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
     let by_pressure =
         |a: &usize, b: &usize| loads[*a].nominal_pressure_pa().total_cmp(&loads[*b].nominal_pressure_pa());
     let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
-    // Of an area against cutoff the colour is the load.
-    let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
-    let bands = figure.bands.into_iter().filter(|band| kept.contains(&Some(band.colour))).collect();
+    let series = figure.series.into_iter().filter(|line| kept.contains(&line.load)).collect();
+    let bands = figure.bands.into_iter().filter(|band| kept.contains(&band.load)).collect();
     let title = format!("{}, under the smallest and the largest load", figure.title);
     FigureData { series, bands, title, ..figure }
 }

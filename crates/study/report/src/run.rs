@@ -181,7 +181,7 @@ fn uncertainty(
         return Ok(None);
     }
     let settings = uncertainty::Settings::of(scene.uncertainty.as_ref());
-    let Some(plan) = UncertaintyPlan::of(scene, results, &settings) else { return Ok(None) };
+    let Some(plan) = UncertaintyPlan::new(scene, results, &settings) else { return Ok(None) };
     let progress = watch.begin(Phase::Drawing, plan.steps());
     Ok(Some(plan.carry_out(&*progress)?))
 }

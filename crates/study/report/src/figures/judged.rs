@@ -10,7 +10,7 @@ const SATURATED: &str = "boundary elements, saturated at the hardness";
 /// Adds the areas of boundary elements under the loads that a figure shows: the area of each window times the share
 /// that the longer waves leave by Persson's theory, with two standard errors either way.
 pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scene) -> FigureData {
-    let shown = |load: usize| figure.series.iter().any(|series| series.colour == load);
+    let shown = |load: usize| figure.series.iter().any(|series| series.load == Some(load));
     let mut marks: Vec<Mark> = Vec::new();
     let of_windows = judgement.windows.iter().filter(|on| !on.is_whole_band);
     for on in of_windows.filter(|on| shown(on.load)) {

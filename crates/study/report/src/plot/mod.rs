@@ -262,6 +262,7 @@ mod tests {
             curve: String::new(),
             condition: "1e-3 H".to_owned(),
             condition_in_full: "10 MPa = 10⁻³ H".to_owned(),
+            load: None,
             colour: 0,
             dash: 0,
             points: vec![(1.0, 1e-30), (10.0, 1e-20)],
@@ -317,6 +318,7 @@ mod tests {
         let band = |colour, share: f64| Band {
             label: "linear laws".to_owned(),
             kind: BandKind::Yardstick,
+            load: None,
             colour,
             dash: 0,
             points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
@@ -336,6 +338,7 @@ mod tests {
         figure.bands = vec![Band {
             label: "95 % coverage interval".to_owned(),
             kind: BandKind::Interval,
+            load: None,
             colour: 0,
             dash: 1,
             points: vec![(1.0, [1e-33, 1e-29]), (10.0, [1e-21, 1e-19])],
