@@ -164,7 +164,7 @@ impl PyScene {
     fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let table = carry_out(py, None, |progress| {
             let results = self.scene.plan().compute_observed(progress)?;
-            Ok(Answer::of(&self.scene, &results).scales_table(&self.scene.needs))
+            Ok(Answer::from_results(&self.scene, &results).scales_table(&self.scene.needs))
         })?;
         let table =
             table.map_err(|error: study::plan::PlanError| input(format!("{}: {error}", self.name)))?;
@@ -242,7 +242,7 @@ impl Made {
         });
         let answer = match &carried.findings {
             Some(findings) => summary(scene, results, &findings.answer, trust),
-            None => summary(scene, results, &Answer::of(scene, results), trust),
+            None => summary(scene, results, &Answer::from_results(scene, results), trust),
         };
         Ok(Made { answer, tables, files })
     }

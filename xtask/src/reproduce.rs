@@ -91,7 +91,7 @@ fn label(spectrum: &str) -> &str {
 }
 
 fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {
-    Findings::of(&evidence.scene, &evidence.results).map_err(Into::into)
+    Findings::from_results(&evidence.scene, &evidence.results).map_err(Into::into)
 }
 
 fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {

@@ -81,7 +81,7 @@ impl Laboratory {
         settings: &Settings,
     ) -> Result<Trial, StudyError> {
         self.carried_out(number, scans, settings, |plan| {
-            let found = plan.carry_out(&Unobserved)?;
+            let found = plan.run(&Unobserved)?;
             Ok((found.areas, found.advice))
         })
     }

@@ -12,7 +12,7 @@ use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
 use findings::answer::Answer;
 use findings::interface::{InterfaceStates, slots_table};
-use findings::sensitivity::{Sensitivity, counted_sensitivities};
+use findings::sensitivity::{Sensitivity, sensitivities_with_work};
 use judge::Judgement;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
@@ -148,17 +148,21 @@ impl Findings {
     ///
     /// # Errors
     /// [`PlanError`], as of the scene itself.
-    pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
-        Self::of_observed(scene, results, &Unobserved)
+    pub fn from_results(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
+        Self::from_results_observed(scene, results, &Unobserved)
     }
 
     /// Extracts the findings; `progress` watches the sensitivities and may cancel them.
     ///
     /// # Errors
     /// [`PlanError`], as of the scene itself.
-    pub fn of_observed(scene: &Scene, results: &Results, progress: &dyn Progress) -> Result<Self, PlanError> {
-        let answer = Answer::of(scene, results);
-        let (sensitivities, work) = counted_sensitivities(scene, results, progress)?;
+    pub fn from_results_observed(
+        scene: &Scene,
+        results: &Results,
+        progress: &dyn Progress,
+    ) -> Result<Self, PlanError> {
+        let answer = Answer::from_results(scene, results);
+        let (sensitivities, work) = sensitivities_with_work(scene, results, progress)?;
         Ok(Findings { answer, sensitivities, work, run_stamp: RunStamp::default() })
     }
 

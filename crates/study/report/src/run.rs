@@ -141,7 +141,7 @@ pub fn carry_out(scene: &Scene, asked: Asked, watch: &dyn Watch) -> Result<Carri
     let results = plan.compute_observed(&*watch.begin(Phase::Computing, plan.statistical_states()))?;
     watch.end(Phase::Computing);
     let findings = match asked.report {
-        true => Some(Findings::of_observed(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
+        true => Some(Findings::from_results_observed(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
         false => None,
     };
     watch.end(Phase::Comparing);
@@ -180,8 +180,8 @@ fn uncertainty(
     if !asked.is_drawn(scene) {
         return Ok(None);
     }
-    let settings = uncertainty::Settings::of(scene.uncertainty.as_ref());
+    let settings = uncertainty::Settings::from_choices(scene.uncertainty.as_ref());
     let Some(plan) = UncertaintyPlan::new(scene, results, &settings) else { return Ok(None) };
     let progress = watch.begin(Phase::Drawing, plan.steps());
-    Ok(Some(plan.carry_out(&*progress)?))
+    Ok(Some(plan.run(&*progress)?))
 }

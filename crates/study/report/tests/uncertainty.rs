@@ -47,7 +47,7 @@ impl Study {
     fn new() -> Self {
         let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).unwrap();
         let results = scene.plan().compute().unwrap();
-        let findings = Findings::of(&scene, &results).unwrap();
+        let findings = Findings::from_results(&scene, &results).unwrap();
         Study { scene, results, findings }
     }
 

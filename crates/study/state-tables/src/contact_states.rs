@@ -9,7 +9,7 @@ use study::material::{Material, MaterialError};
 use study::models::{CurveModel, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 
-use crate::pressed::{Pressed, Roughness};
+use crate::row_contact::{Roughness, RowContact};
 use crate::{NarrowSpectra, StateCounts};
 
 /// The number of states that are computed one after the other and share work.
@@ -28,18 +28,18 @@ pub struct ContactStates {
 
 /// The request of one row.
 #[derive(Debug, Clone, Copy)]
-pub struct AskedState<'m> {
+pub struct StateRequest<'m> {
     /// The bodies in contact.
     pub material: &'m Material,
     /// The roughness.
     pub roughness: Roughness,
     /// The separation or pressure.
-    pub at: At,
+    pub at: StateCondition,
 }
 
 /// The condition of a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum At {
+pub enum StateCondition {
     /// A separation \[m\] from the mean of the asperity heights.
     Separation(f64),
     /// A pressure \[Pa\] over the nominal area.
@@ -108,7 +108,7 @@ impl ContactStates {
     pub fn fill_in<'m>(
         &self,
         columns: StateColumns<'_>,
-        asked: impl Fn(usize) -> AskedState<'m> + Sync,
+        asked: impl Fn(usize) -> StateRequest<'m> + Sync,
         progress: &dyn Progress,
     ) -> Result<StatesFound, StatesError> {
         let found = Mutex::new(StatesFound::default());
@@ -129,7 +129,7 @@ impl ContactStates {
         &self,
         first: usize,
         mut columns: [&mut [f64]; 8],
-        asked: &impl Fn(usize) -> AskedState<'m>,
+        asked: &impl Fn(usize) -> StateRequest<'m>,
     ) -> Result<StatesFound, StatesError> {
         let rows = columns[0].len();
         let mut found = StatesFound::default();
@@ -137,11 +137,11 @@ impl ContactStates {
         while row < rows {
             let blame = |row: usize| move |problem| StatesError::Row { row: first + row, problem };
             let of_run = asked(first + row);
-            let pressed = self.pressed(&of_run).map_err(blame(row))?;
+            let pressed = self.contact(&of_run).map_err(blame(row))?;
             let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
             let mut sweep = match &pressed {
-                Pressed::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
-                Pressed::TooNarrow { .. } => None,
+                RowContact::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
+                RowContact::TooNarrow { .. } => None,
             };
             let mut next = of_run;
             loop {
@@ -152,11 +152,11 @@ impl ContactStates {
                         found.counts.add([&state]);
                         set(&mut columns, row, Some(&state));
                     }
-                    (None, Pressed::TooNarrow { alpha }) => {
+                    (None, RowContact::TooNarrow { alpha }) => {
                         found.narrow.add(*alpha);
                         set(&mut columns, row, None);
                     }
-                    (None, Pressed::Contact(_)) => unreachable!("a contact has its sweep"),
+                    (None, RowContact::Contact(_)) => unreachable!("a contact has its sweep"),
                 }
                 row += 1;
                 if row == rows {
@@ -172,15 +172,15 @@ impl ContactStates {
     }
 
     /// The contact of a row.
-    fn pressed(&self, asked: &AskedState<'_>) -> Result<Pressed, MaterialError> {
-        let CurveModel::Statistical { pair, law } = self.entry.build(asked.material, &self.options)? else {
+    fn contact(&self, request: &StateRequest<'_>) -> Result<RowContact, MaterialError> {
+        let CurveModel::Statistical { pair, law } = self.entry.build(request.material, &self.options)? else {
             unreachable!("populations are pressed by statistical models");
         };
-        Ok(Pressed::of(&pair, &law, asked.roughness)?)
+        Ok(RowContact::new(&pair, &law, request.roughness)?)
     }
 }
 
-impl AskedState<'_> {
+impl StateRequest<'_> {
     fn presses_the_same_as(&self, other: &Self) -> bool {
         // Mostly it is one material for all rows, which need not be looked at.
         self.roughness == other.roughness
@@ -188,11 +188,11 @@ impl AskedState<'_> {
     }
 }
 
-impl At {
+impl StateCondition {
     fn state(self, sweep: &mut Sweep<'_>) -> Result<ContactState, AsperityError> {
         match self {
-            At::Separation(separation_m) => sweep.at_separation(separation_m),
-            At::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
+            StateCondition::Separation(separation_m) => sweep.at_separation(separation_m),
+            StateCondition::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
         }
     }
 }
@@ -276,7 +276,7 @@ mod tests {
 
     type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;
 
-    fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> AskedState<'m> + Sync) -> Filled {
+    fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> StateRequest<'m> + Sync) -> Filled {
         let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
         let [a, b, c, d, e, f, g, h] = columns.each_mut().map(Vec::as_mut_slice);
         let of_states = StateColumns {
@@ -300,10 +300,10 @@ mod tests {
         let pressure_pa = |row: usize| 1e4 * (1 + row % 513) as f64;
         let radius_m = |row: usize| if row / 700 == 1 { 2e-6 } else { 1e-6 };
         let which = |row: usize| row / 500 % 2;
-        let (columns, found) = filled("hertz", rows, |row| AskedState {
+        let (columns, found) = filled("hertz", rows, |row| StateRequest {
             material: &materials[which(row)],
             roughness: Roughness([radius_m(row), 1e12, 1e-8]),
-            at: At::Pressure(pressure_pa(row)),
+            at: StateCondition::Pressure(pressure_pa(row)),
         })
         .unwrap();
         assert_eq!(found.counts.all, rows);
@@ -322,16 +322,16 @@ mod tests {
     #[test]
     fn the_first_bad_row_is_told_and_narrow_spectra_are_counted() {
         let steel = material(2e11);
-        let asked = |row: usize| AskedState {
+        let asked = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
-            at: At::Separation(0.0),
+            at: StateCondition::Separation(0.0),
         };
         assert!(matches!(filled("hertz", 3000, asked), Err(StatesError::Row { row: 1500, .. })));
-        let narrow = |row: usize| AskedState {
+        let narrow = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
-            at: At::Separation(1e-8),
+            at: StateCondition::Separation(1e-8),
         };
         let (columns, found) = filled("bgt", 3, narrow).unwrap();
         assert!(columns[2][1].is_nan() && columns[2][0] > 0.0 && columns[2][2] > 0.0);

@@ -18,7 +18,7 @@ pub struct Flattened {
 
 /// A row of the table, in Pa.
 #[derive(Clone, Copy)]
-struct Asked {
+struct RowRequest {
     pressure: f64,
     spread: f64,
     /// H at the longest wavelength, and dH^2/dV.
@@ -35,11 +35,11 @@ impl Flattened {
     }
 
     /// The requests of all rows.
-    fn asked(&self, block: &InputTable) -> Result<Vec<Asked>, Refusal> {
+    fn asked(&self, block: &InputTable) -> Result<Vec<RowRequest>, Refusal> {
         block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
     }
 
-    fn read(&self, row: &Row<'_>) -> Result<Asked, String> {
+    fn read(&self, row: &Row<'_>) -> Result<RowRequest, String> {
         let pressure = row.number("pressure_pa", Bound::Magnitude)?;
         let spread = row.number("rms_pressure_pa", Bound::AtLeast(0.0))?;
         if spread > 0.0 {
@@ -63,13 +63,13 @@ impl Flattened {
             }
             (hardness, growth) => hardness.map(|hardness| (hardness, growth)),
         };
-        Ok(Asked { pressure, spread, hardness })
+        Ok(RowRequest { pressure, spread, hardness })
     }
 }
 
-impl Asked {
+impl RowRequest {
     fn areas(&self) -> ContactAreas {
-        let Asked { pressure, spread, hardness } = *self;
+        let RowRequest { pressure, spread, hardness } = *self;
         match hardness {
             None => ContactAreas {
                 elastic: elastic::area_fraction(pressure, spread),

@@ -6,16 +6,18 @@ mod contact_states;
 mod flattened;
 mod narrow_spectra;
 mod populations;
-mod pressed;
+mod row_contact;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
-pub use contact_states::{AskedState, At, ContactStates, StateColumns, StatesError, StatesFound};
+pub use contact_states::{
+    ContactStates, StateColumns, StateCondition, StateRequest, StatesError, StatesFound,
+};
 pub use flattened::Flattened;
 pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
-pub use pressed::Roughness;
+pub use row_contact::Roughness;
 pub use state_counts::StateCounts;
 
 use asperity::AsperityError;

@@ -10,12 +10,12 @@ use study::models::Framework;
 
 use crate::areas::Areas;
 use crate::draws::Drawn;
-use crate::found::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKind};
 use crate::group::{Group, Indices};
 use crate::influence::Influence;
 use crate::inputs::Inputs;
 use crate::light_draws::{Contributions, LIGHT_DRAWS, LightDraw};
 use crate::quantiles::interval;
+use crate::results::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKind};
 use crate::settings::Settings;
 use crate::shares::first_order;
 use crate::spectrum_ends::{End, PowerLaw, prolonged, prolonged_to_m};
@@ -25,13 +25,13 @@ use crate::surface_scatter::{DrawOf, SurfaceScatter};
 const PROLONGED_DRAWS: usize = 64;
 
 /// The numbers of added scans that are tried.
-const ADDED: [usize; 3] = [1, 3, 10];
+const ADDED_SCANS: [usize; 3] = [1, 3, 10];
 
 /// The fewest scans whose interval is not a guess.
-pub(crate) const TELLING_SCANS: usize = 3;
+pub(crate) const MIN_SCANS: usize = 3;
 
 /// The mean square slope has a limit where the spectrum falls more steeply than this.
-const STEEP: f64 = -3.0;
+const STEEP_FOR_SLOPES: f64 = -3.0;
 
 /// The mean square curvature, which sets the radius of asperities, has one where it falls more steeply than this.
 const STEEP_FOR_RADII: f64 = -5.0;
@@ -65,7 +65,7 @@ impl Adviser<'_> {
         let Some(psd) = single(&self.inputs.surface).filter(|_| self.inputs.surface_scatters()) else {
             return nothing();
         };
-        let Some(influence) = Influence::of(self.areas, &psd, progress) else { return nothing() };
+        let Some(influence) = Influence::new(self.areas, &psd, progress) else { return nothing() };
         let prolongations = [End::Long, End::Short].map(|end| self.prolongation(end, &psd, progress));
         if progress.is_cancelled() {
             return nothing();
@@ -93,7 +93,7 @@ impl Adviser<'_> {
         if width == 0.0 {
             return None;
         }
-        let contributions = Contributions::of(area, influence, light);
+        let contributions = Contributions::new(area, influence, light);
         let steps = self.steps_of(area, width, &contributions, psd, prolongations);
         Some(Advice {
             curve,
@@ -153,7 +153,7 @@ impl Adviser<'_> {
             let all_gains = self.width_of(&of_all_gains).min(width);
             for (instrument, told) in scans.told.iter().enumerate() {
                 let own = self.width_of(&contributions.places[instrument]).min(width);
-                for added in ADDED {
+                for added in ADDED_SCANS {
                     let kind = StepKind::MoreScans { instrument, added };
                     let ratio =
                         self.width_of_more(told.resampled, added).map(|ratio| shrunk(own, ratio * own));
@@ -190,7 +190,7 @@ impl Adviser<'_> {
             Resampled::Scans(scans) => (width(scans), scans),
             Resampled::BlocksOfLines(_) | Resampled::SingleLine => (normal_half_width(level), 1),
         };
-        (scans + added >= TELLING_SCANS).then(|| width(scans + added) / before)
+        (scans + added >= MIN_SCANS).then(|| width(scans + added) / before)
     }
 
     fn prolonged_step(
@@ -252,7 +252,7 @@ impl Adviser<'_> {
         let settled = convergence(&points, SETTLED_WITHIN).is_some_and(|found| found.converged);
         let entry = self.areas.curves()[curve].model.entry();
         let has_radii = entry.framework == Framework::Statistical && !entry.takes_moments();
-        let steep = if has_radii { STEEP_FOR_RADII } else { STEEP };
+        let steep = if has_radii { STEEP_FOR_RADII } else { STEEP_FOR_SLOPES };
         match PowerLaw::at(End::Short, psd) {
             _ if followed && settled => Settling::HasSettled,
             Some(PowerLaw { slope, standard_error }) if slope < steep => {

@@ -28,7 +28,7 @@ pub(crate) struct Areas {
 
 /// The areas of a draw.
 #[derive(Debug, Clone)]
-pub(crate) struct Found {
+pub(crate) struct DrawnAreas {
     /// ln A of every curve under every load, curve by curve; `None` without an area.
     pub ln_areas: Vec<Option<f64>>,
     /// The work that it took.
@@ -36,7 +36,7 @@ pub(crate) struct Found {
 }
 
 impl Areas {
-    pub fn of(scene: &Scene, results: &Results) -> Self {
+    pub fn new(scene: &Scene, results: &Results) -> Self {
         let own = &scene.needs;
         let needs = Needs {
             moments: own.moments,
@@ -71,14 +71,14 @@ impl Areas {
 
     /// The final areas of a spectrum (the scene's own if `None`) and of curves of these bodies. A model out of its
     /// range has no area.
-    pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Found {
+    pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> DrawnAreas {
         let found = self.results(psd, curves, Cutoffs::Shortest);
         let ln_area = |curve: &CurveResult, load| {
             let (_, area_fraction) = *curve.area_fractions(load).last()?;
             (area_fraction > 0.0).then(|| area_fraction.ln())
         };
         match found {
-            Some(results) => Found {
+            Some(results) => DrawnAreas {
                 ln_areas: results
                     .curves
                     .iter()
@@ -91,8 +91,8 @@ impl Areas {
     }
 
     /// The areas of a draw that has none.
-    pub fn nothing(&self) -> Found {
-        Found { ln_areas: vec![None; self.count()], work: Work::default() }
+    pub fn nothing(&self) -> DrawnAreas {
+        DrawnAreas { ln_areas: vec![None; self.count()], work: Work::default() }
     }
 
     /// The areas along the cutoff, at a few cutoffs per decade: for every curve and load, points of cutoff \[m\] and

@@ -1,11 +1,11 @@
 //! Intervals along the cutoff, from a part of the draws.
 
 use crate::areas::Points;
-use crate::found::{AreaBand, BandPoint};
 use crate::quantiles::interval_about;
+use crate::results::{AreaBand, BandPoint};
 
 /// The most draws for a band, which is only drawn, not read off.
-pub(crate) const MOST_DRAWS: usize = 64;
+pub(crate) const MAX_DRAWS: usize = 64;
 
 /// The band of a curve under a load, from the draws at the cutoffs that all of them have. It is centred on the best
 /// estimates, as the interval of the table is.

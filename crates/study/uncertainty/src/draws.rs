@@ -3,7 +3,7 @@
 use study::Progress;
 use study::plan::Work;
 
-use crate::areas::{Areas, Found, Points};
+use crate::areas::{Areas, DrawnAreas, Points};
 use crate::inputs::Inputs;
 use crate::surface_scatter::DrawOf;
 
@@ -25,14 +25,14 @@ impl Drawn {
         self.ln_areas.iter().filter_map(|draw| draw[area]).collect()
     }
 
-    fn add(&mut self, found: Found) {
+    fn add(&mut self, found: DrawnAreas) {
         self.ln_areas.push(found.ln_areas);
         self.work += found.work;
     }
 }
 
-impl FromIterator<Found> for Drawn {
-    fn from_iter<I: IntoIterator<Item = Found>>(draws: I) -> Self {
+impl FromIterator<DrawnAreas> for Drawn {
+    fn from_iter<I: IntoIterator<Item = DrawnAreas>>(draws: I) -> Self {
         let mut all = Drawn::default();
         draws.into_iter().for_each(|draw| all.add(draw));
         all
@@ -40,7 +40,7 @@ impl FromIterator<Found> for Drawn {
 }
 
 /// Computes the final areas of a draw.
-pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> Found {
+pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> DrawnAreas {
     let curves = inputs.curves(areas.curves(), draw);
     match inputs.psd(draw) {
         Some(psd) => areas.at_the_end(psd.as_ref(), curves),

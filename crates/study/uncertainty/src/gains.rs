@@ -3,7 +3,7 @@
 use rand_chacha::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use crate::found::InstrumentInput;
+use crate::results::InstrumentInput;
 
 /// The standard uncertainties of an instrument before its overlaps, about 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub(crate) struct Prior {
 }
 
 impl Prior {
-    pub fn of(instrument: &InstrumentInput) -> Self {
+    pub fn new(instrument: &InstrumentInput) -> Self {
         Prior { gain_sd: 2.0 * instrument.z_calibration, slope_sd: instrument.slope_uncertainty }
     }
 }
@@ -45,7 +45,7 @@ pub(crate) struct Gains {
 }
 
 impl Gains {
-    pub fn of(priors: &[Prior], observations: &[Observation]) -> Self {
+    pub fn new(priors: &[Prior], observations: &[Observation]) -> Self {
         let sds: Vec<f64> = priors.iter().flat_map(|prior| [prior.gain_sd, prior.slope_sd]).collect();
         let size = sds.len();
         let mut covariance = vec![vec![0.0; size]; size];
@@ -94,7 +94,7 @@ impl Gains {
         priors[instrument] = Prior { gain_sd: 0.0, slope_sd: 0.0 };
         let observations: Vec<Observation> =
             self.updates.iter().map(|(observation, _)| *observation).collect();
-        Gains::of(&priors, &observations)
+        Gains::new(&priors, &observations)
     }
 
     /// Draws gain and slope of every instrument: each overlap moves a draw of the prior as it moves the mean, with the
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn an_exact_overlap_ties_the_gains_together() {
-        let gains = Gains::of(&PRIORS, &[observed(0.0)]);
+        let gains = Gains::new(&PRIORS, &[observed(0.0)]);
         for draw in 0..20 {
             let [first, second] = gains.draw(&mut Streams::new(1).of(Group::Instruments, draw))[..] else {
                 panic!("two instruments")
@@ -164,7 +164,7 @@ mod tests {
 
     #[test]
     fn draws_have_the_mean_and_the_variance_that_are_told() {
-        let gains = Gains::of(&PRIORS, &[observed(1e-3)]);
+        let gains = Gains::new(&PRIORS, &[observed(1e-3)]);
         let draws: Vec<f64> = (0..20_000)
             .map(|draw| gains.draw(&mut Streams::new(1).of(Group::Instruments, draw))[0][0])
             .collect();
@@ -179,7 +179,7 @@ mod tests {
     #[test]
     fn what_is_certain_stays_so() {
         let certain = Prior { gain_sd: 0.0, slope_sd: 0.0 };
-        let gains = Gains::of(&[certain, certain], &[observed(0.0)]);
+        let gains = Gains::new(&[certain, certain], &[observed(0.0)]);
         assert!(!gains.scatter());
         assert_eq!(gains.draw(&mut Streams::new(1).of(Group::Instruments, 0)), [[0.0; 2]; 2]);
     }

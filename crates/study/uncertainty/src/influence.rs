@@ -29,7 +29,7 @@ pub(crate) struct Influence {
 
 impl Influence {
     /// Computes the influence on the areas of this spectrum; `None` if cancelled. `progress` advances once per part.
-    pub fn of(areas: &Areas, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Self> {
+    pub fn new(areas: &Areas, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Self> {
         let part_of = parts(psd);
         let count = part_of.last().map_or(0, |last| last + 1);
         let mut samples = vec![0; count];

@@ -23,14 +23,14 @@ pub(crate) struct Inputs {
 /// The uncertain groups of inputs of a scene, whatever its settings for draws.
 #[must_use]
 pub fn scattering_groups(scene: &Scene) -> Vec<Group> {
-    Inputs::of(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
+    Inputs::from_scene(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
 }
 
 impl Inputs {
     /// The inputs of a scene; `None` if none is uncertain.
-    pub fn of(scene: &Scene, seed: u64) -> Option<Self> {
-        let surface = SurfaceScatter::of(&scene.surface);
-        let material = MaterialDraws::of(scene);
+    pub fn from_scene(scene: &Scene, seed: u64) -> Option<Self> {
+        let surface = SurfaceScatter::from_surface(&scene.surface);
+        let material = MaterialDraws::from_scene(scene);
         let of_material = |scatters: fn(&MaterialDraws) -> bool| material.as_ref().is_some_and(scatters);
         let scatters = |group: &Group| match group {
             Group::Scans | Group::Instruments => surface.has(*group),
@@ -79,7 +79,7 @@ impl Inputs {
     /// The curves with the bodies of a draw.
     pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
         let Some(drawn) = self.material(draw) else { return curves.to_vec() };
-        let moved = |curve: &Curve| Curve { model: drawn.of(&curve.model), ..curve.clone() };
+        let moved = |curve: &Curve| Curve { model: drawn.apply(&curve.model), ..curve.clone() };
         curves.iter().map(moved).collect()
     }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use measurements::CompositeOfFiles;
 use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
 
-use crate::found::{InstrumentInput, InstrumentName, Resampled};
 use crate::instrument_bins::{Beside, InstrumentBin, InstrumentBins};
+use crate::results::{InstrumentInput, InstrumentName, Resampled};
 
 /// The assumed standard uncertainty of an unknown height scale.
 pub const ASSUMED_Z_CALIBRATION: f64 = 0.03;
@@ -23,7 +23,7 @@ pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec
     let places = scans.spectrum.places();
     let own = |name: &str| (0..names.len()).filter(|&scan| names[scan] == name).collect::<Vec<_>>();
     let of_instruments: Vec<OwnScans<'_>> =
-        distinct.iter().map(|name| OwnScans::of(scans, &own(name), &places)).collect();
+        distinct.iter().map(|name| OwnScans::new(scans, &own(name), &places)).collect();
     let mut bins: Vec<InstrumentBins> = of_instruments.iter().map(OwnScans::in_bins).collect();
     lend_place_scatter(&mut bins, &of_instruments);
     let told = of_instruments.iter().zip(&bins).map(|(own, bins)| own.told(bins)).collect();
@@ -53,7 +53,7 @@ struct OwnScans<'s> {
 }
 
 impl<'s> OwnScans<'s> {
-    fn of(scans: &'s CompositeOfFiles, own: &[usize], places: &[usize]) -> Self {
+    fn new(scans: &'s CompositeOfFiles, own: &[usize], places: &[usize]) -> Self {
         let found = &scans.spectrum;
         let distinct: Vec<usize> =
             own.iter().map(|&scan| places[scan]).collect::<BTreeSet<_>>().into_iter().collect();

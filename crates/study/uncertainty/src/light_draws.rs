@@ -42,7 +42,7 @@ impl LightDraw {
         match &inputs.surface {
             SurfaceScatter::Scans(scans) => {
                 let without = scans.gains_without_each();
-                draws.map(|draw| LightDraw::of_scans(scans, &without, streams, draw, influence)).collect()
+                draws.map(|draw| LightDraw::from_scans(scans, &without, streams, draw, influence)).collect()
             }
             SurfaceScatter::Errors(errors) => {
                 let deviations = |draw| errors.deviations(&mut streams.of(Group::Scans, draw));
@@ -57,7 +57,7 @@ impl LightDraw {
         }
     }
 
-    fn of_scans(
+    fn from_scans(
         scans: &ScanScatter,
         without: &[Gains],
         streams: Streams,
@@ -86,7 +86,7 @@ impl LightDraw {
 
 impl Contributions {
     /// The effects of draws on ln A of an area.
-    pub fn of(area: usize, influence: &Influence, draws: &[LightDraw]) -> Self {
+    pub fn new(area: usize, influence: &Influence, draws: &[LightDraw]) -> Self {
         let total = |in_parts: &Vec<f64>| influence.on(area, in_parts).iter().sum::<f64>();
         let by_instrument = |of: fn(&LightDraw) -> &Vec<Vec<f64>>| -> Vec<Vec<f64>> {
             let count = draws.first().map_or(0, |draw| of(draw).len());

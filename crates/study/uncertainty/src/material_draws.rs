@@ -32,7 +32,7 @@ pub struct DrawnMaterial {
 impl MaterialDraws {
     /// The material of a scene; `None` if it is exact.
     #[must_use]
-    pub fn of(scene: &Scene) -> Option<Self> {
+    pub fn from_scene(scene: &Scene) -> Option<Self> {
         let material = scene.material.as_ref().filter(|_| !scene.spreads.is_empty())?;
         Some(MaterialDraws {
             spreads: scene.spreads.clone(),
@@ -78,7 +78,7 @@ impl MaterialDraws {
 impl DrawnMaterial {
     /// The model with this material. A cap of the strength stays, but is never below the strength itself.
     #[must_use]
-    pub fn of(&self, model: &CurveModel) -> CurveModel {
+    pub fn apply(&self, model: &CurveModel) -> CurveModel {
         let moved = model.with_pair(self.pair);
         let strength = moved.strength().and_then(|plain| self.strength(plain));
         strength.and_then(|strength| moved.with_strength(strength)).unwrap_or(moved)

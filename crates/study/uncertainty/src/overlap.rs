@@ -3,9 +3,9 @@
 use study::student::{half_width, normal_half_width};
 use topography::CompositeBin;
 
-use crate::found::OverlapMisfit;
 use crate::gains::{Observation, Prior};
 use crate::instrument_bins::{InstrumentBin, InstrumentBins, standard_error_root};
+use crate::results::OverlapMisfit;
 
 /// The probability by which Student's distribution is matched by a normal one.
 const MATCHED: f64 = 0.95;

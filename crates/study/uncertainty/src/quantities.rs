@@ -8,10 +8,10 @@ use study::plan::{Needs, Plan, Results};
 
 use spectrum::ProfilePsd;
 
-use crate::found::{AreaInterval, OpenChannel, QuantityInterval};
 use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
 use crate::quantiles::{Interval, interval, interval_about};
+use crate::results::{AreaInterval, OpenChannel, QuantityInterval};
 use crate::surface_scatter::DrawOf;
 
 /// The requested quantities of an interface, for many spectra and bodies.
@@ -23,7 +23,7 @@ pub(crate) struct Quantities<'p> {
 }
 
 /// The least share of draws with a value for an interval of them.
-const LEAST_WITH_VALUE: f64 = 0.9;
+const MIN_SHARE_WITH_VALUE: f64 = 0.9;
 
 /// The results of the draws.
 #[derive(Debug, Default)]
@@ -34,7 +34,7 @@ pub(crate) struct QuantityDraws {
 
 impl<'p> Quantities<'p> {
     /// The quantities of a scene; `None` if it requests none.
-    pub fn of(scene: &'p Scene, results: &'p Results) -> Option<Self> {
+    pub fn from_scene(scene: &'p Scene, results: &'p Results) -> Option<Self> {
         let slots = InterfaceStates::from_scene(scene, results)?.slots();
         Some(Quantities { scene, results, slots })
     }
@@ -80,8 +80,8 @@ impl<'p> Quantities<'p> {
                 Some(best) => interval_about(best, &ln_values, level),
                 None => interval(&ln_values, level),
             };
-            let is_told = ln_values.len() as f64 >= LEAST_WITH_VALUE * draws as f64;
-            found.filter(|_| is_told).map(|found| QuantityInterval::of(*slot, value, &found))
+            let is_told = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
+            found.filter(|_| is_told).map(|found| QuantityInterval::new(*slot, value, &found))
         };
         let open = |(at, slot): (usize, &Slot)| {
             let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
@@ -142,7 +142,7 @@ impl<'p> Quantities<'p> {
 }
 
 impl QuantityInterval {
-    fn of(slot: Slot, value: f64, found: &Interval) -> Self {
+    fn new(slot: Slot, value: f64, found: &Interval) -> Self {
         QuantityInterval {
             slot,
             value,

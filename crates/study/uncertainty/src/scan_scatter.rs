@@ -1,22 +1,22 @@
 //! Draws of the composite of scans: scans at other places, and instruments with other height scales.
 //!
 //! A scan j of an instrument i at the bin k is taken to be ln C_ijk = mu_k + a_i + b_i ln(q_k/q_i) + s_ijk + e_ijk: gain and slope
-//! of the instrument, the place, and the scatter of its own Fourier bins (physics2.md, D1).
+//! of the instrument, the place, and the scatter of its own Fourier bins.
 
 use measurements::CompositeOfFiles;
 use rand_chacha::rand_core::Rng;
 use spectrum::ProfilePsd;
 use topography::Average;
 
-use crate::found::{InstrumentInput, OverlapMisfit};
 use crate::gains::{Gains, Prior};
 use crate::instrument_bins::{InstrumentBin, InstrumentBins};
 use crate::instruments::instruments;
 use crate::overlap::overlaps;
+use crate::results::{InstrumentInput, OverlapMisfit};
 
 /// The largest deviation of ln C that a draw may have, a factor of 22,000: Student's t of two scans has no variance, and an
 /// interval that reaches so far says that nothing is known.
-const MOST: f64 = 10.0;
+const MAX_DEVIATION: f64 = 10.0;
 
 /// An uncertain composite of scans.
 #[derive(Debug)]
@@ -33,12 +33,12 @@ pub(crate) struct ScanScatter {
 }
 
 impl ScanScatter {
-    pub fn of(scans: &CompositeOfFiles) -> Self {
+    pub fn from_scans(scans: &CompositeOfFiles) -> Self {
         let (instruments, mut told) = instruments(scans);
         let bins = scans.spectrum.composite.bins();
-        let priors: Vec<Prior> = told.iter().map(Prior::of).collect();
+        let priors: Vec<Prior> = told.iter().map(Prior::new).collect();
         let found = overlaps(&instruments, &priors, bins);
-        let gains = Gains::of(&priors, &found.observations);
+        let gains = Gains::new(&priors, &found.observations);
         for (at, told) in told.iter_mut().enumerate() {
             told.gain = gains.gain_of(at);
         }
@@ -112,7 +112,7 @@ impl ScanScatter {
         let of_bin = |(at, centre): (usize, &f64)| {
             let of_instruments = self.instruments.iter().enumerate().filter_map(|(i, instrument)| {
                 let bin = instrument.bins[at].as_ref()?;
-                Some((bin.weight, (places[i][at] + gains[i][at]).clamp(-MOST, MOST)))
+                Some((bin.weight, (places[i][at] + gains[i][at]).clamp(-MAX_DEVIATION, MAX_DEVIATION)))
             });
             let moved: f64 = match self.average {
                 Average::Arithmetic => {

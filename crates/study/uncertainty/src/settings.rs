@@ -33,7 +33,7 @@ impl Default for Settings {
 impl Settings {
     /// The settings of a scene's section `[uncertainty]`; the defaults without one.
     #[must_use]
-    pub fn of(choices: Option<&UncertaintyChoices>) -> Self {
+    pub fn from_choices(choices: Option<&UncertaintyChoices>) -> Self {
         let Some(choices) = choices else { return Settings::default() };
         Settings {
             level: choices.level.unwrap_or(DEFAULT_LEVEL),

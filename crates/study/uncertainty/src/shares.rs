@@ -34,8 +34,8 @@ pub(crate) struct Design {
 
 impl Design {
     /// The design for this number of draws; the full one if its size is given.
-    pub fn of(draws: usize, asked: Option<usize>) -> Self {
-        Design { size: asked.unwrap_or(SMALL_DESIGN.min(draws / 2)) }
+    pub fn new(draws: usize, size: Option<usize>) -> Self {
+        Design { size: size.unwrap_or(SMALL_DESIGN.min(draws / 2)) }
     }
 
     /// The number of draws beyond those that were made.
@@ -44,7 +44,7 @@ impl Design {
     }
 
     /// Computes the indices of every group for every area; `None` if cancelled.
-    pub fn carry_out(
+    pub fn run(
         &self,
         inputs: &Inputs,
         areas: &Areas,
@@ -95,7 +95,7 @@ fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize)
             ab.push(of_mixed);
         }
     }
-    let tails = Tails::of(a.iter().chain(&b).copied().collect());
+    let tails = Tails::new(a.iter().chain(&b).copied().collect());
     let [a, b, ab] =
         [a, b, ab].map(|draws| draws.into_iter().map(|draw| tails.held(draw)).collect::<Vec<_>>());
     indices(&a, &b, &ab)
@@ -111,7 +111,7 @@ impl Tails {
     /// The range of draws, in interval widths, above which tails are heavy; a thousand normal draws have 1.7.
     const HEAVY: f64 = 2.5;
 
-    fn of(draws: Vec<f64>) -> Self {
+    fn new(draws: Vec<f64>) -> Self {
         let everything = Tails { ends: [f64::NEG_INFINITY, f64::INFINITY] };
         let Some(found) = interval(&draws, 0.95) else { return everything };
         let ends = [found.low.value, found.high.value];

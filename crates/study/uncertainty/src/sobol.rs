@@ -31,7 +31,7 @@
 use crate::group::{Index, Indices};
 
 /// The fewest draws from which correlations are estimated.
-const FEWEST_DRAWS: usize = 8;
+const MIN_DRAWS: usize = 8;
 
 /// An unknown index: its standard error is as large as a share can be.
 const UNKNOWN: Index = Index { value: 0.0, standard_error: 1.0 };
@@ -55,18 +55,18 @@ pub fn indices(a: &[f64], b: &[f64], ab: &[f64]) -> Indices {
     let (Some(a), Some(b), Some(ab)) = standard else {
         return Indices { first_order: UNKNOWN, total: UNKNOWN };
     };
-    let spurious = Correlation::of(&a, &b);
+    let spurious = Correlation::new(&a, &b);
     let unexplained = 1.0 - spurious.value;
-    if draws < FEWEST_DRAWS || unexplained < f64::EPSILON.sqrt() {
+    if draws < MIN_DRAWS || unexplained < f64::EPSILON.sqrt() {
         return Indices { first_order: UNKNOWN, total: UNKNOWN };
     }
 
-    let with_b = Correlation::of(&b, &ab);
+    let with_b = Correlation::new(&b, &ab);
     let first_order = (with_b.value - spurious.value) / unexplained;
     let on_first_order = with_b.influences.iter().zip(&spurious.influences);
     let on_first_order = on_first_order.map(|(c, p)| (c - (1.0 - first_order) * p) / unexplained);
 
-    let with_a = Correlation::of(&a, &ab);
+    let with_a = Correlation::new(&a, &ab);
     let total = (1.0 - with_a.value) / unexplained;
     let on_total = with_a.influences.iter().zip(&spurious.influences);
     let on_total = on_total.map(|(c, p)| (total * p - c) / unexplained);
@@ -99,7 +99,7 @@ struct Correlation {
 impl Correlation {
     /// The correlation of standardised outputs. The influence of a pair is u v - c (u^2 + v^2)/2 (Devlin et al. 1975,
     /// Biometrika 62:531).
-    fn of(u: &[f64], v: &[f64]) -> Self {
+    fn new(u: &[f64], v: &[f64]) -> Self {
         let pairs = || u.iter().zip(v);
         let value = pairs().map(|(u, v)| u * v).sum::<f64>() / u.len() as f64;
         let influences = pairs().map(|(u, v)| u * v - value * (u * u + v * v) / 2.0).collect();
@@ -119,7 +119,7 @@ mod tests {
     use rand_chacha::rand_core::{Rng, SeedableRng};
     use rand_distr::{Distribution, StandardNormal};
 
-    use super::{FEWEST_DRAWS, indices};
+    use super::{MIN_DRAWS, indices};
     use crate::group::{Index, Indices};
 
     /// The indices of each input of a function from one seeded design.
@@ -250,7 +250,7 @@ mod tests {
 
     #[test]
     fn draws_that_say_nothing_have_an_error_as_large_as_a_share() {
-        let few: Vec<f64> = (1..FEWEST_DRAWS).map(|n| (n * n % 5) as f64).collect();
+        let few: Vec<f64> = (1..MIN_DRAWS).map(|n| (n * n % 5) as f64).collect();
         let many: Vec<f64> = (0..64).map(f64::from).collect();
         let infinite = [f64::NEG_INFINITY; 64];
         for [a, b, ab] in

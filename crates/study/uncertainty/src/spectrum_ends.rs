@@ -9,7 +9,7 @@ const TELLING_DECADES: f64 = 1.0;
 const PROLONGED_DECADES: f64 = 0.5;
 
 /// The fewest samples of a power law with a scatter.
-const LEAST_SAMPLES: usize = 3;
+const MIN_SAMPLES: usize = 3;
 
 /// An end of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,7 +45,7 @@ impl PowerLaw {
             .map(|(wavelength_m, c1d_m3)| (-wavelength_m.ln(), c1d_m3.ln()))
             .collect();
         let count = samples.len() as f64;
-        if samples.len() < LEAST_SAMPLES {
+        if samples.len() < MIN_SAMPLES {
             return None;
         }
         let mean = |of: fn(&(f64, f64)) -> f64| samples.iter().map(of).sum::<f64>() / count;

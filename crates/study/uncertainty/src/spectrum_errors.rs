@@ -4,7 +4,7 @@ use rand_chacha::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 use spectrum::ProfilePsd;
 
-use crate::found::SpectrumErrors;
+use crate::results::SpectrumErrors;
 
 /// Decades of wavelength over which errors are correlated, as exp(-distance/length). Files do not state it, and
 /// independent errors of every bin would make moments look far more certain than they are.
@@ -25,7 +25,7 @@ pub(crate) struct ErrorsOfSpectrum {
 
 impl ErrorsOfSpectrum {
     /// The errors of a spectrum with this name; `None` if it has no standard errors.
-    pub fn of(psd: &ProfilePsd, name: &str) -> Option<Self> {
+    pub fn from_spectrum(psd: &ProfilePsd, name: &str) -> Option<Self> {
         let errors_m3 = psd.standard_errors_m3()?;
         // A log-normal value of the median C and the standard deviation u has the variance ln((1 + sqrt(1 + 4 (u/C)^2))/2) of
         // its logarithm.
@@ -49,7 +49,7 @@ impl ErrorsOfSpectrum {
     }
 
     /// Marks the errors as assumed.
-    pub fn of_assumptions(self) -> Self {
+    pub fn assumed(self) -> Self {
         ErrorsOfSpectrum { told: SpectrumErrors { are_assumed: true, ..self.told }, ..self }
     }
 
@@ -98,7 +98,7 @@ mod tests {
         let psd = Psd::new(wavelengths_m, vec![2.0; 6], Convention::C1D).unwrap();
         let errors = vec![Some(0.2), Some(0.2), None, Some(0.2), Some(0.2), Some(0.2)];
         let psd = psd.with_standard_errors(errors).unwrap().profile().unwrap();
-        let found = ErrorsOfSpectrum::of(&psd, "x").unwrap();
+        let found = ErrorsOfSpectrum::from_spectrum(&psd, "x").unwrap();
         assert_eq!((found.told.samples, found.told.of), (5, 6));
         let draws: Vec<Vec<f64>> =
             (0..20_000).map(|draw| found.deviations(&mut Streams::new(3).of(Group::Scans, draw))).collect();

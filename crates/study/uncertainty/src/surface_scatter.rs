@@ -53,16 +53,17 @@ impl DrawOf {
 }
 
 impl SurfaceScatter {
-    pub fn of(surface: &Surface) -> Self {
+    pub fn from_surface(surface: &Surface) -> Self {
         if let Some(parts) = &surface.parts {
-            return SurfaceScatter::Sum(Box::new([Self::of(&parts[0]), Self::of(&parts[1])]));
+            return SurfaceScatter::Sum(Box::new([
+                Self::from_surface(&parts[0]),
+                Self::from_surface(&parts[1]),
+            ]));
         }
         match &surface.made_from {
-            Some(scans) => SurfaceScatter::Scans(Box::new(ScanScatter::of(scans))),
-            None => match ErrorsOfSpectrum::of(&surface.psd, &surface.name) {
-                Some(errors) if surface.roughness.is_some() => {
-                    SurfaceScatter::Errors(errors.of_assumptions())
-                }
+            Some(scans) => SurfaceScatter::Scans(Box::new(ScanScatter::from_scans(scans))),
+            None => match ErrorsOfSpectrum::from_spectrum(&surface.psd, &surface.name) {
+                Some(errors) if surface.roughness.is_some() => SurfaceScatter::Errors(errors.assumed()),
                 Some(errors) => SurfaceScatter::Errors(errors),
                 None => SurfaceScatter::Certain(surface.psd.clone(), surface.name.clone()),
             },

@@ -4,10 +4,10 @@ use study::interface::Slot;
 use study::plan::Needs;
 use tables::Table;
 
-use crate::found::{
+use crate::group::{Group, Index, Indices};
+use crate::results::{
     Advice, AreaBand, AreaInterval, BandPoint, QuantityInterval, Step, StepKind, Uncertainty,
 };
-use crate::group::{Group, Index, Indices};
 
 /// The largest standard error of a share that is reported.
 pub const LARGEST_ERROR_OF_A_SHARE: f64 = 0.1;

@@ -28,7 +28,7 @@ fn scene(psd: &str, material: &str, curves: &[&str]) -> Scene {
 
 fn found(scene: &Scene, settings: &Settings) -> (Results, Uncertainty) {
     let results = scene.plan().compute().unwrap();
-    let found = UncertaintyPlan::new(scene, &results, settings).unwrap().carry_out(&Unobserved).unwrap();
+    let found = UncertaintyPlan::new(scene, &results, settings).unwrap().run(&Unobserved).unwrap();
     (results, found)
 }
 

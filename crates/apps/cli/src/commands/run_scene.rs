@@ -41,7 +41,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     if args.explain {
         let results = compute(&scene.plan()).map_err(|error| failed(args, error.into()))?;
-        let answer = Answer::of(&scene, &results);
+        let answer = Answer::from_results(&scene, &results);
         return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
     }
     let watching = Watching { timings: RefCell::new(timings) };
@@ -61,7 +61,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     if !others.is_empty() {
         files += &format!("not of this run, and left there: {}\n", others.join(", "));
     }
-    let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
+    let answer = findings.map_or_else(|| Answer::from_results(&scene, &results), |findings| findings.answer);
     print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
     timings.report(context.shared.timings);
     match uncertainty.as_ref().filter(|found| found.ended_early) {

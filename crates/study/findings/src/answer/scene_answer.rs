@@ -83,7 +83,7 @@ pub struct Disagreement {
 
 impl Answer {
     /// Extracts the answer from the results of a scene.
-    pub fn of(scene: &Scene, results: &Results) -> Self {
+    pub fn from_results(scene: &Scene, results: &Results) -> Self {
         let needs = &scene.needs;
         let scans = scene.surface.made_from.as_ref();
         let instruments_disagree = scans.and_then(|scans| scans.spectrum.instruments_disagree());
@@ -93,7 +93,7 @@ impl Answer {
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &Load)| {
-                let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
+                let answer = LoadAnswer::new(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
                 Some(answer.of_spectrum_with(scene.surface.holes()))
             };
             needs.loads.iter().enumerate().map(of_load).collect()
@@ -108,7 +108,7 @@ impl Answer {
 }
 
 impl LoadAnswer {
-    fn of(
+    fn new(
         curve: &Curve,
         result: &CurveResult,
         block: usize,

@@ -5,4 +5,6 @@
 mod other_choices;
 mod variation;
 
-pub use other_choices::{Moved, Sensitivity, counted_sensitivities, sensitivities, table, wanted_areas};
+pub use other_choices::{
+    MovedArea, Sensitivity, sensitivities, sensitivities_with_work, table, wanted_areas,
+};

@@ -21,12 +21,12 @@ pub struct Sensitivity {
     /// The other setting in words, e.g. `1, as printed in Eq. (1) of Jackson & Jacobs`.
     pub setting_in_words: String,
     /// The areas that depend on the choice.
-    pub rows: Vec<Moved>,
+    pub rows: Vec<MovedArea>,
 }
 
 /// An area that a choice changes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Moved {
+pub struct MovedArea {
     /// The curve, by index.
     pub curve: usize,
     /// The load, by index.
@@ -64,14 +64,14 @@ pub fn sensitivities(
     results: &Results,
     progress: &dyn Progress,
 ) -> Result<Vec<Sensitivity>, PlanError> {
-    counted_sensitivities(scene, results, progress).map(|(sensitivities, _)| sensitivities)
+    sensitivities_with_work(scene, results, progress).map(|(sensitivities, _)| sensitivities)
 }
 
 /// Computes the sensitivities and counts the work.
 ///
 /// # Errors
 /// Those of [`sensitivities`].
-pub fn counted_sensitivities(
+pub fn sensitivities_with_work(
     scene: &Scene,
     results: &Results,
     progress: &dyn Progress,
@@ -149,12 +149,12 @@ impl Varied {
         scene: &Scene,
         own: &FinalAreas<'_>,
         area_fraction: impl Fn(&CurveModel, usize) -> Option<f64>,
-    ) -> Vec<Moved> {
+    ) -> Vec<MovedArea> {
         let mut rows = Vec::new();
         for (curve, model) in &self.curves {
             for load in 0..scene.needs.loads.len() {
                 let areas = area_fraction(model, load).zip(own.of_curve(*curve, load));
-                rows.extend(areas.map(|(area_fraction, own)| Moved {
+                rows.extend(areas.map(|(area_fraction, own)| MovedArea {
                     curve: *curve,
                     load,
                     area_fraction,

@@ -137,7 +137,7 @@ fn draws(scene: &Scene) -> Option<(&'static str, String)> {
     if choices.is_some_and(|choices| choices.off) {
         return (!groups.is_empty()).then(|| ("skipped", format!("draws of {of}: uncertainty is off")));
     }
-    let Settings { draws, level, .. } = Settings::of(choices);
+    let Settings { draws, level, .. } = Settings::from_choices(choices);
     let without = if choices.is_some() { "" } else { " (not with --no-report)" };
     (!groups.is_empty()).then(|| {
         (

@@ -7,7 +7,7 @@ use units::number;
 use super::curve_counts::{narrow_spectra, state_notes};
 
 /// A note in words; empty if there is nothing to say.
-pub fn told(note: &RowsNote) -> Vec<String> {
+pub fn lines(note: &RowsNote) -> Vec<String> {
     match note {
         RowsNote::BeyondCompleteContact { row, pressure_pa, highest_pressure_pa } => vec![format!(
             "{row}: {} Pa is beyond complete contact of every asperity: area fraction 1, no separation; pressures below {} Pa \

@@ -23,7 +23,7 @@ impl Roughness {
 }
 
 /// The contact of a row, if its roughness allows one.
-pub(crate) enum Pressed {
+pub(crate) enum RowContact {
     Contact(StatisticalContact),
     /// No contact: no surface has a spectrum of this alpha.
     TooNarrow {
@@ -31,8 +31,8 @@ pub(crate) enum Pressed {
     },
 }
 
-impl Pressed {
-    pub fn of(
+impl RowContact {
+    pub fn new(
         pair: &MaterialPair,
         law: &StatisticalLaw,
         roughness: Roughness,
@@ -41,12 +41,12 @@ impl Pressed {
         match law {
             StatisticalLaw::Asperities(law) => {
                 let population = Population::new(first, second, third)?;
-                Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
+                Ok(RowContact::Contact(StatisticalContact::new(pair, &population, law)))
             }
             StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
-                Ok(summits) => Ok(Pressed::Contact(StatisticalContact::of_summits(pair, &summits))),
+                Ok(summits) => Ok(RowContact::Contact(StatisticalContact::of_summits(pair, &summits))),
                 Err(error) if error.bound == NayakSummits::ALPHA => {
-                    Ok(Pressed::TooNarrow { alpha: error.value })
+                    Ok(RowContact::TooNarrow { alpha: error.value })
                 }
                 Err(error) => Err(error),
             },
