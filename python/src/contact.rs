@@ -4,7 +4,7 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods}
 use pyo3::prelude::*;
 use report::row_notes;
 use report::summary::notes_of_states;
-use state_tables::{AskedState, At, ContactStates, Roughness, RowsNote, StateColumns, StatesError, StatesFound};
+use state_tables::{StateRequest, StateCondition, ContactStates, Roughness, RowsNote, StateColumns, StatesError, StatesFound};
 use study::material::Material;
 use study::models::{self, Framework};
 use study::plan::Tolerance;
@@ -73,12 +73,12 @@ pub fn contact_states<'py>(
     if rows > 0 && materials.is_empty() {
         return Err(input("material: it is empty; give at least one"));
     }
-    let asked = |row: usize| AskedState {
+    let asked = |row: usize| StateRequest {
         material: material_of(row).unwrap_or(&materials[0]),
         roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
         at: match is_pressure {
-            true => At::Pressure(of_condition.at(row)),
-            false => At::Separation(of_condition.at(row)),
+            true => StateCondition::Pressure(of_condition.at(row)),
+            false => StateCondition::Separation(of_condition.at(row)),
         },
     };
     let found: [Bound<'py, PyArray1<f64>>; 8] = std::array::from_fn(|_| PyArray1::zeros(py, rows, false));
@@ -123,6 +123,6 @@ fn notes(found: &StatesFound, all: usize) -> Vec<String> {
     let (rows, narrow) = (found.assumed_strengths, found.narrow);
     let assumed = (rows > 0).then_some(RowsNote::AssumedStrengths { rows, all });
     let narrow = (narrow.count > 0).then_some(RowsNote::NarrowSpectra { narrow, all });
-    let notes = assumed.into_iter().chain(narrow).flat_map(|note| row_notes::told(&note));
+    let notes = assumed.into_iter().chain(narrow).flat_map(|note| row_notes::lines(&note));
     notes.chain(notes_of_states(&found.counts)).collect()
 }

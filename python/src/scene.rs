@@ -13,7 +13,7 @@ use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
 use report::explain::explain;
-use report::occasion::Occasion;
+use report::run_stamp::RunStamp;
 use report::products::{Product, each_product};
 use report::run::{Asked, Phase, RunError, Watch, carry_out as carry_out_scene};
 use report::scene_note_words;
@@ -140,7 +140,7 @@ impl PyScene {
     ) -> PyResult<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)> {
         let asked = Asked { report, judge, uncertainty };
         let (date, typed) = occasion;
-        let occasion = Occasion { date, asked: typed };
+        let occasion = RunStamp { date, command: typed };
         let state = Arc::new(Mutex::new(AtHand::default()));
         let observer = observer.map(|observer| told_of(py, observer, state.clone())).transpose()?;
         let made = carry_out(py, observer.as_ref().map(|observer| observer.as_any()), |watch| {
@@ -164,7 +164,7 @@ impl PyScene {
     fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let table = carry_out(py, None, |progress| {
             let results = self.scene.plan().compute_observed(progress)?;
-            Ok(Answer::of(&self.scene, &results).scales_table(&self.scene.needs))
+            Ok(Answer::from_results(&self.scene, &results).scales_table(&self.scene.needs))
         })?;
         let table =
             table.map_err(|error: study::plan::PlanError| input(format!("{}: {error}", self.name)))?;
@@ -226,10 +226,10 @@ struct Made {
 }
 
 impl Made {
-    fn of(scene: &Scene, asked: Asked, occasion: Occasion, watch: &Watching<'_>) -> Result<Self, RunError> {
+    fn of(scene: &Scene, asked: Asked, occasion: RunStamp, watch: &Watching<'_>) -> Result<Self, RunError> {
         let mut carried = carry_out_scene(scene, asked, watch)?;
         carried.findings = carried.findings.map(|findings| findings.on(occasion));
-        let (results, trust) = (&carried.results, carried.trust());
+        let (results, trust) = (&carried.results, carried.assessment());
         let (mut tables, mut files) = (Vec::new(), Vec::new());
         let Ok(()) = each_product(scene, results, carried.findings.as_ref(), trust, |name, product| {
             let mut bytes = Vec::new();
@@ -242,7 +242,7 @@ impl Made {
         });
         let answer = match &carried.findings {
             Some(findings) => summary(scene, results, &findings.answer, trust),
-            None => summary(scene, results, &Answer::of(scene, results), trust),
+            None => summary(scene, results, &Answer::from_results(scene, results), trust),
         };
         Ok(Made { answer, tables, files })
     }

@@ -103,11 +103,11 @@ pub fn uncertainty_of<'py>(
     if scattering_groups(&scene).is_empty() {
         return Err(input(NOTHING_SCATTERS));
     }
-    let settings = Settings::of(scene.uncertainty.as_ref());
+    let settings = Settings::from_choices(scene.uncertainty.as_ref());
     let drawn = carry_out(py, observer, |progress| -> Result<_, PlanError> {
         let results = scene.plan().compute_observed(progress)?;
-        let plan = UncertaintyPlan::of(&scene, &results, &settings);
-        let found = plan.map(|plan| plan.carry_out(progress)).transpose()?;
+        let plan = UncertaintyPlan::new(&scene, &results, &settings);
+        let found = plan.map(|plan| plan.run(progress)).transpose()?;
         Ok((results, found))
     })?;
     let (results, found) = drawn.map_err(input)?;

@@ -70,6 +70,7 @@ fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
             curve: "accepted".to_owned(),
             condition: String::new(),
             condition_in_full: String::new(),
+            load: None,
             colour,
             dash: 0,
             points: points.filter(|(_, value)| !value.is_nan()).collect(),

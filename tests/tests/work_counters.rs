@@ -279,7 +279,7 @@ fn sensitivities_compute_no_state_that_the_scene_or_another_of_them_has() {
     let bem = "[[curve]]\nmodel = \"elastic-sine\"\ninterference_law = \"bem\"\nname = \"bem\"\n";
     let of = |curves: &str| {
         let scene = scene(&[DIAMOND, &loads(&["1 MPa"]), curves].concat());
-        Findings::of(&scene, &scene.plan().compute().unwrap()).unwrap().work
+        Findings::from_results(&scene, &scene.plan().compute().unwrap()).unwrap().work
     };
     // The other normalisation, three densities, the other law: five states of one curve.
     assert_eq!(of(elastic).statistical_states, 5);

@@ -1,4 +1,4 @@
-//! Figures of the paper, for every scene that comes with the program, and the verdicts on its statements.
+//! Reproduces the paper: its figures for every scene that comes with the program, and the verdicts on its statements.
 
 use std::error::Error;
 use std::path::Path;
@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 
 use judge::{JudgePlan, Judgement, Settings};
 use paper::{Evidence, Verdict};
-use report::occasion::Occasion;
-use report::page::{self, Report};
+use report::assessment::Assessment;
+use report::page::Report;
 use report::products::{self, Findings};
-use report::trust::Trust;
+use report::run_stamp::RunStamp;
 use scene::Template;
 use staging::{StagedFiles, write_file};
 use study::Unobserved;
@@ -47,26 +47,25 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
             scene,
             results,
             Some(findings),
-            Trust { judgement: Some(judgement), uncertainty: None },
+            Assessment { judgement: Some(judgement), uncertainty: None },
             Format::Csv,
             |name, content| files.stage(&folder.join(name), |out| content(out)),
         )?;
         files.publish()?;
         println!("{}: {} files in {}", scene.title, names.len(), folder.display());
     }
-    let checked = checked(&ledger, &paper::other_models(&evidence)?);
     let scenes = evidence.iter().zip(&findings).zip(&judgements);
     let report = Report {
         title: "Real contact area of ultrananocrystalline diamond",
         scenes: scenes
             .map(|((evidence, findings), judgement)| {
                 let label = label(evidence.template.name());
-                let trust = Trust { judgement: Some(judgement), uncertainty: None };
+                let trust = Assessment { judgement: Some(judgement), uncertainty: None };
                 findings.report(label, &evidence.scene, &evidence.results, trust)
             })
             .collect(),
-        ledger: Some(&checked),
-        occasion: &Occasion::default(),
+        extra: Some(paper::section(&ledger, &paper::other_models(&evidence)?, label)),
+        run_stamp: &RunStamp::default(),
         repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
     };
     let page = folder.join("report.html");
@@ -82,7 +81,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Name of a spectrum in the report.
+/// The name of a spectrum in the report.
 fn label(spectrum: &str) -> &str {
     match spectrum {
         "uncd-reconstructed" => "reconstruction",
@@ -91,44 +90,17 @@ fn label(spectrum: &str) -> &str {
     }
 }
 
-/// Ledger in the form of the report.
-fn checked(ledger: &[paper::Row], others: &[paper::OtherModel]) -> page::Ledger {
-    let finding = |(spectrum, finding): &(&'static str, paper::Finding)| page::Finding {
-        label: label(spectrum).to_owned(),
-        found: finding.found.clone(),
-        verdict: finding.verdict,
-        remark: finding.remark.clone(),
-    };
-    let row = |row: &paper::Row| page::LedgerRow {
-        number: row.statement.number,
-        statement: row.statement.statement.to_owned(),
-        how: row.statement.how.to_owned(),
-        findings: row.findings.iter().map(finding).collect(),
-    };
-    let other_finding = |(spectrum, finding): &(&'static str, paper::OtherFinding)| page::OtherFinding {
-        label: label(spectrum).to_owned(),
-        found: finding.found.clone(),
-        remark: finding.remark.clone(),
-    };
-    let other = |other: &paper::OtherModel| page::OtherModel {
-        model: other.model.to_owned(),
-        statement: other.statement.to_owned(),
-        findings: other.findings.iter().map(other_finding).collect(),
-    };
-    page::Ledger { rows: ledger.iter().map(row).collect(), other_models: others.iter().map(other).collect() }
-}
-
 fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {
-    Findings::of(&evidence.scene, &evidence.results).map_err(Into::into)
+    Findings::from_results(&evidence.scene, &evidence.results).map_err(Into::into)
 }
 
 fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {
-    let settings = Settings::of(evidence.scene.judge.as_ref());
-    let plan = JudgePlan::of(&evidence.scene, &evidence.results, &settings);
-    plan.carry_out(&Unobserved).map_err(Into::into)
+    let settings = Settings::from_choices(evidence.scene.judge.as_ref());
+    let plan = JudgePlan::new(&evidence.scene, &evidence.results, &settings);
+    plan.run(&Unobserved).map_err(Into::into)
 }
 
-/// Summary of how many statements each spectrum reproduces.
+/// The number of statements that each spectrum reproduces.
 fn verdicts(ledger: &[paper::Row]) -> String {
     let findings = || ledger.iter().flat_map(|row| row.findings.iter());
     let mut spectra: Vec<&str> = findings().map(|(spectrum, _)| *spectrum).collect();

@@ -7,8 +7,8 @@ use staging::StagedFiles;
 
 use crate::failure::Failure;
 use crate::interruption;
+use report::assessment::Assessment;
 use report::products::{self, Findings};
-use report::trust::Trust;
 use scene::Scene;
 use study::plan::{PlanError, Results};
 use tables::{Format, TableError};
@@ -196,7 +196,7 @@ pub fn write_products(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
-    trust: Trust<'_>,
+    trust: Assessment<'_>,
     format: Format,
     folder: &Path,
 ) -> Result<Vec<String>, Failure> {

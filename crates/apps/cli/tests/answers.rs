@@ -167,7 +167,7 @@ fn without_a_report_nothing_but_curves_and_figures_is_written() {
 fn models_that_end_a_factor_of_two_apart_are_named_with_where_they_part() {
     let scene = scene("");
     let results = scene.plan().compute().unwrap();
-    let answer = Answer::of(&scene, &results);
+    let answer = Answer::from_results(&scene, &results);
     let finals = final_areas(&scene);
     for disagreement in &answer.disagreements {
         let areas: Vec<f64> = finals.iter().map(|areas| areas[disagreement.load]).collect();

@@ -68,7 +68,13 @@ pub fn counted(number: usize, thing: &str) -> String {
     format!("{number} {thing}{s}")
 }
 
-/// Formats a number with three significant digits, and with an exponent outside 1e-3 to 1e4.
+/// A share in percent with three significant digits, e.g. `0.18 %` of 0.0018.
+#[must_use]
+pub fn percent(share: f64) -> String {
+    format!("{} %", three_digits(100.0 * share))
+}
+
+/// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
     significant(LEAST_DIGITS, value)
@@ -152,7 +158,12 @@ mod tests {
     }
 
     #[test]
-    fn a_count_of_one_takes_no_plural() {
+    fn shares_are_told_in_percent() {
+        assert_eq!([0.0018, 0.322, 1.0].map(percent), ["0.18 %", "32.2 %", "100 %"]);
+    }
+
+    #[test]
+    fn one_thing_is_no_things() {
         assert_eq!([0, 1, 2].map(|number| counted(number, "bin")), ["0 bins", "1 bin", "2 bins"]);
     }
 

@@ -81,7 +81,7 @@ impl Laboratory {
         settings: &Settings,
     ) -> Result<Trial, StudyError> {
         self.carried_out(number, scans, settings, |plan| {
-            let found = plan.carry_out(&Unobserved)?;
+            let found = plan.run(&Unobserved)?;
             Ok((found.areas, found.advice))
         })
     }
@@ -96,7 +96,7 @@ impl Laboratory {
         let scene = self.study(number, scans)?.scene()?;
         let results = scene.plan().compute()?;
         let settings = Settings { seed: number, ..*settings };
-        let plan = UncertaintyPlan::of(&scene, &results, &settings).ok_or(StudyError::Certain)?;
+        let plan = UncertaintyPlan::new(&scene, &results, &settings).ok_or(StudyError::Certain)?;
         let (areas, advice) = carry_out(&plan)?;
         let known = self.known(&scene)?;
         let intervals = areas.iter().filter_map(|area| {

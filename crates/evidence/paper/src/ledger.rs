@@ -1,8 +1,32 @@
-//! Ledger of the statements and their findings.
+//! The ledger: every statement of the paper with its findings.
 
 use tables::Table;
 
-pub use report::page::Verdict;
+/// The verdict on a statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// The statement holds.
+    Reproduced,
+    /// The statement does not hold.
+    NotReproduced,
+    /// The statement holds because the data were made so.
+    ByConstruction,
+}
+
+impl Verdict {
+    pub(crate) const ALL: [Verdict; 3] =
+        [Verdict::Reproduced, Verdict::NotReproduced, Verdict::ByConstruction];
+
+    /// The verdict in words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Verdict::Reproduced => "reproduced",
+            Verdict::NotReproduced => "not reproduced",
+            Verdict::ByConstruction => "by construction",
+        }
+    }
+}
 
 /// Returns `Reproduced` if `holds`.
 pub(crate) fn verdict(holds: bool) -> Verdict {

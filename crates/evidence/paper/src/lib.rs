@@ -14,10 +14,11 @@
 //! ```
 //!
 //! * [`Evidence`]: a scene of the paper with its results;
-//! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a
-//!   verdict, and one honest sentence;
-//! * [`table`]: the ledger for `claims.csv`;
-//! * [`other_models`]: results of models that the paper does not use on its surface, outside the ledger's counts.
+//! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a verdict, and
+//!   one honest sentence;
+//! * [`table`]: the same for `claims.csv`;
+//! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts;
+//! * [`section`]: both as a section of a report.
 //!
 //! Nothing is tuned to make a row pass: the criterion for reproduction is written beside a statement before any
 //! number.
@@ -27,8 +28,10 @@ mod claims;
 mod evidence;
 mod ledger;
 mod other_models;
+mod section;
 
 pub use claims::ledger;
 pub use evidence::Evidence;
 pub use ledger::{Finding, Row, Statement, Verdict, table};
 pub use other_models::{OtherFinding, OtherModel, other_models};
+pub use section::section;

@@ -6,6 +6,7 @@ use std::error::Error;
 use persson::Cut;
 use study::models::{Framework, ModelOptions, named};
 use study::plan::{Curve, CurveResult, Cutoffs, Needs, Plan};
+use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
@@ -33,11 +34,7 @@ pub struct OtherFinding {
 /// Relative distance within which the area counts as p/H.
 const NEAR: f64 = 0.01;
 
-/// Share of E* beyond which the rms pressure of full contact belongs to slopes too steep for a half-space.
-const STEEPEST: f64 = 0.1;
-
-/// Returns Persson's theory, with a constant hardness and with one that grows at small scales, on the spectra in
-/// `evidence`.
+/// Persson's theory, at a constant hardness and with one that grows at small scales, on the spectra in `evidence`.
 ///
 /// # Errors
 /// The error of a spectrum or material that the theory does not accept.
@@ -144,7 +141,7 @@ fn spread_pa(evidence: &Evidence, cut: &Cut) -> f64 {
 /// Describes the wavelengths at which slopes are too steep for any model.
 fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
     let modulus_pa = evidence.contact_modulus_pa();
-    let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > STEEPEST * modulus_pa;
+    let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > SMALL_SLOPE_PRESSURE * modulus_pa;
     match cuts.first().and_then(|cuts| cuts.iter().find(too_steep).zip(cuts.last())) {
         Some((first, last)) => format!(
             "s exceeds E*/10 from {} down and ends at {} E*: slopes that no half-space knows",

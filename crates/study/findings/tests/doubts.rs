@@ -19,7 +19,7 @@ fn an_answer_and_its_doubts_serialise() {
         "[loads]\npressures = [\"1 MPa\", \"1 H\"]\n[[curve]]\nmodel = \"hertz\"\n[[curve]]\nmodel = \"elastic\"\n",
     );
     let results = scene.plan().compute().unwrap();
-    let answer = Answer::of(&scene, &results);
+    let answer = Answer::from_results(&scene, &results);
     let found = Doubt::of_scene(&scene, &answer);
     let all = serde_json::json!({ "answer": answer, "doubts": found });
     let area = results.curves[1].area_fractions(0).last().map(|(_, area_fraction)| *area_fraction);
@@ -31,7 +31,7 @@ fn an_answer_and_its_doubts_serialise() {
 fn doubts(sections: &str) -> Vec<Doubt> {
     let scene = scene(sections);
     let results = scene.plan().compute().unwrap();
-    Doubt::of_scene(&scene, &Answer::of(&scene, &results))
+    Doubt::of_scene(&scene, &Answer::from_results(&scene, &results))
 }
 
 #[test]

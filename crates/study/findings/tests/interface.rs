@@ -51,7 +51,7 @@ fn under_the_load(states: &InterfaceStates<'_>, quantity: Quantity) -> Option<f6
 #[test]
 fn heat_and_current_follow_the_stiffness() {
     let (scene, results) = carried_out(TEXT);
-    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
     let value = |quantity| under_the_load(&states, quantity).unwrap();
     let stiffness = value(Quantity::Stiffness);
     let found = states.separation_under(1e6);
@@ -77,7 +77,7 @@ fn a_seal_has_a_channel_until_it_is_tight() {
     let (scene, results) = carried_out(&format!(
         "{TEXT}[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nbreadth = \"10 cm\"\nlength = \"1 mm\"\n"
     ));
-    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
     let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
     let tight_pa = states.value(tight).unwrap().unwrap();
     assert!(tight_pa > 1e6, "{tight_pa}");
@@ -87,7 +87,7 @@ fn a_seal_has_a_channel_until_it_is_tight() {
 
     let pressed = TEXT.replace("force = \"1 kN\", nominal_area = \"10 cm^2\"", "pressures = [\"50 GPa\"]");
     let (scene, results) = carried_out(&format!("{pressed}[seal]\n"));
-    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
     assert!(states.value(tight).unwrap().unwrap() < 50e9);
     assert_eq!(under_the_load(&states, Quantity::ChannelWavelength), None);
 }
@@ -97,7 +97,7 @@ fn friction_is_strength_times_area_and_adhesion_needs_its_keys() {
     let (scene, results) = carried_out(&format!(
         "{TEXT}[interface]\nshear_strength = \"1 GPa\"\nwork_of_adhesion = \"50 mJ/m^2\"\n"
     ));
-    let states = InterfaceStates::of_scene(&scene, &results).unwrap();
+    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
     let (_, area_fraction) = *results.curves[0].area_fractions(0).last().unwrap();
     let friction = states
         .value(Slot { quantity: Quantity::FrictionStress, load: Some(0), curve: Some(0) })
@@ -115,9 +115,9 @@ fn what_was_not_asked_for_is_not_there() {
         "youngs_modulus = \"100 GPa\"\npoisson_ratio = 0.3\n",
     );
     let (scene, results) = carried_out(&plain);
-    assert!(scene.interface.is_none() && InterfaceStates::of_scene(&scene, &results).is_none());
+    assert!(scene.interface.is_none() && InterfaceStates::from_scene(&scene, &results).is_none());
     let (scene, results) = carried_out(&format!("{plain}[interface]\n"));
-    let slots = InterfaceStates::of_scene(&scene, &results).unwrap().slots();
+    let slots = InterfaceStates::from_scene(&scene, &results).unwrap().slots();
     let quantities: Vec<Quantity> = slots.iter().map(|slot| slot.quantity).collect();
     assert_eq!(quantities, [Quantity::MeanGap, Quantity::Stiffness]);
 }

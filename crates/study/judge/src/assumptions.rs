@@ -1,4 +1,4 @@
-//! A curve against its own assumptions, before anything else is held against it.
+//! The assumptions of a curve, and where it breaks them.
 
 use scene::Scene;
 use serde::Serialize;
@@ -7,51 +7,57 @@ use study::plan::{CurveResult, Results};
 use crate::body::Body;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
 
-/// The share of the load outside the range of a fitted law from which on the law does not speak for the area.
+/// The largest share of the load that may rest outside the fitted range of a law.
 pub const LARGEST_SHARE_OUT_OF_RANGE: f64 = 0.05;
+
+/// A curve of the scene under one of its loads, both by index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct CurveAtLoad {
+    pub curve: usize,
+    pub load: usize,
+}
 
 /// An assumption of a curve that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
-pub enum Broken {
-    /// Nothing is to yield, and the real pressure is above the hardness.
+pub enum BrokenAssumption {
+    /// The curve assumes that nothing yields, but the real pressure exceeds the hardness.
     Yields(AboveHardness),
-    /// The law was fitted in a range that too much of the load is outside of.
+    /// Too much of the load rests outside the fitted range of the law.
     Unfitted {
-        /// The cutoff \[m\] at which that begins.
+        /// The longest cutoff \[m\] at which this holds.
         wavelength_m: f64,
-        /// Share of the load there.
+        /// The share of the load outside the range, at that cutoff.
         load_share: f64,
     },
 }
 
-impl Broken {
-    /// The wavelength \[m\] at which it begins.
+impl BrokenAssumption {
+    /// The longest wavelength \[m\] at which the assumption is broken.
     #[must_use]
     pub fn wavelength_m(self) -> f64 {
         match self {
-            Broken::Yields(above) => above.wavelength_m,
-            Broken::Unfitted { wavelength_m, .. } => wavelength_m,
+            BrokenAssumption::Yields(above) => above.wavelength_m,
+            BrokenAssumption::Unfitted { wavelength_m, .. } => wavelength_m,
         }
     }
 }
 
-/// The assumption of a curve that breaks first under a load, from long wavelengths on. `hardness` is that which the
-/// material has at each scale, where it has one.
+/// The assumption of a curve that breaks at the longest wavelength. `hardness` is that of the material at each scale, if it
+/// yields.
 pub(crate) fn first_broken(
     scene: &Scene,
     results: &Results,
-    curve: usize,
-    load: usize,
+    at: CurveAtLoad,
     hardness: Option<&HardnessOfScales>,
-) -> Option<Broken> {
-    let elastic = Body::of(&scene.needs.curves[curve].model) == Body::Elastic;
+) -> Option<BrokenAssumption> {
+    let elastic = Body::from_model(&scene.needs.curves[at.curve].model) == Body::Elastic;
     let yields = hardness
         .filter(|_| elastic)
-        .and_then(|hardness| hardness.first_above(real_pressures(scene, results, curve, load)))
-        .map(Broken::Yields);
-    let unfitted = unfitted(&results.curves[curve], load);
+        .and_then(|hardness| hardness.first_above(real_pressures(scene, results, at)))
+        .map(BrokenAssumption::Yields);
+    let unfitted = unfitted(&results.curves[at.curve], at.load);
     match (yields, unfitted) {
         (Some(yields), Some(unfitted)) if unfitted.wavelength_m() > yields.wavelength_m() => Some(unfitted),
         (Some(yields), _) => Some(yields),
@@ -63,19 +69,18 @@ pub(crate) fn first_broken(
 pub(crate) fn real_pressures(
     scene: &Scene,
     results: &Results,
-    curve: usize,
-    load: usize,
+    at: CurveAtLoad,
 ) -> impl Iterator<Item = (f64, f64)> + use<> {
-    let nominal_pa = scene.needs.loads[load].nominal_pressure_pa();
-    let points = results.curves[curve].area_fractions(load);
+    let nominal_pa = scene.needs.loads[at.load].nominal_pressure_pa();
+    let points = results.curves[at.curve].area_fractions(at.load);
     points.into_iter().map(move |(wavelength_m, area)| (wavelength_m, nominal_pa / area))
 }
 
-fn unfitted(result: &CurveResult, load: usize) -> Option<Broken> {
+fn unfitted(result: &CurveResult, load: usize) -> Option<BrokenAssumption> {
     let CurveResult::Statistical(blocks) = result else { return None };
     blocks[load].iter().find_map(|row| {
         let load_share = row.contact?.1.out_of_range_load_share;
         (load_share > LARGEST_SHARE_OUT_OF_RANGE)
-            .then_some(Broken::Unfitted { wavelength_m: row.wavelength_m, load_share })
+            .then_some(BrokenAssumption::Unfitted { wavelength_m: row.wavelength_m, load_share })
     })
 }

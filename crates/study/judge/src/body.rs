@@ -1,31 +1,29 @@
-//! What a curve's body does under pressure, and so which elements it is held against.
+//! The yielding of a curve's body, which decides the elements that it is held against.
 
 use serde::Serialize;
+use study::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 use study::persson_law::PerssonLaw;
 use study::plan::CurveModel;
 
-/// Hardness over yield strength (Tabor 1951), where no indentation gave the hardness itself.
-pub(crate) const HARDNESS_OVER_STRENGTH: f64 = 3.0;
-
-/// How a body yields.
+/// The yielding of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Body {
-    /// It never does.
+    /// The body never yields.
     Elastic,
-    /// It flows where the pressure reaches a hardness \[Pa\] that is the same at every scale.
+    /// The body flows at a hardness that is the same at every scale.
     Hard {
         /// The hardness \[Pa\].
         hardness_pa: f64,
     },
-    /// Its strength grows at small scales, of which a bound on the pressure knows nothing.
+    /// The strength grows at small scales, so that no one bound on the pressure describes it.
     Growing,
 }
 
 impl Body {
-    /// That of a model.
+    /// The body of a model.
     #[must_use]
-    pub fn of(model: &CurveModel) -> Self {
+    pub fn from_model(model: &CurveModel) -> Self {
         match model.strength() {
             None => Body::Elastic,
             Some(_) if model.strength_grows() => Body::Growing,
@@ -35,8 +33,8 @@ impl Body {
         }
     }
 
-    /// The pressure \[Pa\] that no point of elements exceeds; `None` where there is no such bound. A growing strength is
-    /// held against elements only while it never matters.
+    /// The bound \[Pa\] on the pressure of elements; `None` for elastic ones. A body whose strength grows is held against
+    /// elastic elements, and only if it never yields.
     pub(crate) fn saturation_pa(self) -> Option<f64> {
         match self {
             Body::Hard { hardness_pa } => Some(hardness_pa),
@@ -45,7 +43,7 @@ impl Body {
     }
 }
 
-/// The laws of asperities flow at three times their strength, Persson's theory at the hardness that it was given.
+/// Hardness over yield strength: 3 (Tabor 1951), or the ratio given to Persson's theory.
 fn hardness_over_strength(model: &CurveModel) -> f64 {
     match model {
         CurveModel::Persson { law: PerssonLaw::ElasticPlastic { hardness_over_strength, .. }, .. } => {

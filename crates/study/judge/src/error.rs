@@ -1,4 +1,4 @@
-//! Why a scene cannot be judged at all.
+//! Errors of a judgement.
 
 use gaussian_surfaces::SurfaceError;
 use half_space::HalfSpaceError;
@@ -6,11 +6,11 @@ use spectrum::PsdError;
 use study::plan::PlanError;
 use units::OutOfBounds;
 
-/// Why there is no judgement.
+/// The reason why a scene cannot be judged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum JudgeError {
-    /// The spectrum is none of a surface, or a window of it cannot be laid on the grid.
+    /// The spectrum is not that of a surface, or a window of it does not fit the grid.
     #[error("making surfaces of the spectrum for the judge: {0}")]
     Surface(#[from] SurfaceError),
     /// A surface cannot be pressed.
@@ -19,10 +19,10 @@ pub enum JudgeError {
     /// The profiles of a window have no spectrum.
     #[error("taking the profiles of a window for the judge: {0}")]
     Profile(#[from] PsdError),
-    /// The longer waves leave a pressure that no model takes.
+    /// The pressure on a window is out of bounds for the models.
     #[error("pressing the models on a window for the judge: {0}")]
     Pressure(#[from] OutOfBounds),
-    /// A model cannot be carried out on a window.
-    #[error("carrying out the models on a window for the judge: {0}")]
+    /// A model cannot be computed on a window.
+    #[error("computing the models on a window for the judge: {0}")]
     Plan(#[from] PlanError),
 }

@@ -1,9 +1,9 @@
-//! The hardness that each scale of a surface meets, and where pressures exceed it.
+//! Hardness against scale, and the scales at which pressures exceed it.
 
 use asperity::NixGao;
 use stacked_contact::Scale;
 
-use crate::body::HARDNESS_OVER_STRENGTH;
+use study::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 
 /// Hardness against scale, from long to short wavelengths; it never falls towards the short ones.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,9 +13,9 @@ pub(crate) struct HardnessOfScales {
 }
 
 impl HardnessOfScales {
-    /// H = 3 Sy of every scale, the strength at the depth of its amplitude, or of the least of the longer ones: Nix & Gao
-    /// (1998); Jackson & Jacobs, Eq. (8).
-    pub fn of(strength: &NixGao, scales: &[Scale]) -> Self {
+    /// Computes H = 3 Sy of every scale. Sy is the strength at the depth of the scale's amplitude, or of the least amplitude
+    /// of the longer scales: Nix & Gao (1998); Jackson & Jacobs, Eq. (8).
+    pub fn new(strength: &NixGao, scales: &[Scale]) -> Self {
         let mut depth_m = f64::INFINITY;
         let hardness_pa = |scale: &Scale| {
             depth_m = depth_m.min(scale.amplitude_m);
@@ -27,13 +27,13 @@ impl HardnessOfScales {
         }
     }
 
-    /// The hardness \[Pa\] at a wavelength \[m\]: that of the next longer scale.
+    /// The hardness \[Pa\] at a wavelength \[m\], taken from the next longer scale.
     pub fn at_pa(&self, wavelength_m: f64) -> f64 {
         let longer = self.wavelengths_m.partition_point(|scale_m| *scale_m >= wavelength_m * (1.0 - 1e-12));
         self.hardnesses_pa[longer.saturating_sub(1)]
     }
 
-    /// The first of these pressures \[Pa\] against wavelength \[m\] that is above the hardness there, with the hardness.
+    /// The first of these pairs of wavelength \[m\] and pressure \[Pa\] whose pressure exceeds the hardness.
     pub fn first_above(&self, pressures: impl Iterator<Item = (f64, f64)>) -> Option<AboveHardness> {
         pressures
             .map(|(wavelength_m, pressure_pa)| AboveHardness {
@@ -45,14 +45,14 @@ impl HardnessOfScales {
     }
 }
 
-/// A scale at which a pressure is above the hardness.
+/// A scale at which the pressure exceeds the hardness.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct AboveHardness {
     /// The scale's wavelength \[m\].
     pub wavelength_m: f64,
-    /// The real pressure there \[Pa\].
+    /// The real pressure at the scale \[Pa\].
     pub pressure_pa: f64,
-    /// The hardness there \[Pa\].
+    /// The hardness at the scale \[Pa\].
     pub hardness_pa: f64,
 }
 
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn hardness_grows_where_the_depth_shrinks_and_never_falls() {
         let strength = NixGao::constant(1e9).unwrap().with_strain_gradient(3e-8).unwrap();
-        let hardness = HardnessOfScales::of(&strength, &scales());
+        let hardness = HardnessOfScales::new(&strength, &scales());
         assert!((hardness.at_pa(1e-6) / 6e9 - 1.0).abs() < 1e-14);
         assert_eq!(hardness.at_pa(1e-7), hardness.at_pa(1e-6));
         assert_eq!(hardness.at_pa(2e-6), hardness.at_pa(1e-5));

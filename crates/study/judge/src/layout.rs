@@ -1,50 +1,59 @@
-//! What is going to be pressed, fixed before anything is: grid, windows, surfaces, and the pressures of each window.
+//! The layout of a judgement, fixed before anything is solved: grid, windows, surfaces, and the pressures on each window.
 
 use gaussian_surfaces::AreaSpectrum;
 use serde::Serialize;
 
+use crate::case::Case;
 use crate::settings::{DEFAULT_REALISATIONS, GRIDS, Settings};
-use crate::window::{Band, Window, bands, decades_held};
+use crate::window::{Window, bands, decades_held};
 
 /// Pressures that differ by less than this share a solution.
 const SAME_PRESSURE: f64 = 0.01;
-/// Above this share of the hardness everything flows: contact is between p/H and 1.
+/// Above this share of the hardness everything flows: the area fraction lies between p/H and 1.
 const FLOWING: f64 = 0.98;
-/// With fewer points in contact the grid says little of the area.
-const LEAST_POINTS: f64 = 200.0;
-/// Surfaces without which there is no scatter.
-const LEAST_REALISATIONS: usize = 2;
-/// The slope of area against p/(E* h') at light load, for an estimate of how many points will touch.
+/// With fewer points in contact the grid says little about the area.
+const MIN_POINTS: f64 = 200.0;
+/// The fewest surfaces that have a scatter.
+const MIN_REALISATIONS: usize = 2;
+/// The slope of area against p/(E* h') at light load, to estimate how many points will touch.
 const SLOPE_OF_AREA: f64 = 2.0;
 
-/// A pressure on a window that elements are asked for.
+/// A pressure on a window that elements solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Press {
     /// The window, by index.
     pub window: usize,
     /// The mean pressure \[Pa\].
     pub pressure_pa: f64,
-    /// What no point's pressure exceeds \[Pa\].
+    /// The bound \[Pa\] on the pressure of every point.
     pub saturation_pa: Option<f64>,
 }
 
-/// What elements can say of a pressure on a window.
+/// A window under one load of the scene, for bodies with one bound on pressure; all by index.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cell {
+    pub bound: usize,
+    pub window: usize,
+    pub load: usize,
+}
+
+/// The plan for a cell of the layout.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Asked {
-    /// It is solved, by index of the press.
-    Solved(usize),
+pub(crate) enum PlannedPress {
+    /// Elements solve it: the index of the press.
+    Solve(usize),
     /// Everything flows: the area is between p/H and 1.
-    Flowing {
+    Flows {
         /// Mean pressure over hardness.
         share: f64,
     },
     /// Too few points of the grid would touch.
     TooLight,
-    /// The load is not one of those that the budget allows.
-    NotChosen,
+    /// The budget leaves this load out.
+    LoadNotChosen,
 }
 
-/// The whole of what will be pressed.
+/// Everything that will be pressed.
 #[derive(Debug)]
 pub(crate) struct Layout {
     /// Points along each side.
@@ -52,116 +61,141 @@ pub(crate) struct Layout {
     /// Surfaces in each window.
     pub realisations: usize,
     pub windows: Vec<Window>,
-    /// How many windows have no roughness.
+    /// The number of further windows, which have no roughness.
     pub left_out: usize,
     pub presses: Vec<Press>,
-    /// For every body, window and load, what is asked.
-    pub asked: Vec<Vec<Vec<Asked>>>,
     /// The loads that are judged, by index.
     pub loads: Vec<usize>,
-    /// Operators times points, as reckoned beforehand.
+    /// Estimated cost: operator applications times grid points.
     pub cost: f64,
-}
-
-/// What the layout is made of.
-pub(crate) struct Ground<'g> {
-    pub surface: &'g AreaSpectrum,
-    pub band: Band,
-    pub composite_modulus_pa: f64,
-    /// The bound on pressure \[Pa\] of every body that elements are asked for.
-    pub saturations_pa: &'g [Option<f64>],
-    /// How many loads the scene has, in the order of their pressures.
-    pub loads_by_pressure: &'g [usize],
-    /// The mean real pressure \[Pa\] at a wavelength \[m\], for a body and a load.
-    pub pressure_pa: &'g (dyn Fn(usize, usize, f64) -> f64 + 'g),
+    /// The plan for every cell, by [`Layout::index`].
+    planned: Vec<PlannedPress>,
+    loads_of_scene: usize,
 }
 
 impl Layout {
-    /// The finest layout that the budget allows; `None` where even the coarsest is beyond it.
-    pub fn within(settings: &Settings, ground: &Ground<'_>) -> Option<Self> {
+    /// The finest layout that the budget allows; `None` if even the coarsest is beyond it.
+    pub fn within(settings: &Settings, case: &Case<'_>, surface: &AreaSpectrum) -> Option<Self> {
         let grids: Vec<usize> = settings.grid.map_or_else(|| GRIDS.to_vec(), |grid| vec![grid]);
         let realisations = settings.realisations.unwrap_or(DEFAULT_REALISATIONS);
-        // What a scene gives up first: fineness, then loads, then surfaces.
-        for loads in loads_given_up(ground.loads_by_pressure) {
+        // Fineness is given up first, then loads, then surfaces.
+        for loads in loads_given_up(&case.loads_by_pressure) {
             for &grid in &grids {
-                let layout = Layout::of(grid, realisations, &loads, ground);
+                let layout = Layout::new(grid, realisations, &loads, case, surface);
                 if layout.cost <= settings.budget {
                     return Some(layout);
                 }
             }
         }
         let (Some(&grid), None) = (grids.last(), settings.realisations) else { return None };
-        let fewest = loads_given_up(ground.loads_by_pressure).pop().unwrap_or_default();
-        let layout = Layout::of(grid, LEAST_REALISATIONS, &fewest, ground);
+        let fewest = loads_given_up(&case.loads_by_pressure).pop().unwrap_or_default();
+        let layout = Layout::new(grid, MIN_REALISATIONS, &fewest, case, surface);
         (layout.cost <= settings.budget).then_some(layout)
     }
 
-    fn of(grid: usize, realisations: usize, loads: &[usize], ground: &Ground<'_>) -> Self {
-        let bands = bands(ground.band, decades_held(grid));
+    fn new(
+        grid: usize,
+        realisations: usize,
+        loads: &[usize],
+        case: &Case<'_>,
+        surface: &AreaSpectrum,
+    ) -> Self {
+        let bands = bands(case.band(), decades_held(grid));
         // Noise may leave a band of the surface without waves.
-        let windows: Vec<Window> =
-            bands.iter().filter_map(|band| Window::of(ground.surface, *band).ok()).collect();
+        let windows: Vec<Window> = bands.iter().filter_map(|band| Window::new(surface, *band).ok()).collect();
         let mut layout = Layout {
             left_out: bands.len() - windows.len(),
             grid,
             realisations,
             windows,
             presses: Vec::new(),
-            asked: Vec::new(),
             loads: loads.to_vec(),
             cost: 0.0,
+            planned: Vec::new(),
+            loads_of_scene: case.loads(),
         };
-        for body in 0..ground.saturations_pa.len() {
-            let of_windows = (0..layout.windows.len()).map(|window| {
-                let of_load = |load| layout.ask(body, window, load, ground);
-                (0..ground.loads_by_pressure.len()).map(of_load).collect()
-            });
-            let of_windows = of_windows.collect();
-            layout.asked.push(of_windows);
+        for bound in 0..case.bounds_pa.len() {
+            for window in 0..layout.windows.len() {
+                for load in 0..case.loads() {
+                    let planned = layout.plan(Cell { bound, window, load }, case);
+                    layout.planned.push(planned);
+                }
+            }
         }
-        layout.cost = layout.reckoned();
+        layout.cost = layout.estimated_cost();
         layout
     }
 
-    fn ask(&mut self, body: usize, window: usize, load: usize, ground: &Ground<'_>) -> Asked {
+    /// The plan for a cell.
+    pub fn planned(&self, cell: Cell) -> PlannedPress {
+        self.planned[self.index(cell)]
+    }
+
+    fn index(&self, Cell { bound, window, load }: Cell) -> usize {
+        (bound * self.windows.len() + window) * self.loads_of_scene + load
+    }
+
+    /// True if the one window is the whole band of the spectrum.
+    pub fn is_whole_band(&self) -> bool {
+        self.windows.len() == 1 && self.left_out == 0
+    }
+
+    fn plan(&mut self, Cell { bound, window, load }: Cell, case: &Case<'_>) -> PlannedPress {
         if !self.loads.contains(&load) {
-            return Asked::NotChosen;
+            return PlannedPress::LoadNotChosen;
         }
-        let of_window = &self.windows[window];
-        let pressure_pa = (ground.pressure_pa)(body, load, of_window.band.longest_m);
-        let saturation_pa = ground.saturations_pa[body];
-        if let Some(share) = saturation_pa.map(|bound_pa| pressure_pa / bound_pa).filter(|s| *s > FLOWING) {
-            return Asked::Flowing { share: share.min(1.0) };
+        let Window { band, rms_gradient, .. } = self.windows[window];
+        let pressure_pa = case.pressure_pa(bound, load, band.longest_m);
+        let saturation_pa = case.bounds_pa[bound];
+        let share = saturation_pa.map(|bound_pa| pressure_pa / bound_pa);
+        if let Some(share) = share.filter(|share| *share > FLOWING) {
+            return PlannedPress::Flows { share: share.min(1.0) };
         }
-        let over_gradient = pressure_pa / (ground.composite_modulus_pa * of_window.rms_gradient);
-        if SLOPE_OF_AREA * over_gradient * (self.grid * self.grid) as f64 <= LEAST_POINTS {
-            return Asked::TooLight;
+        let over_gradient = pressure_pa / (case.composite_modulus_pa * rms_gradient);
+        if SLOPE_OF_AREA * over_gradient * (self.grid * self.grid) as f64 <= MIN_POINTS {
+            return PlannedPress::TooLight;
         }
-        let same = |press: &Press| {
+        let is_same = |press: &Press| {
             press.window == window
                 && press.saturation_pa == saturation_pa
                 && (press.pressure_pa / pressure_pa - 1.0).abs() < SAME_PRESSURE
         };
-        Asked::Solved(self.presses.iter().position(same).unwrap_or_else(|| {
+        PlannedPress::Solve(self.presses.iter().position(is_same).unwrap_or_else(|| {
             self.presses.push(Press { window, pressure_pa, saturation_pa });
             self.presses.len() - 1
         }))
     }
 
-    /// Operators times points of all presses.
-    fn reckoned(&self) -> f64 {
+    /// Operator applications times grid points of all presses.
+    fn estimated_cost(&self) -> f64 {
         let solutions = self.realisations * self.presses.len();
         solutions as f64 * (self.grid * self.grid) as f64 * operators(self.grid)
     }
+
+    /// The extent of the layout, with the cost that was spent on it.
+    pub fn extent(&self, settings: &Settings, spent: f64) -> Extent {
+        Extent {
+            grid: self.grid,
+            realisations: self.realisations,
+            seed: settings.seed,
+            windows: self.windows.len(),
+            left_out: self.left_out,
+            solved: self.presses.len(),
+            loads: self.loads.len(),
+            estimated: self.cost,
+            spent,
+            budget: settings.budget,
+        }
+    }
 }
 
-/// Operators that a solution takes on a grid: a line through the largest of the counts measured for windows of Hurst exponents
-/// 0.5 and 0.8, elastic and saturated, from light loads to full contact, at the judge's tolerance.
+/// The operator applications of a solution on a grid: a line through the largest counts measured for windows of Hurst
+/// exponents 0.5 and 0.8, elastic and saturated, from light loads to full contact, at the judge's tolerance.
 fn operators(grid: usize) -> f64 {
     20.0 * (grid as f64 / 64.0).powf(0.3)
 }
 
-/// Which loads are judged, giving up more and more of them: all, then the least, the middle and the largest, then the middle.
+/// The loads that are judged, fewer at each step: all, then the least, the middle and the largest, then the middle.
 fn loads_given_up(by_pressure: &[usize]) -> Vec<Vec<usize>> {
     let (middle, last) = (by_pressure.len() / 2, by_pressure.len().saturating_sub(1));
     let mut choices = vec![by_pressure.to_vec()];
@@ -174,7 +208,7 @@ fn loads_given_up(by_pressure: &[usize]) -> Vec<Vec<usize>> {
     choices
 }
 
-/// What was fixed beforehand, for whoever reads the result.
+/// The surfaces and pressures of a judgement, and their cost in operator applications times grid points.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Extent {
     /// Points along each side of a surface.
@@ -183,18 +217,18 @@ pub struct Extent {
     pub realisations: usize,
     /// The seed of the surfaces.
     pub seed: u64,
-    /// How many windows the spectrum was cut into; one where the grid holds the whole of it.
+    /// The number of windows of the spectrum; one if the grid holds the whole band.
     pub windows: usize,
-    /// How many more had no roughness, as noise may leave of a spectrum.
+    /// The number of further windows, left out because noise left them no roughness.
     pub left_out: usize,
-    /// How many pressures on windows were solved.
+    /// The number of pressures on windows that were solved.
     pub solved: usize,
-    /// How many of the scene's loads were judged.
+    /// The number of loads of the scene that were judged.
     pub loads: usize,
-    /// Operators times points, as reckoned beforehand.
-    pub reckoned: f64,
-    /// Operators times points that were spent.
+    /// The cost estimated beforehand.
+    pub estimated: f64,
+    /// The cost spent.
     pub spent: f64,
-    /// What could have been.
+    /// The cost allowed.
     pub budget: f64,
 }

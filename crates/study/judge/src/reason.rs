@@ -1,18 +1,18 @@
-//! Why a verdict is what it is, as data and in one line.
+//! Reasons for verdicts, as data and in one line.
 
 use std::fmt;
 
 use serde::Serialize;
-use units::display::{length, pressure, three_digits};
+use units::display::{length, percent, pressure, three_digits};
 
-use crate::assumptions::Broken;
+use crate::assumptions::BrokenAssumption;
 
-/// Why a verdict is what it is.
+/// The reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Reason {
-    /// Areas were compared; of a whole band, on its worst window.
+    /// Areas were compared: for the verdict on a curve, on its worst window.
     Compared {
         /// The longest wave of the window \[m\].
         longest_m: f64,
@@ -22,25 +22,25 @@ pub enum Reason {
         ratio: f64,
         /// Mean pressure on the window over E* times its rms gradient.
         pressure_over_gradient: f64,
-        /// On how many windows the curve agrees.
+        /// The number of windows on which the curve agrees.
         agreeing: usize,
-        /// Of how many.
+        /// The number of windows on which it was compared.
         windows: usize,
     },
     /// An assumption of the curve does not hold.
-    Broken(Broken),
-    /// The strength grows at small scales, and matters: elements whose pressure is bounded by one hardness cannot tell.
+    Broken(BrokenAssumption),
+    /// The strength grows at small scales, and the contact yields: elements know one hardness only.
     StrengthGrows {
         /// The wavelength \[m\] at which the curve's pressure first exceeds its hardness.
         wavelength_m: f64,
     },
     /// Too few points of the grid would touch.
     TooLight,
-    /// The budget does not allow for this load.
+    /// The budget leaves this load out.
     LoadNotChosen,
-    /// The curve has no area there.
+    /// The curve has no area on the window.
     NoArea,
-    /// The work was ended first.
+    /// The work was cancelled first.
     Cancelled,
     /// Even the coarsest grid is beyond the budget.
     BeyondBudget,
@@ -55,42 +55,48 @@ impl fmt::Display for Reason {
                 write!(
                     f,
                     "{} times the area of boundary elements from {} to {} at p/(E* h') = {}; agrees on {agreeing} of {windows} \
-                 windows",
+                     windows",
                     three_digits(ratio),
                     length(longest_m),
                     length(shortest_m),
                     three_digits(pressure_over_gradient)
                 )
             }
-            Reason::Broken(Broken::Yields(above)) => write!(
+            Reason::Broken(BrokenAssumption::Yields(above)) => write!(
                 f,
-                "takes no yielding into account, and its real pressure exceeds the hardness from {} on: {} over {}",
+                "assumes that nothing yields, but from {} on the real pressure, {}, exceeds the hardness, {}",
                 length(above.wavelength_m),
                 pressure(above.pressure_pa),
                 pressure(above.hardness_pa)
             ),
-            Reason::Broken(Broken::Unfitted { wavelength_m, load_share }) => write!(
+            Reason::Broken(BrokenAssumption::Unfitted { wavelength_m, load_share }) => write!(
                 f,
-                "{} of the load stands on asperities outside the range that the law was fitted in, from {} on",
-                percent(load_share),
-                length(wavelength_m)
+                "from {} on, {} of the load rests on asperities outside the fitted range of the law",
+                length(wavelength_m),
+                percent(load_share)
             ),
             Reason::StrengthGrows { wavelength_m } => write!(
                 f,
-                "its strength grows at small scales, and its pressure exceeds it from {} on: elements know \
-                 one hardness only",
+                "yields from {} on with a strength that grows at small scales; boundary elements know one hardness only",
                 length(wavelength_m)
             ),
-            Reason::TooLight => f.write_str("too few points of the grid would touch"),
-            Reason::LoadNotChosen => f.write_str("the budget leaves this load out; set judge.budget"),
-            Reason::NoArea => f.write_str("the curve has no area there"),
-            Reason::Cancelled => f.write_str("ended before it was solved"),
-            Reason::BeyondBudget => f.write_str("even the coarsest grid is beyond judge.budget"),
-            Reason::NoSurface => f.write_str("the spectrum makes no surface"),
+            Reason::TooLight => f.write_str("too few grid points would touch"),
+            Reason::LoadNotChosen => f.write_str("the budget leaves this load out; raise judge.budget"),
+            Reason::NoArea => f.write_str("the curve has no area here"),
+            Reason::Cancelled => f.write_str("cancelled before it was solved"),
+            Reason::BeyondBudget => f.write_str("even the coarsest grid exceeds judge.budget"),
+            Reason::NoSurface => f.write_str("no surface can be made of the spectrum"),
         }
     }
 }
 
-fn percent(share: f64) -> String {
-    format!("{:.0} %", 100.0 * share)
+impl Reason {
+    /// The reason of a worst window, as that of its curve: with the number of windows on which the curve agrees, and was
+    /// compared.
+    pub(crate) fn over_windows(mut self, agreeing_windows: usize, compared_windows: usize) -> Self {
+        if let Reason::Compared { agreeing, windows, .. } = &mut self {
+            (*agreeing, *windows) = (agreeing_windows, compared_windows);
+        }
+        self
+    }
 }

@@ -1,29 +1,29 @@
-//! What may be chosen of the judge, and what holds where nothing is.
+//! The settings of the judge, and their defaults.
 
 use scene::JudgeChoices;
 
-/// Operators times points that a scene spends where it sets no budget: one to two seconds of two processors.
+/// The default budget in operator applications times grid points: one to two seconds on two processors.
 pub const DEFAULT_BUDGET: f64 = 6e7;
 
-/// The seed of the surfaces where none is set.
+/// The default seed of the surfaces.
 pub const DEFAULT_SEED: u64 = 1;
 
-/// Surfaces pressed in each window where nothing else is set.
+/// The default number of surfaces in each window.
 pub const DEFAULT_REALISATIONS: usize = 4;
 
 /// Grids that are tried, from fine to coarse: their sides have small factors, which fast Fourier transforms like.
 pub(crate) const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 64, 48];
 
-/// The judge's choices.
+/// The settings of the judge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Points along each side of a surface; where absent, as many as the budget allows.
+    /// Points along each side of a surface; `None` for as many as the budget allows.
     pub grid: Option<usize>,
-    /// Surfaces in each window; where absent, [`DEFAULT_REALISATIONS`] if the budget allows.
+    /// Surfaces in each window; `None` for [`DEFAULT_REALISATIONS`] if the budget allows.
     pub realisations: Option<usize>,
     /// The seed of the surfaces.
     pub seed: u64,
-    /// Solver operators times points that may be spent.
+    /// Operator applications times grid points that may be spent.
     pub budget: f64,
 }
 
@@ -34,9 +34,9 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Those of a scene's section `[judge]`, where it has one.
+    /// The settings of a scene's section `[judge]`; the defaults without one.
     #[must_use]
-    pub fn of(choices: Option<&JudgeChoices>) -> Self {
+    pub fn from_choices(choices: Option<&JudgeChoices>) -> Self {
         let Some(choices) = choices else { return Settings::default() };
         Settings {
             grid: choices.grid,

@@ -7,25 +7,25 @@ use parallel::{NestedProgress, Progress};
 use crate::JudgeError;
 use crate::layout::{Layout, Press};
 use crate::reason::Reason;
-use crate::student::widening;
 use crate::window::Window;
+use study::student::widening;
 
 /// Complementarity of a solution. Tightened a thousand times, areas move by a thousandth at most.
 pub(crate) const TOLERANCE: f64 = 1e-4;
-/// What the grid leaves open of a corrected area, relatively, at four points on the shortest wavelength.
+/// The relative error of a corrected area from the grid, at four points on the shortest wavelength.
 const GRID_ERROR: f64 = 0.015;
 
-/// The area of one press, from all surfaces of its window.
+/// The area of one press, averaged over all surfaces of its window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Solved {
     pub area_fraction: f64,
     pub standard_error: f64,
 }
 
-/// The solutions of all presses, in their order, and the operators times points that they took.
+/// The solutions of all presses, and their cost in operator applications times grid points.
 #[derive(Debug)]
 pub(crate) struct Solutions {
-    /// Each, or why there is none.
+    /// For every press its solution, or the reason why there is none.
     pub of_presses: Vec<Result<Solved, Reason>>,
     pub spent: f64,
 }
@@ -38,12 +38,12 @@ struct Task {
 
 struct Outcome {
     window: usize,
-    /// Area fraction under each press of the window, or why there is none.
+    /// For every press of the window the area fraction, or the reason why there is none.
     areas: Vec<Result<f64, Reason>>,
     operators: usize,
 }
 
-/// Presses every surface of every window. Surfaces run side by side; no digit depends on how many do.
+/// Presses every surface of every window. The digits do not depend on the number of threads.
 pub(crate) fn solve(
     layout: &Layout,
     composite_modulus_pa: f64,
@@ -64,7 +64,7 @@ pub(crate) fn solve(
         let place = layout.presses[..at].iter().filter(|other| other.window == press.window).count();
         let of_window = outcomes.iter().filter(|outcome| outcome.window == press.window);
         let areas: Result<Vec<f64>, Reason> = of_window.map(|outcome| outcome.areas[place]).collect();
-        areas.map(|areas| Solved::of(&areas))
+        areas.map(|areas| Solved::from_surfaces(&areas))
     };
     Ok(Solutions { of_presses: layout.presses.iter().enumerate().map(solved).collect(), spent })
 }
@@ -124,8 +124,8 @@ fn pressed(
 }
 
 impl Solved {
-    /// The mean of the areas on several surfaces, with its error.
-    pub fn of(areas: &[f64]) -> Self {
+    /// Averages the areas of several surfaces.
+    pub fn from_surfaces(areas: &[f64]) -> Self {
         let count = areas.len() as f64;
         let area_fraction = areas.iter().sum::<f64>() / count;
         let deviations = areas.iter().map(|area| (area - area_fraction).powi(2)).sum::<f64>();
@@ -135,7 +135,7 @@ impl Solved {
         Solved { area_fraction, standard_error }
     }
 
-    /// Anything between a share of the surface and all of it.
+    /// An area that is evenly distributed between a share of the surface and all of it.
     pub fn between(share: f64) -> Self {
         // The standard deviation of an even distribution.
         let standard_error = (1.0 - share) / 12f64.sqrt();
@@ -149,10 +149,10 @@ mod tests {
 
     #[test]
     fn the_error_of_few_surfaces_is_widened_and_holds_that_of_the_grid() {
-        let solved = Solved::of(&[0.1, 0.1, 0.1, 0.1]);
+        let solved = Solved::from_surfaces(&[0.1, 0.1, 0.1, 0.1]);
         assert!((solved.area_fraction - 0.1).abs() < 1e-15);
         assert!((solved.standard_error / 0.1 - GRID_ERROR).abs() < 1e-12);
-        let scattered = Solved::of(&[0.09, 0.11]);
+        let scattered = Solved::from_surfaces(&[0.09, 0.11]);
         assert!((scattered.standard_error - (widening(2) * 0.01).hypot(0.1 * GRID_ERROR)).abs() < 1e-12);
     }
 }

@@ -1,4 +1,4 @@
-//! Verdicts: what a ratio of areas says of a model.
+//! Verdicts on a model from a ratio of areas.
 
 use serde::Serialize;
 
@@ -6,27 +6,27 @@ use serde::Serialize;
 /// of the rms gradient, so that a spectrum uncertain by a factor 1.8 makes it uncertain by as much.
 pub const AGREEMENT: f64 = 4.0 / 3.0;
 
-/// How many standard errors a ratio is given.
+/// The number of standard errors that a ratio is given.
 pub const ERRORS_GIVEN: f64 = 2.0;
 
-/// What is said of a curve.
+/// The verdict on a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// Its area is that of boundary elements within [`AGREEMENT`] and what the elements leave open.
+    /// The area agrees with that of boundary elements within [`AGREEMENT`] and the errors of the elements.
     Agrees,
-    /// It is larger.
+    /// The area is larger.
     TooLarge,
-    /// It is smaller.
+    /// The area is smaller.
     TooSmall,
     /// An assumption of the curve does not hold.
     OutOfRange,
-    /// There is nothing to hold it against.
+    /// No area of elements is available for comparison.
     NotJudged,
 }
 
 impl Verdict {
-    /// As tables name it.
+    /// The name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -38,15 +38,15 @@ impl Verdict {
         }
     }
 
-    /// Whether it came of a comparison of areas.
+    /// True for a verdict from a comparison of areas.
     #[must_use]
     pub fn compares(self) -> bool {
         matches!(self, Verdict::Agrees | Verdict::TooLarge | Verdict::TooSmall)
     }
 
-    /// The verdict on a ratio to an area that is known within this relative standard error.
+    /// The verdict on a ratio to an area with this relative standard error.
     #[must_use]
-    pub fn of_ratio(ratio: f64, relative_error: f64) -> Self {
+    pub fn from_ratio(ratio: f64, relative_error: f64) -> Self {
         let bound = AGREEMENT * (1.0 + ERRORS_GIVEN * relative_error);
         if ratio > bound {
             Verdict::TooLarge
@@ -64,11 +64,11 @@ mod tests {
 
     #[test]
     fn a_ratio_is_judged_the_same_either_way_and_given_two_errors() {
-        assert_eq!(Verdict::of_ratio(1.3, 0.0), Verdict::Agrees);
-        assert_eq!(Verdict::of_ratio(1.0 / 1.3, 0.0), Verdict::Agrees);
-        assert_eq!(Verdict::of_ratio(1.4, 0.0), Verdict::TooLarge);
-        assert_eq!(Verdict::of_ratio(1.0 / 1.4, 0.0), Verdict::TooSmall);
-        assert_eq!(Verdict::of_ratio(1.4, 0.05), Verdict::Agrees);
+        assert_eq!(Verdict::from_ratio(1.3, 0.0), Verdict::Agrees);
+        assert_eq!(Verdict::from_ratio(1.0 / 1.3, 0.0), Verdict::Agrees);
+        assert_eq!(Verdict::from_ratio(1.4, 0.0), Verdict::TooLarge);
+        assert_eq!(Verdict::from_ratio(1.0 / 1.4, 0.0), Verdict::TooSmall);
+        assert_eq!(Verdict::from_ratio(1.4, 0.05), Verdict::Agrees);
         assert!(Verdict::Agrees.compares() && !Verdict::OutOfRange.compares());
     }
 }

@@ -1,14 +1,14 @@
-//! What is said of a curve: under a load on a window, and under a load on the whole band.
+//! Verdicts on curves: under a load on a window, and under a load on the whole band.
 
 use serde::Serialize;
 
-use crate::assumptions::Broken;
+use crate::assumptions::BrokenAssumption;
 use crate::reason::Reason;
 use crate::verdict::Verdict;
 
-/// A curve under a load on a window.
+/// A curve under a load on a window, held against boundary elements.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OnWindow {
+pub struct WindowOutcome {
     /// The curve, by index.
     pub curve: usize,
     /// The load, by index.
@@ -17,33 +17,33 @@ pub struct OnWindow {
     pub longest_m: f64,
     /// The shortest wave of the window \[m\].
     pub shortest_m: f64,
-    /// Whether this is no window but the whole band, of which the last window was pressed on what Persson's theory says the
-    /// longer waves leave.
+    /// True for the whole band in place of a window: its area is that of the last window, times the share that the longer
+    /// waves leave by Persson's theory.
     pub is_whole_band: bool,
-    /// The mean pressure on the window \[Pa\]: the real pressure that the longer waves leave.
+    /// The mean pressure on the window \[Pa\]: the real pressure with the longer waves alone.
     pub pressure_pa: f64,
-    /// The same over E* times the rms gradient of the window.
+    /// The mean pressure on the window over E* times its rms gradient.
     pub pressure_over_gradient: f64,
-    /// The curve's area over that of the window.
+    /// The curve's area, as a fraction of the window.
     pub area_fraction: Option<f64>,
-    /// That of boundary elements.
-    pub judged: Option<Judged>,
-    /// What is said of the curve there.
+    /// The area of boundary elements.
+    pub elements: Option<ElementArea>,
+    /// The verdict on the curve.
     pub verdict: Verdict,
-    /// Why.
+    /// The reason for the verdict.
     pub reason: Reason,
 }
 
-/// An area by boundary elements.
+/// The area of boundary elements.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Judged {
+pub struct ElementArea {
     /// The area fraction.
     pub area_fraction: f64,
     /// Its standard error.
     pub standard_error: f64,
 }
 
-impl Judged {
+impl ElementArea {
     /// The standard error over the area.
     #[must_use]
     pub fn relative_error(self) -> f64 {
@@ -51,48 +51,53 @@ impl Judged {
     }
 }
 
-impl OnWindow {
+impl WindowOutcome {
     /// The curve's area over that of the elements.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
-        Some(self.area_fraction? / self.judged?.area_fraction)
+        Some(self.area_fraction? / self.elements?.area_fraction)
     }
 
-    /// The ratio where it counts for the curve's verdict, with its relative error.
-    pub(crate) fn counted(&self) -> Option<(f64, f64)> {
+    /// True for the outcomes of this curve under this load.
+    pub(crate) fn is_of(&self, curve: usize, load: usize) -> bool {
+        (self.curve, self.load) == (curve, load)
+    }
+
+    /// The ratio and its relative error, if it counts for the verdict on the curve.
+    pub(crate) fn ratio_and_error(&self) -> Option<(f64, f64)> {
         self.verdict.compares().then_some(())?;
-        Some((self.ratio()?, self.judged?.relative_error()))
+        Some((self.ratio()?, self.elements?.relative_error()))
     }
 }
 
 /// A curve under a load, on the whole band.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OfCurve {
+pub struct CurveVerdict {
     /// The curve, by index.
     pub curve: usize,
     /// The load, by index.
     pub load: usize,
-    /// Its area fraction at the shortest wavelength; none where it has none.
+    /// The area fraction at the shortest wavelength, if the curve has one.
     pub area_fraction: Option<f64>,
-    /// The area of boundary elements and its standard error, where the whole band was solved.
-    pub judged: Option<Judged>,
+    /// The area of boundary elements, if they were pressed with the whole band.
+    pub elements: Option<ElementArea>,
     /// The ratio to boundary elements on the worst window.
     pub ratio: Option<f64>,
-    /// What is said of it.
+    /// The verdict on the curve.
     pub verdict: Verdict,
-    /// Why.
+    /// The reason for the verdict.
     pub reason: Reason,
-    /// The assumption of its own that breaks first.
-    pub broken: Option<Broken>,
+    /// The assumption of the curve that breaks first.
+    pub broken: Option<BrokenAssumption>,
 }
 
-impl OnWindow {
-    /// What the whole surface down to the end of the window would have in contact, with its error: the elements' area of the
-    /// window, times what Persson's theory leaves to it of a nominal pressure \[Pa\] by the longer waves.
+impl WindowOutcome {
+    /// The area of boundary elements for the whole surface, down to the end of the window: the area on the window times the
+    /// share of the surface that the longer waves leave in contact by Persson's theory.
     #[must_use]
-    pub fn judged_of_whole(&self, nominal_pressure_pa: f64) -> Option<Judged> {
+    pub fn elements_of_whole(&self, nominal_pressure_pa: f64) -> Option<ElementArea> {
         let left = nominal_pressure_pa / self.pressure_pa;
-        let Judged { area_fraction, standard_error } = self.judged?;
-        Some(Judged { area_fraction: left * area_fraction, standard_error: left * standard_error })
+        let ElementArea { area_fraction, standard_error } = self.elements?;
+        Some(ElementArea { area_fraction: left * area_fraction, standard_error: left * standard_error })
     }
 }

@@ -1,22 +1,22 @@
-//! Windows of a spectrum: what a grid can hold of it, half a decade after half a decade.
+//! Windows of a spectrum: bands that a grid can hold, half a decade apart.
 
 use gaussian_surfaces::AreaSpectrum;
 use spectrum::ProfilePsd;
 
 use crate::JudgeError;
 
-/// How far one window begins behind the other, in decades.
+/// The distance between the beginnings of neighbouring windows, in decades.
 const STEP_DECADES: f64 = 0.5;
 /// Points of the grid on the shortest wavelength.
 pub(crate) const POINTS_PER_SHORTEST: f64 = 4.0;
-/// How often the longest wavelength goes into the box.
+/// The side of the box over the longest wavelength.
 pub(crate) const LENGTHS_IN_BOX: f64 = 2.0;
-/// How far the spectrum of profiles is followed beyond the longest wave of the surface, in decades: profiles see long waves
-/// where the surface has none, and what lies farther out is less than a hundredth of their variance.
+/// Decades by which the spectrum of profiles extends beyond the longest wave of the surface: profiles see long waves where
+/// the surface has none. Less than a hundredth of their variance lies farther out.
 const FLAT_DECADES: f64 = 1.0;
-/// Fewer scales are no spectrum for a model.
-const LEAST_SCALES: usize = 3;
-/// Scales per decade of the spectrum that moments are taken of. It falls to zero at the last wavelength as a square root does.
+/// The fewest scales that a model takes.
+const MIN_SCALES: usize = 3;
+/// Scales per decade of the spectrum for moments, which falls to zero at the last wavelength like a square root.
 const FINE_PER_DECADE: f64 = 40.0;
 
 /// The band of a window.
@@ -36,7 +36,7 @@ pub(crate) struct Window {
     pub rms_gradient: f64,
 }
 
-/// How many decades a grid of so many points along a side holds.
+/// The decades of wavelength that a grid with `grid` points along a side holds.
 pub(crate) fn decades_held(grid: usize) -> f64 {
     (grid as f64 / (POINTS_PER_SHORTEST * LENGTHS_IN_BOX)).log10()
 }
@@ -58,8 +58,8 @@ pub(crate) fn bands(whole: Band, decades: f64) -> Vec<Band> {
 }
 
 impl Window {
-    /// The window of a surface on a band.
-    pub fn of(surface: &AreaSpectrum, band: Band) -> Result<Self, JudgeError> {
+    /// Cuts the surface to a band.
+    pub fn new(surface: &AreaSpectrum, band: Band) -> Result<Self, JudgeError> {
         let surface = surface.cut(band.longest_m, band.shortest_m)?;
         let rms_gradient = surface.mean_square_gradient().sqrt();
         Ok(Window { band, surface, rms_gradient })
@@ -75,7 +75,7 @@ impl Window {
         self.profile(FINE_PER_DECADE, true)
     }
 
-    /// The same at so many scales a decade, for models that stack them.
+    /// The spectrum of the window's profiles at `scales_per_decade`, for models that stack scales.
     pub fn stacked_profile(&self, scales_per_decade: f64) -> Result<ProfilePsd, JudgeError> {
         self.profile(scales_per_decade, false)
     }
@@ -95,9 +95,7 @@ impl Window {
         // Noise may leave a surface no waves at its short end; there its profiles have no spectrum.
         loop {
             match self.surface.profile(&wavelengths_m) {
-                Err(_) if wavelengths_m.len() > LEAST_SCALES => {
-                    wavelengths_m.truncate(wavelengths_m.len() - 1)
-                }
+                Err(_) if wavelengths_m.len() > MIN_SCALES => wavelengths_m.truncate(wavelengths_m.len() - 1),
                 found => return Ok(found?),
             }
         }

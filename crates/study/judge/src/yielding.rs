@@ -1,30 +1,29 @@
-//! What yields: the pressure of an elastic contact against the hardness, scale by scale.
+//! Yielding: the pressure of an elastic contact against the hardness, scale by scale.
 
 use serde::Serialize;
 
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
 
-/// Where an elastic contact would be pressed beyond the hardness, under one load.
+/// The scales at which an elastic contact would exceed the hardness, under one load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Yielding {
     /// The load, by index.
     pub load: usize,
     /// The mean real pressure of Persson's elastic contact at the shortest wavelength \[Pa\].
     pub elastic_pressure_pa: f64,
-    /// The first scale whose pressure is above a hardness that is the same everywhere; `None` where none is, or there is
-    /// no strength.
+    /// The first scale whose pressure exceeds a constant hardness, if there is one.
     pub above_constant: Option<AboveHardness>,
-    /// The same with a hardness that grows at small scales; `None` where none is, or the material has no such length.
+    /// The first scale whose pressure exceeds a hardness that grows at small scales, if there is one.
     pub above_growing: Option<AboveHardness>,
-    /// Whether the material has a hardness at all.
+    /// True if the material yields.
     pub has_hardness: bool,
-    /// Whether it has one that grows at small scales.
+    /// True if its hardness grows at small scales.
     pub hardness_grows: bool,
 }
 
 impl Yielding {
-    /// From the elastic pressures \[Pa\] against wavelength \[m\], from long to short, which are not empty.
-    pub(crate) fn of(
+    /// Compares elastic pressures \[Pa\] against wavelength \[m\], from long to short, with both hardnesses.
+    pub(crate) fn new(
         load: usize,
         elastic: &[(f64, f64)],
         constant: Option<&HardnessOfScales>,

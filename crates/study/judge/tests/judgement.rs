@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use judge::{JudgePlan, Judgement, Reason, RestsOn, Settings, Verdict};
+use judge::{Basis, JudgePlan, Judgement, Reason, Settings, Verdict};
 use scene::{Overrides, Scene};
 use study::plan::Results;
 use study::{Files, Progress, Unobserved};
@@ -59,7 +59,7 @@ fn scene(decades: f64, material: &str, loads: &str, curves: &[&str]) -> Scene {
 
 fn judged(scene: &Scene, settings: &Settings) -> (Results, Judgement) {
     let results = scene.plan().compute().unwrap();
-    let judgement = JudgePlan::of(scene, &results, settings).carry_out(&Unobserved).unwrap();
+    let judgement = JudgePlan::new(scene, &results, settings).run(&Unobserved).unwrap();
     (results, judgement)
 }
 
@@ -76,14 +76,14 @@ fn a_band_that_the_grid_holds_is_solved_whole_and_its_bracket_is_that_of_the_ele
     let extent = judgement.extent.as_ref().unwrap();
     assert_eq!((extent.windows, extent.grid, extent.realisations), (1, 64, 4));
     for curve in &judgement.curves {
-        assert!(curve.judged.is_some_and(|judged| judged.standard_error > 0.0), "{curve:?}");
+        assert!(curve.elements.is_some_and(|judged| judged.standard_error > 0.0), "{curve:?}");
     }
     // Persson's theory is 15 to 31 % low below a third of contact (Dapp, Prodanov & Mueser 2014).
     let persson = &judgement.curves[1];
     assert!((0.65..0.9).contains(&persson.ratio.unwrap()), "{persson:?}");
     let headline = judgement.headline(0).unwrap();
     // Cut off in the surface or in its profiles: the gradient differs by 4 %.
-    let judged = persson.judged.unwrap();
+    let judged = persson.elements.unwrap();
     let of_whole = persson.area_fraction.unwrap() / judged.area_fraction;
     assert!((of_whole / persson.ratio.unwrap() - 1.0).abs() < 0.05, "{of_whole}");
     assert!(headline.low < judged.area_fraction && judged.area_fraction < headline.high);
@@ -105,11 +105,9 @@ fn windows_step_by_half_a_decade_and_the_widest_is_the_whole_band() {
     assert!(windows.windows(2).all(|pair| pair[1].pressure_pa > pair[0].pressure_pa));
     for row in &judgement.curves {
         assert!(matches!(row.reason, Reason::Compared { windows: 5, .. }), "{row:?}");
-        assert!(row.judged.is_none());
+        assert!(row.elements.is_none());
     }
-    let RestsOn::Curve { curve, .. } = judgement.headline(0).unwrap().rests_on else {
-        panic!("{judgement:?}")
-    };
+    let Basis::Curve { curve, .. } = judgement.headline(0).unwrap().basis else { panic!("{judgement:?}") };
     assert_eq!(judgement.curves[curve].broken, None);
 }
 
@@ -123,9 +121,9 @@ fn what_yields_is_held_against_saturated_elements_and_elastic_curves_are_out_of_
     let plastic = &judgement.curves[1];
     assert_eq!(plastic.verdict, Verdict::Agrees, "{plastic:?}");
     // The load over the hardness is the least that can touch.
-    assert!(plastic.judged.unwrap().area_fraction >= 300.0 / 900.0);
-    let rests_on = judgement.headline(0).unwrap().rests_on;
-    assert!(matches!(rests_on, RestsOn::Curve { curve: 1 | 2, .. }), "{rests_on:?}");
+    assert!(plastic.elements.unwrap().area_fraction >= 300.0 / 900.0);
+    let basis = judgement.headline(0).unwrap().basis;
+    assert!(matches!(basis, Basis::Curve { curve: 1 | 2, .. }), "{basis:?}");
 }
 
 #[test]
@@ -149,29 +147,29 @@ fn a_strength_that_grows_is_not_judged_unless_it_never_matters() {
 fn the_budget_fixes_the_work_and_what_is_cancelled_is_not_judged() {
     let scene = scene(1.6, "", "\"1 MPa\", \"20 MPa\", \"30 MPa\", \"50 MPa\"", &ELASTIC);
     let results = scene.plan().compute().unwrap();
-    let plan = |budget: f64| JudgePlan::of(&scene, &results, &Settings { budget, ..Settings::default() });
-    let extents = [3e6, 3e7].map(|budget| plan(budget).carry_out(&Unobserved).unwrap().extent.unwrap());
+    let plan = |budget: f64| JudgePlan::new(&scene, &results, &Settings { budget, ..Settings::default() });
+    let extents = [3e6, 3e7].map(|budget| plan(budget).run(&Unobserved).unwrap().extent.unwrap());
     for (extent, budget) in extents.iter().zip([3e6, 3e7]) {
-        assert!(extent.reckoned <= budget && extent.spent <= 1.2 * budget, "{extent:?}");
+        assert!(extent.estimated <= budget && extent.spent <= 1.2 * budget, "{extent:?}");
     }
     assert!(extents[0].grid < extents[1].grid);
     let nothing = plan(1e3);
     assert_eq!(nothing.solutions(), 0);
-    let judgement = nothing.carry_out(&Unobserved).unwrap();
+    let judgement = nothing.run(&Unobserved).unwrap();
     assert!(judgement.curves.iter().all(|curve| curve.reason == Reason::BeyondBudget));
-    let cancelled = plan(3e6).carry_out(&Cancelled).unwrap();
+    let cancelled = plan(3e6).run(&Cancelled).unwrap();
     assert!(cancelled.curves.iter().all(|curve| curve.verdict == Verdict::NotJudged));
     assert!(cancelled.windows.iter().any(|on| on.reason == Reason::Cancelled));
-    assert!(matches!(cancelled.headline(0).unwrap().rests_on, RestsOn::RangeOfModels { .. }));
+    assert!(matches!(cancelled.headline(0).unwrap().basis, Basis::RangeOfModels { .. }));
 }
 
 #[test]
 fn a_step_of_progress_is_a_surface_under_one_pressure() {
     let scene = scene(0.9, "", "\"100 MPa\", \"200 MPa\"", &["model = \"persson\""]);
     let results = scene.plan().compute().unwrap();
-    let plan = JudgePlan::of(&scene, &results, &coarse(64, 4));
+    let plan = JudgePlan::new(&scene, &results, &coarse(64, 4));
     let counted = Counted::default();
-    plan.carry_out(&counted).unwrap();
+    plan.run(&counted).unwrap();
     assert_eq!(counted.0.into_inner(), plan.solutions());
     assert!(plan.solutions() > 0);
 }
@@ -182,8 +180,8 @@ fn a_hundred_pairs_of_seeds_differ_by_their_standard_errors() {
     let results = scene.plan().compute().unwrap();
     let area = |seed: u64| {
         let settings = Settings { seed, ..coarse(64, 4) };
-        let judgement = JudgePlan::of(&scene, &results, &settings).carry_out(&Unobserved).unwrap();
-        judgement.curves[0].judged.unwrap()
+        let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
+        judgement.curves[0].elements.unwrap()
     };
     let within = (0..100).filter(|pair| {
         let [one, other] = [area(2 * pair), area(2 * pair + 1)];

@@ -1,13 +1,13 @@
 #![doc = include_str!("../README.md")]
 
+pub mod assessment;
 mod figures;
-pub mod occasion;
 pub mod page;
 mod pictures;
 pub mod plot;
 pub mod products;
 pub mod run;
-pub mod trust;
+pub mod run_stamp;
 mod words;
 
 pub use figures::elements_figure;

@@ -2,17 +2,17 @@
 
 use std::io::{self, Write};
 
+use crate::assessment::Assessment;
 use crate::curve_names::with_full_names;
 use crate::intervals::with_intervals;
 use crate::judged;
-use crate::occasion::Occasion;
 use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
-use crate::trust::Trust;
+use crate::run_stamp::RunStamp;
 use findings::answer::Answer;
-use findings::interface::{InterfaceStates, of_slots};
-use findings::sensitivity::{Sensitivity, counted_sensitivities};
+use findings::interface::{InterfaceStates, slots_table};
+use findings::sensitivity::{Sensitivity, sensitivities_with_work};
 use judge::Judgement;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
@@ -24,7 +24,7 @@ use study::{Progress, Unobserved};
 use tables::{Format, Table};
 use uncertainty::{QuantityInterval, Uncertainty};
 
-/// The page on everything that a scene found.
+/// The name of the report page.
 const REPORT: &str = "report.html";
 
 /// The figures of a scene with their data.
@@ -32,13 +32,13 @@ pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
     scene.figures.iter().map(|figure| data(scene, results, figure, None)).collect()
 }
 
-/// One figure of a scene as an SVG document; `None` where it has no figure of that name.
+/// Draws one figure of a scene as an SVG document; `None` if it has no figure of that name.
 pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name)?;
     Some(drawn(scene, &data(scene, results, figure, None)))
 }
 
-/// The data of a figure, with the intervals of its areas where there are some.
+/// The data of a figure, with the intervals of its areas.
 fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&Uncertainty>) -> FigureData {
     let data = figure.data(results, &scene.needs, scene.hardness_pa());
     let data = match uncertainty {
@@ -57,9 +57,17 @@ fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&
 
 /// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
-fn reported_figures(scene: &Scene, results: &Results, trust: Trust<'_>) -> Vec<FigureData> {
+fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>) -> Vec<FigureData> {
     let mut own = scene.figures.clone();
-    let mut first = Vec::new();
+    let data = |figure: &Figure| data(scene, results, figure, assessment.uncertainty);
+    let finished = |data: FigureData| {
+        let named = with_full_names(data, &scene.needs.curves);
+        match assessment.judgement {
+            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
+            _ => named,
+        }
+    };
+    let mut figures = Vec::new();
     let followed: Vec<usize> = (0..scene.needs.curves.len())
         .filter(|&at| scene.needs.curves[at].cutoffs == Cutoffs::Every)
         .collect();
@@ -67,12 +75,15 @@ fn reported_figures(scene: &Scene, results: &Results, trust: Trust<'_>) -> Vec<F
         figure.shows == Shows::Area && followed.iter().all(|curve| figure.curves.contains(curve))
     };
     if !followed.is_empty() {
-        first.push(match own.iter().position(shows_all) {
-            Some(at) => own.remove(at),
-            None => Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) },
-        });
+        figures.push(finished(match own.iter().position(shows_all) {
+            Some(at) => data(&own.remove(at)),
+            None => {
+                let all = Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) };
+                at_two_loads(scene, data(&all))
+            }
+        }));
     }
-    first.push(match own.iter().position(|figure| figure.shows == Shows::Psd) {
+    let spectrum = match own.iter().position(|figure| figure.shows == Shows::Psd) {
         Some(at) => own.remove(at),
         None => Figure {
             name: SPECTRUM_NAME.to_owned(),
@@ -81,27 +92,20 @@ fn reported_figures(scene: &Scene, results: &Results, trust: Trust<'_>) -> Vec<F
             curves: Vec::new(),
             sweeps: Vec::new(),
         },
-    });
-    let of = |figure: &Figure| {
-        let data = data(scene, results, figure, trust.uncertainty);
-        let legible = if figure.name == ANSWER_NAME { at_two_loads(scene, data) } else { data };
-        let named = with_full_names(legible, &scene.needs.curves);
-        match trust.judgement {
-            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
-            _ => named,
-        }
     };
-    first.iter().chain(&own).map(of).collect()
+    figures.push(finished(data(&spectrum)));
+    figures.extend(own.iter().map(|figure| finished(data(figure))));
+    figures
 }
 
-/// Names that no figure of a scene can have, since they begin with no letter.
+/// The names of figures that only the report has. No figure of a scene has such a name, which begins with a letter.
 const ANSWER_NAME: &str = "_answer";
 const SPECTRUM_NAME: &str = "_spectrum";
 
-/// More lines than this are not told apart.
+/// The most lines that a reader can tell apart.
 const MOST_LINES: usize = 12;
 
-/// The figure under the smallest and the largest load alone, where all of its lines would be too many.
+/// Reduces a figure with too many lines to the smallest and the largest load.
 fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
     if figure.series.len() <= MOST_LINES {
         return figure;
@@ -110,9 +114,8 @@ fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
     let by_pressure =
         |a: &usize, b: &usize| loads[*a].nominal_pressure_pa().total_cmp(&loads[*b].nominal_pressure_pa());
     let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
-    // Of an area against cutoff the colour is the load.
-    let series = figure.series.into_iter().filter(|line| kept.contains(&Some(line.colour))).collect();
-    let bands = figure.bands.into_iter().filter(|band| kept.contains(&Some(band.colour))).collect();
+    let series = figure.series.into_iter().filter(|line| kept.contains(&line.load)).collect();
+    let bands = figure.bands.into_iter().filter(|band| kept.contains(&band.load)).collect();
     let title = format!("{}, under the smallest and the largest load", figure.title);
     FigureData { series, bands, title, ..figure }
 }
@@ -128,59 +131,63 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
     lines
 }
 
-/// What a report says besides the curves and figures of a scene.
+/// The findings of a report besides curves and figures.
 pub struct Findings {
     /// The answer.
     pub answer: Answer,
-    /// How much each choice of modelling moves the areas.
+    /// The sensitivities of the areas to modelling choices.
     pub sensitivities: Vec<Sensitivity>,
-    /// How much was computed for that.
+    /// The work that the sensitivities took.
     pub work: Work,
-    /// How and when the scene was carried out, where that is told.
-    pub occasion: Occasion,
+    /// Date and command of the run.
+    pub run_stamp: RunStamp,
 }
 
 impl Findings {
-    /// The findings in the results of a scene; the sensitivities are computed.
+    /// Extracts the findings from the results of a scene, and computes the sensitivities.
     ///
     /// # Errors
     /// [`PlanError`], as of the scene itself.
-    pub fn of(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
-        Self::of_observed(scene, results, &Unobserved)
+    pub fn from_results(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
+        Self::from_results_observed(scene, results, &Unobserved)
     }
 
-    /// The same, watched by `progress`, which may end it.
+    /// Extracts the findings; `progress` watches the sensitivities and may cancel them.
     ///
     /// # Errors
     /// [`PlanError`], as of the scene itself.
-    pub fn of_observed(scene: &Scene, results: &Results, progress: &dyn Progress) -> Result<Self, PlanError> {
-        let answer = Answer::of(scene, results);
-        let (sensitivities, work) = counted_sensitivities(scene, results, progress)?;
-        Ok(Findings { answer, sensitivities, work, occasion: Occasion::default() })
+    pub fn from_results_observed(
+        scene: &Scene,
+        results: &Results,
+        progress: &dyn Progress,
+    ) -> Result<Self, PlanError> {
+        let answer = Answer::from_results(scene, results);
+        let (sensitivities, work) = sensitivities_with_work(scene, results, progress)?;
+        Ok(Findings { answer, sensitivities, work, run_stamp: RunStamp::default() })
     }
 
-    /// The same, carried out on this occasion.
+    /// Adds date and command of the run.
     #[must_use]
-    pub fn on(self, occasion: Occasion) -> Self {
-        Findings { occasion, ..self }
+    pub fn on(self, run_stamp: RunStamp) -> Self {
+        Findings { run_stamp, ..self }
     }
 
-    /// The part of a report that they make.
+    /// The part of a report on these findings.
     pub fn report<'a>(
         &'a self,
         label: &'a str,
         scene: &'a Scene,
         results: &'a Results,
-        trust: Trust<'a>,
+        assessment: Assessment<'a>,
     ) -> SceneReport<'a> {
         SceneReport {
             label,
             scene,
             results,
             answer: &self.answer,
-            trust,
+            assessment,
             sensitivities: &self.sensitivities,
-            figures: reported_figures(scene, results, trust),
+            figures: reported_figures(scene, results, assessment),
         }
     }
 
@@ -210,7 +217,7 @@ fn uncertainty_tables(uncertainty: &Uncertainty, scene: &Scene) -> [(&'static st
     ]
 }
 
-/// What is made of a scene beside its curves and figures.
+/// The optional products of a scene besides its curves and figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Parts {
     /// The report and its tables.
@@ -221,8 +228,8 @@ pub struct Parts {
     pub uncertainty: bool,
 }
 
-/// The names of the files that a scene may have, for whoever looks before they are made. A table of the judge or of draws that
-/// has no rows is not written.
+/// The names of the files that a scene may have, for checks before anything is computed. Tables of the judge or of
+/// draws without rows are not written.
 #[must_use]
 pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
     let table = |name: &str| format!("{name}.{}", format.extension());
@@ -244,10 +251,10 @@ pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
     names
 }
 
-/// What puts the bytes of one file anywhere.
+/// The writer of one file's content.
 pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
 
-/// Hands every file of a scene to `file`, by name, and yields their names.
+/// Passes the name and content of every file of a scene to `file`, and returns the names.
 ///
 /// # Errors
 /// Those of `file`.
@@ -255,12 +262,12 @@ pub fn each_file<E>(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
-    trust: Trust<'_>,
+    assessment: Assessment<'_>,
     format: Format,
     mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
 ) -> Result<Vec<String>, E> {
     let mut names = Vec::new();
-    each_product(scene, results, findings, trust, |name, product| {
+    each_product(scene, results, findings, assessment, |name, product| {
         let name = product.file_name(name, format);
         let written = file(&name, &|out| product.write(format, out));
         names.push(name);
@@ -269,10 +276,10 @@ pub fn each_file<E>(
     Ok(names)
 }
 
-/// Something that is made of a scene.
+/// A product of a scene.
 #[derive(Debug, Clone, Copy)]
 pub enum Product<'p> {
-    /// A table, and the lines that tell where it comes from.
+    /// A table with the lines of its provenance.
     Table {
         /// The table.
         table: &'p Table,
@@ -286,7 +293,7 @@ pub enum Product<'p> {
 }
 
 impl Product<'_> {
-    /// The name of the file that it goes to.
+    /// The name of its file.
     #[must_use]
     pub fn file_name(&self, name: &str, format: Format) -> String {
         match self {
@@ -296,7 +303,7 @@ impl Product<'_> {
         }
     }
 
-    /// Writes what is in that file.
+    /// Writes the content of its file.
     ///
     /// # Errors
     /// Those of `out`.
@@ -308,9 +315,8 @@ impl Product<'_> {
     }
 }
 
-/// Hands everything that is made of a scene to `take`, by name. The report and its tables are left out where there are no
-/// findings, those of the judge and of draws where these were not asked. A table is made when its turn comes, so that only one
-/// of them is held.
+/// Passes every product of a scene to `take`, by name. The report and its tables need findings; the tables of the judge
+/// and of draws need the assessment. A table is made when its turn comes, so that only one is held.
 ///
 /// # Errors
 /// Those of `take`.
@@ -318,7 +324,7 @@ pub fn each_product<E>(
     scene: &Scene,
     results: &Results,
     findings: Option<&Findings>,
-    trust: Trust<'_>,
+    assessment: Assessment<'_>,
     mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut take_table = |name: &str, what: &str, table: &Table| {
@@ -332,19 +338,19 @@ pub fn each_product<E>(
     for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
         take_table(name, "table", table)?;
     }
-    let judged = trust.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
-    let drawn_from = trust.uncertainty.into_iter();
+    let judged = assessment.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
+    let drawn_from = assessment.uncertainty.into_iter();
     let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
     for (name, table) in judged.chain(of_draws) {
         if table.rows() > 0 {
             take_table(name, "table", &table)?;
         }
     }
-    if let Some(states) = InterfaceStates::of_scene(scene, results) {
-        take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, trust.uncertainty))?;
+    if let Some(states) = InterfaceStates::from_scene(scene, results) {
+        take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, assessment.uncertainty))?;
     }
     let figures: Vec<FigureData> =
-        scene.figures.iter().map(|figure| data(scene, results, figure, trust.uncertainty)).collect();
+        scene.figures.iter().map(|figure| data(scene, results, figure, assessment.uncertainty)).collect();
     for figure in &figures {
         take_table(&figure.name, "figure", &figure.table())?;
     }
@@ -354,18 +360,18 @@ pub fn each_product<E>(
     if let Some(findings) = findings {
         let report = Report {
             title: &scene.title,
-            scenes: vec![findings.report(&scene.title, scene, results, trust)],
-            ledger: None,
+            scenes: vec![findings.report(&scene.title, scene, results, assessment)],
+            extra: None,
             repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
-            occasion: &findings.occasion,
+            run_stamp: &findings.run_stamp,
         };
         take(REPORT, Product::Report(&report.html()))?;
     }
     Ok(())
 }
 
-/// A row per quantity, load and curve that has a value: `quantity, nominal_pressure_pa, curve, value, median, low, high, level`. The
-/// quantity carries its unit; what is the same under all loads has no pressure, what no draws were made for no interval.
+/// A row per quantity, load and curve with a value: `quantity, nominal_pressure_pa, curve, value, median, low, high,
+/// level`. The quantity includes its unit; pressures are empty for all loads together, intervals without draws.
 fn interface_table(states: &InterfaceStates<'_>, scene: &Scene, uncertainty: Option<&Uncertainty>) -> Table {
     let found: Vec<(Slot, f64)> = states
         .slots()
@@ -377,7 +383,7 @@ fn interface_table(states: &InterfaceStates<'_>, scene: &Scene, uncertainty: Opt
         slots.iter().map(move |slot| uncertainty.and_then(|found| found.quantity(*slot)).map(of))
     };
     let level = |slot: &Slot| uncertainty.filter(|found| found.quantity(*slot).is_some());
-    of_slots(&scene.needs, &slots)
+    slots_table(&scene.needs, &slots)
         .with_numbers("value", found.iter().map(|(_, value)| *value))
         .with_numbers("median", interval(|interval| interval.median))
         .with_numbers("low", interval(|interval| interval.low))

@@ -6,8 +6,8 @@ use study::Progress;
 use study::plan::{PlanError, Results};
 use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 
+use crate::assessment::Assessment;
 use crate::products::{Findings, Parts};
-use crate::trust::Trust;
 
 /// What of a scene is carried out besides its curves and figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,8 +94,8 @@ pub struct Carried {
 impl Carried {
     /// How far the results can be trusted.
     #[must_use]
-    pub fn trust(&self) -> Trust<'_> {
-        Trust { judgement: self.judgement.as_ref(), uncertainty: self.uncertainty.as_ref() }
+    pub fn assessment(&self) -> Assessment<'_> {
+        Assessment { judgement: self.judgement.as_ref(), uncertainty: self.uncertainty.as_ref() }
     }
 }
 
@@ -141,7 +141,7 @@ pub fn carry_out(scene: &Scene, asked: Asked, watch: &dyn Watch) -> Result<Carri
     let results = plan.compute_observed(&*watch.begin(Phase::Computing, plan.statistical_states()))?;
     watch.end(Phase::Computing);
     let findings = match asked.report {
-        true => Some(Findings::of_observed(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
+        true => Some(Findings::from_results_observed(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
         false => None,
     };
     watch.end(Phase::Comparing);
@@ -163,10 +163,10 @@ fn judgement(
     if !asked.is_judged(scene) {
         return Ok(None);
     }
-    let settings = judge::Settings::of(scene.judge.as_ref());
-    let plan = JudgePlan::of(scene, results, &settings);
+    let settings = judge::Settings::from_choices(scene.judge.as_ref());
+    let plan = JudgePlan::new(scene, results, &settings);
     let progress = watch.begin(Phase::Judging, plan.solutions());
-    let judgement = plan.carry_out(&*progress)?;
+    let judgement = plan.run(&*progress)?;
     // What was not pressed by the end is not judged, and half a judgement would pass for a whole one.
     if progress.is_cancelled() { Err(RunError::Cancelled) } else { Ok(Some(judgement)) }
 }
@@ -180,8 +180,8 @@ fn uncertainty(
     if !asked.is_drawn(scene) {
         return Ok(None);
     }
-    let settings = uncertainty::Settings::of(scene.uncertainty.as_ref());
-    let Some(plan) = UncertaintyPlan::of(scene, results, &settings) else { return Ok(None) };
+    let settings = uncertainty::Settings::from_choices(scene.uncertainty.as_ref());
+    let Some(plan) = UncertaintyPlan::new(scene, results, &settings) else { return Ok(None) };
     let progress = watch.begin(Phase::Drawing, plan.steps());
-    Ok(Some(plan.carry_out(&*progress)?))
+    Ok(Some(plan.run(&*progress)?))
 }

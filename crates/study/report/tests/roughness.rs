@@ -16,11 +16,10 @@ fn what_was_assumed_of_a_spectrum_is_told_with_its_numbers() {
     };
     assert_eq!(
         told("mean_width = \"80 um\""),
-        "this spectrum was not measured but made from an rms height Rq of 400 nm and an rms slope Rdq of 0.15, both of profiles of an \
-         isotropic surface: level from 800 µm (assumed) to the roll-off at 80 µm (for which the mean width RSm is taken), a Hurst \
-         exponent of 0.8 (assumed) from there to 95.4 nm, where it ends so as to have that slope; shorter waves are not in it. Its \
-         standard errors are those of a Hurst exponent known to 0.1 and a roll-off known to a factor of 2"
+        "this spectrum was made from an rms height Rq of 400 nm and an rms slope Rdq of 0.15, not measured: level from 800 µm (assumed) \
+         to the roll-off at 80 µm (the mean width RSm), then a Hurst exponent of 0.8 (assumed) down to 95.4 nm, where it reaches that \
+         slope; shorter waves are missing. Its standard errors assume a Hurst exponent known to 0.1 and a roll-off known to a factor of 2"
     );
     let given = told("rolloff_wavelength = \"80 um\"\nhurst = 0.8");
-    assert!(given.contains("80 µm (as given), a Hurst exponent of 0.8 (as given)"), "{given}");
+    assert!(given.contains("80 µm (given), then a Hurst exponent of 0.8 (given)"), "{given}");
 }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use report::assessment::Assessment;
 use report::products::{self, Findings, Parts};
 use report::summary::summary;
-use report::trust::Trust;
 use scene::{Overrides, Scene};
 use study::NoFiles;
 use study::plan::{Results, Work};
@@ -47,12 +47,12 @@ impl Study {
     fn new() -> Self {
         let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).unwrap();
         let results = scene.plan().compute().unwrap();
-        let findings = Findings::of(&scene, &results).unwrap();
+        let findings = Findings::from_results(&scene, &results).unwrap();
         Study { scene, results, findings }
     }
 
     fn words(&self, uncertainty: &Uncertainty) -> String {
-        let trust = Trust { judgement: None, uncertainty: Some(uncertainty) };
+        let trust = Assessment { judgement: None, uncertainty: Some(uncertainty) };
         // As it stands before lines are broken.
         let text = summary(&self.scene, &self.results, &self.findings.answer, trust);
         text.replace('\n', " ")
@@ -60,7 +60,7 @@ impl Study {
 
     fn files(&self, uncertainty: Option<&Uncertainty>) -> BTreeMap<String, String> {
         let mut files = BTreeMap::new();
-        let trust = Trust { judgement: None, uncertainty };
+        let trust = Assessment { judgement: None, uncertainty };
         let names = products::each_file(
             &self.scene,
             &self.results,
@@ -178,20 +178,20 @@ fn an_interval_stands_beside_its_area_with_what_carries_it() {
     let words = study.words(&study.drawn());
     let area = study.area(0, 0);
     for said in [
-        "How sure, Archard stack, elastic (Jackson-Streator): ",
-        "most of it from the scatter of three AFM scans",
+        "Archard stack, elastic (Jackson-Streator): ",
+        "mostly from the scatter of three AFM scans",
         "type A: the scatter of scans between places; type B: the height scales of instruments and the elastic constants",
-        "The interval is a guess: stylus has 2 scans, too few to say how places differ.",
-        "stylus and AFM differ by a factor 1.08 in the spectrum where both measure, from 20 µm to 4 µm (standard uncertainty a \
-         factor 1.07): as expected.",
-        "Height scale of AFM: 3 % assumed as standard uncertainty; give z_calibration.",
-        "AFM (3 scans), guessed from format and maker; give instrument.",
-        "ten more AFM scans, at other places: the interval narrows to 62 % of its width.",
-        "too flat for a limit; the area is that of its cutoff.",
+        "Treat the interval as a guess: two stylus scans cannot show how much the surface varies.",
+        "stylus and AFM differ by a factor 1.08 from 20 µm to 4 µm, where both measure (standard uncertainty: a factor 1.07): as \
+         expected.",
+        "Height calibration of AFM unknown, 3 % assumed (set z_calibration).",
+        "Instruments guessed from format and maker: AFM (3 scans) (set instrument).",
+        "ten more AFM scans, at other places: narrows the interval to 62 % of its width.",
+        "too flat for a limit; the area depends on the cutoff.",
         &format!(
-            "95 %: {} to {}",
-            units::display::three_digits(area.low),
-            units::display::three_digits(area.high)
+            "95 % interval {} to {} %",
+            units::display::three_digits(100.0 * area.low),
+            units::display::three_digits(100.0 * area.high)
         ),
     ] {
         assert!(words.contains(said), "{said}\n{words}");
@@ -205,16 +205,16 @@ fn what_carries_an_interval_is_told_as_well_as_it_is_known() {
     drawn.areas.truncate(1);
     // The scatter of no instrument leads.
     drawn.advice[0].instruments = vec![[0.35, 0.0], [0.35, 0.0]];
-    assert!(study.words(&drawn).contains("most of it from the scatter of scans between places)"));
+    assert!(study.words(&drawn).contains("mostly from the scatter of scans between places)"));
     drawn.areas[0].indices[0].first_order.value = 0.45;
-    assert!(study.words(&drawn).contains("the largest part of it (45 %) from the scatter"));
+    assert!(study.words(&drawn).contains("the largest part (45 %) from the scatter"));
     drawn.areas[0].indices[0].first_order.standard_error = 0.2;
     let unknown = study.words(&drawn);
-    assert!(!unknown.contains("of it from") && !unknown.contains(" %) from"), "{unknown}");
+    assert!(!unknown.contains("mostly from") && !unknown.contains(" %) from"), "{unknown}");
     drawn.groups = vec![Group::Strength];
     assert!(study.words(&drawn).contains(", from the strength)"));
     drawn.areas[0].ln_area_sd = 0.0;
-    assert!(study.words(&drawn).contains("(nothing that is uncertain moves it)"));
+    assert!(study.words(&drawn).contains("(no uncertain input changes it)"));
 }
 
 #[test]
@@ -236,10 +236,10 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
     }];
     let words = study.words(&drawn);
     for said in [
-        "The draws were ended after 312 of 1000: intervals rest on these, and there is no advice.",
-        "The interval is a guess: it rests on 312 draws.",
-        "nothing is known of the scatter of s.csv",
-        "t.csv: 90 of 94 samples have a standard error, the others are taken to have their neighbours'; errors are taken to go together over 0.5 decades of wavelength.",
+        "The draws were stopped after 312 of 1000: intervals rest on these, and there is no advice.",
+        "Treat the interval as a guess: it rests on 312 draws only.",
+        "s.csv has no standard errors, so it holds the scatter of the other inputs only",
+        "t.csv: 90 of 94 samples have a standard error, the others take that of their neighbours; errors are taken as correlated over 0.5 decades of wavelength.",
         "type A: the standard errors of the spectrum;",
     ] {
         assert!(words.contains(said), "{said}\n{words}");
@@ -291,7 +291,7 @@ fn the_page_has_a_section_on_how_sure_it_is_and_one_on_what_to_measure_next() {
     let steps = page.descendants().filter(|node| node.has_tag_name("li"));
     let steps: Vec<&str> = steps.filter_map(|node| node.text()).collect();
     assert!(
-        steps.contains(&"the height scale of AFM calibrated: the interval narrows to 93 % of its width.")
+        steps.contains(&"the height scale of AFM calibrated: narrows the interval to 93 % of its width.")
     );
     assert!(page.descendants().any(|node| node.text() == Some("64 %")), "the bar of the last decade");
     let mut without = study.drawn();

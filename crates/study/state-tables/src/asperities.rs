@@ -1,4 +1,4 @@
-//! One asperity under its contact law, row by row.
+//! Single asperities under their contact law, row by row.
 
 use asperity::ElasticBody;
 use parallel::Progress;
@@ -14,14 +14,14 @@ pub struct Asperities {
     law: AsperityTable,
     counterface: Option<ElasticBody>,
     rows: usize,
-    /// How many of them lie beyond the law's range.
+    /// The number of rows beyond the range of the law.
     beyond: usize,
-    /// How many of them have a hardness and no yield strength.
+    /// The number of rows with a hardness and no yield strength.
     assumed: usize,
 }
 
 impl Asperities {
-    /// Asperities under a law, against a counterface or a rigid one where absent.
+    /// Asperities under a law, against a counterface, or a rigid one if `None`.
     #[must_use]
     pub fn new(law: AsperityTable, counterface: Option<ElasticBody>) -> Self {
         Asperities { law, counterface, rows: 0, beyond: 0, assumed: 0 }

@@ -18,8 +18,8 @@ type Inputs<const IN: usize> = ([f64; 3], [f64; IN]);
 /// A law of a material pair, a yield strength \[Pa\] and its inputs.
 type Law<const IN: usize, const OUT: usize> = fn(&MaterialPair, f64, [f64; IN]) -> ([f64; OUT], bool);
 
-/// A law as a table sees it: input columns after the material's, result columns, and what lies between; the law also
-/// tells whether its results lie in the range it was fitted in.
+/// A law as columns: the inputs after the material, the results, and the law between them, which also returns true for
+/// results within its fitted range.
 struct Columns<const IN: usize, const OUT: usize> {
     inputs: [(&'static str, Bound); IN],
     results: [&'static str; OUT],
@@ -123,8 +123,8 @@ impl AsperityTable {
         }
     }
 
-    /// Sets the result columns of a table from its input columns, against a counterface or a rigid one where absent;
-    /// yields how many rows lie beyond the law's range.
+    /// Sets the result columns of a table from its input columns, against a counterface, or a rigid one if `None`.
+    /// Returns the number of rows beyond the range of the law.
     ///
     /// # Errors
     /// [`RowsError`] for a missing column, or listing the first bad cells with line, column, value and bound.
@@ -140,7 +140,7 @@ impl AsperityTable {
         }
     }
 
-    /// Finds what is wrong with the input columns.
+    /// Checks the input columns.
     ///
     /// # Errors
     /// [`Refusal`] for a missing column, or of the bad cells.

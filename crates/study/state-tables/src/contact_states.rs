@@ -1,4 +1,4 @@
-//! Populations pressed to many separations or pressures, with all that is given and found as columns of numbers.
+//! Populations pressed to many separations or pressures, with inputs and results as columns of numbers.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -9,45 +9,45 @@ use study::material::{Material, MaterialError};
 use study::models::{CurveModel, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 
-use crate::pressed::{Pressed, Roughness};
+use crate::row_contact::{Roughness, RowContact};
 use crate::{NarrowSpectra, StateCounts};
 
-/// States that are computed one after the other, and share what they can.
+/// The number of states that are computed one after the other and share work.
 const BLOCK: usize = 1024;
 
-/// A statistical model with what it leaves to choose, for rows of any material and population.
+/// A statistical model with its options, for rows of any material and population.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactStates {
     /// The model.
     pub entry: &'static ModelEntry,
-    /// What it leaves to choose.
+    /// The options of the model.
     pub options: ModelOptions,
     /// Relative tolerance of the states.
     pub tolerance: Tolerance,
 }
 
-/// What one row asks.
+/// The request of one row.
 #[derive(Debug, Clone, Copy)]
-pub struct AskedState<'m> {
+pub struct StateRequest<'m> {
     /// The bodies in contact.
     pub material: &'m Material,
-    /// What is pressed.
+    /// The roughness.
     pub roughness: Roughness,
-    /// To where, or by what.
-    pub at: At,
+    /// The separation or pressure.
+    pub at: StateCondition,
 }
 
-/// What a state is asked at.
+/// The condition of a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum At {
+pub enum StateCondition {
     /// A separation \[m\] from the mean of the asperity heights.
     Separation(f64),
     /// A pressure \[Pa\] over the nominal area.
     Pressure(f64),
 }
 
-/// What is found of every row, of one length. NaN is how a column of doubles says that there is none: a separation beyond
-/// complete contact, or a state of a spectrum that is narrower than that of any surface.
+/// The result columns, all of one length. NaN marks a missing value: a separation beyond complete contact, or a state
+/// of a spectrum narrower than that of any surface.
 #[derive(Debug)]
 pub struct StateColumns<'c> {
     /// Separations \[m\].
@@ -68,37 +68,37 @@ pub struct StateColumns<'c> {
     pub out_of_range_load_share: &'c mut [f64],
 }
 
-/// What there is to say of all rows together.
+/// Counts over all rows, for notes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StatesFound {
     /// States at a bound, or outside the range of their law.
     pub counts: StateCounts,
     /// Rows that have no summits to press.
     pub narrow: NarrowSpectra,
-    /// Rows for which a third of the hardness was taken as the strength.
+    /// The number of rows that use a third of the hardness as the strength.
     pub assumed_strengths: usize,
 }
 
-/// Why states are not found.
+/// The reason why states cannot be computed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StatesError {
-    /// What a row asks cannot be had.
+    /// The request of a row cannot be met.
     #[error("row {row}: {problem}")]
     Row {
-        /// Which, from 0 on.
+        /// The row, counted from 0.
         row: usize,
-        /// What is wrong with it.
+        /// The problem.
         problem: MaterialError,
     },
-    /// Whoever watches has ended it.
+    /// The work was cancelled.
     #[error("ended before all rows were computed")]
     Cancelled,
 }
 
 impl ContactStates {
-    /// Sets the columns from what each row asks. Rows behind one another of one material and population share what they can;
-    /// no digit depends on who stands beside whom, nor on the number of threads. A step of `progress` is a row.
+    /// Sets the columns from the request of each row. Neighbouring rows of one material and population share work; the
+    /// digits depend neither on the order of rows nor on the number of threads. `progress` advances once per row.
     ///
     /// # Errors
     /// [`StatesError`] of the first bad row, or where `progress` is cancelled.
@@ -108,7 +108,7 @@ impl ContactStates {
     pub fn fill_in<'m>(
         &self,
         columns: StateColumns<'_>,
-        asked: impl Fn(usize) -> AskedState<'m> + Sync,
+        asked: impl Fn(usize) -> StateRequest<'m> + Sync,
         progress: &dyn Progress,
     ) -> Result<StatesFound, StatesError> {
         let found = Mutex::new(StatesFound::default());
@@ -129,7 +129,7 @@ impl ContactStates {
         &self,
         first: usize,
         mut columns: [&mut [f64]; 8],
-        asked: &impl Fn(usize) -> AskedState<'m>,
+        asked: &impl Fn(usize) -> StateRequest<'m>,
     ) -> Result<StatesFound, StatesError> {
         let rows = columns[0].len();
         let mut found = StatesFound::default();
@@ -137,11 +137,11 @@ impl ContactStates {
         while row < rows {
             let blame = |row: usize| move |problem| StatesError::Row { row: first + row, problem };
             let of_run = asked(first + row);
-            let pressed = self.pressed(&of_run).map_err(blame(row))?;
+            let pressed = self.contact(&of_run).map_err(blame(row))?;
             let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
             let mut sweep = match &pressed {
-                Pressed::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
-                Pressed::TooNarrow { .. } => None,
+                RowContact::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
+                RowContact::TooNarrow { .. } => None,
             };
             let mut next = of_run;
             loop {
@@ -152,11 +152,11 @@ impl ContactStates {
                         found.counts.add([&state]);
                         set(&mut columns, row, Some(&state));
                     }
-                    (None, Pressed::TooNarrow { alpha }) => {
+                    (None, RowContact::TooNarrow { alpha }) => {
                         found.narrow.add(*alpha);
                         set(&mut columns, row, None);
                     }
-                    (None, Pressed::Contact(_)) => unreachable!("a contact has its sweep"),
+                    (None, RowContact::Contact(_)) => unreachable!("a contact has its sweep"),
                 }
                 row += 1;
                 if row == rows {
@@ -171,16 +171,16 @@ impl ContactStates {
         Ok(found)
     }
 
-    /// What a row presses.
-    fn pressed(&self, asked: &AskedState<'_>) -> Result<Pressed, MaterialError> {
-        let CurveModel::Statistical { pair, law } = self.entry.build(asked.material, &self.options)? else {
+    /// The contact of a row.
+    fn contact(&self, request: &StateRequest<'_>) -> Result<RowContact, MaterialError> {
+        let CurveModel::Statistical { pair, law } = self.entry.build(request.material, &self.options)? else {
             unreachable!("populations are pressed by statistical models");
         };
-        Ok(Pressed::of(&pair, &law, asked.roughness)?)
+        Ok(RowContact::new(&pair, &law, request.roughness)?)
     }
 }
 
-impl AskedState<'_> {
+impl StateRequest<'_> {
     fn presses_the_same_as(&self, other: &Self) -> bool {
         // Mostly it is one material for all rows, which need not be looked at.
         self.roughness == other.roughness
@@ -188,11 +188,11 @@ impl AskedState<'_> {
     }
 }
 
-impl At {
+impl StateCondition {
     fn state(self, sweep: &mut Sweep<'_>) -> Result<ContactState, AsperityError> {
         match self {
-            At::Separation(separation_m) => sweep.at_separation(separation_m),
-            At::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
+            StateCondition::Separation(separation_m) => sweep.at_separation(separation_m),
+            StateCondition::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
         }
     }
 }
@@ -276,7 +276,7 @@ mod tests {
 
     type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;
 
-    fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> AskedState<'m> + Sync) -> Filled {
+    fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> StateRequest<'m> + Sync) -> Filled {
         let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
         let [a, b, c, d, e, f, g, h] = columns.each_mut().map(Vec::as_mut_slice);
         let of_states = StateColumns {
@@ -300,10 +300,10 @@ mod tests {
         let pressure_pa = |row: usize| 1e4 * (1 + row % 513) as f64;
         let radius_m = |row: usize| if row / 700 == 1 { 2e-6 } else { 1e-6 };
         let which = |row: usize| row / 500 % 2;
-        let (columns, found) = filled("hertz", rows, |row| AskedState {
+        let (columns, found) = filled("hertz", rows, |row| StateRequest {
             material: &materials[which(row)],
             roughness: Roughness([radius_m(row), 1e12, 1e-8]),
-            at: At::Pressure(pressure_pa(row)),
+            at: StateCondition::Pressure(pressure_pa(row)),
         })
         .unwrap();
         assert_eq!(found.counts.all, rows);
@@ -322,16 +322,16 @@ mod tests {
     #[test]
     fn the_first_bad_row_is_told_and_narrow_spectra_are_counted() {
         let steel = material(2e11);
-        let asked = |row: usize| AskedState {
+        let asked = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
-            at: At::Separation(0.0),
+            at: StateCondition::Separation(0.0),
         };
         assert!(matches!(filled("hertz", 3000, asked), Err(StatesError::Row { row: 1500, .. })));
-        let narrow = |row: usize| AskedState {
+        let narrow = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
-            at: At::Separation(1e-8),
+            at: StateCondition::Separation(1e-8),
         };
         let (columns, found) = filled("bgt", 3, narrow).unwrap();
         assert!(columns[2][1].is_nan() && columns[2][0] > 0.0 && columns[2][2] > 0.0);

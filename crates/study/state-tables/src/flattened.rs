@@ -8,7 +8,7 @@ use units::Bound;
 
 use super::{RowByRow, RowsError, RowsNote};
 
-/// A table of pressures and spreads, with what holds for all of its rows.
+/// A table of pressures and spreads, with the option that holds for all of its rows.
 #[derive(Debug, Default)]
 pub struct Flattened {
     yields: Option<bool>,
@@ -18,7 +18,7 @@ pub struct Flattened {
 
 /// A row of the table, in Pa.
 #[derive(Clone, Copy)]
-struct Asked {
+struct RowRequest {
     pressure: f64,
     spread: f64,
     /// H at the longest wavelength, and dH^2/dV.
@@ -28,18 +28,18 @@ struct Asked {
 const REQUIRED_COLUMNS: [&str; 2] = ["pressure_pa", "rms_pressure_pa"];
 
 impl Flattened {
-    /// Rows of which hardnesses count or not; where `yields` is absent, a row that has one yields.
+    /// A table whose hardnesses count or not; if `yields` is `None`, a row with a hardness yields.
     #[must_use]
     pub fn new(yields: Option<bool>) -> Self {
         Flattened { yields, ..Flattened::default() }
     }
 
-    /// What every row asks for.
-    fn asked(&self, block: &InputTable) -> Result<Vec<Asked>, Refusal> {
+    /// The requests of all rows.
+    fn asked(&self, block: &InputTable) -> Result<Vec<RowRequest>, Refusal> {
         block.rows(&REQUIRED_COLUMNS, |row| self.read(row))
     }
 
-    fn read(&self, row: &Row<'_>) -> Result<Asked, String> {
+    fn read(&self, row: &Row<'_>) -> Result<RowRequest, String> {
         let pressure = row.number("pressure_pa", Bound::Magnitude)?;
         let spread = row.number("rms_pressure_pa", Bound::AtLeast(0.0))?;
         if spread > 0.0 {
@@ -63,13 +63,13 @@ impl Flattened {
             }
             (hardness, growth) => hardness.map(|hardness| (hardness, growth)),
         };
-        Ok(Asked { pressure, spread, hardness })
+        Ok(RowRequest { pressure, spread, hardness })
     }
 }
 
-impl Asked {
+impl RowRequest {
     fn areas(&self) -> ContactAreas {
-        let Asked { pressure, spread, hardness } = *self;
+        let RowRequest { pressure, spread, hardness } = *self;
         match hardness {
             None => ContactAreas {
                 elastic: elastic::area_fraction(pressure, spread),

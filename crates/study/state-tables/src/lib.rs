@@ -6,32 +6,34 @@ mod contact_states;
 mod flattened;
 mod narrow_spectra;
 mod populations;
-mod pressed;
+mod row_contact;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
-pub use contact_states::{AskedState, At, ContactStates, StateColumns, StatesError, StatesFound};
+pub use contact_states::{
+    ContactStates, StateColumns, StateCondition, StateRequest, StatesError, StatesFound,
+};
 pub use flattened::Flattened;
 pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
-pub use pressed::Roughness;
+pub use row_contact::Roughness;
 pub use state_counts::StateCounts;
 
 use asperity::AsperityError;
 use parallel::Progress;
 use tables::{InputTable, Refusal};
 
-/// What is made of the rows of a table.
+/// A computation on the rows of a table.
 pub trait RowByRow {
-    /// Finds everything that is wrong with rows: rows that pass are computed without an error.
+    /// Checks rows: those that pass are computed without an error.
     ///
     /// # Errors
     /// [`Refusal`] of the bad rows, with line, column, value and bound.
     fn check(&self, block: &InputTable) -> Result<(), Refusal>;
 
-    /// Sets the computed columns of rows that have been checked; with a step of `progress` for each row that takes long.
-    /// Yields what there is to say of single rows.
+    /// Sets the computed columns of checked rows, and returns the notes on single rows. `progress` advances once for
+    /// each row that takes long.
     ///
     /// # Errors
     /// [`RowsError`], of rows that have not been checked, or where `progress` is cancelled.
@@ -41,11 +43,11 @@ pub trait RowByRow {
         progress: &dyn Progress,
     ) -> Result<Vec<RowsNote>, RowsError>;
 
-    /// What there is to say of all rows so far.
+    /// The notes on all rows so far.
     fn notes(&self) -> Vec<RowsNote>;
 }
 
-/// Why rows cannot be filled in.
+/// The reason why rows cannot be computed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RowsError {
@@ -55,59 +57,59 @@ pub enum RowsError {
     /// A value that no law takes.
     #[error(transparent)]
     Value(#[from] AsperityError),
-    /// Whoever watches has ended it.
+    /// The work was cancelled.
     #[error("ended before all rows were computed")]
     Cancelled,
 }
 
-/// What there is to say of rows.
+/// A note on rows.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum RowsNote {
-    /// A pressure that no separation carries.
+    /// A pressure beyond complete contact, which no separation carries.
     BeyondCompleteContact {
         /// The row, e.g. `rows.csv, line 2`.
         row: String,
-        /// The pressure asked for \[Pa\].
+        /// The pressure requested \[Pa\].
         pressure_pa: f64,
-        /// Every pressure below this one \[Pa\] has a separation.
+        /// The pressure \[Pa\] below which every pressure has a separation.
         highest_pressure_pa: f64,
     },
     /// Rows that hold no asperities: their results are empty.
     WithoutAsperities {
-        /// How many.
+        /// The number of such rows.
         rows: usize,
-        /// Of how many.
+        /// The number of all rows.
         all: usize,
     },
     /// Rows of a spectrum narrower than that of any surface, for a model of its summits: their results are empty.
     NarrowSpectra {
-        /// How many, and how narrow.
+        /// The number of such rows and their alpha.
         narrow: NarrowSpectra,
-        /// Of how many.
+        /// The number of all rows.
         all: usize,
     },
     /// States at a bound, or outside the range of their law.
     States(StateCounts),
     /// Rows with a hardness and no yield strength, for which a third of the hardness was taken.
     AssumedStrengths {
-        /// How many.
+        /// The number of such rows.
         rows: usize,
-        /// Of how many.
+        /// The number of all rows.
         all: usize,
     },
     /// Rows whose pressure is not below their hardness: all of them touches and flows.
     FlowingEverywhere {
-        /// How many.
+        /// The number of such rows.
         rows: usize,
-        /// Of how many.
+        /// The number of all rows.
         all: usize,
     },
     /// Rows outside the range that a law was fitted in.
     BeyondRange {
-        /// How many.
+        /// The number of such rows.
         rows: usize,
-        /// Of how many.
+        /// The number of all rows.
         all: usize,
         /// The range.
         range: &'static str,

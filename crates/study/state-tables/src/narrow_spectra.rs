@@ -1,16 +1,16 @@
 //! Spectra that are narrower than that of any surface.
 
-/// How many had no summits, and between which values of alpha = m0 m4/m2^2 they lay.
+/// The number of spectra without summits, and the range of their alpha = m0 m4/m2^2.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct NarrowSpectra {
-    /// How many.
+    /// The number of such spectra.
     pub count: usize,
-    /// The lowest and the highest alpha of them; none where there are none.
+    /// The lowest and the highest alpha; `None` if the number is 0.
     pub alphas: Option<[f64; 2]>,
 }
 
 impl NarrowSpectra {
-    /// Counts one.
+    /// Counts a spectrum.
     pub fn add(&mut self, alpha: f64) {
         let [lowest, highest] = self.alphas.unwrap_or([alpha; 2]);
         self.count += 1;

@@ -6,8 +6,8 @@ use stat_contact::{ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
-use super::contact_states::At;
-use super::pressed::{Pressed, Roughness};
+use super::contact_states::StateCondition;
+use super::row_contact::{Roughness, RowContact};
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
 use study::hardness_and_strength::HardnessAndStrength;
@@ -16,7 +16,7 @@ use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOption
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
-/// Which of two filled columns the rows are computed from.
+/// The column that rows with both filled are computed from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GivenColumn {
     /// `separation_m`
@@ -30,19 +30,19 @@ units::named!(GivenColumn, "column that is given", { Separation => "separation",
 /// A table of populations, with what holds for all of its rows.
 #[derive(Debug)]
 pub struct Populations {
-    /// What presses on them; rigid where absent.
+    /// The counterface; rigid if `None`.
     pub counterface: Option<ElasticBody>,
-    /// What laws leave to choose; whether the strength grows is told by the rows.
+    /// The options of the laws; the rows decide whether the strength grows.
     pub options: ModelOptions,
     /// The cap of a growing strength.
     pub strength_cap: Option<Pressure>,
-    /// Which column counts where both are filled.
+    /// The column that counts if both are filled.
     pub given: Option<GivenColumn>,
-    /// How to say which one counts, in the words of who asks.
+    /// The remedy for rows with both filled, in the words of the front end.
     pub how_to_say_given: &'static str,
     /// Relative tolerance of the states.
     pub tolerance: Tolerance,
-    /// Whether to append how each state was found.
+    /// True to append columns on how each state was found.
     pub details: bool,
     counts: StateCounts,
     without_asperities: usize,
@@ -50,11 +50,11 @@ pub struct Populations {
     assumed_strengths: usize,
 }
 
-/// A row of the table: a population, and what it is asked at.
-struct Asked {
-    pressed: Pressed,
-    at: At,
-    /// Whether its yield strength was not given, and a third of the hardness is taken.
+/// A row of the table: a population and the condition of its state.
+struct RowRequest {
+    contact: RowContact,
+    at: StateCondition,
+    /// True if a third of the hardness is used as the yield strength.
     strength_is_assumed: bool,
 }
 
@@ -79,27 +79,29 @@ impl Populations {
         }
     }
 
-    /// What every row asks for; nothing where it has no asperities.
-    fn asked(&self, block: &InputTable) -> Result<Vec<Option<Asked>>, Refusal> {
+    /// The requests of all rows; `None` for a row without asperities.
+    fn asked(&self, block: &InputTable) -> Result<Vec<Option<RowRequest>>, Refusal> {
         block.rows(&required_columns(block)?, |row| self.read(row))
     }
 
-    fn read(&self, row: &Row<'_>) -> Result<Option<Asked>, String> {
+    fn read(&self, row: &Row<'_>) -> Result<Option<RowRequest>, String> {
         let entry = models::named(Framework::Statistical, row.text("model").trim())
             .map_err(|error| format!("column model: {error}"))?;
         let material = self.material(row, entry.has(Choice::Strength))?;
         let strength_is_assumed = material.assumed_yield_strength_pa().is_some();
-        let pressed = self.pressed(row, entry, &material)?;
-        pressed.map(|pressed| Ok(Asked { pressed, at: self.asked_at(row)?, strength_is_assumed })).transpose()
+        let contact = self.contact(row, entry, &material)?;
+        contact
+            .map(|contact| Ok(RowRequest { contact, at: self.condition(row)?, strength_is_assumed }))
+            .transpose()
     }
 
-    /// The material is checked of every row, the population where there is one.
-    fn pressed(
+    /// The contact of a row, if it has a population. The material is checked in any case.
+    fn contact(
         &self,
         row: &Row<'_>,
         entry: &ModelEntry,
         material: &Material,
-    ) -> Result<Option<Pressed>, String> {
+    ) -> Result<Option<RowContact>, String> {
         let strain_gradient =
             entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
         let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options });
@@ -112,10 +114,10 @@ impl Populations {
         }
         let [first, second, third] = columns.map(|column| row.number(column, Bound::Magnitude));
         let roughness = Roughness([first?, second?, third?]);
-        Pressed::of(&pair, &law, roughness).map(Some).map_err(|error| error.to_string())
+        RowContact::new(&pair, &law, roughness).map(Some).map_err(|error| error.to_string())
     }
 
-    /// The material of a row; its strength is not looked at where the model has none.
+    /// The material of a row. Its strength is ignored if the model has none.
     fn material(&self, row: &Row<'_>, strong: bool) -> Result<Material, String> {
         let modulus_pa = row.number("youngs_modulus_pa", Bound::Magnitude)?;
         let poisson_ratio = row.number("poisson_ratio", ElasticBody::POISSON_RATIO)?;
@@ -134,7 +136,7 @@ impl Populations {
         }))
     }
 
-    fn asked_at(&self, row: &Row<'_>) -> Result<At, String> {
+    fn condition(&self, row: &Row<'_>) -> Result<StateCondition, String> {
         let separation = || row.optional_number("separation_m", Sweep::SEPARATION_M);
         let pressure = || {
             // What is no pressure at all is told so, before what is too large a one.
@@ -142,15 +144,15 @@ impl Populations {
             row.optional_number("pressure_pa", NominalPressure::BOUND)
         };
         match self.given {
-            Some(GivenColumn::Separation) => separation()?.map(At::Separation).ok_or_else(|| {
+            Some(GivenColumn::Separation) => separation()?.map(StateCondition::Separation).ok_or_else(|| {
                 "column separation_m: the cell is empty, and the separation is to be given".to_owned()
             }),
-            Some(GivenColumn::Pressure) => pressure()?.map(At::Pressure).ok_or_else(|| {
+            Some(GivenColumn::Pressure) => pressure()?.map(StateCondition::Pressure).ok_or_else(|| {
                 "column pressure_pa: the cell is empty, and the pressure is to be given".to_owned()
             }),
             None => match (separation()?, pressure()?) {
-                (Some(separation_m), None) => Ok(At::Separation(separation_m)),
-                (None, Some(pressure_pa)) => Ok(At::Pressure(pressure_pa)),
+                (Some(separation_m), None) => Ok(StateCondition::Separation(separation_m)),
+                (None, Some(pressure_pa)) => Ok(StateCondition::Pressure(pressure_pa)),
                 (Some(_), Some(_)) => Err(format!(
                     "columns separation_m and pressure_pa are both filled; {}",
                     self.how_to_say_given
@@ -162,20 +164,30 @@ impl Populations {
         }
     }
 
-    /// What was given stays as typed; the rest is computed, and empty where there are no asperities.
-    fn set_results(&self, input: &mut InputTable, asked: &[Option<Asked>], states: &[Option<ContactState>]) {
+    /// Sets the results. Given cells stay as typed; computed ones are empty without asperities.
+    fn set_results(
+        &self,
+        input: &mut InputTable,
+        asked: &[Option<RowRequest>],
+        states: &[Option<ContactState>],
+    ) {
         let computed = |value: Option<f64>| value.map_or_else(|| Cell::Field(String::new()), Cell::Computed);
-        let mut filled = |name: &str, given: fn(&At) -> bool, of: fn(&ContactState) -> Option<f64>| {
-            let typed = input.table.column(name).cloned();
-            let cell = |row: usize| match (&typed, &asked[row]) {
-                (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
-                _ => computed(states[row].as_ref().and_then(of)),
+        let mut filled =
+            |name: &str, given: fn(&StateCondition) -> bool, of: fn(&ContactState) -> Option<f64>| {
+                let typed = input.table.column(name).cloned();
+                let cell = |row: usize| match (&typed, &asked[row]) {
+                    (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
+                    _ => computed(states[row].as_ref().and_then(of)),
+                };
+                let cells = (0..states.len()).map(cell).collect();
+                input.table.set(name, Cells::Typed(cells));
             };
-            let cells = (0..states.len()).map(cell).collect();
-            input.table.set(name, Cells::Typed(cells));
-        };
-        filled("separation_m", |at| matches!(at, At::Separation(_)), |state| state.separation_m);
-        filled("pressure_pa", |at| matches!(at, At::Pressure(_)), |state| Some(state.pressure_pa));
+        filled("separation_m", |at| matches!(at, StateCondition::Separation(_)), |state| state.separation_m);
+        filled(
+            "pressure_pa",
+            |at| matches!(at, StateCondition::Pressure(_)),
+            |state| Some(state.pressure_pa),
+        );
         filled("area_fraction", |_| false, |state| Some(state.area_fraction));
         if self.details {
             for (name, of) in STATE_DETAILS {
@@ -204,14 +216,16 @@ impl RowByRow for Populations {
     ) -> Result<Vec<RowsNote>, RowsError> {
         let asked = self.asked(block)?;
         let tolerance = self.tolerance.value();
-        let state = |asked: &Option<Asked>| -> Result<Option<ContactState>, RowsError> {
+        let state = |asked: &Option<RowRequest>| -> Result<Option<ContactState>, RowsError> {
             if progress.is_cancelled() {
                 return Err(RowsError::Cancelled);
             }
-            let Some(Asked { pressed: Pressed::Contact(contact), at, .. }) = asked else { return Ok(None) };
+            let Some(RowRequest { contact: RowContact::Contact(contact), at, .. }) = asked else {
+                return Ok(None);
+            };
             let state = match at {
-                At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
-                At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
+                StateCondition::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
+                StateCondition::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
             };
             progress.advance(1);
             Ok(Some(state?))
@@ -221,7 +235,7 @@ impl RowByRow for Populations {
         self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
         self.without_asperities += asked.iter().filter(|asked| asked.is_none()).count();
         for asked in asked.iter().flatten() {
-            if let Pressed::TooNarrow { alpha } = asked.pressed {
+            if let RowContact::TooNarrow { alpha } = asked.contact {
                 self.narrow.add(alpha);
             }
         }
@@ -254,7 +268,7 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
     Ok(REQUIRED_COLUMNS.into_iter().chain([asperities, moments].into_iter().flatten().flatten()).collect())
 }
 
-/// What the material of a row lacks, told by its column.
+/// The message on a missing property, with its column.
 fn missing_cell(error: &MaterialError) -> String {
     let MaterialError::Missing(needed_for) = error else { return error.to_string() };
     let column = match needed_for.property() {
@@ -267,13 +281,13 @@ fn missing_cell(error: &MaterialError) -> String {
 
 fn beyond_complete_contact(
     input: &InputTable,
-    asked: &[Option<Asked>],
+    asked: &[Option<RowRequest>],
     states: &[Option<ContactState>],
 ) -> Vec<RowsNote> {
     let rows = asked.iter().zip(states).enumerate();
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
-        let Pressed::Contact(contact) = &asked.pressed else { return None };
+        let RowContact::Contact(contact) = &asked.contact else { return None };
         state.separation_m.is_none().then(|| RowsNote::BeyondCompleteContact {
             row: input.row_name(row),
             pressure_pa: state.pressure_pa,

@@ -1,17 +1,17 @@
-//! States that want a word.
+//! Counts of states that deserve a note.
 
 use stat_contact::ContactState;
 
-/// How many states are held at a bound, or rest on asperities that their law was not fitted for.
+/// Counts of states held at a bound, or on asperities outside the range of their law.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct StateCounts {
-    /// All that were counted.
+    /// All states.
     pub all: usize,
-    /// Beyond complete contact of every asperity.
+    /// States beyond complete contact of every asperity.
     pub incomplete: usize,
-    /// With more contact area than there is nominal area.
+    /// States with more contact area than nominal area.
     pub clamped: usize,
-    /// With most of their load on asperities outside the range of their law.
+    /// States with most of their load on asperities outside the range of their law.
     pub out_of_range: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The columns that tell what the rough body bears: its yield strength, its hardness, or both.
+//! The columns of the strength of the rough body: yield strength, hardness, or both.
 
 use asperity::Bound;
 use study::hardness_and_strength::HardnessAndStrength;
@@ -8,10 +8,10 @@ use units::{IndentationHardness, Pressure};
 /// The column of the yield strength S0.
 pub(crate) const YIELD_STRENGTH: &str = "yield_strength_pa";
 
-/// The column of the hardness H, which a table may have in place of the strength or beside it.
+/// The column of the hardness H, in place of the strength or beside it.
 pub(crate) const INDENTATION_HARDNESS: &str = "indentation_hardness_pa";
 
-/// What a row tells of both; an empty cell tells nothing.
+/// The hardness and the strength of a row, as far as its cells are filled.
 pub(crate) fn hardness_and_strength(row: &Row<'_>, bound: Bound) -> Result<HardnessAndStrength, String> {
     let hardness = row.optional_number(INDENTATION_HARDNESS, bound)?.map(|pa| IndentationHardness { pa });
     let strength = row.optional_number(YIELD_STRENGTH, bound)?.map(Pressure::Pascals);
@@ -19,7 +19,7 @@ pub(crate) fn hardness_and_strength(row: &Row<'_>, bound: Bound) -> Result<Hardn
         .map_err(|error| format!("columns {INDENTATION_HARDNESS} and {YIELD_STRENGTH}: {error}"))
 }
 
-/// The yield strength \[Pa\] of every row: as it stands there, or else a third of the hardness.
+/// The yield strength \[Pa\] of every row: as given, or a third of the hardness.
 pub(crate) fn yield_strengths_pa(input: &InputTable, bound: Bound) -> Result<Vec<f64>, Refusal> {
     input.rows(&[], |row| {
         hardness_and_strength(row, bound)?.yield_strength_pa().ok_or_else(|| {
@@ -28,7 +28,7 @@ pub(crate) fn yield_strengths_pa(input: &InputTable, bound: Bound) -> Result<Vec
     })
 }
 
-/// How many rows have a hardness and no strength.
+/// The number of rows with a hardness and no strength.
 pub(crate) fn assumed_strengths(input: &InputTable) -> usize {
     let assumed = |row: &Row<'_>| {
         let filled = |column| !row.text(column).trim().is_empty();

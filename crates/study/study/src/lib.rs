@@ -19,7 +19,9 @@ pub mod persson_law;
 pub mod plan;
 pub mod result_tables;
 pub mod spread;
+pub mod student;
 pub mod surface;
+pub mod validity;
 
 pub use measurements::{self, Files, NoFiles};
 pub use note::Note;

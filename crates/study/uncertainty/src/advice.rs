@@ -1,7 +1,8 @@
-//! What to measure next, from the same draws.
+//! Advice on what to measure next, from the same draws.
 
 use study::Progress;
 use study::plan::{Cutoffs, Results, Work};
+use study::student::{half_width, normal_half_width};
 
 use findings::features::convergence;
 use spectrum::ProfilePsd;
@@ -9,29 +10,28 @@ use study::models::Framework;
 
 use crate::areas::Areas;
 use crate::draws::Drawn;
-use crate::found::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKind};
 use crate::group::{Group, Indices};
 use crate::influence::Influence;
 use crate::inputs::Inputs;
 use crate::light_draws::{Contributions, LIGHT_DRAWS, LightDraw};
 use crate::quantiles::interval;
+use crate::results::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKind};
 use crate::settings::Settings;
 use crate::shares::first_order;
 use crate::spectrum_ends::{End, PowerLaw, prolonged, prolonged_to_m};
-use crate::student::{half_width, normal_half_width};
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
 /// Draws of a prolonged spectrum.
 const PROLONGED_DRAWS: usize = 64;
 
-/// Scans that are tried to be added.
-const ADDED: [usize; 3] = [1, 3, 10];
+/// The numbers of added scans that are tried.
+const ADDED_SCANS: [usize; 3] = [1, 3, 10];
 
-/// With fewer scans than this an interval is a guess.
-pub(crate) const TELLING_SCANS: usize = 3;
+/// The fewest scans whose interval is not a guess.
+pub(crate) const MIN_SCANS: usize = 3;
 
 /// The mean square slope has a limit where the spectrum falls more steeply than this.
-const STEEP: f64 = -3.0;
+const STEEP_FOR_SLOPES: f64 = -3.0;
 
 /// The mean square curvature, which sets the radius of asperities, has one where it falls more steeply than this.
 const STEEP_FOR_RADII: f64 = -5.0;
@@ -39,7 +39,7 @@ const STEEP_FOR_RADII: f64 = -5.0;
 /// An area that moves by less than this when the spectrum goes on has settled.
 const SETTLED_WITHIN: f64 = 0.01;
 
-/// What the advice rests on.
+/// The inputs of the advice.
 pub(crate) struct Adviser<'p> {
     pub inputs: &'p Inputs,
     pub areas: &'p Areas,
@@ -50,7 +50,7 @@ pub(crate) struct Adviser<'p> {
 }
 
 impl Adviser<'_> {
-    /// How many steps of progress the advice is, at most.
+    /// The most steps of progress that the advice takes.
     pub fn steps(inputs: &Inputs) -> usize {
         match single(&inputs.surface) {
             Some(psd) => Influence::parts_of(&psd) + 2 * PROLONGED_DRAWS,
@@ -58,13 +58,14 @@ impl Adviser<'_> {
         }
     }
 
-    /// The advice for every area that has one; none where the surface does not scatter, is two, or somebody has ended it.
+    /// The advice for every area that has some; empty if the surface is certain, is a sum of two, or if the work was
+    /// cancelled.
     pub fn advice(&self, progress: &dyn Progress) -> (Vec<Advice>, Work, usize) {
         let nothing = || (Vec::new(), Work::default(), 0);
         let Some(psd) = single(&self.inputs.surface).filter(|_| self.inputs.surface_scatters()) else {
             return nothing();
         };
-        let Some(influence) = Influence::of(self.areas, &psd, progress) else { return nothing() };
+        let Some(influence) = Influence::new(self.areas, &psd, progress) else { return nothing() };
         let prolongations = [End::Long, End::Short].map(|end| self.prolongation(end, &psd, progress));
         if progress.is_cancelled() {
             return nothing();
@@ -92,7 +93,7 @@ impl Adviser<'_> {
         if width == 0.0 {
             return None;
         }
-        let contributions = Contributions::of(area, influence, light);
+        let contributions = Contributions::new(area, influence, light);
         let steps = self.steps_of(area, width, &contributions, psd, prolongations);
         Some(Advice {
             curve,
@@ -110,7 +111,7 @@ impl Adviser<'_> {
         Some(found.high.value - found.low.value)
     }
 
-    /// The same of draws that there are.
+    /// ln(high/low) of draws of ln A; 0 without draws.
     fn width_of(&self, draws: &[f64]) -> f64 {
         self.width(draws).unwrap_or(0.0)
     }
@@ -132,7 +133,7 @@ impl Adviser<'_> {
             .collect()
     }
 
-    /// What could be done, the step that shrinks the interval most first.
+    /// The possible steps, the one that shrinks the interval most first.
     fn steps_of(
         &self,
         area: usize,
@@ -152,7 +153,7 @@ impl Adviser<'_> {
             let all_gains = self.width_of(&of_all_gains).min(width);
             for (instrument, told) in scans.told.iter().enumerate() {
                 let own = self.width_of(&contributions.places[instrument]).min(width);
-                for added in ADDED {
+                for added in ADDED_SCANS {
                     let kind = StepKind::MoreScans { instrument, added };
                     let ratio =
                         self.width_of_more(told.resampled, added).map(|ratio| shrunk(own, ratio * own));
@@ -181,7 +182,7 @@ impl Adviser<'_> {
         steps
     }
 
-    /// What the interval of scans is multiplied by when more of them are made; none where it would still be a guess.
+    /// The factor on the width of the interval of scans when `added` are made; `None` if it would still be a guess.
     fn width_of_more(&self, resampled: Resampled, added: usize) -> Option<f64> {
         let level = self.settings.level;
         let width = |scans: usize| half_width(level, scans) / (scans as f64).sqrt();
@@ -189,7 +190,7 @@ impl Adviser<'_> {
             Resampled::Scans(scans) => (width(scans), scans),
             Resampled::BlocksOfLines(_) | Resampled::SingleLine => (normal_half_width(level), 1),
         };
-        (scans + added >= TELLING_SCANS).then(|| width(scans + added) / before)
+        (scans + added >= MIN_SCANS).then(|| width(scans + added) / before)
     }
 
     fn prolonged_step(
@@ -217,8 +218,8 @@ impl Adviser<'_> {
         (width_before > 0.0).then(|| Step { kind, width_ratio: width_after / width_before, area_ratio })
     }
 
-    /// Draws of the spectrum prolonged at an end by a power law whose exponent scatters as the end does; none where the scene
-    /// does not look beyond that end.
+    /// Draws with the spectrum prolonged at an end by a power law, whose exponent scatters as the end does; `None` if
+    /// the scene does not use wavelengths beyond that end.
     fn prolongation(&self, end: End, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Prolongation> {
         let law = PowerLaw::at(end, psd)?;
         if end == End::Short && self.areas.has_cutoff() {
@@ -251,7 +252,7 @@ impl Adviser<'_> {
         let settled = convergence(&points, SETTLED_WITHIN).is_some_and(|found| found.converged);
         let entry = self.areas.curves()[curve].model.entry();
         let has_radii = entry.framework == Framework::Statistical && !entry.takes_moments();
-        let steep = if has_radii { STEEP_FOR_RADII } else { STEEP };
+        let steep = if has_radii { STEEP_FOR_RADII } else { STEEP_FOR_SLOPES };
         match PowerLaw::at(End::Short, psd) {
             _ if followed && settled => Settling::HasSettled,
             Some(PowerLaw { slope, standard_error }) if slope < steep => {
@@ -268,7 +269,7 @@ struct Prolongation {
     drawn: Drawn,
 }
 
-/// The spectrum of a surface that is one and scatters.
+/// The spectrum of a single uncertain surface.
 fn single(surface: &SurfaceScatter) -> Option<ProfilePsd> {
     match surface {
         SurfaceScatter::Scans(scans) => scans.psd(scans.centre()),
@@ -277,8 +278,8 @@ fn single(surface: &SurfaceScatter) -> Option<ProfilePsd> {
     }
 }
 
-/// The share of each decade in the variance of the totals, from long to short wavelengths. Totals in the outermost parts of heavy
-/// tails are left out, which would count for all others.
+/// The share of each decade in the variance of the totals, from long to short wavelengths. The outermost totals of
+/// heavy tails are left out, which would outweigh all others.
 fn decades(psd: &ProfilePsd, influence: &Influence, parts: &[Vec<f64>]) -> Vec<DecadeOfVariance> {
     let totals: Vec<f64> = parts.iter().map(|parts| parts.iter().sum()).collect();
     let Some(kept) = interval(&totals, 0.95) else { return Vec::new() };

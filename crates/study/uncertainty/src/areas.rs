@@ -1,4 +1,4 @@
-//! The plan of a scene carried out on what was drawn.
+//! The plan of a scene, computed for draws of its inputs.
 
 use std::num::NonZeroU32;
 
@@ -11,7 +11,7 @@ use spectrum::ProfilePsd;
 /// Cutoffs a decade at which statistical curves are followed in draws, for bands.
 const STATES_PER_DECADE: u32 = 4;
 
-/// The relative tolerance of statistical states in draws: what it leaves is far below the error of any number of draws.
+/// The relative tolerance of statistical states in draws, far below the error of any number of draws.
 const TOLERANCE: f64 = 1e-6;
 
 /// An area along the cutoff.
@@ -22,21 +22,21 @@ pub(crate) type Points = Vec<(f64, f64)>;
 pub(crate) struct Areas {
     needs: Needs,
     sampling: Sampling,
-    /// What the curves stand on where the spectrum is the scene's own.
+    /// The prepared spectrum of the scene, for draws that keep it.
     own_ground: Ground,
 }
 
 /// The areas of a draw.
 #[derive(Debug, Clone)]
-pub(crate) struct Found {
-    /// ln A of every curve under every load, load by load; none where there is no area.
+pub(crate) struct DrawnAreas {
+    /// ln A of every curve under every load, curve by curve; `None` without an area.
     pub ln_areas: Vec<Option<f64>>,
-    /// How much was computed.
+    /// The work that it took.
     pub work: Work,
 }
 
 impl Areas {
-    pub fn of(scene: &Scene, results: &Results) -> Self {
+    pub fn new(scene: &Scene, results: &Results) -> Self {
         let own = &scene.needs;
         let needs = Needs {
             moments: own.moments,
@@ -54,31 +54,31 @@ impl Areas {
         &self.needs.curves
     }
 
-    /// How many loads there are.
+    /// The number of loads.
     pub fn loads(&self) -> usize {
         self.needs.loads.len()
     }
 
-    /// Whether the scene ends its spectrum at a cutoff of its own.
+    /// True if the scene sets a cutoff.
     pub fn has_cutoff(&self) -> bool {
         self.sampling.cutoff_m.is_some()
     }
 
-    /// How many areas a draw has.
+    /// The number of areas of a draw.
     pub fn count(&self) -> usize {
         self.curves().len() * self.loads()
     }
 
-    /// The final areas of a spectrum, of the scene's own where absent, and of curves of these bodies. What leaves the range of a
-    /// model has no area.
-    pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Found {
+    /// The final areas of a spectrum (the scene's own if `None`) and of curves of these bodies. A model out of its
+    /// range has no area.
+    pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> DrawnAreas {
         let found = self.results(psd, curves, Cutoffs::Shortest);
         let ln_area = |curve: &CurveResult, load| {
             let (_, area_fraction) = *curve.area_fractions(load).last()?;
             (area_fraction > 0.0).then(|| area_fraction.ln())
         };
         match found {
-            Some(results) => Found {
+            Some(results) => DrawnAreas {
                 ln_areas: results
                     .curves
                     .iter()
@@ -91,12 +91,12 @@ impl Areas {
     }
 
     /// The areas of a draw that has none.
-    pub fn nothing(&self) -> Found {
-        Found { ln_areas: vec![None; self.count()], work: Work::default() }
+    pub fn nothing(&self) -> DrawnAreas {
+        DrawnAreas { ln_areas: vec![None; self.count()], work: Work::default() }
     }
 
-    /// The areas along the cutoff, at so many cutoffs a decade: for every curve and load points of cutoff \[m\] and area
-    /// fraction.
+    /// The areas along the cutoff, at a few cutoffs per decade: for every curve and load, points of cutoff \[m\] and
+    /// area fraction.
     pub fn along(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Option<(Vec<Vec<Points>>, Work)> {
         let results = self.results(psd, curves, Cutoffs::Every)?;
         let of_curve =

@@ -1,14 +1,14 @@
 //! Intervals along the cutoff, from a part of the draws.
 
 use crate::areas::Points;
-use crate::found::{AreaBand, BandPoint};
 use crate::quantiles::interval_about;
+use crate::results::{AreaBand, BandPoint};
 
-/// Draws that a band is made of, at most: it is drawn, not read off.
-pub(crate) const MOST_DRAWS: usize = 64;
+/// The most draws for a band, which is only drawn, not read off.
+pub(crate) const MAX_DRAWS: usize = 64;
 
-/// The band of a curve under a load from what each draw has along the cutoff, at the cutoffs that all of them have; about what
-/// the best estimates have there, as the interval of the table is.
+/// The band of a curve under a load, from the draws at the cutoffs that all of them have. It is centred on the best
+/// estimates, as the interval of the table is.
 pub(crate) fn band(
     curve: usize,
     load: usize,

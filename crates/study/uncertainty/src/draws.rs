@@ -1,46 +1,46 @@
-//! Draws carried out, block by block.
+//! Draws, block by block.
 
 use study::Progress;
 use study::plan::Work;
 
-use crate::areas::{Areas, Found, Points};
+use crate::areas::{Areas, DrawnAreas, Points};
 use crate::inputs::Inputs;
 use crate::surface_scatter::DrawOf;
 
-/// Draws that are carried out together, on as many threads as there are; between blocks the draws can be ended.
+/// The number of draws that are computed together, on all threads; draws can be cancelled between blocks.
 const BLOCK: usize = 64;
 
-/// ln A of every curve and load in every draw, and what it took.
+/// ln A of every curve and load in every draw, and the work that it took.
 #[derive(Debug, Default)]
 pub(crate) struct Drawn {
-    /// Draw by draw.
+    /// ln A, draw by draw.
     pub ln_areas: Vec<Vec<Option<f64>>>,
-    /// How much was computed.
+    /// The work that the draws took.
     pub work: Work,
 }
 
 impl Drawn {
-    /// ln A of one curve and load, of the draws that have it.
+    /// ln A of one curve and load, for the draws that have it.
     pub fn of(&self, area: usize) -> Vec<f64> {
         self.ln_areas.iter().filter_map(|draw| draw[area]).collect()
     }
 
-    fn add(&mut self, found: Found) {
+    fn add(&mut self, found: DrawnAreas) {
         self.ln_areas.push(found.ln_areas);
         self.work += found.work;
     }
 }
 
-impl FromIterator<Found> for Drawn {
-    fn from_iter<I: IntoIterator<Item = Found>>(draws: I) -> Self {
+impl FromIterator<DrawnAreas> for Drawn {
+    fn from_iter<I: IntoIterator<Item = DrawnAreas>>(draws: I) -> Self {
         let mut all = Drawn::default();
         draws.into_iter().for_each(|draw| all.add(draw));
         all
     }
 }
 
-/// Final areas of a draw.
-pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> Found {
+/// Computes the final areas of a draw.
+pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> DrawnAreas {
     let curves = inputs.curves(areas.curves(), draw);
     match inputs.psd(draw) {
         Some(psd) => areas.at_the_end(psd.as_ref(), curves),
@@ -48,8 +48,8 @@ pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> Found {
     }
 }
 
-/// Those of so many draws, `which` telling what each is a draw of; fewer where whoever watches has ended them. A step of
-/// `progress` is a draw.
+/// Computes the final areas of `count` draws, fewer if cancelled; `which` selects the random numbers of each.
+/// `progress` advances once per draw.
 pub(crate) fn all(
     inputs: &Inputs,
     areas: &Areas,
@@ -73,7 +73,7 @@ pub(crate) fn all(
 /// The areas of a draw along the cutoff: for every curve and load.
 pub(crate) type Along = Vec<Vec<Points>>;
 
-/// Those of the first draws; draws that have left the range of the models are left out.
+/// Computes the areas of the first draws along the cutoff; draws out of the range of the models are left out.
 pub(crate) fn along(
     inputs: &Inputs,
     areas: &Areas,

@@ -1,30 +1,29 @@
-//! The gain and slope of every instrument: what their calibrations leave open, less what the wavelengths tell that two of them
-//! share.
+//! The gain and slope of every instrument: the uncertainty of their calibrations, reduced by overlaps.
 
 use rand_chacha::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use crate::found::InstrumentInput;
+use crate::results::InstrumentInput;
 
-/// What is known of an instrument before its overlaps are looked at: one standard uncertainty each, about 0.
+/// The standard uncertainties of an instrument before its overlaps, about 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Prior {
-    /// Of the gain of ln C: twice that of the height scale.
+    /// The standard uncertainty of the gain of ln C: twice that of the height scale.
     pub gain_sd: f64,
-    /// Of the exponent.
+    /// The standard uncertainty of the exponent.
     pub slope_sd: f64,
 }
 
 impl Prior {
-    pub fn of(instrument: &InstrumentInput) -> Self {
+    pub fn new(instrument: &InstrumentInput) -> Self {
         Prior { gain_sd: 2.0 * instrument.z_calibration, slope_sd: instrument.slope_uncertainty }
     }
 }
 
-/// What two instruments tell of the difference of their gains.
+/// The observed difference of the gains of two instruments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Observation {
-    /// Both, by index.
+    /// Both instruments, by index.
     pub instruments: [usize; 2],
     /// The mean of ln(q/q_i) over the wavelengths that they share, for each.
     pub ln_q: [f64; 2],
@@ -38,15 +37,15 @@ pub(crate) struct Observation {
 #[derive(Debug, Clone)]
 pub(crate) struct Gains {
     priors: Vec<Prior>,
-    /// Each overlap, and how far it moves every parameter.
+    /// Each overlap, and the change of every parameter by it.
     updates: Vec<(Observation, Vec<f64>)>,
     mean: Vec<[f64; 2]>,
-    /// Of the gains, after all overlaps.
+    /// The variances of the gains after all overlaps.
     variances: Vec<f64>,
 }
 
 impl Gains {
-    pub fn of(priors: &[Prior], observations: &[Observation]) -> Self {
+    pub fn new(priors: &[Prior], observations: &[Observation]) -> Self {
         let sds: Vec<f64> = priors.iter().flat_map(|prior| [prior.gain_sd, prior.slope_sd]).collect();
         let size = sds.len();
         let mut covariance = vec![vec![0.0; size]; size];
@@ -74,7 +73,7 @@ impl Gains {
         gains
     }
 
-    /// The mean of gain and slope of each.
+    /// The mean gain and slope of each instrument.
     pub fn mean(&self) -> &[[f64; 2]] {
         &self.mean
     }
@@ -84,7 +83,7 @@ impl Gains {
         [self.mean[instrument][0], self.variances[instrument].sqrt()]
     }
 
-    /// Whether any of them is uncertain.
+    /// True if any gain or slope is uncertain.
     pub fn scatter(&self) -> bool {
         self.priors.iter().any(|prior| prior.gain_sd > 0.0 || prior.slope_sd > 0.0)
     }
@@ -95,11 +94,11 @@ impl Gains {
         priors[instrument] = Prior { gain_sd: 0.0, slope_sd: 0.0 };
         let observations: Vec<Observation> =
             self.updates.iter().map(|(observation, _)| *observation).collect();
-        Gains::of(&priors, &observations)
+        Gains::new(&priors, &observations)
     }
 
-    /// Gain and slope of every instrument in a draw. A draw from what was known before is moved by each overlap as the mean is,
-    /// the overlap itself drawn with its scatter: a draw of what is known after (Matheron's rule).
+    /// Draws gain and slope of every instrument: each overlap moves a draw of the prior as it moves the mean, with the
+    /// overlap itself drawn with its scatter. This is a draw of the posterior (Matheron's rule).
     pub fn draw(&self, numbers: &mut impl Rng) -> Vec<[f64; 2]> {
         let mut normal = || -> f64 { StandardNormal.sample(numbers) };
         let before: Vec<f64> = self
@@ -122,7 +121,7 @@ impl Gains {
 }
 
 impl Observation {
-    /// How the difference depends on gain and slope of each instrument.
+    /// The coefficients of the difference for gain and slope of each instrument.
     fn coefficients(&self, size: usize) -> Vec<f64> {
         let mut coefficients = vec![0.0; size];
         for ((instrument, ln_q), sign) in self.instruments.iter().zip(self.ln_q).zip([1.0, -1.0]) {
@@ -152,7 +151,7 @@ mod tests {
 
     #[test]
     fn an_exact_overlap_ties_the_gains_together() {
-        let gains = Gains::of(&PRIORS, &[observed(0.0)]);
+        let gains = Gains::new(&PRIORS, &[observed(0.0)]);
         for draw in 0..20 {
             let [first, second] = gains.draw(&mut Streams::new(1).of(Group::Instruments, draw))[..] else {
                 panic!("two instruments")
@@ -165,7 +164,7 @@ mod tests {
 
     #[test]
     fn draws_have_the_mean_and_the_variance_that_are_told() {
-        let gains = Gains::of(&PRIORS, &[observed(1e-3)]);
+        let gains = Gains::new(&PRIORS, &[observed(1e-3)]);
         let draws: Vec<f64> = (0..20_000)
             .map(|draw| gains.draw(&mut Streams::new(1).of(Group::Instruments, draw))[0][0])
             .collect();
@@ -180,7 +179,7 @@ mod tests {
     #[test]
     fn what_is_certain_stays_so() {
         let certain = Prior { gain_sd: 0.0, slope_sd: 0.0 };
-        let gains = Gains::of(&[certain, certain], &[observed(0.0)]);
+        let gains = Gains::new(&[certain, certain], &[observed(0.0)]);
         assert!(!gains.scatter());
         assert_eq!(gains.draw(&mut Streams::new(1).of(Group::Instruments, 0)), [[0.0; 2]; 2]);
     }

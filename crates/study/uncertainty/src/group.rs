@@ -1,9 +1,9 @@
-//! The groups of inputs that variance is shared out to, and their indices.
+//! Groups of inputs and their indices of variance.
 
 use serde::Serialize;
 use units::named;
 
-/// Inputs whose draws are made together.
+/// A group of inputs that are drawn together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Group {
@@ -29,15 +29,15 @@ named!(Group, "group of inputs", {
 pub struct Index {
     /// The share, about 0 to 1; its own error may carry it beyond either.
     pub value: f64,
-    /// One standard error of it.
+    /// Its standard error.
     pub standard_error: f64,
 }
 
 /// The indices of one group for one output, as [`crate::sobol::indices`] estimates them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Indices {
-    /// Of the group alone.
+    /// The index of the group alone.
     pub first_order: Index,
-    /// Of the group and all in which it takes part.
+    /// The index of the group with all its interactions.
     pub total: Index,
 }

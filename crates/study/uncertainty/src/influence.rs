@@ -1,4 +1,4 @@
-//! How much each part of the spectrum moves ln A, and hence what every instrument and decade contributes to its draws.
+//! The influence of each part of the spectrum on ln A, and hence the contribution of every instrument and decade.
 
 use spectrum::ProfilePsd;
 use study::Progress;
@@ -6,10 +6,10 @@ use study::plan::Work;
 
 use crate::areas::Areas;
 
-/// Parts of a decade whose influence is looked at together.
+/// The number of parts per decade.
 const PARTS_PER_DECADE: f64 = 10.0;
 
-/// By how much ln C of a part is moved.
+/// The change of ln C of a part.
 const STEP: f64 = 0.02;
 
 /// d ln A/d ln C of every area, in neighbouring parts of the spectrum.
@@ -17,19 +17,19 @@ const STEP: f64 = 0.02;
 pub(crate) struct Influence {
     /// The part of each sample.
     part_of: Vec<usize>,
-    /// How many samples a part has.
+    /// The number of samples of each part.
     samples: Vec<usize>,
     /// For every part, the derivative of every area.
     of_parts: Vec<Vec<f64>>,
-    /// How much was computed.
+    /// The work that it took.
     pub work: Work,
-    /// How many plans that took.
+    /// The number of plans that it took.
     pub plans: usize,
 }
 
 impl Influence {
-    /// That on the areas of this spectrum; none where somebody has ended it. A step of `progress` is a part.
-    pub fn of(areas: &Areas, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Self> {
+    /// Computes the influence on the areas of this spectrum; `None` if cancelled. `progress` advances once per part.
+    pub fn new(areas: &Areas, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Self> {
         let part_of = parts(psd);
         let count = part_of.last().map_or(0, |last| last + 1);
         let mut samples = vec![0; count];
@@ -61,12 +61,12 @@ impl Influence {
         Some(Influence { part_of, samples, of_parts, work, plans: count + 1 })
     }
 
-    /// How many parts a spectrum has.
+    /// The number of parts of a spectrum.
     pub fn parts_of(psd: &ProfilePsd) -> usize {
         parts(psd).last().map_or(0, |last| last + 1)
     }
 
-    /// The mean deviation of ln C in each part, from those sample by sample.
+    /// Averages deviations of ln C, sample by sample, over each part.
     pub fn in_parts(&self, deviations: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.samples.len()];
         for (part, deviation) in self.part_of.iter().zip(deviations) {
@@ -75,7 +75,7 @@ impl Influence {
         sums.iter().zip(&self.samples).map(|(sum, samples)| sum / *samples as f64).collect()
     }
 
-    /// What deviations in parts do to ln A of an area, where they are small; part by part.
+    /// The change of ln A of an area by small deviations in parts, part by part.
     pub fn on(&self, area: usize, in_parts: &[f64]) -> Vec<f64> {
         self.of_parts.iter().zip(in_parts).map(|(of_part, deviation)| of_part[area] * deviation).collect()
     }

@@ -1,4 +1,4 @@
-//! What of a scene is drawn: its surface and its bodies.
+//! The uncertain inputs of a scene: surface and bodies.
 
 use scene::Scene;
 use spectrum::ProfilePsd;
@@ -10,7 +10,7 @@ use crate::random::Streams;
 use crate::settings::DEFAULT_SEED;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
-/// Surface and bodies, to be drawn.
+/// The uncertain surface and bodies.
 #[derive(Debug)]
 pub(crate) struct Inputs {
     pub surface: SurfaceScatter,
@@ -20,17 +20,17 @@ pub(crate) struct Inputs {
     pub groups: Vec<Group>,
 }
 
-/// The groups of a scene's inputs that scatter, whatever it says of draws; none of a scene without draws.
+/// The uncertain groups of inputs of a scene, whatever its settings for draws.
 #[must_use]
 pub fn scattering_groups(scene: &Scene) -> Vec<Group> {
-    Inputs::of(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
+    Inputs::from_scene(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
 }
 
 impl Inputs {
-    /// Those of a scene; none where nothing of it scatters.
-    pub fn of(scene: &Scene, seed: u64) -> Option<Self> {
-        let surface = SurfaceScatter::of(&scene.surface);
-        let material = MaterialDraws::of(scene);
+    /// The inputs of a scene; `None` if none is uncertain.
+    pub fn from_scene(scene: &Scene, seed: u64) -> Option<Self> {
+        let surface = SurfaceScatter::from_surface(&scene.surface);
+        let material = MaterialDraws::from_scene(scene);
         let of_material = |scatters: fn(&MaterialDraws) -> bool| material.as_ref().is_some_and(scatters);
         let scatters = |group: &Group| match group {
             Group::Scans | Group::Instruments => surface.has(*group),
@@ -47,13 +47,13 @@ impl Inputs {
         self.streams
     }
 
-    /// Whether the surface takes part in draws.
+    /// True if the surface is uncertain.
     pub fn surface_scatters(&self) -> bool {
         self.groups.iter().any(|group| matches!(group, Group::Scans | Group::Instruments))
     }
 
-    /// The spectrum of a draw; the first is none where the surface does not scatter, and the whole where the draw has left the
-    /// range of spectra.
+    /// The spectrum of a draw. `Some(None)` keeps the spectrum of a certain surface; `None` is a draw out of the range
+    /// of spectra.
     pub fn psd(&self, draw: DrawOf) -> Option<Option<ProfilePsd>> {
         if !self.surface_scatters() {
             return Some(None);
@@ -61,7 +61,7 @@ impl Inputs {
         self.surface.psd(self.streams, draw).map(Some)
     }
 
-    /// The spectrum of the best estimates, as that of a draw.
+    /// The spectrum of the best estimates, in the form of [`psd`](Self::psd).
     pub fn best_psd(&self) -> Option<Option<ProfilePsd>> {
         if !self.surface_scatters() {
             return Some(None);
@@ -69,17 +69,17 @@ impl Inputs {
         self.surface.best().map(Some)
     }
 
-    /// The bodies of a draw; none where they are taken for exact.
+    /// The bodies of a draw; `None` if they are exact.
     pub fn material(&self, draw: DrawOf) -> Option<DrawnMaterial> {
         let mut elastic = self.streams.of(Group::Material, draw.material);
         let mut strength = self.streams.of(Group::Strength, draw.strength);
         Some(self.material.as_ref()?.draw(&mut elastic, &mut strength))
     }
 
-    /// The curves of the bodies of a draw.
+    /// The curves with the bodies of a draw.
     pub fn curves(&self, curves: &[Curve], draw: DrawOf) -> Vec<Curve> {
         let Some(drawn) = self.material(draw) else { return curves.to_vec() };
-        let moved = |curve: &Curve| Curve { model: drawn.of(&curve.model), ..curve.clone() };
+        let moved = |curve: &Curve| Curve { model: drawn.apply(&curve.model), ..curve.clone() };
         curves.iter().map(moved).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! The scans of one instrument in the bins of the composite, and how they are drawn anew.
+//! The scans of one instrument in the bins of the composite, and their draws.
 //!
 //! The mean of n scans is drawn as n repeated indications are by JCGM 101:2008, 6.4.9: deviations from it of Student's t with
 //! n - 1 degrees of freedom. Each scan's whole deviation is multiplied by one normal number, a bootstrap with normal
@@ -12,17 +12,17 @@ use crate::student::StudentFactors;
 /// An instrument in the bins of the composite.
 #[derive(Debug)]
 pub(crate) struct InstrumentBins {
-    /// How many places it has measured, or parts of the one map stand for them.
+    /// The number of places measured, or of the parts of one map that represent them.
     pub units: usize,
     /// Standard deviation of ln C between places, for bins that know one place alone.
     pub place_sd: f64,
-    /// Whether there is one place in all, for which parts of its map may stand.
+    /// True for one place only, which parts of its map may represent.
     pub is_one_place: bool,
-    /// What it shows of each bin; none where it does not reach it.
+    /// Its data in each bin; `None` for a bin out of its reach.
     pub bins: Vec<Option<InstrumentBin>>,
 }
 
-/// One bin of an instrument.
+/// The data of an instrument in one bin.
 #[derive(Debug)]
 pub(crate) struct InstrumentBin {
     /// The share of the composite's mean that its scans have.
@@ -31,18 +31,18 @@ pub(crate) struct InstrumentBin {
     pub ln_q: f64,
     /// Mean of ln C over its scans.
     pub ln_mean: f64,
-    /// How many places have a scan that reaches it.
+    /// The number of places with a scan that reaches the bin.
     pub places: usize,
-    /// How far the scan of each place, or the part of the map, lies off that mean.
+    /// The deviations of the scan of each place, or of each part of the map, from that mean.
     pub deviations: Vec<(usize, f64)>,
-    /// What those do not show.
+    /// The scatter that the deviations do not show.
     pub beside: Beside,
 }
 
 /// Scatter that the deviations of a bin do not show.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Beside {
-    /// Nothing.
+    /// No further scatter.
     Nothing,
     /// A single scan scatters by its own Fourier bins, with these degrees of freedom and the bias of its logarithm.
     OwnBins { degrees_of_freedom: f64, bias: f64 },
@@ -51,7 +51,7 @@ pub(crate) enum Beside {
 }
 
 impl Beside {
-    /// Its variance, of a single scan that of its logarithm.
+    /// The variance; for a single scan that of its logarithm.
     pub fn variance(self) -> f64 {
         match self {
             Beside::Nothing => 0.0,
@@ -73,7 +73,7 @@ impl Beside {
 }
 
 impl InstrumentBins {
-    /// Whether its scans scatter.
+    /// True if its scans scatter.
     pub fn scatters(&self) -> bool {
         let of_bin = |bin: &InstrumentBin| {
             self.place_sd > 0.0 && self.is_one_place
@@ -83,7 +83,7 @@ impl InstrumentBins {
         self.bins.iter().flatten().any(of_bin)
     }
 
-    /// The deviation of ln C in every bin in a draw; 0 where the instrument does not reach.
+    /// Draws the deviation of ln C in every bin; 0 out of reach.
     pub fn draw(&self, numbers: &mut impl Rng) -> Vec<f64> {
         let factors = StudentFactors::draw(self.units, numbers);
         let multipliers: Vec<f64> = (0..self.units).map(|_| normal(numbers)).collect();

@@ -1,17 +1,17 @@
-//! The instruments of a composite: which scans are whose, what each shows of every bin, and what is told of them.
+//! The instruments of a composite: their scans, their data in every bin, and their description.
 
 use std::collections::BTreeSet;
 
 use measurements::CompositeOfFiles;
 use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
 
-use crate::found::{InstrumentInput, InstrumentName, Resampled};
 use crate::instrument_bins::{Beside, InstrumentBin, InstrumentBins};
+use crate::results::{InstrumentInput, InstrumentName, Resampled};
 
-/// One standard uncertainty of the height scale of an instrument of which nothing is told.
+/// The assumed standard uncertainty of an unknown height scale.
 pub const ASSUMED_Z_CALIBRATION: f64 = 0.03;
 
-/// The instruments of a composite in the order of their first scans, and what is told of them.
+/// The instruments of a composite in the order of their first scans, and their descriptions.
 pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec<InstrumentInput>) {
     let names: Vec<&str> = scans.sources.iter().map(|source| source.instrument.name.as_str()).collect();
     let mut distinct: Vec<&str> = Vec::new();
@@ -23,14 +23,14 @@ pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec
     let places = scans.spectrum.places();
     let own = |name: &str| (0..names.len()).filter(|&scan| names[scan] == name).collect::<Vec<_>>();
     let of_instruments: Vec<OwnScans<'_>> =
-        distinct.iter().map(|name| OwnScans::of(scans, &own(name), &places)).collect();
+        distinct.iter().map(|name| OwnScans::new(scans, &own(name), &places)).collect();
     let mut bins: Vec<InstrumentBins> = of_instruments.iter().map(OwnScans::in_bins).collect();
     lend_place_scatter(&mut bins, &of_instruments);
     let told = of_instruments.iter().zip(&bins).map(|(own, bins)| own.told(bins)).collect();
     (bins, told)
 }
 
-/// The scatter between places is known of instruments with several; the others are taken to have as much.
+/// Lends the scatter between places, known of instruments with several, to the others.
 fn lend_place_scatter(instruments: &mut [InstrumentBins], own: &[OwnScans<'_>]) {
     let known: Vec<f64> = own.iter().filter_map(OwnScans::place_variance).collect();
     let mean = if known.is_empty() { 0.0 } else { known.iter().sum::<f64>() / known.len() as f64 };
@@ -44,16 +44,16 @@ struct OwnScans<'s> {
     scans: &'s CompositeOfFiles,
     /// Its scans, by index.
     own: Vec<usize>,
-    /// Their places, each once.
+    /// The distinct places of these scans.
     places: Vec<usize>,
-    /// Which of these each of its scans is of.
+    /// The place of each scan, by index.
     place_of: Vec<usize>,
-    /// What it shows of each bin of the composite, by scan.
+    /// The data in each bin of the composite, by scan.
     in_bins: Vec<Vec<(usize, &'s ScanBin)>>,
 }
 
 impl<'s> OwnScans<'s> {
-    fn of(scans: &'s CompositeOfFiles, own: &[usize], places: &[usize]) -> Self {
+    fn new(scans: &'s CompositeOfFiles, own: &[usize], places: &[usize]) -> Self {
         let found = &scans.spectrum;
         let distinct: Vec<usize> =
             own.iter().map(|&scan| places[scan]).collect::<BTreeSet<_>>().into_iter().collect();
@@ -80,7 +80,7 @@ impl<'s> OwnScans<'s> {
         self.scans.spectrum.composite.bins()
     }
 
-    /// The one map that stands for the instrument, where its parts can stand for places.
+    /// The only map of the instrument, if its parts can represent places.
     fn only_map(&self) -> Option<&'s ScanSpectrum> {
         let only = &self.scans.spectrum.scans[self.own[0]];
         (self.places.len() == 1 && !only.spectrum.parts_m3().is_empty()).then_some(only)
@@ -127,7 +127,7 @@ impl<'s> OwnScans<'s> {
         })
     }
 
-    /// ln C at each place without bias, however the composite is averaged; of several scans there their mean.
+    /// ln C at each place without bias, for any average of the composite; the mean over several scans.
     fn ln_of_places(&self, scans: &[(usize, &ScanBin)]) -> Vec<(usize, f64)> {
         let at_place = |place: usize| {
             let ln: Vec<f64> = scans
@@ -140,8 +140,8 @@ impl<'s> OwnScans<'s> {
         (0..self.places.len()).filter_map(at_place).collect()
     }
 
-    /// The variance of ln C between places beyond what the Fourier bins of each scan make, over the bins that several reach; none
-    /// where there is no such bin.
+    /// The variance of ln C between places beyond that of the Fourier bins, over bins with several places; `None`
+    /// without such a bin.
     fn place_variance(&self) -> Option<f64> {
         let of_bin = |scans: &Vec<(usize, &ScanBin)>| {
             let places = self.ln_of_places(scans);
@@ -183,7 +183,8 @@ impl<'s> OwnScans<'s> {
     }
 }
 
-/// The parts of a map as places, and the variance that they lack: side by side they are alike at long wavelengths.
+/// The parts of a map as places, and the variance that they lack, since parts side by side are alike at long
+/// wavelengths.
 fn parts(bin: &ScanBin) -> (Vec<(usize, f64)>, Beside) {
     let deviations: Vec<(usize, f64)> =
         bin.parts_m3.iter().map(|part_m3| part_m3 / bin.c1d_m3 - 1.0).enumerate().collect();

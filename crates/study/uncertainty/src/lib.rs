@@ -3,9 +3,7 @@
 mod advice;
 mod areas;
 mod bands;
-mod carry_out;
 mod draws;
-mod found;
 mod gains;
 mod group;
 mod influence;
@@ -15,9 +13,11 @@ mod instruments;
 mod light_draws;
 mod material_draws;
 mod overlap;
+mod plan;
 pub mod quantiles;
 mod quantities;
 mod random;
+mod results;
 mod scan_scatter;
 mod settings;
 mod shares;
@@ -28,16 +28,16 @@ mod student;
 mod surface_scatter;
 mod tables;
 
-pub use carry_out::UncertaintyPlan;
-pub use found::{
-    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
-    OpenChannel, OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind,
-    Uncertainty,
-};
 pub use group::{Group, Index, Indices};
 pub use inputs::scattering_groups;
 pub use instruments::ASSUMED_Z_CALIBRATION;
 pub use material_draws::{DrawnMaterial, MaterialDraws};
+pub use plan::UncertaintyPlan;
+pub use results::{
+    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
+    OpenChannel, OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind,
+    Uncertainty,
+};
 pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
 pub use spectrum_errors::CORRELATION_DECADES;
 pub use tables::LARGEST_ERROR_OF_A_SHARE;

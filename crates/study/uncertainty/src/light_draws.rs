@@ -1,5 +1,5 @@
-//! Draws of a composite alone, for which nothing is pressed: what each instrument's scans and height scale do to ln A where
-//! deviations are small.
+//! Draws of a composite without contact: the effect of each instrument's scans and height scale on ln A for small
+//! deviations.
 
 use crate::gains::Gains;
 use crate::group::Group;
@@ -9,40 +9,40 @@ use crate::random::Streams;
 use crate::scan_scatter::ScanScatter;
 use crate::surface_scatter::SurfaceScatter;
 
-/// How many there are.
+/// The number of such draws.
 pub(crate) const LIGHT_DRAWS: usize = 1000;
 
 /// The deviations of ln C of each instrument in one draw, in parts of the spectrum.
 pub(crate) struct LightDraw {
-    /// For every instrument, of its scans.
+    /// For every instrument, from its scans.
     places: Vec<Vec<f64>>,
-    /// For every instrument, of its gain.
+    /// For every instrument, from its gain.
     gains: Vec<Vec<f64>>,
-    /// For every instrument, of all gains where its own is known.
+    /// For every instrument, from all gains if its own is known.
     gains_without: Vec<Vec<f64>>,
 }
 
-/// What such draws do to ln A.
+/// The effects of such draws on ln A.
 pub(crate) struct Contributions {
-    /// For every instrument, of its scans.
+    /// For every instrument, from its scans.
     pub places: Vec<Vec<f64>>,
-    /// For every instrument, of its gain.
+    /// For every instrument, from its gain.
     pub gains: Vec<Vec<f64>>,
-    /// For every instrument, of all gains where its own is known.
+    /// For every instrument, from all gains if its own is known.
     pub gains_without: Vec<Vec<f64>>,
     /// For every draw, the total in each part of the spectrum.
     pub parts: Vec<Vec<f64>>,
 }
 
 impl LightDraw {
-    /// The draws of a surface that scatters.
+    /// Draws an uncertain surface.
     pub fn all(inputs: &Inputs, influence: &Influence) -> Vec<LightDraw> {
         let streams = inputs.streams();
         let draws = 0..LIGHT_DRAWS as u64;
         match &inputs.surface {
             SurfaceScatter::Scans(scans) => {
                 let without = scans.gains_without_each();
-                draws.map(|draw| LightDraw::of_scans(scans, &without, streams, draw, influence)).collect()
+                draws.map(|draw| LightDraw::from_scans(scans, &without, streams, draw, influence)).collect()
             }
             SurfaceScatter::Errors(errors) => {
                 let deviations = |draw| errors.deviations(&mut streams.of(Group::Scans, draw));
@@ -57,7 +57,7 @@ impl LightDraw {
         }
     }
 
-    fn of_scans(
+    fn from_scans(
         scans: &ScanScatter,
         without: &[Gains],
         streams: Streams,
@@ -85,8 +85,8 @@ impl LightDraw {
 }
 
 impl Contributions {
-    /// What draws do to ln A of an area.
-    pub fn of(area: usize, influence: &Influence, draws: &[LightDraw]) -> Self {
+    /// The effects of draws on ln A of an area.
+    pub fn new(area: usize, influence: &Influence, draws: &[LightDraw]) -> Self {
         let total = |in_parts: &Vec<f64>| influence.on(area, in_parts).iter().sum::<f64>();
         let by_instrument = |of: fn(&LightDraw) -> &Vec<Vec<f64>>| -> Vec<Vec<f64>> {
             let count = draws.first().map_or(0, |draw| of(draw).len());

@@ -1,4 +1,4 @@
-//! Draws of the material: other bodies of which the same could have been said.
+//! Draws of the material within its uncertainties.
 
 use asperity::{ElasticBody, MaterialPair, NixGao};
 use rand_chacha::rand_core::Rng;
@@ -9,7 +9,7 @@ use study::material_spreads::MaterialSpreads;
 use study::models::CurveModel;
 use study::spread::{LARGEST_POISSON_RATIO, Spread};
 
-/// What draws of a scene's material are made from.
+/// The uncertain material of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaterialDraws {
     spreads: MaterialSpreads,
@@ -18,7 +18,7 @@ pub struct MaterialDraws {
     flows: Body,
 }
 
-/// A material that was drawn.
+/// A drawn material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnMaterial {
     /// The bodies in contact.
@@ -30,9 +30,9 @@ pub struct DrawnMaterial {
 }
 
 impl MaterialDraws {
-    /// The draws of a scene; `None` where its material is taken for exact.
+    /// The material of a scene; `None` if it is exact.
     #[must_use]
-    pub fn of(scene: &Scene) -> Option<Self> {
+    pub fn from_scene(scene: &Scene) -> Option<Self> {
         let material = scene.material.as_ref().filter(|_| !scene.spreads.is_empty())?;
         Some(MaterialDraws {
             spreads: scene.spreads.clone(),
@@ -42,20 +42,20 @@ impl MaterialDraws {
         })
     }
 
-    /// Whether the elastic constants of a body scatter.
+    /// True if an elastic constant of a body is uncertain.
     #[must_use]
     pub fn elastic_scatters(&self) -> bool {
         !self.spreads.elastic_are_exact()
     }
 
-    /// Whether the strength or the strain-gradient length scatters.
+    /// True if the strength or the strain-gradient length is uncertain.
     #[must_use]
     pub fn strength_scatters(&self) -> bool {
         self.spreads.strength.is_some() || self.spreads.strain_gradient_length.is_some()
     }
 
-    /// A material: its elastic constants from one stream, strength and strain-gradient length from the other, each in a fixed
-    /// order.
+    /// Draws a material: elastic constants from one stream, strength and strain-gradient length from the other, each in
+    /// a fixed order.
     pub fn draw(&self, elastic: &mut impl Rng, strength: &mut impl Rng) -> DrawnMaterial {
         let spreads = &self.spreads;
         let body = drawn_body(self.pair.body(), &spreads.youngs_modulus, &spreads.poisson_ratio, elastic);
@@ -76,15 +76,15 @@ impl MaterialDraws {
 }
 
 impl DrawnMaterial {
-    /// A model of this material. A cap of the strength stays what it is, but is never below the strength itself.
+    /// The model with this material. A cap of the strength stays, but is never below the strength itself.
     #[must_use]
-    pub fn of(&self, model: &CurveModel) -> CurveModel {
+    pub fn apply(&self, model: &CurveModel) -> CurveModel {
         let moved = model.with_pair(self.pair);
         let strength = moved.strength().and_then(|plain| self.strength(plain));
         strength.and_then(|strength| moved.with_strength(strength)).unwrap_or(moved)
     }
 
-    /// The strength in place of a plain one; `None` beyond the range of magnitudes.
+    /// The drawn strength in place of a plain one; `None` out of the range of magnitudes.
     fn strength(&self, plain: NixGao) -> Option<NixGao> {
         let strength_pa = self.strength_over_centre * plain.macroscopic_strength_pa();
         let mut strength = NixGao::constant(strength_pa).ok()?;
@@ -99,7 +99,8 @@ impl DrawnMaterial {
     }
 }
 
-/// A body in place of a plain one, which stays where a draw leaves the range of magnitudes; the bounds of spreads keep it inside.
+/// Draws a body in place of a plain one, which stays if the draw leaves the range of magnitudes; the bounds of spreads
+/// keep it inside.
 fn drawn_body(
     plain: ElasticBody,
     youngs_modulus: &Option<Spread>,
@@ -111,7 +112,7 @@ fn drawn_body(
     ElasticBody::new(modulus_pa, ratio).unwrap_or(plain)
 }
 
-/// A draw from a spread, where there is one.
+/// Draws from a spread, if there is one.
 fn drawn(spread: &Option<Spread>, stream: &mut impl Rng) -> Option<f64> {
     let evenly = |stream: &mut _| -> f64 { StandardUniform.sample(stream) };
     Some(match spread.as_ref()? {

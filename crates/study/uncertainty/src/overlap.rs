@@ -1,24 +1,24 @@
-//! What instruments say of the wavelengths that they share.
+//! Overlaps of instruments.
 
+use study::student::{half_width, normal_half_width};
 use topography::CompositeBin;
 
-use crate::found::OverlapMisfit;
 use crate::gains::{Observation, Prior};
 use crate::instrument_bins::{InstrumentBin, InstrumentBins, standard_error_root};
-use crate::student::{half_width, normal_half_width};
+use crate::results::OverlapMisfit;
 
 /// The probability by which Student's distribution is matched by a normal one.
 const MATCHED: f64 = 0.95;
 
 /// The overlaps of instruments.
 pub(crate) struct Overlaps {
-    /// As the gains learn from them.
+    /// The observations for the gains.
     pub observations: Vec<Observation>,
-    /// As they are told.
+    /// The misfits for the report.
     pub misfits: Vec<OverlapMisfit>,
 }
 
-/// Those of every pair that shares a bin.
+/// The overlaps of every pair that shares a bin.
 pub(crate) fn overlaps(instruments: &[InstrumentBins], priors: &[Prior], bins: &[CompositeBin]) -> Overlaps {
     let mut found = Overlaps { observations: Vec::new(), misfits: Vec::new() };
     for second in 0..instruments.len() {
@@ -65,8 +65,8 @@ pub(crate) fn overlaps(instruments: &[InstrumentBins], priors: &[Prior], bins: &
     found
 }
 
-/// The variance of the mean of ln C over some bins of an instrument: from the scatter of the means of its places, so that what goes
-/// together along the wavevector counts as it does, widened as Student's distribution is.
+/// The variance of the mean of ln C over some bins of an instrument. It is taken from the scatter of the means of
+/// places, so that correlations along the wavevector count, and widened by Student's distribution.
 fn variance_of_mean(instrument: &InstrumentBins, bins: &[&InstrumentBin]) -> f64 {
     let count = bins.len() as f64;
     let mut means = vec![0.0; instrument.units];

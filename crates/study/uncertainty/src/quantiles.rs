@@ -1,8 +1,8 @@
-//! The ends of an interval from draws, and how well the draws know them.
+//! Intervals from draws, and their Monte Carlo errors.
 
 use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 
-/// How far off the middle of its draws a result counts at most, in standard deviations.
+/// The largest distance of a result from the middle of its draws that counts, in standard deviations.
 const FARTHEST: f64 = 0.5;
 
 /// A quantile of draws.
@@ -10,7 +10,7 @@ const FARTHEST: f64 = 0.5;
 pub struct Quantile {
     /// The quantile.
     pub value: f64,
-    /// One standard error of it, which more draws would shrink.
+    /// Its standard error, which more draws would shrink.
     pub standard_error: f64,
 }
 
@@ -23,20 +23,20 @@ pub struct Interval {
     pub median: Quantile,
     /// The upper end.
     pub high: Quantile,
-    /// One standard error of the length high - low.
+    /// The standard error of the length high - low.
     pub length_standard_error: f64,
 }
 
 impl Interval {
-    /// One standard error of the length as a share of it; 0 where the draws do not differ. Of draws of ln A this is
-    /// the error of ln(high/low) as a share of it, and no end is known less well.
+    /// The standard error of the length as a share of it; 0 if the draws do not differ. For draws of ln A this is the
+    /// relative error of ln(high/low), and no end is known less well.
     pub fn relative_error(&self) -> f64 {
         let length = self.high.value - self.low.value;
         if length > 0.0 { self.length_standard_error / length } else { 0.0 }
     }
 }
 
-/// The equal-tailed interval that holds a share `level` of the draws (above 0, below 1); none where there is no draw.
+/// Computes the equal-tailed interval that holds a share `level` of the draws (above 0, below 1); `None` without draws.
 ///
 /// Quantiles are the eighth of Hyndman & Fan 1996 (Am. Stat. 50:361), whose median is the true quantile whatever the
 /// distribution is; beyond the first and the last draw there is nothing to tell, so that an end stays there. The number of
@@ -66,11 +66,11 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
     })
 }
 
-/// The same about the result of the best estimates: where that is not in the middle of its draws, neither is the truth in the
-/// middle of what would be found from it. With z0 the normal quantile of the share of draws below that result, the quantiles taken
-/// are those of the normal probabilities 2 z0 - z, 2 z0 and 2 z0 + z (Efron 1981, Can. J. Stat. 9:139). Results that are smooth and
-/// scatter little lie in the middle of their draws, and their interval is that of [`interval`]; largest values and moments of what
-/// scatters by factors lie off it.
+/// Computes the interval about the result of the best estimates, corrected for bias: a result off the middle of its
+/// draws lies as far off the middle of its interval. With z0 the normal quantile of the share of draws below the
+/// result, the quantiles are those of the normal probabilities 2 z0 - z, 2 z0 and 2 z0 + z (Efron 1981, Can. J. Stat.
+/// 9:139). Smooth results that scatter little lie in the middle of their draws, and their interval is that of
+/// [`interval`]; largest values, and moments of inputs that scatter by factors, lie off it.
 ///
 /// A z0 beyond half a standard deviation counts as that: where a result is the larger or the smaller of two that nearly agree, z0
 /// follows its own error, and twice of it would lead away from the truth. Synthetic studies bear the bound out
@@ -117,7 +117,7 @@ fn quantile(sorted: &[f64], probability: f64) -> Quantile {
     Quantile { value: at_rank(sorted, rank), standard_error }
 }
 
-/// Between the draws whose ranks, from 1 on, are on either side.
+/// The value at a rank, from 1 on, interpolated between the draws on either side.
 fn at_rank(sorted: &[f64], rank: f64) -> f64 {
     let below = rank.floor();
     let share = rank - below;

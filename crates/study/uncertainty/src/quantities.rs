@@ -1,6 +1,6 @@
-//! Draws of what the interface does besides touching.
+//! Draws of the quantities of an interface.
 
-use findings::interface::{InterfaceStates, Pressed};
+use findings::interface::{InterfaceInputs, InterfaceStates};
 use scene::Scene;
 use study::Progress;
 use study::interface::{Quantity, Slot};
@@ -8,13 +8,13 @@ use study::plan::{Needs, Plan, Results};
 
 use spectrum::ProfilePsd;
 
-use crate::found::{AreaInterval, OpenChannel, QuantityInterval};
 use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
 use crate::quantiles::{Interval, interval, interval_about};
+use crate::results::{AreaInterval, OpenChannel, QuantityInterval};
 use crate::surface_scatter::DrawOf;
 
-/// What a scene asks of its interface, to be computed for many spectra and bodies.
+/// The requested quantities of an interface, for many spectra and bodies.
 #[derive(Debug)]
 pub(crate) struct Quantities<'p> {
     scene: &'p Scene,
@@ -22,10 +22,10 @@ pub(crate) struct Quantities<'p> {
     slots: Vec<Slot>,
 }
 
-/// The share of draws that have to have a value for an interval of them.
-const LEAST_WITH_VALUE: f64 = 0.9;
+/// The least share of draws with a value for an interval of them.
+const MIN_SHARE_WITH_VALUE: f64 = 0.9;
 
-/// What draws say of the interface.
+/// The results of the draws.
 #[derive(Debug, Default)]
 pub(crate) struct QuantityDraws {
     pub intervals: Vec<QuantityInterval>,
@@ -33,14 +33,14 @@ pub(crate) struct QuantityDraws {
 }
 
 impl<'p> Quantities<'p> {
-    /// Those of a scene; none where it asks for none.
-    pub fn of(scene: &'p Scene, results: &'p Results) -> Option<Self> {
-        let slots = InterfaceStates::of_scene(scene, results)?.slots();
+    /// The quantities of a scene; `None` if it requests none.
+    pub fn from_scene(scene: &'p Scene, results: &'p Results) -> Option<Self> {
+        let slots = InterfaceStates::from_scene(scene, results)?.slots();
         Some(Quantities { scene, results, slots })
     }
 
-    /// The intervals of everything that has a value, from so many draws, at a level; none where somebody has ended them. What is
-    /// made from the area of a curve has the interval of that area. A step of `progress` is a draw.
+    /// Computes the intervals of all quantities with a value from `draws` draws, at a level; empty if cancelled. A
+    /// quantity from the area of a curve takes the interval of that area. `progress` advances once per draw.
     pub fn intervals(
         &self,
         inputs: &Inputs,
@@ -63,7 +63,7 @@ impl<'p> Quantities<'p> {
             return QuantityDraws::default();
         }
         let best = inputs.surface_scatters().then(|| self.best(inputs)).flatten();
-        let Some(plain) = InterfaceStates::of_scene(self.scene, self.results) else {
+        let Some(plain) = InterfaceStates::from_scene(self.scene, self.results) else {
             return QuantityDraws::default();
         };
         let of_slot = |(at, slot): (usize, &Slot)| {
@@ -80,8 +80,8 @@ impl<'p> Quantities<'p> {
                 Some(best) => interval_about(best, &ln_values, level),
                 None => interval(&ln_values, level),
             };
-            let is_told = ln_values.len() as f64 >= LEAST_WITH_VALUE * draws as f64;
-            found.filter(|_| is_told).map(|found| QuantityInterval::of(*slot, value, &found))
+            let is_told = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
+            found.filter(|_| is_told).map(|found| QuantityInterval::new(*slot, value, &found))
         };
         let open = |(at, slot): (usize, &Slot)| {
             let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
@@ -96,7 +96,7 @@ impl<'p> Quantities<'p> {
         }
     }
 
-    /// ln of every value in a draw; none where the draw has left the range of spectra.
+    /// ln of every value in a draw; `None` if the draw is out of the range of spectra.
     fn draw(&self, inputs: &Inputs, of: DrawOf) -> Option<Vec<Option<f64>>> {
         let material = inputs.material(of);
         match inputs.psd(of)? {
@@ -105,7 +105,7 @@ impl<'p> Quantities<'p> {
         }
     }
 
-    /// Those of the best estimates.
+    /// ln of every value for the best estimates.
     fn best(&self, inputs: &Inputs) -> Option<Vec<Option<f64>>> {
         self.of_spectrum(&inputs.best_psd()??, None)
     }
@@ -119,14 +119,14 @@ impl<'p> Quantities<'p> {
         let scene = self.scene;
         let material = scene.material.as_ref()?;
         let over_centre = drawn.map_or(1.0, |drawn| drawn.strength_over_centre);
-        let pressed = Pressed {
+        let interface_inputs = InterfaceInputs {
             results,
             normalisation: scene.needs.moments?,
             pair: drawn.map_or(material.pair, |drawn| drawn.pair),
             hardness_pa: material.hardness_pa().map(|hardness_pa| over_centre * hardness_pa),
             pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
         };
-        let states = InterfaceStates::of(scene.interface.as_ref()?, plan, pressed)?;
+        let states = InterfaceStates::new(scene.interface.as_ref()?, plan, interface_inputs)?;
         let ln_value = |slot: &Slot| match slot.curve {
             Some(_) => None,
             None => states.value(*slot).ok().flatten().map(f64::ln),
@@ -142,7 +142,7 @@ impl<'p> Quantities<'p> {
 }
 
 impl QuantityInterval {
-    fn of(slot: Slot, value: f64, found: &Interval) -> Self {
+    fn new(slot: Slot, value: f64, found: &Interval) -> Self {
         QuantityInterval {
             slot,
             value,

@@ -1,5 +1,5 @@
-//! Random numbers of a draw: a stream of its own for every group and draw, so that draws come out the same in any order and
-//! on any number of threads, and one group can be drawn anew while the others stay.
+//! Random numbers of draws. Every group and draw has a stream of its own, so that draws do not depend on their order or
+//! on the number of threads, and one group can be redrawn while the others stay.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -7,10 +7,10 @@ use rand_distr::{Distribution, StandardNormal};
 
 use crate::group::Group;
 
-/// Draws that the numbers of one group may have.
+/// The most draws of one group.
 const MOST_DRAWS: u64 = 1 << 48;
 
-/// More than there are.
+/// An upper bound on the number of groups.
 const GROUPS: u64 = 16;
 
 /// The random numbers of a scene.
@@ -24,19 +24,19 @@ impl Streams {
         Streams { seed }
     }
 
-    /// Those of a group in a draw.
+    /// The random numbers of a group in a draw.
     pub fn of(self, group: Group, draw: u64) -> ChaCha8Rng {
         self.of_surface(group, draw, 0)
     }
 
-    /// A standard normal number of a draw that belongs to no group.
+    /// Draws a standard normal number that belongs to no group.
     pub fn deviate_beside(self, draw: u64) -> f64 {
         let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
         numbers.set_stream((GROUPS - 1) * MOST_DRAWS + draw);
         StandardNormal.sample(&mut numbers)
     }
 
-    /// The same for one of two surfaces.
+    /// The random numbers of a group in a draw, for one of two surfaces.
     pub fn of_surface(self, group: Group, draw: u64, surface: u64) -> ChaCha8Rng {
         let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
         numbers.set_stream((group as u64 + GROUPS * surface) * MOST_DRAWS + draw);

@@ -1,24 +1,24 @@
-//! The composite of scans drawn anew: scans at other places, and instruments with other height scales.
+//! Draws of the composite of scans: scans at other places, and instruments with other height scales.
 //!
 //! A scan j of an instrument i at the bin k is taken to be ln C_ijk = mu_k + a_i + b_i ln(q_k/q_i) + s_ijk + e_ijk: gain and slope
-//! of the instrument, the place, and the scatter of its own Fourier bins (physics2.md, D1).
+//! of the instrument, the place, and the scatter of its own Fourier bins.
 
 use measurements::CompositeOfFiles;
 use rand_chacha::rand_core::Rng;
 use spectrum::ProfilePsd;
 use topography::Average;
 
-use crate::found::{InstrumentInput, OverlapMisfit};
 use crate::gains::{Gains, Prior};
 use crate::instrument_bins::{InstrumentBin, InstrumentBins};
 use crate::instruments::instruments;
 use crate::overlap::overlaps;
+use crate::results::{InstrumentInput, OverlapMisfit};
 
 /// The largest deviation of ln C that a draw may have, a factor of 22,000: Student's t of two scans has no variance, and an
 /// interval that reaches so far says that nothing is known.
-const MOST: f64 = 10.0;
+const MAX_DEVIATION: f64 = 10.0;
 
-/// What there is to draw a composite of scans from.
+/// An uncertain composite of scans.
 #[derive(Debug)]
 pub(crate) struct ScanScatter {
     wavelengths_m: Vec<f64>,
@@ -26,19 +26,19 @@ pub(crate) struct ScanScatter {
     average: Average,
     instruments: Vec<InstrumentBins>,
     gains: Gains,
-    /// What is told of the instruments.
+    /// The instruments, for the report.
     pub told: Vec<InstrumentInput>,
-    /// What is told of their overlaps.
+    /// Their overlaps, for the report.
     pub overlaps: Vec<OverlapMisfit>,
 }
 
 impl ScanScatter {
-    pub fn of(scans: &CompositeOfFiles) -> Self {
+    pub fn from_scans(scans: &CompositeOfFiles) -> Self {
         let (instruments, mut told) = instruments(scans);
         let bins = scans.spectrum.composite.bins();
-        let priors: Vec<Prior> = told.iter().map(Prior::of).collect();
+        let priors: Vec<Prior> = told.iter().map(Prior::new).collect();
         let found = overlaps(&instruments, &priors, bins);
-        let gains = Gains::of(&priors, &found.observations);
+        let gains = Gains::new(&priors, &found.observations);
         for (at, told) in told.iter_mut().enumerate() {
             told.gain = gains.gain_of(at);
         }
@@ -58,12 +58,12 @@ impl ScanScatter {
         &self.ln_c1d
     }
 
-    /// Whether any of its scans scatter.
+    /// True if any of its scans scatter.
     pub fn scatters(&self) -> bool {
         self.instruments.iter().any(InstrumentBins::scatters)
     }
 
-    /// Whether any height scale is uncertain.
+    /// True if any height scale is uncertain.
     pub fn has_gains(&self) -> bool {
         self.gains.scatter()
     }
@@ -78,13 +78,13 @@ impl ScanScatter {
         self.of_gains(&self.gains.draw(numbers))
     }
 
-    /// ln C of the composite where scans do not deviate, and gains are what overlaps tell of them.
+    /// ln C of the best estimates: scans without deviations, and the mean gains after all overlaps.
     pub fn best(&self) -> Vec<f64> {
         let no_places = vec![vec![0.0; self.ln_c1d.len()]; self.instruments.len()];
         self.composed(&no_places, &self.of_gains(self.gains.mean()))
     }
 
-    /// How many places an instrument has in the bins that it reaches, in half of them at least.
+    /// The median number of places of an instrument in the bins that it reaches.
     pub fn places_in_a_bin(&self, instrument: usize) -> usize {
         let instrument = &self.instruments[instrument];
         let mut places: Vec<usize> = instrument.bins.iter().flatten().map(|bin| bin.places).collect();
@@ -107,12 +107,12 @@ impl ScanScatter {
         self.instruments.iter().zip(gains).map(of_instrument).collect()
     }
 
-    /// ln C of the composite of instruments that deviate like this, in every bin.
+    /// ln C of the composite of instruments with these deviations, in every bin.
     pub fn composed(&self, places: &[Vec<f64>], gains: &[Vec<f64>]) -> Vec<f64> {
         let of_bin = |(at, centre): (usize, &f64)| {
             let of_instruments = self.instruments.iter().enumerate().filter_map(|(i, instrument)| {
                 let bin = instrument.bins[at].as_ref()?;
-                Some((bin.weight, (places[i][at] + gains[i][at]).clamp(-MOST, MOST)))
+                Some((bin.weight, (places[i][at] + gains[i][at]).clamp(-MAX_DEVIATION, MAX_DEVIATION)))
             });
             let moved: f64 = match self.average {
                 Average::Arithmetic => {

@@ -1,27 +1,26 @@
-//! What may be chosen of the draws, and what holds where nothing is.
+//! The settings of draws, and their defaults.
 
 use scene::UncertaintyChoices;
 
-/// The probability that an interval covers, where none is set.
+/// The default probability of an interval.
 pub const DEFAULT_LEVEL: f64 = 0.95;
 
-/// How many draws are made where no number is set.
+/// The default number of draws.
 pub const DEFAULT_DRAWS: usize = 1000;
 
-/// The seed of the draws where none is set.
+/// The default seed of the draws.
 pub const DEFAULT_SEED: u64 = 1;
 
-/// How a scene's draws are made.
+/// The settings of draws.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Settings {
     /// The probability that an interval covers, above 0 and below 1.
     pub level: f64,
-    /// How many draws are made.
+    /// The number of draws.
     pub draws: usize,
     /// The seed of the draws.
     pub seed: u64,
-    /// Draws of the full design that shares of variance are taken from; where absent, a small one that says how far it
-    /// can be trusted.
+    /// The size of the full design for shares of variance; `None` for a small one, with its error.
     pub shares_draws: Option<usize>,
 }
 
@@ -32,9 +31,9 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Those of a scene's section `[uncertainty]`, where it has one.
+    /// The settings of a scene's section `[uncertainty]`; the defaults without one.
     #[must_use]
-    pub fn of(choices: Option<&UncertaintyChoices>) -> Self {
+    pub fn from_choices(choices: Option<&UncertaintyChoices>) -> Self {
         let Some(choices) = choices else { return Settings::default() };
         Settings {
             level: choices.level.unwrap_or(DEFAULT_LEVEL),

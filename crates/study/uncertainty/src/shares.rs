@@ -1,4 +1,4 @@
-//! Which group of inputs the variance of ln A comes from.
+//! The shares of groups of inputs in the variance of ln A.
 
 use study::Progress;
 use study::plan::Work;
@@ -11,40 +11,40 @@ use crate::quantiles::interval;
 use crate::sobol::indices;
 use crate::surface_scatter::DrawOf;
 
-/// Draws of the small design: with them a share has a standard error of 0.04 at most.
+/// The size of the small design: a share has a standard error of 0.04 at most.
 pub(crate) const SMALL_DESIGN: usize = 256;
 
-/// The only group has all of it.
+/// The indices of an only group.
 const ALL: Indices = Indices {
     first_order: Index { value: 1.0, standard_error: 0.0 },
     total: Index { value: 1.0, standard_error: 0.0 },
 };
 
-/// Of what does not vary there is nothing to share out.
+/// The indices of an area that does not vary.
 const NOTHING: Indices = Indices {
     first_order: Index { value: 0.0, standard_error: 0.0 },
     total: Index { value: 0.0, standard_error: 0.0 },
 };
 
-/// Saltelli's design over the groups that scatter: A and B are draws that were made already, as far as they go.
+/// Saltelli's design over the uncertain groups. A and B reuse draws that were made already.
 pub(crate) struct Design {
     /// Draws of A, and as many of B.
     pub size: usize,
 }
 
 impl Design {
-    /// That for so many draws; the full one where its size is asked for.
-    pub fn of(draws: usize, asked: Option<usize>) -> Self {
-        Design { size: asked.unwrap_or(SMALL_DESIGN.min(draws / 2)) }
+    /// The design for this number of draws; the full one if its size is given.
+    pub fn new(draws: usize, size: Option<usize>) -> Self {
+        Design { size: size.unwrap_or(SMALL_DESIGN.min(draws / 2)) }
     }
 
-    /// How many draws it takes beyond those that were made.
+    /// The number of draws beyond those that were made.
     pub fn further_draws(&self, made: usize, groups: usize) -> usize {
         if groups < 2 { 0 } else { (2 * self.size).saturating_sub(made) + groups * self.size }
     }
 
-    /// The indices of every group for every area; none where the design was ended before it was whole.
-    pub fn carry_out(
+    /// Computes the indices of every group for every area; `None` if cancelled.
+    pub fn run(
         &self,
         inputs: &Inputs,
         areas: &Areas,
@@ -84,7 +84,7 @@ impl Design {
     }
 }
 
-/// The indices of a group for an area, of the draws of the design that have one.
+/// The indices of a group for an area, from the draws of the design that have one.
 fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize) -> Indices {
     let (mut a, mut b, mut ab) = (Vec::new(), Vec::new(), Vec::new());
     for draw in 0..size {
@@ -95,23 +95,23 @@ fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize)
             ab.push(of_mixed);
         }
     }
-    let tails = Tails::of(a.iter().chain(&b).copied().collect());
+    let tails = Tails::new(a.iter().chain(&b).copied().collect());
     let [a, b, ab] =
         [a, b, ab].map(|draws| draws.into_iter().map(|draw| tails.held(draw)).collect::<Vec<_>>());
     indices(&a, &b, &ab)
 }
 
-/// Draws so far out that they would make all of the variance: Student's distribution of few scans has none. Such tails are held
-/// at the ends of the interval of 95 %, which they do not move.
+/// The bounds of heavy tails, which would make all of the variance: Student's distribution of few scans has none. Tails
+/// are held at the ends of the 95 % interval, which they do not move.
 struct Tails {
     ends: [f64; 2],
 }
 
 impl Tails {
-    /// A range of so many intervals marks tails; that of a thousand normal draws is 1.7.
+    /// The range of draws, in interval widths, above which tails are heavy; a thousand normal draws have 1.7.
     const HEAVY: f64 = 2.5;
 
-    fn of(draws: Vec<f64>) -> Self {
+    fn new(draws: Vec<f64>) -> Self {
         let everything = Tails { ends: [f64::NEG_INFINITY, f64::INFINITY] };
         let Some(found) = interval(&draws, 0.95) else { return everything };
         let ends = [found.low.value, found.high.value];
@@ -125,10 +125,10 @@ impl Tails {
     }
 }
 
-/// The largest standard error of a share that is told.
+/// The largest standard error of a share that is reported.
 const LARGEST_ERROR: f64 = 0.1;
 
-/// The first-order index of a group, where it scatters and its index is known.
+/// The first-order index of a group, if it is uncertain and its index is known.
 pub(crate) fn first_order(groups: &[Group], indices: &[Indices], group: Group) -> Option<f64> {
     let at = groups.iter().position(|other| *other == group)?;
     let index = indices.get(at)?.first_order;

@@ -1,4 +1,4 @@
-//! Which group of inputs the variance comes from: first-order and total indices from Saltelli's design.
+//! First-order and total indices of groups of inputs from Saltelli's design.
 //!
 //! The design has three outputs a draw: two independent draws of all inputs, A and B, and AB, which is A with the inputs of
 //! one group taken from B (Saltelli et al. 2010, Comput. Phys. Commun. 181:259). AB and B share that group alone, AB and A
@@ -30,17 +30,17 @@
 
 use crate::group::{Index, Indices};
 
-/// With fewer draws than this, correlations say nothing.
-const FEWEST_DRAWS: usize = 8;
+/// The fewest draws from which correlations are estimated.
+const MIN_DRAWS: usize = 8;
 
-/// Whose standard error is as large as a share can be.
+/// An unknown index: its standard error is as large as a share can be.
 const UNKNOWN: Index = Index { value: 0.0, standard_error: 1.0 };
 
-/// Of an output that does not vary.
+/// The index for an output that does not vary.
 const NOTHING: Index = Index { value: 0.0, standard_error: 0.0 };
 
-/// The indices of one group from the outputs of Saltelli's design: `a` and `b` from two independent draws of all inputs,
-/// `ab` from those of `a` with this group's from `b`. What the slices have beyond the shortest of them is left out.
+/// Computes the indices of one group from the outputs of Saltelli's design: `a` and `b` from two independent draws of
+/// all inputs, `ab` from those of `a` with this group's from `b`. Slices are cut to the shortest of them.
 ///
 /// Standard errors are of first order, from the influence of each draw on the index; they agree with a bootstrap over the
 /// draws. Where the output does not vary, both indices are 0 with no error: there is no variance to share out. Fewer than 8
@@ -55,18 +55,18 @@ pub fn indices(a: &[f64], b: &[f64], ab: &[f64]) -> Indices {
     let (Some(a), Some(b), Some(ab)) = standard else {
         return Indices { first_order: UNKNOWN, total: UNKNOWN };
     };
-    let spurious = Correlation::of(&a, &b);
+    let spurious = Correlation::new(&a, &b);
     let unexplained = 1.0 - spurious.value;
-    if draws < FEWEST_DRAWS || unexplained < f64::EPSILON.sqrt() {
+    if draws < MIN_DRAWS || unexplained < f64::EPSILON.sqrt() {
         return Indices { first_order: UNKNOWN, total: UNKNOWN };
     }
 
-    let with_b = Correlation::of(&b, &ab);
+    let with_b = Correlation::new(&b, &ab);
     let first_order = (with_b.value - spurious.value) / unexplained;
     let on_first_order = with_b.influences.iter().zip(&spurious.influences);
     let on_first_order = on_first_order.map(|(c, p)| (c - (1.0 - first_order) * p) / unexplained);
 
-    let with_a = Correlation::of(&a, &ab);
+    let with_a = Correlation::new(&a, &ab);
     let total = (1.0 - with_a.value) / unexplained;
     let on_total = with_a.influences.iter().zip(&spurious.influences);
     let on_total = on_total.map(|(c, p)| (total * p - c) / unexplained);
@@ -90,15 +90,16 @@ fn standardised(outputs: &[f64]) -> Option<Vec<f64>> {
         .then(|| outputs.iter().map(|output| (output - mean) / deviation).collect())
 }
 
-/// A coefficient of correlation, and how much each draw moves it.
+/// A correlation coefficient, and the influence of each draw on it.
 struct Correlation {
     value: f64,
     influences: Vec<f64>,
 }
 
 impl Correlation {
-    /// Of outputs that are standardised. The influence of a pair is u v - c (u^2 + v^2)/2 (Devlin et al. 1975, Biometrika 62:531).
-    fn of(u: &[f64], v: &[f64]) -> Self {
+    /// The correlation of standardised outputs. The influence of a pair is u v - c (u^2 + v^2)/2 (Devlin et al. 1975,
+    /// Biometrika 62:531).
+    fn new(u: &[f64], v: &[f64]) -> Self {
         let pairs = || u.iter().zip(v);
         let value = pairs().map(|(u, v)| u * v).sum::<f64>() / u.len() as f64;
         let influences = pairs().map(|(u, v)| u * v - value * (u * u + v * v) / 2.0).collect();
@@ -106,7 +107,7 @@ impl Correlation {
     }
 }
 
-/// Of a mean, whose influences have the mean 0.
+/// The standard error of a mean whose influences have the mean 0.
 fn standard_error(influences: impl Iterator<Item = f64>, draws: usize) -> f64 {
     let n = draws as f64;
     (influences.map(|influence| influence * influence).sum::<f64>() / (n - 1.0) / n).sqrt()
@@ -118,7 +119,7 @@ mod tests {
     use rand_chacha::rand_core::{Rng, SeedableRng};
     use rand_distr::{Distribution, StandardNormal};
 
-    use super::{FEWEST_DRAWS, indices};
+    use super::{MIN_DRAWS, indices};
     use crate::group::{Index, Indices};
 
     /// The indices of each input of a function from one seeded design.
@@ -249,7 +250,7 @@ mod tests {
 
     #[test]
     fn draws_that_say_nothing_have_an_error_as_large_as_a_share() {
-        let few: Vec<f64> = (1..FEWEST_DRAWS).map(|n| (n * n % 5) as f64).collect();
+        let few: Vec<f64> = (1..MIN_DRAWS).map(|n| (n * n % 5) as f64).collect();
         let many: Vec<f64> = (0..64).map(f64::from).collect();
         let infinite = [f64::NEG_INFINITY; 64];
         for [a, b, ab] in

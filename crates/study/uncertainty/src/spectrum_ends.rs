@@ -1,22 +1,22 @@
-//! The ends of a spectrum as power laws: how it may go on, and whether an area can settle.
+//! The ends of a spectrum as power laws, to prolong it and to see whether an area can settle.
 
 use spectrum::ProfilePsd;
 
-/// Decades at an end that tell its power law.
+/// The decades at an end that define its power law.
 const TELLING_DECADES: f64 = 1.0;
 
-/// How far a spectrum is prolonged.
+/// The decades by which a spectrum is prolonged.
 const PROLONGED_DECADES: f64 = 0.5;
 
-/// Samples that a power law takes at least to have a scatter.
-const LEAST_SAMPLES: usize = 3;
+/// The fewest samples of a power law with a scatter.
+const MIN_SAMPLES: usize = 3;
 
 /// An end of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum End {
-    /// That of long wavelengths.
+    /// The end at long wavelengths.
     Long,
-    /// That of short ones.
+    /// The end at short wavelengths.
     Short,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct PowerLaw {
 }
 
 impl PowerLaw {
-    /// That of the last decade at an end; none where it has fewer than three samples.
+    /// Fits the last decade at an end; `None` with fewer than three samples.
     pub fn at(end: End, psd: &ProfilePsd) -> Option<Self> {
         let wavelengths_m = psd.wavelengths_m();
         let end_m = match end {
@@ -45,7 +45,7 @@ impl PowerLaw {
             .map(|(wavelength_m, c1d_m3)| (-wavelength_m.ln(), c1d_m3.ln()))
             .collect();
         let count = samples.len() as f64;
-        if samples.len() < LEAST_SAMPLES {
+        if samples.len() < MIN_SAMPLES {
             return None;
         }
         let mean = |of: fn(&(f64, f64)) -> f64| samples.iter().map(of).sum::<f64>() / count;
@@ -57,7 +57,7 @@ impl PowerLaw {
     }
 }
 
-/// A spectrum prolonged by half a decade at an end, from its last sample on, by so steep a power law.
+/// Prolongs a spectrum by half a decade at an end, from its last sample on, by a power law of this slope.
 pub(crate) fn prolonged(psd: &ProfilePsd, end: End, slope: f64) -> Option<ProfilePsd> {
     let mut samples: Vec<(f64, f64)> =
         psd.wavelengths_m().iter().copied().zip(psd.c1d_m3().iter().copied()).collect();
@@ -76,7 +76,7 @@ pub(crate) fn prolonged(psd: &ProfilePsd, end: End, slope: f64) -> Option<Profil
     ProfilePsd::new(wavelengths_m, c1d_m3).ok()
 }
 
-/// Where it then ends \[m\].
+/// The new end \[m\] of a prolonged spectrum.
 pub(crate) fn prolonged_to_m(psd: &ProfilePsd, end: End) -> f64 {
     let factor = 10f64.powf(PROLONGED_DECADES);
     match end {

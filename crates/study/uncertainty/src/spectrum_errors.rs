@@ -1,30 +1,31 @@
-//! A spectrum from a file with standard errors, drawn anew.
+//! Draws of a spectrum from a file with standard errors.
 
 use rand_chacha::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 use spectrum::ProfilePsd;
 
-use crate::found::SpectrumErrors;
+use crate::results::SpectrumErrors;
 
-/// Decades of wavelength over which errors go together, in the manner of exp(-distance/length): files do not tell it, and errors
-/// drawn bin by bin would make moments look far more certain than they are (physics2.md, D1 and D2).
+/// Decades of wavelength over which errors are correlated, as exp(-distance/length). Files do not state it, and
+/// independent errors of every bin would make moments look far more certain than they are.
 pub const CORRELATION_DECADES: f64 = 0.5;
 
-/// What there is to draw it from.
+/// An uncertain spectrum.
 #[derive(Debug)]
 pub(crate) struct ErrorsOfSpectrum {
     psd: ProfilePsd,
-    /// Standard deviation of ln C at each wavelength; where the file has none, that of the nearest sample with one.
+    /// The standard deviation of ln C at each wavelength; samples without an error take that of the nearest sample with
+    /// one.
     sd: Vec<f64>,
     /// The correlation with the wavelength before.
     with_last: Vec<f64>,
-    /// What is told of it.
+    /// The errors, for the report.
     pub told: SpectrumErrors,
 }
 
 impl ErrorsOfSpectrum {
-    /// Those of a spectrum under a name; none where it has no standard errors.
-    pub fn of(psd: &ProfilePsd, name: &str) -> Option<Self> {
+    /// The errors of a spectrum with this name; `None` if it has no standard errors.
+    pub fn from_spectrum(psd: &ProfilePsd, name: &str) -> Option<Self> {
         let errors_m3 = psd.standard_errors_m3()?;
         // A log-normal value of the median C and the standard deviation u has the variance ln((1 + sqrt(1 + 4 (u/C)^2))/2) of
         // its logarithm.
@@ -47,12 +48,12 @@ impl ErrorsOfSpectrum {
         (told.samples > 0).then(|| ErrorsOfSpectrum { psd: psd.clone(), sd, with_last, told })
     }
 
-    /// The same of a spectrum whose errors are of what was assumed of it.
-    pub fn of_assumptions(self) -> Self {
+    /// Marks the errors as assumed.
+    pub fn assumed(self) -> Self {
         ErrorsOfSpectrum { told: SpectrumErrors { are_assumed: true, ..self.told }, ..self }
     }
 
-    /// The deviations of ln C in a draw: a normal process along ln q, each step correlated with the last.
+    /// Draws the deviations of ln C: a normal process along ln q, each step correlated with the last.
     pub fn deviations(&self, numbers: &mut impl Rng) -> Vec<f64> {
         let mut last = 0.0;
         let mut next = |(sd, correlation): (&f64, &f64)| {
@@ -63,7 +64,7 @@ impl ErrorsOfSpectrum {
         self.sd.iter().zip(&self.with_last).map(&mut next).collect()
     }
 
-    /// The spectrum that deviates like this.
+    /// The spectrum with these deviations.
     pub fn psd(&self, deviations: &[f64]) -> Option<ProfilePsd> {
         let moved = self.psd.c1d_m3().iter().zip(deviations).map(|(c1d_m3, off)| c1d_m3 * off.exp());
         ProfilePsd::new(self.psd.wavelengths_m().to_vec(), moved.collect()).ok()
@@ -75,8 +76,8 @@ impl ErrorsOfSpectrum {
     }
 }
 
-/// The standard deviations, those of samples without an error from their nearest neighbours that have one: no sample is known
-/// exactly because nobody wrote down how well.
+/// Fills missing standard deviations from the nearest samples that have one: no sample is exact for want of a stated
+/// error.
 fn with_neighbours(sd: &[f64], errors_m3: &[Option<f64>]) -> Vec<f64> {
     let known: Vec<usize> = (0..sd.len()).filter(|&at| errors_m3[at].is_some()).collect();
     let nearest =
@@ -97,7 +98,7 @@ mod tests {
         let psd = Psd::new(wavelengths_m, vec![2.0; 6], Convention::C1D).unwrap();
         let errors = vec![Some(0.2), Some(0.2), None, Some(0.2), Some(0.2), Some(0.2)];
         let psd = psd.with_standard_errors(errors).unwrap().profile().unwrap();
-        let found = ErrorsOfSpectrum::of(&psd, "x").unwrap();
+        let found = ErrorsOfSpectrum::from_spectrum(&psd, "x").unwrap();
         assert_eq!((found.told.samples, found.told.of), (5, 6));
         let draws: Vec<Vec<f64>> =
             (0..20_000).map(|draw| found.deviations(&mut Streams::new(3).of(Group::Scans, draw))).collect();

@@ -1,24 +1,10 @@
-//! Student's distribution: how far the mean of few values may lie from what it estimates.
+//! Draws from Student's t distribution for several numbers of values at once.
 
 use rand_chacha::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
-use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
-/// The half width of an interval of this probability in standard errors of the mean of n >= 2 values: the quantile of
-/// Student's t of n - 1 degrees of freedom.
-pub(crate) fn half_width(level: f64, values: usize) -> f64 {
-    let freedom = values.saturating_sub(1).max(1) as f64;
-    let quantile = |t: StudentsT| t.inverse_cdf(0.5 + 0.5 * level);
-    StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, quantile)
-}
-
-/// The same in standard deviations of a normal distribution.
-pub(crate) fn normal_half_width(level: f64) -> f64 {
-    Normal::standard().inverse_cdf(0.5 + 0.5 * level)
-}
-
-/// What normal deviates are multiplied by to become those of Student's t. The factors for all numbers of values are drawn
-/// together, so that bins which more or fewer scans reach go together in a draw.
+/// Factors that turn normal deviates into deviates of Student's t. The factors for all numbers of values are drawn together,
+/// so that bins reached by different numbers of scans stay correlated within a draw.
 #[derive(Debug)]
 pub(crate) struct StudentFactors {
     /// The sums of 1, 2, ... squares of normal deviates.
@@ -26,7 +12,7 @@ pub(crate) struct StudentFactors {
 }
 
 impl StudentFactors {
-    /// Those for up to so many values.
+    /// Draws the factors for up to `values` values.
     pub fn draw(values: usize, numbers: &mut impl Rng) -> Self {
         let mut sum = 0.0;
         let mut next = || {
@@ -37,7 +23,7 @@ impl StudentFactors {
         StudentFactors { sums: (1..values).map(|_| next()).collect() }
     }
 
-    /// The factor for so many values, at least 2: sqrt((n - 1)/chi-squared of n - 1 degrees of freedom).
+    /// The factor for `values` >= 2 values: sqrt((n - 1)/chi-squared of n - 1 degrees of freedom).
     pub fn of(&self, values: usize) -> f64 {
         let freedom = values - 1;
         (freedom as f64 / self.sums[freedom - 1]).sqrt()
@@ -49,14 +35,7 @@ mod tests {
     use super::*;
     use crate::group::Group;
     use crate::random::Streams;
-
-    #[test]
-    fn quantiles_are_those_of_the_tables() {
-        for (values, t) in [(2, 12.706_205), (3, 4.302_653), (6, 2.570_582), (31, 2.042_272)] {
-            assert!((half_width(0.95, values) / t - 1.0).abs() < 1e-6, "{values}");
-        }
-        assert!((normal_half_width(0.95) - 1.959_964).abs() < 1e-6);
-    }
+    use study::student::half_width;
 
     #[test]
     fn deviates_with_their_factor_follow_students_distribution() {

@@ -1,4 +1,4 @@
-//! What of a scene's surface is drawn anew: scans, or standard errors, or either of two surfaces.
+//! The uncertain surface of a scene: scans, standard errors, or a sum of two surfaces.
 
 use spectrum::{ProfilePsd, superpose};
 use study::surface::Surface;
@@ -8,10 +8,10 @@ use crate::random::Streams;
 use crate::scan_scatter::ScanScatter;
 use crate::spectrum_errors::ErrorsOfSpectrum;
 
-/// A surface, to be drawn.
+/// An uncertain surface.
 #[derive(Debug)]
 pub(crate) enum SurfaceScatter {
-    /// A spectrum of which nothing is known besides.
+    /// A spectrum without uncertainty.
     Certain(ProfilePsd, String),
     /// A spectrum with standard errors.
     Errors(ErrorsOfSpectrum),
@@ -21,26 +21,26 @@ pub(crate) enum SurfaceScatter {
     Sum(Box<[SurfaceScatter; 2]>),
 }
 
-/// Which draw the random numbers of each group are those of.
+/// The draw from which each group takes its random numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DrawOf {
-    /// Of the scans.
+    /// The draw of the scans.
     pub scans: u64,
-    /// Of the instruments.
+    /// The draw of the instruments.
     pub instruments: u64,
-    /// Of the elastic constants.
+    /// The draw of the elastic constants.
     pub material: u64,
-    /// Of the strength.
+    /// The draw of the strength.
     pub strength: u64,
 }
 
 impl DrawOf {
-    /// Every group of one draw.
+    /// All groups from one draw.
     pub fn all(draw: u64) -> Self {
         DrawOf { scans: draw, instruments: draw, material: draw, strength: draw }
     }
 
-    /// The same but for one group, which is of another draw.
+    /// Takes one group from another draw.
     pub fn with(mut self, group: Group, draw: u64) -> Self {
         *match group {
             Group::Scans => &mut self.scans,
@@ -53,23 +53,24 @@ impl DrawOf {
 }
 
 impl SurfaceScatter {
-    pub fn of(surface: &Surface) -> Self {
+    pub fn from_surface(surface: &Surface) -> Self {
         if let Some(parts) = &surface.parts {
-            return SurfaceScatter::Sum(Box::new([Self::of(&parts[0]), Self::of(&parts[1])]));
+            return SurfaceScatter::Sum(Box::new([
+                Self::from_surface(&parts[0]),
+                Self::from_surface(&parts[1]),
+            ]));
         }
         match &surface.made_from {
-            Some(scans) => SurfaceScatter::Scans(Box::new(ScanScatter::of(scans))),
-            None => match ErrorsOfSpectrum::of(&surface.psd, &surface.name) {
-                Some(errors) if surface.roughness.is_some() => {
-                    SurfaceScatter::Errors(errors.of_assumptions())
-                }
+            Some(scans) => SurfaceScatter::Scans(Box::new(ScanScatter::from_scans(scans))),
+            None => match ErrorsOfSpectrum::from_spectrum(&surface.psd, &surface.name) {
+                Some(errors) if surface.roughness.is_some() => SurfaceScatter::Errors(errors.assumed()),
                 Some(errors) => SurfaceScatter::Errors(errors),
                 None => SurfaceScatter::Certain(surface.psd.clone(), surface.name.clone()),
             },
         }
     }
 
-    /// The surfaces that it is the sum of, or itself.
+    /// The surfaces of the sum, or the surface itself.
     pub fn parts(&self) -> Vec<&SurfaceScatter> {
         match self {
             SurfaceScatter::Sum(parts) => parts.iter().flat_map(SurfaceScatter::parts).collect(),
@@ -77,7 +78,7 @@ impl SurfaceScatter {
         }
     }
 
-    /// Whether the group takes part in its draws.
+    /// True if the group is uncertain for this surface.
     pub fn has(&self, group: Group) -> bool {
         let of_part = |part: &&SurfaceScatter| match (part, group) {
             (SurfaceScatter::Errors(_), Group::Scans) => true,
@@ -88,13 +89,13 @@ impl SurfaceScatter {
         self.parts().iter().any(of_part)
     }
 
-    /// The spectrum of a draw; none where its values leave the range of what a spectrum may have. The second surface of a sum
-    /// has random numbers of its own.
+    /// The spectrum of a draw; `None` if its values leave the range of spectra. The second surface of a sum has random
+    /// numbers of its own.
     pub fn psd(&self, streams: Streams, draw: DrawOf) -> Option<ProfilePsd> {
         self.psd_of(streams, draw, 0)
     }
 
-    /// The spectrum of the best estimates: nothing deviates but by what overlaps tell of the gains.
+    /// The spectrum of the best estimates: no deviations but the mean gains after overlaps.
     pub fn best(&self) -> Option<ProfilePsd> {
         match self {
             SurfaceScatter::Certain(psd, _) => Some(psd.clone()),

@@ -1,15 +1,15 @@
-//! What draws say as tables that others script against.
+//! The results of draws as tables for scripts.
 
 use study::interface::Slot;
 use study::plan::Needs;
 use tables::Table;
 
-use crate::found::{
+use crate::group::{Group, Index, Indices};
+use crate::results::{
     Advice, AreaBand, AreaInterval, BandPoint, QuantityInterval, Step, StepKind, Uncertainty,
 };
-use crate::group::{Group, Index, Indices};
 
-/// The largest standard error of a share that is told: one known worse says nothing of who carries what.
+/// The largest standard error of a share that is reported.
 pub const LARGEST_ERROR_OF_A_SHARE: f64 = 0.1;
 
 /// The column of each group's share.
@@ -33,13 +33,13 @@ impl Uncertainty {
         self.quantities.iter().find(|interval| interval.slot == slot)
     }
 
-    /// The share of draws in which a seal is open under a load; `None` where nothing is sealed.
+    /// The share of draws in which a seal is open under a load; `None` without a seal.
     #[must_use]
     pub fn share_open(&self, load: usize) -> Option<f64> {
         self.open_channels.iter().find(|channel| channel.load == load).map(|channel| channel.share)
     }
 
-    /// What to measure next for a curve under a load.
+    /// The advice for a curve under a load.
     #[must_use]
     pub fn advice_for(&self, curve: usize, load: usize) -> Option<&Advice> {
         self.advice.iter().find(|advice| (advice.curve, advice.load) == (curve, load))
@@ -52,8 +52,8 @@ impl Uncertainty {
         area.indices.get(at).copied()
     }
 
-    /// The share of the variance of ln A that a group carries alone: 0 where it does not scatter, `None` where the share is
-    /// known no better than to [`LARGEST_ERROR_OF_A_SHARE`], or where the area does not vary at all.
+    /// The share of the variance of ln A that a group carries alone: 0 if it is certain, `None` if the standard error
+    /// exceeds [`LARGEST_ERROR_OF_A_SHARE`] or the area does not vary.
     #[must_use]
     pub fn share(&self, area: &AreaInterval, group: Group) -> Option<f64> {
         if !self.groups.contains(&group) {
@@ -64,8 +64,7 @@ impl Uncertainty {
         (is_known && value.is_finite()).then_some(value)
     }
 
-    /// What no group carries alone: that which groups do to each other, and what is left of the shares' own errors. `None`
-    /// where a share is not known.
+    /// The share of interactions between groups, and of the errors of the shares. `None` if a share is not known.
     #[must_use]
     pub fn share_of_others(&self, area: &AreaInterval) -> Option<f64> {
         SHARES.iter().try_fold(1.0, |left, (_, group)| Some(left - self.share(area, *group)?))
@@ -93,8 +92,8 @@ impl Uncertainty {
             .with_numbers("share_other", self.areas.iter().map(|area| self.share_of_others(area)))
     }
 
-    /// A row per curve, load and group that scatters: `curve, nominal_pressure_pa, group, first_order, first_order_error, total,
-    /// total_error`. Every index stands beside its own standard error, however large.
+    /// A row per curve, load and uncertain group: `curve, nominal_pressure_pa, group, first_order, first_order_error,
+    /// total, total_error`. Indices have any standard error.
     #[must_use]
     pub fn indices_table(&self, needs: &Needs) -> Table {
         let rows: Vec<(&AreaInterval, Group, Indices)> = self
@@ -127,8 +126,8 @@ impl Uncertainty {
             .with_numbers("high", found(|point| point.high))
     }
 
-    /// A row per curve, load and step, the best first: `curve, nominal_pressure_pa, rank, step, instrument, added_scans,
-    /// wavelength_m, width_ratio, area_ratio`. What a step does not have is empty.
+    /// A row per curve, load and step, the best first: `curve, nominal_pressure_pa, rank, step, instrument,
+    /// added_scans, wavelength_m, width_ratio, area_ratio`. Cells that do not apply are empty.
     #[must_use]
     pub fn advice_table(&self, needs: &Needs) -> Table {
         let rows: Vec<(&Advice, usize, &Step)> = self
@@ -154,7 +153,7 @@ impl Uncertainty {
     }
 }
 
-/// The columns with which every table begins: the curve and the load of each row.
+/// The first columns of every table: the curve and the load of each row.
 fn of_loads(needs: &Needs, rows: impl Iterator<Item = (usize, usize)> + Clone) -> Table {
     Table::default()
         .with_text("curve", rows.clone().map(|(curve, _)| needs.curves[curve].name.clone()))

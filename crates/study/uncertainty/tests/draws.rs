@@ -28,7 +28,7 @@ fn scene(psd: &str, material: &str, curves: &[&str]) -> Scene {
 
 fn found(scene: &Scene, settings: &Settings) -> (Results, Uncertainty) {
     let results = scene.plan().compute().unwrap();
-    let found = UncertaintyPlan::of(scene, &results, settings).unwrap().carry_out(&Unobserved).unwrap();
+    let found = UncertaintyPlan::new(scene, &results, settings).unwrap().run(&Unobserved).unwrap();
     (results, found)
 }
 
@@ -38,7 +38,7 @@ const CERTAIN: &str = "youngs_modulus = \"100 GPa\", poisson_ratio = 0.3, yield_
 fn where_nothing_scatters_there_is_nothing_to_draw() {
     let scene = scene(&psd(0.0), CERTAIN, &["elastic"]);
     let results = scene.plan().compute().unwrap();
-    assert!(UncertaintyPlan::of(&scene, &results, &Settings::default()).is_none());
+    assert!(UncertaintyPlan::new(&scene, &results, &Settings::default()).is_none());
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn hold_shares_against_a_brute_force(model: &str, error: f64, modulus_percent: f
 fn median_of_draws(scene: &Scene, draws: usize) -> f64 {
     let results = scene.plan().compute().unwrap();
     let settings = Settings { draws, ..Settings::default() };
-    let plan = UncertaintyPlan::of(scene, &results, &settings).unwrap();
+    let plan = UncertaintyPlan::new(scene, &results, &settings).unwrap();
     plan.intervals(&Unobserved).unwrap()[0].median
 }
 

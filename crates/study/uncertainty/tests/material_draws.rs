@@ -22,7 +22,7 @@ fn scene(material: &str, options: &str) -> Scene {
 }
 
 fn draws(scene: &Scene) -> impl Iterator<Item = DrawnMaterial> {
-    let draws = MaterialDraws::of(scene).unwrap();
+    let draws = MaterialDraws::from_scene(scene).unwrap();
     let [mut elastic, mut strength] = [1, 2].map(ChaCha8Rng::seed_from_u64);
     (0..DRAWS).map(move |_| draws.draw(&mut elastic, &mut strength))
 }
@@ -88,7 +88,7 @@ fn uniform_and_measured_values_are_drawn_evenly() {
 #[test]
 fn elastic_constants_and_strength_come_from_streams_of_their_own() {
     let scene = scene(STEEL, "");
-    let draws = MaterialDraws::of(&scene).unwrap();
+    let draws = MaterialDraws::from_scene(&scene).unwrap();
     assert!(draws.elastic_scatters() && draws.strength_scatters());
     let drawn = |elastic: u64, strength: u64| {
         let [mut elastic, mut strength] = [elastic, strength].map(ChaCha8Rng::seed_from_u64);
@@ -108,17 +108,17 @@ fn what_does_not_scatter_stays_to_the_last_bit() {
     let exact = "poisson_ratio = 0.3\nyield_strength = \"1.1 GPa\"\nstrain_gradient_length = \"5 um\"\n";
     let plain =
         scene(&format!("youngs_modulus = \"210 GPa\"\n{exact}"), "[options]\nstrength_cap = \"21 GPa\"\n");
-    assert_eq!(MaterialDraws::of(&plain), None);
+    assert_eq!(MaterialDraws::from_scene(&plain), None);
     let options = "[counterface]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = 0.33\n[options]\nstrength_cap = \"21 GPa\"\n";
     let scene = scene(&format!("youngs_modulus = \"210 GPa +- 1e-9 %\"\n{exact}"), options);
-    let draws = MaterialDraws::of(&scene).unwrap();
+    let draws = MaterialDraws::from_scene(&scene).unwrap();
     assert!(!draws.strength_scatters());
     let mut stream = ChaCha8Rng::seed_from_u64(1);
     let drawn = draws.draw(&mut stream.clone(), &mut stream);
     let unmoved = DrawnMaterial { pair: scene.material.unwrap().pair, ..drawn };
     for curve in &scene.needs.curves {
-        assert_eq!(unmoved.of(&curve.model), curve.model);
-        assert_eq!(drawn.of(&curve.model).strength(), curve.model.strength());
+        assert_eq!(unmoved.apply(&curve.model), curve.model);
+        assert_eq!(drawn.apply(&curve.model).strength(), curve.model.strength());
     }
 }
 
@@ -128,7 +128,7 @@ fn models_follow_the_material_and_a_cap_is_never_below_the_strength() {
     let mut capped_above = 0;
     for drawn in draws(&scene).take(1000) {
         for curve in &scene.needs.curves {
-            let model: CurveModel = drawn.of(&curve.model);
+            let model: CurveModel = drawn.apply(&curve.model);
             assert_eq!((model.pair(), model.entry()), (drawn.pair, curve.model.entry()));
             let (Some(plain), Some(strength)) = (curve.model.strength(), model.strength()) else {
                 assert!(curve.model.strength().is_none() && model.strength().is_none());

@@ -22,7 +22,7 @@ fn found(modulus: &str) -> Uncertainty {
     let scene = Scene::parse(&text, &files, &Overrides::default()).unwrap();
     let results = scene.plan().compute().unwrap();
     let settings = Settings { draws: 4000, ..Settings::default() };
-    UncertaintyPlan::of(&scene, &results, &settings).unwrap().carry_out(&Unobserved).unwrap()
+    UncertaintyPlan::new(&scene, &results, &settings).unwrap().run(&Unobserved).unwrap()
 }
 
 #[test]

@@ -93,7 +93,7 @@ pub(super) fn run(
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
     // What somebody else has written above the table belongs to it.
     comments.append(&mut source.comments);
-    let say = |notes: Vec<RowsNote>| progress.aside(|| say_notes(notes.iter().flat_map(row_notes::told)));
+    let say = |notes: Vec<RowsNote>| progress.aside(|| say_notes(notes.iter().flat_map(row_notes::lines)));
     let mut files = StagedFiles::default();
     context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {

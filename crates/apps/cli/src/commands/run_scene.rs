@@ -18,14 +18,14 @@ use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
 use findings::answer::Answer;
+use report::assessment::Assessment;
 use report::explain::explain;
-use report::occasion::Occasion;
 use report::products;
 use report::reasons::reasons;
 use report::run::{self, Asked, Phase, RunError, Watch};
+use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
-use report::trust::Trust;
 use report::uncertainty_words;
 use scene::{Overrides, Scene};
 
@@ -41,16 +41,17 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     if args.explain {
         let results = compute(&scene.plan()).map_err(|error| failed(args, error.into()))?;
-        let answer = Answer::of(&scene, &results);
+        let answer = Answer::from_results(&scene, &results);
         return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
     }
     let watching = Watching { timings: RefCell::new(timings) };
     let carried = run::carry_out(&scene, asked(args), &watching).map_err(|error| failed(args, error))?;
     let mut timings = watching.timings.into_inner();
-    let trust = Trust { judgement: carried.judgement.as_ref(), uncertainty: carried.uncertainty.as_ref() };
+    let trust =
+        Assessment { judgement: carried.judgement.as_ref(), uncertainty: carried.uncertainty.as_ref() };
     let (results, uncertainty) = (carried.results, &carried.uncertainty);
-    let occasion = Occasion { date: Some(now()), asked: Some(context.typed.to_owned()) };
-    let findings = carried.findings.map(|findings| findings.on(occasion));
+    let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
+    let findings = carried.findings.map(|findings| findings.on(run_stamp));
     make_folder("--out", &folder)?;
     let written =
         output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;
@@ -60,7 +61,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     if !others.is_empty() {
         files += &format!("not of this run, and left there: {}\n", others.join(", "));
     }
-    let answer = findings.map_or_else(|| Answer::of(&scene, &results), |findings| findings.answer);
+    let answer = findings.map_or_else(|| Answer::from_results(&scene, &results), |findings| findings.answer);
     print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
     timings.report(context.shared.timings);
     match uncertainty.as_ref().filter(|found| found.ended_early) {

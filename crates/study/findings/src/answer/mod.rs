@@ -1,8 +1,8 @@
-//! The answer of a scene under each load: the area, the scales that decide it, and where models disagree.
+//! The answer of a scene under each load: the area, the scales that decide it, and disagreements between models.
 
 mod scene_answer;
 mod table_rows;
 
 pub use scene_answer::{
-    Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer, SettingScale,
+    Answer, DISAGREEMENT, Disagreement, LoadAnswer, MIN_DECADES, MIN_SCALES, SettingScale,
 };

@@ -1,4 +1,4 @@
-//! The answer to a scene's question: how much touches, which scales decide it, and where the models disagree.
+//! The answer of a scene: the contact areas, the scales that decide them, and disagreements between models.
 
 use serde::Serialize;
 use spectrum::Hole;
@@ -9,46 +9,46 @@ use scene::Scene;
 use study::plan::{Curve, CurveModel, CurveResult, Cutoffs, Load, Results};
 use topography::InstrumentsDisagree;
 
-/// From so many scales on, over so many decades, a spectrum can tell which of them matter.
-pub const LEAST_SCALES: usize = 5;
-/// See [`LEAST_SCALES`].
-pub const LEAST_DECADES: f64 = 1.0;
+/// The fewest scales of a spectrum from which the deciding scales can be told, over [`MIN_DECADES`].
+pub const MIN_SCALES: usize = 5;
+/// The fewest decades for [`MIN_SCALES`].
+pub const MIN_DECADES: f64 = 1.0;
 
 /// The factor from which on models are said to disagree.
 pub const DISAGREEMENT: f64 = 2.0;
 
-/// What a scene found.
+/// The findings on the areas of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
-    /// For every curve of the scene, for every load, what it ends in; none where the cutoffs leave no asperities.
+    /// For every curve and load of the scene the final area; `None` if the cutoffs leave no asperities.
     pub curves: Vec<Vec<Option<LoadAnswer>>>,
-    /// For every load under which there are curves to compare, how far apart they end.
+    /// For every load with several curves, the distance of their final areas.
     pub disagreements: Vec<Disagreement>,
-    /// How many scales the spectrum has, where they are too few to tell which of them matter.
+    /// The number of scales of the spectrum, if it is below the minimum.
     pub too_few_scales: Option<usize>,
-    /// The instruments that made the spectrum, where they do not show the same surface.
+    /// The instruments of the spectrum, if they do not show the same surface.
     pub instruments_disagree: Option<InstrumentsDisagree>,
 }
 
-/// What a curve ends in under one load.
+/// The final area of a curve under one load, and the scales that decide it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadAnswer {
     /// Contact area over nominal area at the shortest wavelength.
     pub area_fraction: f64,
     /// Mean pressure on that area \[Pa\].
     pub real_pressure_pa: f64,
-    /// Where the area has settled within 1 %.
+    /// The wavelength at which the area has settled within 1 %.
     pub within_1_percent: Convergence,
-    /// Where the area has settled within 0.1 %.
+    /// The wavelength at which the area has settled within 0.1 %.
     pub within_01_percent: Convergence,
-    /// Whether the area was followed from cutoff to cutoff; else nothing tells where it settles, nor which scales decide it.
+    /// True if the area was computed at every cutoff; otherwise settling and deciding scales are unknown.
     pub followed: bool,
-    /// Whether the spectrum goes far enough below the former, has scales enough and is of one surface, for the area to be the
-    /// surface's own rather than that of a spectrum cut short or of a step between two instruments.
+    /// True if the area is that of the surface: the spectrum extends far enough below the settling wavelength, has
+    /// enough scales, and its instruments agree.
     pub settled: bool,
-    /// How much each decade of wavelengths decides.
+    /// The share of each decade of wavelengths in the area.
     pub decades: Vec<DecadeShare>,
-    /// The scale that sets the real pressure, of a stack.
+    /// The scale of a stack that sets the real pressure.
     pub setting: Option<SettingScale>,
     /// Share of the load on asperities outside the range their law was fitted in, of a statistical model.
     pub out_of_range_load_share: Option<f64>,
@@ -65,7 +65,7 @@ pub struct SettingScale {
     pub full_contact_pressure_pa: f64,
 }
 
-/// How far apart the curves of a scene end under one load.
+/// The disagreement of the curves of a scene under one load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Disagreement {
     /// The load, by index.
@@ -76,24 +76,24 @@ pub struct Disagreement {
     pub most: usize,
     /// The largest final area over the least.
     pub ratio: f64,
-    /// The cutoff \[m\] from which on, at every shorter one, these two are a factor of [`DISAGREEMENT`] or more apart, where
-    /// both were followed there.
+    /// The longest cutoff \[m\] below which these two curves stay a factor of [`DISAGREEMENT`] or more apart; `None`
+    /// unless both were computed at every cutoff.
     pub parting_wavelength_m: Option<f64>,
 }
 
 impl Answer {
-    /// The answer that the results of a scene hold.
-    pub fn of(scene: &Scene, results: &Results) -> Self {
+    /// Extracts the answer from the results of a scene.
+    pub fn from_results(scene: &Scene, results: &Results) -> Self {
         let needs = &scene.needs;
         let scans = scene.surface.made_from.as_ref();
         let instruments_disagree = scans.and_then(|scans| scans.spectrum.instruments_disagree());
         let wavelengths_m = results.psd.wavelengths_m();
         let decades = (wavelengths_m[0] / wavelengths_m[wavelengths_m.len() - 1]).log10();
-        let enough = wavelengths_m.len() >= LEAST_SCALES && decades >= LEAST_DECADES;
+        let enough = wavelengths_m.len() >= MIN_SCALES && decades >= MIN_DECADES;
         let can_settle = enough && instruments_disagree.is_none();
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &Load)| {
-                let answer = LoadAnswer::of(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
+                let answer = LoadAnswer::new(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
                 Some(answer.of_spectrum_with(scene.surface.holes()))
             };
             needs.loads.iter().enumerate().map(of_load).collect()
@@ -108,7 +108,7 @@ impl Answer {
 }
 
 impl LoadAnswer {
-    fn of(
+    fn new(
         curve: &Curve,
         result: &CurveResult,
         block: usize,
@@ -149,13 +149,14 @@ impl LoadAnswer {
         })
     }
 
-    /// Where the area has settled within a tolerance \[m\], one of the two above; `None` where the spectrum cannot tell.
+    /// The wavelength \[m\] at which the area has settled, by one of the two convergences of this answer; `None` if the
+    /// spectrum cannot show it.
     #[must_use]
     pub fn settled_at_m(&self, within: Convergence) -> Option<f64> {
         within.if_converged_m().filter(|_| self.settled)
     }
 
-    /// The same answer for a spectrum with these holes, in which decades were not measured.
+    /// Marks the decades that lie mostly in holes of the spectrum as not measured.
     fn of_spectrum_with(mut self, holes: &[Hole]) -> Self {
         for decade in &mut self.decades {
             *decade = decade.of_spectrum_with(holes);

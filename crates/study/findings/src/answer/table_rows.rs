@@ -1,4 +1,4 @@
-//! The answer as tables that others script against.
+//! The answer as tables for scripts.
 
 use super::{Answer, LoadAnswer};
 use study::plan::Needs;
@@ -6,8 +6,9 @@ use tables::Table;
 
 impl Answer {
     /// A row per curve and load: `curve, nominal_pressure_pa, area_fraction, real_pressure_pa, settled_1_percent_m,
-    /// settled_01_percent_m, settled` (yes or no, empty where only the shortest cutoff was asked for), `setting_wavelength_m, setting_pressure_pa,
-    /// out_of_range_load_share`. A wavelength is empty where the spectrum ends too soon below it.
+    /// settled_01_percent_m, settled` (yes or no, empty for a curve at the shortest cutoff only),
+    /// `setting_wavelength_m, setting_pressure_pa, out_of_range_load_share`. A wavelength is empty if the spectrum ends
+    /// too soon below it.
     pub fn scales_table(&self, needs: &Needs) -> Table {
         let rows = || {
             needs.curves.iter().zip(&self.curves).flat_map(|(curve, answers)| {

@@ -1,4 +1,4 @@
-//! What physics says against numbers that every formula takes: slopes, strengths and pressures that no such contact has.
+//! Doubts about numbers that formulas accept: slopes, strengths and pressures that no such contact has.
 
 mod real_pressure;
 
@@ -9,17 +9,14 @@ use crate::answer::Answer;
 use scene::Scene;
 use study::material::Material;
 use study::plan::{Load, NominalPressure};
+use study::validity::MODULUS_OVER_IDEAL_STRENGTH;
 
 pub use real_pressure::RealPressures;
 
-/// The slope and the aspect ratio from which on heights are no small roughness on a flat.
+/// The slope and the aspect ratio above which the units of a spectrum are probably mistaken.
 const STEEP: f64 = 1.0;
-/// No solid bears more than its ideal strength, about a tenth of Young's modulus.
-const MODULUS_OVER_IDEAL_STRENGTH: f64 = 10.0;
-/// Above this share of the composite modulus strains are too large for linear elasticity.
-const MODULUS_OVER_LARGEST_PRESSURE: f64 = 3.0;
 
-/// Something that can be computed with and hardly be so.
+/// A value that can be computed with but is physically implausible.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -51,19 +48,19 @@ pub enum Doubt {
         pressure_pa: f64,
         /// The hardness \[Pa\].
         hardness_pa: f64,
-        /// How many other loads do so.
+        /// The number of further loads above the hardness.
         others: usize,
     },
     /// The real pressure of a curve whose strength does not grow at small depths is above the hardness.
     RealAboveHardness {
-        /// Where it is highest.
+        /// The highest real pressure.
         highest: HighestPressure,
         /// The hardness \[Pa\].
         hardness_pa: f64,
     },
     /// The real pressure of a curve is above a third of the composite modulus.
     RealAboveThirdModulus {
-        /// Where it is highest.
+        /// The highest real pressure.
         highest: HighestPressure,
         /// E*/3 \[Pa\].
         bound_pa: f64,
@@ -79,12 +76,12 @@ pub struct HighestPressure {
     pub load: String,
     /// The real pressure \[Pa\].
     pub pressure_pa: f64,
-    /// How many other curves are above the bound.
+    /// The number of further curves above the bound.
     pub other_curves: usize,
 }
 
 impl Doubt {
-    /// All that is doubtful about a scene and what it ends in.
+    /// All doubts about a scene and its answer.
     #[must_use]
     pub fn of_scene(scene: &Scene, answer: &Answer) -> Vec<Doubt> {
         let mut doubts = Self::of_spectrum(&scene.surface.psd);
@@ -102,7 +99,7 @@ impl Doubt {
         doubts
     }
 
-    /// What is doubtful about the slopes of a spectrum; a unit that was mistaken shows here.
+    /// Doubts about the slopes of a spectrum. A mistaken unit shows here.
     #[must_use]
     pub fn of_spectrum(psd: &ProfilePsd) -> Vec<Doubt> {
         let moments = cumulative_moments(psd, Normalisation::default());
@@ -120,7 +117,7 @@ impl Doubt {
         surface.into_iter().chain(scale).collect()
     }
 
-    /// Whether a material is stronger than solids are.
+    /// The doubt about a material that is stronger than solids are.
     #[must_use]
     pub fn of_material(material: &Material) -> Option<Doubt> {
         let yield_strength_pa = material.yield_strength_pa()?;
@@ -128,14 +125,14 @@ impl Doubt {
         (yield_strength_pa > bound_pa).then_some(Doubt::StrongerThanSolids { yield_strength_pa, bound_pa })
     }
 
-    /// Whether loads press harder than the hardness \[Pa\], where there is one.
+    /// The doubt about loads above the hardness \[Pa\].
     #[must_use]
     pub fn of_loads(loads: &[Load], hardness_pa: Option<f64>) -> Option<Doubt> {
         let pressures = loads.iter().map(|load| (load.nominal_pressure, Some(load.label.as_str())));
         Self::of_pressures(pressures, hardness_pa)
     }
 
-    /// The same of nominal pressures, which may have labels.
+    /// The doubt about nominal pressures above the hardness \[Pa\]; labels are optional.
     #[must_use]
     pub fn of_pressures<'l>(
         pressures: impl Iterator<Item = (NominalPressure, Option<&'l str>)>,

@@ -1,7 +1,8 @@
 //! Real pressures above what asperities bear.
 
-use super::{Doubt, HighestPressure, MODULUS_OVER_LARGEST_PRESSURE};
+use super::{Doubt, HighestPressure};
 use study::plan::{Curve, CurveResult, NominalPressure};
+use study::validity::MODULUS_OVER_LARGEST_PRESSURE;
 
 /// Gathers the real pressures of curves, which may come part by part.
 pub struct RealPressures {
@@ -11,7 +12,7 @@ pub struct RealPressures {
     third_modulus_pa: f64,
 }
 
-/// What was found above one bound.
+/// The real pressures above one bound.
 #[derive(Default)]
 struct Above {
     highest: Option<(f64, String, String)>,
@@ -19,7 +20,7 @@ struct Above {
 }
 
 impl RealPressures {
-    /// None yet; the hardness \[Pa\] where there is one.
+    /// An empty collection; the hardness \[Pa\] is that of the material, if it yields.
     #[must_use]
     pub fn new(hardness_pa: Option<f64>) -> Self {
         RealPressures {
@@ -30,7 +31,7 @@ impl RealPressures {
         }
     }
 
-    /// The real pressure \[Pa\] of a curve under a load of this label.
+    /// Adds the real pressure \[Pa\] of a curve under a load with this label.
     pub fn add(&mut self, curve: &Curve, pressure_pa: f64, label: impl Fn() -> String) {
         let third_modulus_pa = curve.model.pair().composite_modulus_pa() / MODULUS_OVER_LARGEST_PRESSURE;
         self.third_modulus_pa = self.third_modulus_pa.min(third_modulus_pa);
@@ -44,7 +45,7 @@ impl RealPressures {
         }
     }
 
-    /// The real pressures of a part of a curve, under these nominal pressures \[Pa\] and then at separations.
+    /// Adds the real pressures of a part of a curve: first under these nominal pressures \[Pa\], then at separations.
     pub fn add_part(&mut self, curve: &Curve, rows: &CurveResult, pressures_pa: &[f64]) {
         for block in 0..rows.blocks() {
             let highest_pa = match rows {
@@ -68,7 +69,7 @@ impl RealPressures {
         }
     }
 
-    /// What is doubtful about them.
+    /// The doubts about the pressures added so far.
     #[must_use]
     pub fn doubts(self) -> Vec<Doubt> {
         let of_hardness = self.above_hardness.highest().zip(self.hardness_pa);

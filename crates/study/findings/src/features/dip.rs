@@ -1,15 +1,15 @@
-//! Dips: where a curve falls and rises again.
+//! Dips: local minima of a curve.
 
 use super::Point;
 
 /// A local minimum between two rises.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dip {
-    /// Where it is \[m\].
+    /// Its wavelength \[m\].
     pub wavelength_m: f64,
     /// The value there.
     pub value: f64,
-    /// The lower of the two peaks beside it, over the value: at least the depth asked for.
+    /// The lower of the two neighbouring peaks over the value: at least the depth requested.
     pub depth: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Features of curves: where they settle, dip, level off and cross, how steep they are, and which decades decide them.
+//! Features of curves: settling, dips, plateaus, crossings, slopes, and the decades that decide.
 //!
 //! A curve is a slice of points, cutoff wavelength in m and a value > 0, from long to short wavelengths. Nothing here knows
 //! which model or spectrum a curve comes from. All passes are linear in the number of points.

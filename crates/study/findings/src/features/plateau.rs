@@ -1,10 +1,10 @@
-//! Plateaus: where a curve is level.
+//! Plateaus: level stretches of a curve.
 
 use std::collections::VecDeque;
 
 use super::Point;
 
-/// A stretch over which a curve hardly changes.
+/// A stretch of a curve that hardly changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plateau {
     /// Its longest wavelength \[m\].

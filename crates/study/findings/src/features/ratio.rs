@@ -1,4 +1,4 @@
-//! Two curves held against each other.
+//! The ratio of two curves.
 
 use super::Point;
 
@@ -13,8 +13,8 @@ pub fn ratio(numerator: &[Point], denominator: &[Point]) -> Vec<Point> {
     numerator.iter().filter_map(at).collect()
 }
 
-/// The wavelengths \[m\] at which a ratio of curves passes through 1, on the straight line between the logarithms of
-/// neighbouring points. Where it stays at exactly 1 for a while and leaves to the other side, that is where it leaves.
+/// The wavelengths \[m\] at which a ratio of curves passes through 1, on straight lines between the logarithms of
+/// neighbouring points. A ratio that stays at exactly 1 and leaves on the other side passes where it leaves.
 pub fn crossings(ratio: &[Point]) -> Vec<f64> {
     let mut found = Vec::new();
     let mut last: Option<(f64, f64)> = None;
@@ -33,14 +33,14 @@ pub fn crossings(ratio: &[Point]) -> Vec<f64> {
     found
 }
 
-/// The longest wavelength \[m\] from which on, at every shorter one, a ratio of curves lies a factor `factor` > 1 or more
-/// from 1, to either side; `None` where they do not end so.
+/// The longest wavelength \[m\] from which on a ratio of curves stays a factor `factor` > 1 or more from 1, to either
+/// side; `None` if its end does not.
 pub fn parts_at(ratio: &[Point], factor: f64) -> Option<f64> {
     last_stretch(ratio, |value| value >= factor || value <= 1.0 / factor)
 }
 
-/// The longest wavelength \[m\] from which on, at every shorter one, a ratio of curves lies within `tolerance` of 1; `None`
-/// where they do not end so.
+/// The longest wavelength \[m\] from which on a ratio of curves stays within `tolerance` of 1; `None` if its end does
+/// not.
 pub fn agrees_from(ratio: &[Point], tolerance: f64) -> Option<f64> {
     last_stretch(ratio, |value| (value - 1.0).abs() <= tolerance)
 }

@@ -1,10 +1,10 @@
-//! How much of a curve's fall each decade of wavelengths decides.
+//! The share of each decade of wavelengths in the fall of a curve.
 
 use spectrum::Hole;
 
 use super::Point;
 
-/// One decade of wavelengths, between whole powers of ten, and its part in a curve.
+/// A decade of wavelengths between whole powers of ten, and its share in a curve.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct DecadeShare {
     /// Its longest wavelength \[m\].
@@ -13,13 +13,13 @@ pub struct DecadeShare {
     pub shortest_m: f64,
     /// Its share of the logarithm of the final value; negative where the curve rises against its final direction.
     pub share: f64,
-    /// Whether the spectrum was measured in at least half of it, on a logarithmic scale: else its share is that of an
-    /// interpolation across a hole.
+    /// True if the spectrum was measured in at least half of the decade, on a logarithmic scale; otherwise the share is
+    /// that of an interpolation across a hole.
     pub measured: bool,
 }
 
 impl DecadeShare {
-    /// The same share of a spectrum with these holes, none of which overlap.
+    /// Sets `measured` for a spectrum with these holes, none of which overlap.
     #[must_use]
     pub fn of_spectrum_with(self, holes: &[Hole]) -> Self {
         let missing: f64 = holes.iter().map(|hole| hole.share_of(self.longest_m, self.shortest_m)).sum();

@@ -1,8 +1,8 @@
-//! How steep a curve is in its logarithms.
+//! The slope of a curve in its logarithms.
 
 use super::Point;
 
-/// The points of a curve whose wavelengths lie between two of them \[m\], both included.
+/// The points of a curve between two wavelengths \[m\], both included.
 pub fn between(curve: &[Point], longest_m: f64, shortest_m: f64) -> &[Point] {
     let begin = curve.partition_point(|(wavelength_m, _)| *wavelength_m > longest_m);
     let end = curve.partition_point(|(wavelength_m, _)| *wavelength_m >= shortest_m);

@@ -3,5 +3,5 @@
 mod states;
 mod table;
 
-pub use states::{InterfaceError, InterfaceStates, Pressed};
-pub use table::of_slots;
+pub use states::{InterfaceError, InterfaceInputs, InterfaceStates};
+pub use table::slots_table;

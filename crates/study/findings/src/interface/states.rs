@@ -19,61 +19,61 @@ use study::gap_law;
 use study::interface::{Adhesion, Asked, Quantity, Slot};
 use study::plan::{NominalPressure, Plan, Results};
 
-/// A value beyond what a quantity takes.
+/// A value out of bounds for a quantity.
 pub type InterfaceError = OutOfBounds;
 
-/// What is pressed, and how hard.
+/// The inputs of an interface: results of a plan, bodies and loads.
 #[derive(Debug)]
-pub struct Pressed<'r> {
+pub struct InterfaceInputs<'r> {
     /// The results of a plan that has moments.
     pub results: &'r Results,
-    /// How its moments are normalised.
+    /// The normalisation of these moments.
     pub normalisation: Normalisation,
-    /// The bodies.
+    /// The bodies in contact.
     pub pair: MaterialPair,
-    /// The hardness of the softer \[Pa\], where there is one.
+    /// The hardness of the softer body \[Pa\], if it yields.
     pub hardness_pa: Option<f64>,
-    /// The loads.
+    /// The nominal pressures.
     pub pressures: Vec<NominalPressure>,
 }
 
-/// What is asked for of an interface, computed where it is looked at.
+/// The requested quantities of an interface, computed when they are read.
 #[derive(Debug)]
 pub struct InterfaceStates<'a> {
-    asked: &'a Asked,
-    pressed: Pressed<'a>,
-    /// Of the whole spectrum, by Parseval's theorem.
+    request: &'a Asked,
+    inputs: InterfaceInputs<'a>,
+    /// The moments of the whole spectrum, by Parseval's theorem.
     moments: Moments,
     roughness: Roughness,
     separation: SeparationLaw,
-    /// Of every load, once it is looked at.
+    /// The separation under every load, once it is read.
     separations: Vec<OnceCell<Separation>>,
     sealing: Option<SealingLaw>,
     constrictions: Vec<OnceCell<Option<MagnifiedContact>>>,
 }
 
-/// Of the corrected forms of the theory the one that is nearest to boundary elements.
+/// The corrected form of the theory that is nearest to boundary elements.
 const CORRECTION_OF_SEALS: Correction = Correction::AlgebraicNayak;
 
 impl<'a> InterfaceStates<'a> {
-    /// What is asked for of what is pressed, the results of this plan; `None` where its spectrum has no moments.
+    /// The requested quantities for inputs that are the results of `plan`; `None` if its spectrum has no moments.
     #[must_use]
-    pub fn of(asked: &'a Asked, plan: &Plan<'_>, pressed: Pressed<'a>) -> Option<Self> {
-        let results = pressed.results;
+    pub fn new(request: &'a Asked, plan: &Plan<'_>, inputs: InterfaceInputs<'a>) -> Option<Self> {
+        let results = inputs.results;
         let (last, _) = results.moments.last()?;
-        let whole = by_parseval(last, pressed.normalisation);
-        let roughness = gap_law::roughness(plan, results, asked.band);
-        let modulus_pa = pressed.pair.composite_modulus_pa();
+        let whole = by_parseval(last, inputs.normalisation);
+        let roughness = gap_law::roughness(plan, results, request.band);
+        let modulus_pa = inputs.pair.composite_modulus_pa();
         let knots = SeparationKnot::along(&roughness, modulus_pa);
-        let separation = SeparationLaw::new(&knots, modulus_pa, asked.energy_factor);
-        let sealing = asked.seal.map(|seal| {
+        let separation = SeparationLaw::new(&knots, modulus_pa, request.energy_factor);
+        let sealing = request.seal.map(|seal| {
             let correction = Some(CORRECTION_OF_SEALS);
-            SealingLaw::new(&roughness, modulus_pa, asked.energy_factor, correction, seal.threshold)
+            SealingLaw::new(&roughness, modulus_pa, request.energy_factor, correction, seal.threshold)
         });
-        let loads = pressed.pressures.len();
+        let loads = inputs.pressures.len();
         Some(InterfaceStates {
-            asked,
-            pressed,
+            request,
+            inputs,
             moments: whole,
             roughness,
             separation,
@@ -83,29 +83,29 @@ impl<'a> InterfaceStates<'a> {
         })
     }
 
-    /// What a scene asks for, from its results; `None` where it asks for nothing.
+    /// The quantities that a scene requests, from its results; `None` if it requests none.
     #[must_use]
-    pub fn of_scene(scene: &'a Scene, results: &'a Results) -> Option<Self> {
-        let asked = scene.interface.as_ref()?;
+    pub fn from_scene(scene: &'a Scene, results: &'a Results) -> Option<Self> {
+        let request = scene.interface.as_ref()?;
         let material = scene.material.as_ref()?;
-        let pressed = Pressed {
+        let inputs = InterfaceInputs {
             results,
             normalisation: scene.needs.moments?,
             pair: material.pair,
             hardness_pa: material.hardness_pa(),
             pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
         };
-        Self::of(asked, &scene.plan(), pressed)
+        Self::new(request, &scene.plan(), inputs)
     }
 
-    /// Everything that is asked for.
+    /// All requested slots.
     #[must_use]
     pub fn slots(&self) -> Vec<Slot> {
-        let curves = self.pressed.results.curves.len();
-        self.asked.slots(self.pressed.pressures.len(), curves, self.pressed.hardness_pa.is_some())
+        let curves = self.inputs.results.curves.len();
+        self.request.slots(self.inputs.pressures.len(), curves, self.inputs.hardness_pa.is_some())
     }
 
-    /// The value of a slot; `None` where there is none: of a channel in a tight seal, of friction without an area.
+    /// The value of a slot; `None` if there is none, as for a channel in a tight seal or friction without an area.
     ///
     /// # Errors
     /// [`InterfaceError`] for what leaves the range of magnitudes.
@@ -116,7 +116,7 @@ impl<'a> InterfaceStates<'a> {
         }
     }
 
-    /// The same with an area fraction in place of that of the slot's curve.
+    /// The friction under a load for a given area fraction.
     ///
     /// # Errors
     /// Those of [`value`](Self::value).
@@ -126,7 +126,7 @@ impl<'a> InterfaceStates<'a> {
         load: usize,
         area_fraction: f64,
     ) -> Result<Option<f64>, InterfaceError> {
-        let Some(shear_strength_pa) = self.asked.shear_strength_pa else { return Ok(None) };
+        let Some(shear_strength_pa) = self.request.shear_strength_pa else { return Ok(None) };
         let sliding = SlidingContact::new(shear_strength_pa, area_fraction, self.pressure_pa(load))?;
         Ok(match quantity {
             Quantity::FrictionStress => Some(sliding.friction_stress_pa()),
@@ -141,7 +141,7 @@ impl<'a> InterfaceStates<'a> {
         &self.roughness
     }
 
-    /// The law that light loads follow.
+    /// The asymptotic law of light loads.
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {
         self.separation.light_loads()
@@ -170,36 +170,36 @@ impl<'a> InterfaceStates<'a> {
     /// The share of the contact that has flowed under a load by the theory with a constant hardness; `None` without one.
     #[must_use]
     pub fn plastic_share(&self, load: usize) -> Option<f64> {
-        let hardness_pa = self.pressed.hardness_pa?;
+        let hardness_pa = self.inputs.hardness_pa?;
         let last = self.roughness.places().last()?;
         let deviation_pa = last.variance_pa2(self.modulus_pa()).sqrt();
         let areas = constant_hardness::areas(self.pressure_pa(load), deviation_pa, hardness_pa);
         Some(areas.plastic / areas.contact())
     }
 
-    /// Where P/H lies outside the range of the correlations for flowed peaks.
+    /// P/H under a load, with the range of the correlations for flowed peaks; `None` without a hardness.
     ///
     /// # Errors
     /// [`InterfaceError`] for what leaves the range of magnitudes.
     pub fn pressure_ratio(&self, load: usize) -> Result<Option<PressureRatio>, InterfaceError> {
         let of = |hardness_pa| PressureRatio::new(self.pressure_pa(load), hardness_pa);
-        self.pressed.hardness_pa.map(of).transpose()
+        self.inputs.hardness_pa.map(of).transpose()
     }
 
-    /// What is asked for.
+    /// The requested quantities.
     #[must_use]
-    pub fn asked(&self) -> &Asked {
-        self.asked
+    pub fn request(&self) -> &Asked {
+        self.request
     }
 
-    /// What is pressed.
+    /// The inputs.
     #[must_use]
-    pub fn pressed(&self) -> &Pressed<'a> {
-        &self.pressed
+    pub fn inputs(&self) -> &InterfaceInputs<'a> {
+        &self.inputs
     }
 
     fn of_all_loads(&self, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
-        match (quantity, &self.asked.adhesion) {
+        match (quantity, &self.request.adhesion) {
             (Quantity::TightPressure, _) => Ok(self.sealing.as_ref().map(SealingLaw::tight_pressure_pa)),
             (Quantity::FullerTabor, Some(adhesion)) => self.fuller_tabor(adhesion),
             (Quantity::PastewkaRobbins, Some(adhesion)) => self.pastewka_robbins(adhesion),
@@ -244,7 +244,7 @@ impl<'a> InterfaceStates<'a> {
             Quantity::LeakRate => self.leak(load),
             Quantity::FrictionStress | Quantity::FrictionCoefficient => {
                 let area = slot.curve.and_then(|curve| {
-                    let curve = self.pressed.results.curves.get(curve)?;
+                    let curve = self.inputs.results.curves.get(curve)?;
                     curve.area_fractions(load).last().map(|(_, area_fraction)| *area_fraction)
                 });
                 area.map_or(Ok(None), |area_fraction| self.friction(slot.quantity, load, area_fraction))
@@ -257,7 +257,7 @@ impl<'a> InterfaceStates<'a> {
 
     fn heat(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
         let (Some(conductivities), Some(stiffness)) =
-            (&self.asked.conductivities, self.relative_stiffness(load)?)
+            (&self.request.conductivities, self.relative_stiffness(load)?)
         else {
             return Ok(None);
         };
@@ -265,13 +265,13 @@ impl<'a> InterfaceStates<'a> {
             return Ok(Some(stiffness.thermal_conductance_w_per_m2_k(conductivities)));
         }
         let spot =
-            self.asked.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
+            self.request.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
         Ok(spot.map(|spot| spot.thermal_resistance_k_per_w(conductivities)))
     }
 
     fn current(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
         let (Some(resistivities), Some(stiffness)) =
-            (&self.asked.resistivities, self.relative_stiffness(load)?)
+            (&self.request.resistivities, self.relative_stiffness(load)?)
         else {
             return Ok(None);
         };
@@ -279,12 +279,12 @@ impl<'a> InterfaceStates<'a> {
             return Ok(Some(stiffness.electrical_conductance_s_per_m2(resistivities)));
         }
         let spot =
-            self.asked.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
+            self.request.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
         Ok(spot.map(|spot| spot.electrical_resistance_ohm(resistivities)))
     }
 
     fn flowed(&self, load: usize, correlation: PlasticCorrelation) -> Result<Option<f64>, InterfaceError> {
-        let (Some(conductivities), Some(ratio)) = (&self.asked.conductivities, self.pressure_ratio(load)?)
+        let (Some(conductivities), Some(ratio)) = (&self.request.conductivities, self.pressure_ratio(load)?)
         else {
             return Ok(None);
         };
@@ -292,7 +292,7 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn leak(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
-        let joint = self.asked.seal.and_then(|seal| seal.joint);
+        let joint = self.request.seal.and_then(|seal| seal.joint);
         let height_m = self.constriction(load).and_then(|seen| seen.opening_gap_m);
         let (Some(joint), Some(height_m)) = (joint, height_m) else { return Ok(None) };
         Ok(Some(joint.leak_rate(Constriction::new(height_m)?).m3_per_s()))
@@ -321,11 +321,11 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn pressure_pa(&self, load: usize) -> f64 {
-        self.pressed.pressures[load].pa()
+        self.inputs.pressures[load].pa()
     }
 
     fn modulus_pa(&self) -> f64 {
-        self.pressed.pair.composite_modulus_pa()
+        self.inputs.pair.composite_modulus_pa()
     }
 }
 

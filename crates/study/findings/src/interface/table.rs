@@ -1,14 +1,14 @@
-//! The quantities of an interface as a table that others script against.
+//! The quantities of an interface as a table for scripts.
 
 use tables::Table;
 
 use study::interface::Slot;
 use study::plan::Needs;
 
-/// The beginning of a row per slot: `quantity, nominal_pressure_pa, curve`; the quantity carries its unit, and what a slot does not
-/// have is empty.
+/// The first columns of a table with a row per slot: `quantity, nominal_pressure_pa, curve`. The quantity includes its unit;
+/// missing loads and curves are empty.
 #[must_use]
-pub fn of_slots(needs: &Needs, slots: &[Slot]) -> Table {
+pub fn slots_table(needs: &Needs, slots: &[Slot]) -> Table {
     let pressure = |slot: &Slot| Some(needs.loads[slot.load?].nominal_pressure_pa());
     let curve = |slot: &Slot| slot.curve.map_or_else(String::new, |curve| needs.curves[curve].name.clone());
     Table::default()

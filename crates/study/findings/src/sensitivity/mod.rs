@@ -1,8 +1,10 @@
-//! Sensitivities: each choice that the models leave open, made another way, and how far it moves the final areas.
+//! Sensitivities: the change of the final areas if an open modelling choice is made differently.
 //!
 //! Only final areas are computed, by plans of their own, and none that the results hold.
 
 mod other_choices;
 mod variation;
 
-pub use other_choices::{Moved, Sensitivity, counted_sensitivities, sensitivities, table, wanted_areas};
+pub use other_choices::{
+    MovedArea, Sensitivity, sensitivities, sensitivities_with_work, table, wanted_areas,
+};

@@ -1,4 +1,4 @@
-//! Sensitivity to modelling choices: how much each open choice moves the areas that a scene ends in.
+//! Sensitivity of the final areas of a scene to each open modelling choice.
 
 use std::borrow::Cow;
 
@@ -11,29 +11,29 @@ use study::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, 
 
 use super::variation::{Variation, variations};
 
-/// One choice made another way.
+/// A modelling choice made differently.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sensitivity {
     /// The choice, e.g. `normalisation of moments`.
     pub choice: &'static str,
-    /// The other way, e.g. `as-printed`.
+    /// The other setting, e.g. `as-printed`.
     pub setting: String,
-    /// The same for people, e.g. `1, as printed in Eq. (1) of Jackson & Jacobs`.
+    /// The other setting in words, e.g. `1, as printed in Eq. (1) of Jackson & Jacobs`.
     pub setting_in_words: String,
-    /// The areas that depend on it.
-    pub rows: Vec<Moved>,
+    /// The areas that depend on the choice.
+    pub rows: Vec<MovedArea>,
 }
 
-/// An area that a choice moves.
+/// An area that a choice changes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Moved {
+pub struct MovedArea {
     /// The curve, by index.
     pub curve: usize,
     /// The load, by index.
     pub load: usize,
-    /// The final area fraction with the choice made the other way.
+    /// The final area fraction with the other setting.
     pub area_fraction: f64,
-    /// The same over the one with the scene's own choice.
+    /// The final area fraction over that with the scene's own setting.
     pub ratio: f64,
 }
 
@@ -53,8 +53,9 @@ pub fn table(sensitivities: &[Sensitivity], needs: &Needs) -> Table {
         .with_numbers("ratio", rows().map(|(_, row)| row.ratio))
 }
 
-/// Every open choice made another way, where curves of the scene depend on it; `results` are those of its own choices.
-/// Only final areas are computed, and none that the results hold; a step of `progress` is a statistical state.
+/// Computes the sensitivities to every open choice that curves of the scene depend on; `results` are those with its own
+/// choices. Only final areas are computed, and none that the results hold. `progress` advances once per statistical
+/// state.
 ///
 /// # Errors
 /// [`PlanError`], as of the scene's own plan.
@@ -63,14 +64,14 @@ pub fn sensitivities(
     results: &Results,
     progress: &dyn Progress,
 ) -> Result<Vec<Sensitivity>, PlanError> {
-    counted_sensitivities(scene, results, progress).map(|(sensitivities, _)| sensitivities)
+    sensitivities_with_work(scene, results, progress).map(|(sensitivities, _)| sensitivities)
 }
 
-/// The same, and how much was computed for them.
+/// Computes the sensitivities and counts the work.
 ///
 /// # Errors
 /// Those of [`sensitivities`].
-pub fn counted_sensitivities(
+pub fn sensitivities_with_work(
     scene: &Scene,
     results: &Results,
     progress: &dyn Progress,
@@ -97,7 +98,8 @@ pub fn counted_sensitivities(
     Ok((sensitivities, work))
 }
 
-/// Laws made another way stand on the spectrum as it is: one plan has all that the scene itself lacks.
+/// Computes the areas with other laws, which need the same spectrum: one plan holds all that the results of the scene
+/// lack.
 fn areas_of_other_laws(
     scene: &Scene,
     results: &Results,
@@ -114,12 +116,12 @@ fn areas_of_other_laws(
     Ok((FinalAreas { models, curves: Cow::Owned(found.curves) }, found.work))
 }
 
-/// How many final areas the sensitivities of a scene are about.
+/// The number of final areas in the sensitivities of a scene.
 pub fn wanted_areas(scene: &Scene) -> usize {
     Varied::all(scene).iter().map(|varied| varied.curves.len() * scene.needs.loads.len()).sum()
 }
 
-/// A choice made another way, and the curves that depend on it.
+/// A choice made differently, and the curves that depend on it.
 struct Varied {
     variation: Variation,
     /// The curves of the scene, by index, and their models with the choice made that way.
@@ -127,7 +129,7 @@ struct Varied {
 }
 
 impl Varied {
-    /// Every choice that a curve depends on, made every other way.
+    /// Every choice that a curve depends on, in every other setting.
     fn all(scene: &Scene) -> Vec<Self> {
         let curves = |variation: &Variation| {
             let curves = scene.needs.curves.iter().enumerate();
@@ -147,12 +149,12 @@ impl Varied {
         scene: &Scene,
         own: &FinalAreas<'_>,
         area_fraction: impl Fn(&CurveModel, usize) -> Option<f64>,
-    ) -> Vec<Moved> {
+    ) -> Vec<MovedArea> {
         let mut rows = Vec::new();
         for (curve, model) in &self.curves {
             for load in 0..scene.needs.loads.len() {
                 let areas = area_fraction(model, load).zip(own.of_curve(*curve, load));
-                rows.extend(areas.map(|(area_fraction, own)| Moved {
+                rows.extend(areas.map(|(area_fraction, own)| MovedArea {
                     curve: *curve,
                     load,
                     area_fraction,
@@ -164,7 +166,7 @@ impl Varied {
     }
 }
 
-/// The areas that models end in.
+/// The final areas of models.
 struct FinalAreas<'r> {
     models: Vec<CurveModel>,
     /// The curve of each model.
@@ -182,8 +184,7 @@ impl FinalAreas<'_> {
     }
 }
 
-/// What yields the final areas of these models under the loads of the scene, with a choice made another way or as they
-/// are.
+/// The plan for the final areas of these models under the loads of the scene, with at most one choice made differently.
 fn plan<'s>(scene: &'s Scene, variation: Option<Variation>, models: &[CurveModel]) -> Plan<'s> {
     let mut sampling = scene.sampling;
     let (mut normalisation, mut amplitude) = (scene.needs.moments, scene.needs.amplitudes);

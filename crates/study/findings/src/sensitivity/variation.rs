@@ -1,4 +1,4 @@
-//! The choices that the models leave open, made another way than a scene has them.
+//! Variations of the modelling choices of a scene.
 
 use std::num::NonZeroU32;
 
@@ -10,11 +10,12 @@ use units::display::pressure;
 use scene::Scene;
 use study::choices_in_words;
 use study::plan::CurveModel;
+use study::validity::MODULUS_OVER_IDEAL_STRENGTH;
 
 /// Densities of the spectrum that are tried, in scales per decade.
 const SCALES_PER_DECADE: [u32; 3] = [5, 10, 20];
 
-/// An option of the models, set another way than the scene has it.
+/// A modelling choice with another setting than that of the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Variation {
     Normalisation(Normalisation),
@@ -25,7 +26,7 @@ pub(super) enum Variation {
     StrengthCap(Option<f64>),
 }
 
-/// Every other way that choices of a scene may be made.
+/// Every variation of the choices of a scene.
 pub(super) fn variations(scene: &Scene) -> Vec<Variation> {
     let needs = &scene.needs;
     let mut variations = Vec::new();
@@ -45,14 +46,15 @@ pub(super) fn variations(scene: &Scene) -> Vec<Variation> {
     );
     variations.extend(Hardness::ALL.map(Variation::Hardness));
     variations.extend(InterferenceLaw::ALL.iter().copied().map(Variation::Interference));
-    let usual_cap_pa =
-        scene.material.map(|material| material.pair.yielding_body().youngs_modulus_pa() / 10.0);
+    let usual_cap_pa = scene
+        .material
+        .map(|material| material.pair.yielding_body().youngs_modulus_pa() / MODULUS_OVER_IDEAL_STRENGTH);
     variations.extend([Variation::StrengthCap(None), Variation::StrengthCap(usual_cap_pa)]);
     variations
 }
 
 impl Variation {
-    /// What is chosen, for people and tables.
+    /// The choice, for tables and reports.
     pub fn choice(&self) -> &'static str {
         match self {
             Variation::Normalisation(_) => "normalisation of moments",
@@ -64,7 +66,7 @@ impl Variation {
         }
     }
 
-    /// The way it is made, for people and tables.
+    /// The setting, for tables and reports.
     pub fn setting(&self) -> String {
         match self {
             Variation::Normalisation(normalisation) => normalisation.to_string(),
@@ -77,7 +79,7 @@ impl Variation {
         }
     }
 
-    /// The way it is made, as papers and people call it.
+    /// The setting in the words of the field.
     pub fn in_words(&self) -> String {
         match self {
             Variation::Normalisation(choice) => choices_in_words::normalisation(*choice).to_owned(),
@@ -88,7 +90,7 @@ impl Variation {
         }
     }
 
-    /// The model with the choice made this way; `None` where that is its own way, or no choice of its.
+    /// The model with this setting; `None` if that is its own, or if it has no such choice.
     pub fn of(&self, model: &CurveModel) -> Option<CurveModel> {
         let statistical = matches!(model, CurveModel::Statistical { .. });
         let varied = match (*self, *model) {
@@ -103,7 +105,7 @@ impl Variation {
         (varied != *model).then_some(varied)
     }
 
-    /// Whether the spectrum, its moments and amplitudes stay as they are.
+    /// True if the spectrum, its moments and its amplitudes stay as they are.
     pub fn is_of_a_law(&self) -> bool {
         match self {
             Variation::Hardness(_) | Variation::Interference(_) | Variation::StrengthCap(_) => true,
@@ -112,7 +114,7 @@ impl Variation {
     }
 }
 
-/// The model with its strength capped, or not; `None` where its strength does not grow.
+/// The model with or without a cap of its strength; `None` if its strength does not grow.
 fn with_cap(model: CurveModel, cap_pa: Option<f64>) -> Option<CurveModel> {
     let strength = model.strength()?;
     let length_m = strength.strain_gradient_length_m()?;

@@ -1,4 +1,4 @@
-//! The area of contact against load, as boundary elements count and correct it.
+//! The contact area against load from boundary elements, as counted and as corrected.
 
 use rough_bem::{Mean, PressedLoad};
 use study::figure::{Axis, FigureData, Series, Shows};

@@ -9,12 +9,13 @@ use units::log_spaced;
 
 const POINTS: u32 = 61;
 
-/// Decades that the figure shows below the lightest and above the heaviest load.
+/// The factor by which the figure extends below the lightest and above the heaviest load.
 const BESIDE: f64 = 10.0;
 
 const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
 
-/// The gap of the whole theory and that of light loads, with the loads of the scene; `None` where there is no gap.
+/// The mean gap of the whole theory and of the law of light loads, with the loads of the scene; `None` if there is no
+/// gap.
 pub(crate) fn gap_against_load(
     states: &InterfaceStates<'_>,
     scene: &Scene,

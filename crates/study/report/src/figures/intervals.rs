@@ -5,7 +5,7 @@ use scene::Scene;
 use study::figure::{Band, BandKind, Figure, FigureData, Mark, Shows};
 use uncertainty::{AreaBand, AreaInterval, Uncertainty};
 
-/// A figure with the intervals of the areas that it shows: bands behind the lines against the cutoff, and bars at the loads of
+/// Adds coverage intervals to a figure of areas: bands behind the lines against the cutoff, and bars at the loads of
 /// the scene on lines against the load that end at the shortest wavelength. Its lines have the curves' own names.
 pub(crate) fn with_intervals(
     data: FigureData,
@@ -31,12 +31,12 @@ pub(crate) fn with_intervals(
 /// The band of a line that the figure shows.
 fn band(data: &FigureData, scene: &Scene, label: &str, area: &AreaBand) -> Option<Band> {
     let name = &scene.needs.curves.get(area.curve)?.name;
-    // Of an area against cutoff the colour is the load.
-    let line = data.series.iter().find(|line| line.curve == *name && line.colour == area.load)?;
+    let line = data.series.iter().find(|line| line.curve == *name && line.load == Some(area.load))?;
     let points = area.points.iter().map(|point| (point.wavelength_m, [point.low, point.high]));
     Some(Band {
         label: label.to_owned(),
         kind: BandKind::Interval,
+        load: line.load,
         colour: line.colour,
         dash: line.dash,
         points: points.collect(),

@@ -1,4 +1,4 @@
-//! The answer in plain words, and what cannot be answered.
+//! The answer in words, and its limits.
 
 use maud::{Markup, html};
 
@@ -24,16 +24,16 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
     html! {
         @if several { h3 { (report.label) } }
-        @for text in verdict_words::opening(scene, answer, report.trust) { p.first { strong { (typeset(&text)) } } }
+        @for text in verdict_words::opening(scene, answer, report.assessment) { p.first { strong { (typeset(&text)) } } }
         p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
-        @if scene.needs.curves.is_empty() { p { "No contact was asked for: the scene has no curves." } }
+        @if scene.needs.curves.is_empty() { p { "No contact was computed: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }
-        @for text in &shortcomings { p.shortcoming { strong { "Not answered. " } (typeset(text)) } }
+        @for text in &shortcomings { p.shortcoming { strong { (text.heading) ". " } (typeset(&text.reason)) } }
         @for text in answer_words::disagreements(answer, scene) { p.disagreement { (typeset(&text)) } }
     }
 }
 
-/// `name: what it found`, the name in bold.
+/// `name: text` with the name in bold.
 fn with_name_in_bold(text: &str) -> Markup {
     match text.split_once(": ") {
         Some((name, found)) => html! { strong.curve { (name) } ": " (typeset(found)) },
@@ -41,7 +41,7 @@ fn with_name_in_bold(text: &str) -> Markup {
     }
 }
 
-/// A note as a sentence of its own; one that begins with a name keeps it as it is written.
+/// A note as a sentence; a name at its beginning keeps its spelling.
 pub(super) fn sentence(note: &str) -> String {
     let end = if note.ends_with('.') { "" } else { "." };
     let first_word = note.split(' ').next().unwrap_or_default();

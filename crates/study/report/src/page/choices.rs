@@ -1,4 +1,4 @@
-//! The material, and the choices that the models leave open.
+//! The material and the modelling choices.
 
 use maud::{Markup, html};
 

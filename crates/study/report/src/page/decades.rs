@@ -1,4 +1,4 @@
-//! Which decades of wavelengths decide the area: a strip of shares per curve and load.
+//! The decades of wavelengths that decide the area: a strip of shares per curve and load.
 
 use maud::{Markup, html};
 

@@ -1,4 +1,4 @@
-//! How far apart the models end.
+//! Disagreements between models.
 
 use maud::{Markup, html};
 

@@ -59,7 +59,7 @@ fn panel(scene: &SceneReport<'_>, figure: &FigureData, beside: &[&FigureData], i
     PreEscaped(plot::element(figure, beside, id, &words(scene, figure)))
 }
 
-/// What is read out in place of a panel.
+/// The text for readers who cannot see a panel.
 fn words(scene: &SceneReport<'_>, figure: &FigureData) -> String {
     format!("{} ({}): {} against {}", figure.title, scene.label, figure.y_label, figure.x_label)
 }
@@ -69,7 +69,7 @@ fn numbered(name: &str) -> String {
     name.strip_prefix("figure-").map_or_else(String::new, |number| format!("Figure {number}. "))
 }
 
-/// What the bands of a figure with intervals are.
+/// The explanation of interval bands, if the figure has some.
 fn intervals(figure: &FigureData) -> &'static str {
     let has_intervals = figure.bands.iter().any(|band| band.kind == BandKind::Interval);
     if has_intervals {
@@ -79,7 +79,7 @@ fn intervals(figure: &FigureData) -> &'static str {
     }
 }
 
-/// What is seen, in a line.
+/// The caption of a figure.
 fn caption(shows: Shows) -> &'static str {
     match shows {
         Shows::Psd => "The spectrum that everything else is computed from.",

@@ -1,4 +1,4 @@
-//! How sure the areas are: their intervals, who carries them, and what the draws rest on.
+//! The uncertainty of the areas: intervals, their sources, and the inputs of the draws.
 
 use maud::{Markup, html};
 
@@ -15,7 +15,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let uncertainty = report.trust.uncertainty?;
+    let uncertainty = report.assessment.uncertainty?;
     Some(html! {
         @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
         (intervals(report, uncertainty))
@@ -68,7 +68,7 @@ fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
     )
 }
 
-/// What the draws take of every instrument.
+/// The inputs that every instrument adds to the draws.
 fn instruments(uncertainty: &Uncertainty) -> Markup {
     let head = html! {
         tr {
@@ -116,7 +116,7 @@ fn is_guessed(instrument: &InstrumentInput) -> bool {
     matches!(instrument.name, InstrumentName::Guessed(_))
 }
 
-/// What instruments say of each other.
+/// The overlaps of instruments.
 fn overlaps(uncertainty: &Uncertainty) -> Markup {
     let head = html! {
         tr {
@@ -169,7 +169,7 @@ fn group_name(group: Group) -> &'static str {
     }
 }
 
-/// With a sign that is set as one.
+/// A number with a typeset sign.
 fn signed(value: f64) -> String {
     let sign = if value < 0.0 { "−" } else { "" };
     format!("{sign}{}", three_digits(value.abs()))

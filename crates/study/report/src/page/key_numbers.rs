@@ -1,4 +1,4 @@
-//! What every curve ends in under every load.
+//! The final area and pressure of every curve under every load.
 
 use maud::{Markup, html};
 
@@ -38,7 +38,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                         td { (report.pressure(answer.real_pressure_pa)) }
                         (settled(answer, answer.within_1_percent)) (settled(answer, answer.within_01_percent))
                         td { (answer.setting.map_or("–".to_owned(), |scale| length(scale.wavelength_m))) }
-                        td { (answer.out_of_range_load_share.map_or("–".to_owned(), percent)) }
+                        td { (answer.out_of_range_load_share.map_or("–".to_owned(), share_text)) }
                     }
                 }
             }
@@ -48,15 +48,15 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         Some(_) => "At the shortest wavelength of the spectrum; pressures in units of the hardness H.",
         None => "At the shortest wavelength of the spectrum.",
     };
-    let mut told: Vec<String> = Vec::new();
+    let mut linear_laws: Vec<String> = Vec::new();
     for (curve, _) in &curves {
         // Elastic curves of one material have the same ones.
-        told.extend(yardsticks(report.scene, report.results, &report.scene.needs.curves[*curve]));
+        linear_laws.extend(yardsticks(report.scene, report.results, &report.scene.needs.curves[*curve]));
     }
-    told.dedup();
+    linear_laws.dedup();
     Some(html! {
         (table(caption, &head, &body))
-        @for sentence in &told { p { "Beside the elastic areas: " (typeset(sentence)) "." } }
+        @for sentence in &linear_laws { p { "For comparison with the elastic areas: " (typeset(sentence)) "." } }
     })
 }
 
@@ -68,8 +68,8 @@ fn settled(answer: &LoadAnswer, found: Convergence) -> Markup {
     }
 }
 
-/// A share as people read it.
-pub(super) fn percent(share: f64) -> String {
+/// A share in a cell: `< 0.1 %`, `5.2 %`, `37 %`.
+fn share_text(share: f64) -> String {
     match 100.0 * share {
         0.0 => "0\u{a0}%".to_owned(),
         percent if percent < 0.1 => "< 0.1\u{a0}%".to_owned(),

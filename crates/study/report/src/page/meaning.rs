@@ -1,4 +1,4 @@
-//! What it means: gap, stiffness, heat, current, leaks, friction, adhesion, as far as their inputs are given.
+//! The meaning for the interface: gap, stiffness, heat, current, leaks, friction and adhesion, as far as inputs are given.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -20,11 +20,11 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
     if report.scene.needs.curves.is_empty() && report.scene.interface.is_none() {
         return None;
     }
-    let found = InterfaceStates::of_scene(report.scene, report.results);
+    let found = InterfaceStates::from_scene(report.scene, report.results);
     let further = interface_words::further_keys(report.scene);
     Some(html! {
         @if let Some(states) = &found {
-            @for note in interface_words::notes(states, report.scene, report.trust.uncertainty) { p { (typeset(&capital(&note))) "." } }
+            @for note in interface_words::notes(states, report.scene, report.assessment.uncertainty) { p { (typeset(&capital(&note))) "." } }
             (quantities(report, states))
             (gap(report, states, &format!("scene-{at}-gap")))
         }
@@ -33,20 +33,20 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
 }
 
 fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
-    let uncertainty = report.trust.uncertainty;
+    let uncertainty = report.assessment.uncertainty;
     let head = html! {
         tr {
             th scope="col" { "nominal pressure" } th scope="col" { "quantity" } th scope="col" { "value" }
             @if let Some(uncertainty) = uncertainty { th scope="col" { (level(uncertainty)) } }
         }
     };
-    let told: Vec<(Slot, f64)> = states
+    let values: Vec<(Slot, f64)> = states
         .slots()
         .into_iter()
         .filter_map(|slot| Some((slot, states.value(slot).ok().flatten()?)))
         .collect();
     let body = html! {
-        @for of_load in told.chunk_by(|(one, _), (other, _)| one.load == other.load) {
+        @for of_load in values.chunk_by(|(one, _), (other, _)| one.load == other.load) {
             tbody {
                 @for (place, (slot, value)) in of_load.iter().enumerate() {
                     tr {
@@ -69,15 +69,15 @@ fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup 
         }
     };
     table(
-        "What the interface does besides touching. Gap and stiffness are those of Persson’s elastic theory; conductances follow from \
-         the stiffness by Barber’s analogy; friction from the areas of curves.",
+        "Quantities of the interface. Gap and stiffness are those of Persson’s elastic theory; conductances follow from the stiffness by \
+         Barber’s analogy, friction from the areas of the curves.",
         &head,
         &body,
     )
 }
 
 fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
-    let Some(figure) = gap_against_load(states, report.scene, report.trust.uncertainty) else {
+    let Some(figure) = gap_against_load(states, report.scene, report.assessment.uncertainty) else {
         return html! {};
     };
     let words = format!("{} against {}", figure.y_label, figure.x_label);

@@ -1,15 +1,15 @@
-//! What to measure next: the steps that shrink the interval, the decades that widen it, and whether the area can settle.
+//! The advice on what to measure next: steps that shrink the interval, decades that widen it, and whether the area can settle.
 
 use maud::{Markup, PreEscaped, html};
 
 use super::{SceneReport, Section, per_numbered_scene, table};
-use crate::advice_words::{in_a_line, narrows, settling, step_in_words, subject};
+use crate::advice_words::{describe_step, in_a_line, narrows, settling, subject};
 use crate::plot;
 use uncertainty::{Advice, DecadeOfVariance, Uncertainty};
 use units::display::{length, typeset};
 
-/// More steps than this are left to the table.
-const STEPS_TOLD: usize = 5;
+/// The most steps in words; the table holds all.
+const STEPS_SHOWN: usize = 5;
 
 const SHARE: &str = "share of variance (%)";
 
@@ -19,18 +19,18 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
-    let uncertainty = report.trust.uncertainty?;
-    let advice = report.trust.foremost_advice()?;
+    let uncertainty = report.assessment.uncertainty?;
+    let advice = report.assessment.foremost_advice()?;
     let worthwhile: Vec<String> = advice
         .steps
         .iter()
         .filter(|step| narrows(step))
-        .take(STEPS_TOLD)
+        .take(STEPS_SHOWN)
         .map(|step| in_a_line(uncertainty, step))
         .collect();
     Some(html! {
         p { "For " strong.curve { (typeset(&subject(advice, report.scene))) } ":" }
-        @if worthwhile.is_empty() { p { "Nothing that was tried would narrow its interval." } }
+        @if worthwhile.is_empty() { p { "None of the steps tried would narrow its interval." } }
         @else { ol { @for step in &worthwhile { li { (typeset(step)) "." } } } }
         p { (typeset(&settling(advice))) }
         (decades(report, advice, &format!("scene-{at}-variance")))
@@ -38,7 +38,7 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
     })
 }
 
-/// Which decades carry the variance, as a figure.
+/// The share of each decade in the variance, as a figure.
 fn decades(report: &SceneReport<'_>, advice: &Advice, id: &str) -> Markup {
     let words = format!(
         "Share of each decade of wavelengths in the variance of ln A, {}: {}",
@@ -61,7 +61,7 @@ fn in_words(decade: &DecadeOfVariance) -> String {
     format!("{} to {} {:.0} %", length(decade.longest_m), length(decade.shortest_m), 100.0 * decade.share)
 }
 
-/// What every step would do to every area.
+/// The effect of every step on every area.
 fn every_step(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
     let head = html! {
         tr {
@@ -78,7 +78,7 @@ fn every_step(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
                             th scope="rowgroup" rowspan=(advice.steps.len()) { (report.curve(advice.curve)) }
                         }
                         td { (report.load(advice.load)) }
-                        td { (step_in_words(uncertainty, &step.kind)) }
+                        td { (describe_step(uncertainty, &step.kind)) }
                         td { "×" (format!("{:.2}", step.width_ratio)) }
                         td { "×" (format!("{:.2}", step.area_ratio)) }
                     }
@@ -86,5 +86,5 @@ fn every_step(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
             }
         }
     };
-    table("Every step, the one that narrows the interval most first: what it would do.", &head, &body)
+    table("The effect of every step, the one that narrows the interval most first.", &head, &body)
 }

@@ -10,7 +10,6 @@ mod disagreements;
 mod figures;
 mod how_sure;
 mod key_numbers;
-mod ledger;
 mod meaning;
 mod measure_next;
 mod provenance;
@@ -18,13 +17,11 @@ mod sensitivities;
 mod validity;
 mod verdict;
 
-pub use ledger::{Finding, Ledger, LedgerRow, OtherFinding, OtherModel, Verdict};
-
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use crate::assessment::Assessment;
 use crate::curve_names::in_full;
-use crate::occasion::Occasion;
-use crate::trust::Trust;
+use crate::run_stamp::RunStamp;
 use findings::answer::{Answer, LoadAnswer};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
@@ -32,9 +29,9 @@ use study::figure::FigureData;
 use study::plan::Results;
 use units::display::{load_in_full, pressure, typeset_digits};
 
-/// What a report says about one scene.
+/// The part of a report on one scene.
 pub struct SceneReport<'a> {
-    /// Tells the scene from the others of the report, e.g. `measured`; not shown where it is alone.
+    /// The label that distinguishes the scene, e.g. `measured`; not shown for a single scene.
     pub label: &'a str,
     /// The scene.
     pub scene: &'a Scene,
@@ -42,9 +39,9 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
-    /// How far its results can be trusted, where that was asked.
-    pub trust: Trust<'a>,
-    /// How much each choice of modelling moves its areas.
+    /// The assessment of its results.
+    pub assessment: Assessment<'a>,
+    /// The sensitivities of its areas to modelling choices.
     pub sensitivities: &'a [Sensitivity],
     /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
     pub figures: Vec<FigureData>,
@@ -52,30 +49,33 @@ pub struct SceneReport<'a> {
 
 /// A report.
 pub struct Report<'a> {
-    /// What it is about.
+    /// The title.
     pub title: &'a str,
     /// The scenes, at least one.
     pub scenes: Vec<SceneReport<'a>>,
-    /// Statements held against what was found.
-    pub ledger: Option<&'a Ledger>,
-    /// How to make the report again, e.g. a command.
+    /// A section of the caller's own, after the figures.
+    pub extra: Option<Section>,
+    /// The way to make the report again, e.g. a command.
     pub repeat: &'a str,
-    /// How and when it was made.
-    pub occasion: &'a Occasion,
+    /// Date and command of the run.
+    pub run_stamp: &'a RunStamp,
 }
 
 /// A section of the page.
-struct Section {
-    id: &'static str,
-    title: &'static str,
-    body: Markup,
+#[derive(Debug, Clone)]
+pub struct Section {
+    /// The id of its element, unique in the page.
+    pub id: &'static str,
+    /// The title.
+    pub title: &'static str,
+    /// The content below the title.
+    pub body: Markup,
 }
 
 impl Report<'_> {
     /// The page.
     pub fn html(&self) -> String {
         let scenes = &self.scenes;
-        let ledger = self.ledger.map(ledger::section);
         let sections: Vec<Section> = [
             verdict::section(scenes),
             how_sure::section(scenes),
@@ -85,7 +85,7 @@ impl Report<'_> {
             decades::section(scenes),
             disagreements::section(scenes),
             figures::section(scenes),
-            ledger,
+            self.extra.clone(),
             sensitivities::section(scenes),
             validity::section(scenes),
             choices::section(scenes),
@@ -126,7 +126,7 @@ impl Report<'_> {
     }
 }
 
-/// Something about each scene that there is something to say about, under its label where there are several.
+/// The parts of all scenes that have one, each under its label if there are several.
 fn per_scene(
     scenes: &[SceneReport<'_>],
     part: impl Fn(&SceneReport<'_>) -> Option<Markup>,
@@ -134,7 +134,8 @@ fn per_scene(
     per_numbered_scene(scenes, |scene, _| part(scene))
 }
 
-/// The same, of a scene and its number, by which elements of a page are told apart.
+/// The parts of all scenes that have one; `part` also takes the number of the scene, for ids that are unique in the
+/// page.
 fn per_numbered_scene(
     scenes: &[SceneReport<'_>],
     part: impl Fn(&SceneReport<'_>, usize) -> Option<Markup>,
@@ -152,8 +153,9 @@ fn per_numbered_scene(
     })
 }
 
-/// A table that scrolls by itself where the page is narrower.
-fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
+/// A table that scrolls by itself on a page that is narrower.
+#[must_use]
+pub fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
     html! {
         // Reached by keyboard, since it may have to be scrolled.
         div.wide role="region" aria-label=(caption) tabindex="0" {
@@ -162,7 +164,7 @@ fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
     }
 }
 
-/// As dark as its share is large; a negative one is outlined instead.
+/// A cell as dark as its share is large; a negative share is outlined.
 fn share_cell(percent: Option<i32>) -> Markup {
     match percent {
         None => html! { td.share {} },

@@ -1,20 +1,20 @@
-//! Where the data come from, and how to make the report again.
+//! The provenance of the data, and the way to make the report again.
 
 use maud::{Markup, html};
 
 use super::answer::sentence;
 use super::{Report, SceneReport, Section, per_scene};
-use crate::occasion::Occasion;
+use crate::run_stamp::RunStamp;
 use crate::scan_words;
 use crate::summary::sampling;
 
 pub(super) fn section(report: &Report<'_>) -> Section {
-    let Occasion { date, asked } = report.occasion;
+    let RunStamp { date, command } = report.run_stamp;
     let body = html! {
         p {
             "Made by truearea " (env!("CARGO_PKG_VERSION"))
             @if let Some(date) = date { " on " (date) }
-            @if let Some(asked) = asked { ", asked for by " code { "truearea " (asked) } }
+            @if let Some(command) = command { " by " code { "truearea " (command) } }
             ". To make it again: " (report.repeat)
         }
         (per_scene(&report.scenes, |report| Some(of(report))).unwrap_or_default())

@@ -1,4 +1,4 @@
-//! How much the area moves when an open choice is made another way.
+//! The change of the area if an open modelling choice is made differently.
 
 use maud::{Markup, html};
 

@@ -1,13 +1,13 @@
-//! Where laws are used outside the range they were fitted in, and states that are held at a bound.
+//! Laws used outside their fitted range, and states held at a bound.
 
 use maud::{Markup, html};
 
-use super::key_numbers::percent;
 use super::{SceneReport, Section, per_scene};
 use crate::doubt_words;
 use crate::words::curve_counts::{beyond_fitted_range, statistical_notes};
 use findings::doubts::Doubt;
 use study::plan::CurveResult;
+use units::display::percent;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
@@ -26,10 +26,10 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         .collect();
     Some(html! {
         @if !doubts.is_empty() {
-            p { "Physics speaks against some of these numbers:" }
+            p { "Some of these numbers are physically implausible:" }
             ul { @for doubt in &doubts { li { (doubt_words::line(doubt)) "." } } }
         }
-        @if warned.is_empty() { p { "No law was used outside the range it was fitted in." } }
+        @if warned.is_empty() { p { "No law was used outside its fitted range." } }
         @else {
             dl.validity {
                 @for (curve, warnings) in &warned {
@@ -50,7 +50,7 @@ fn warnings(report: &SceneReport<'_>, curve: usize) -> Vec<String> {
     if largest > 0.0 {
         let share = percent(largest);
         warnings.push(format!(
-            "at the shortest wavelength up to {share} of the load rests on asperities outside the range their law was fitted in"
+            "at the shortest wavelength up to {share} of the load rests on asperities outside the fitted range of their law"
         ));
     }
     warnings.extend(statistical_notes(result));

@@ -1,4 +1,4 @@
-//! Which model to believe: the verdict in words, and every curve under every load.
+//! The judgement in words, and the verdict on every curve.
 
 use maud::{Markup, html};
 
@@ -12,7 +12,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let judgement = report.trust.judgement?;
+    let judgement = report.assessment.judgement?;
     let head = html! {
         tr {
             th scope="col" { "nominal pressure" } th scope="col" { "model" } th scope="col" { "area" }

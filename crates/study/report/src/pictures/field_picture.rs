@@ -13,7 +13,7 @@ const TITLE_PX: f64 = 30.0;
 const SCALE_PX: f64 = 46.0;
 const STEPS: usize = 64;
 
-/// From dark to light, evenly spaced in what eyes see: nine colours of viridis (Smith & van der Walt 2015, matplotlib).
+/// Nine colours of viridis from dark to light, evenly spaced to the eye (Smith & van der Walt 2015, matplotlib).
 const COLOURS: [[u8; 3]; 9] = [
     [68, 1, 84],
     [71, 44, 122],
@@ -31,7 +31,7 @@ const COLOURS: [[u8; 3]; 9] = [
 pub struct FieldPicture {
     /// Title, frame and scale.
     pub svg: String,
-    /// Where the points belong in it: left, top, width and height in px.
+    /// The place of the points in it: left, top, width and height in px.
     pub place: [f64; 4],
     /// Points along x.
     pub columns: usize,
@@ -61,7 +61,7 @@ pub fn of_gap(field: &Field<'_>) -> FieldPicture {
     picture(field, &title, &open_m, 0.0, largest_m, &length(largest_m))
 }
 
-/// Values above `nothing` in colours up to the largest one, which `most` tells.
+/// Colours values above `nothing` up to the largest one, which `most` names.
 fn picture(
     field: &Field<'_>,
     title: &str,
@@ -77,7 +77,7 @@ fn picture(
 }
 
 impl FieldPicture {
-    /// Points in their colours, on a rectangle of this size in m; `ends` tells what the first and the last colour stand for.
+    /// Draws points in their colours on a rectangle of this size in m; `ends` labels the first and the last colour.
     pub(crate) fn new(
         title: &str,
         [x_m, y_m]: [f64; 2],

@@ -1,4 +1,4 @@
-//! Pictures of measured heights, or of what else an instrument measured: maps in colours, gaps in grey; lines as lines.
+//! Pictures of measured heights, or of other channels: maps in colours with missing points in grey, and lines.
 
 use scans::{Measure, Measured, ScanFile};
 use units::LengthUnit;
@@ -7,22 +7,23 @@ use units::display::{length, three_digits};
 use crate::field_picture::{FieldPicture, colour};
 use crate::plot::line_of_heights;
 
-/// Points along the longer side of a picture; of larger maps, points that lie between are not drawn.
+/// The most points along the longer side of a picture; of larger maps, points between are not drawn.
 const MOST_POINTS: usize = 1024;
-/// The share of the points at either end of the values that lie beyond the colours: a spike would leave one colour to the rest.
+/// The share of the points at either end of the values beyond the colours, so that a spike does not leave one colour to
+/// the rest.
 const BEYOND: f64 = 0.002;
 const GAP: [u8; 3] = [150; 3];
 
 /// A picture of heights.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HeightsPicture {
-    /// Of a map: colours over a frame.
+    /// A map: colours over a frame.
     Map(FieldPicture),
-    /// Of a line: an SVG document.
+    /// A line: an SVG document.
     Line(String),
 }
 
-/// The heights of a scan, or what else its channel measures in its own unit; none where no point has a value.
+/// Draws the heights of a scan, or the values of another channel in their own unit; `None` if no point has a value.
 #[must_use]
 pub fn of_heights(file: &ScanFile) -> Option<HeightsPicture> {
     let name = match &file.channel {
@@ -57,7 +58,7 @@ fn map(
     Some(FieldPicture::new(&title, [x_m, y_m.unwrap_or(x_m)], ends, across.len(), colours.collect()))
 }
 
-/// The values that the first and the last colour stand for.
+/// The values of the first and the last colour.
 fn coloured(scan: &Measured) -> Option<[f64; 2]> {
     let mut values: Vec<f64> = scan.heights_m().flatten().collect();
     let last = values.len().checked_sub(1)?;
@@ -95,7 +96,7 @@ fn line(name: &str, ScanFile { scan, measure, .. }: &ScanFile) -> Option<String>
     Some(line_of_heights(name, [&labels[0], &labels[1]], &runs))
 }
 
-/// What a point has.
+/// The noun for the value of a point.
 fn noun(measure: &Measure) -> &'static str {
     match measure {
         Measure::Height => "height",
@@ -114,7 +115,7 @@ fn difference(measure: &Measure, value: f64) -> String {
 /// The unit of an axis.
 struct Scale {
     unit: String,
-    /// What a value of one unit is.
+    /// The value of one unit.
     one: f64,
 }
 

@@ -1,5 +1,5 @@
-//! Bands around lines and beside them, all of them pale. An interval has edges in the dash pattern of its line, which tells it
-//! from what lines are held against. The legend names both.
+//! Pale bands around lines and beside them. An interval has edges in the dash pattern of its line; a yardstick has
+//! none. The legend names both.
 
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
@@ -9,11 +9,11 @@ use super::labels::Box;
 use super::style::{colour, dash};
 use study::figure::{Band, BandKind};
 
-/// How much of its colour a band has.
+/// The opacity of a yardstick.
 pub(super) const OPACITY: f64 = 0.18;
-/// The same for an interval, of which several may lie on each other.
+/// The opacity of an interval, of which several may overlap.
 pub(super) const INTERVAL_OPACITY: f64 = 0.1;
-/// Thinner than any line of a curve.
+/// The width of the edges of an interval, thinner than any line of a curve.
 pub(super) const EDGE_PX: f64 = 0.75;
 
 /// Draws the bands as far as they lie inside the frame.
@@ -51,7 +51,7 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, ban
     }
 }
 
-/// Both ends of an interval at every abscissa, which belong on the axes; those of a yardstick do not.
+/// Both ends of an interval at every abscissa, for the range of the axes; empty for a yardstick.
 pub(super) fn ends(band: &Band) -> impl Iterator<Item = (f64, f64)> + '_ {
     let of_lines = band.kind == BandKind::Interval;
     band.points.iter().filter(move |_| of_lines).flat_map(|(x, ordinates)| ordinates.map(|y| (*x, y)))
@@ -69,14 +69,14 @@ fn visible(computed: &ComputedLayout, frame: Box, band: &Band) -> Vec<(f64, [f64
     band.points.iter().map(in_pixels).filter(is_inside).map(held).collect()
 }
 
-/// Along the lower ordinates, and back along the upper ones.
+/// A path along the lower ordinates and back along the upper ones.
 fn outline(points: &[(f64, [f64; 2])]) -> String {
     let there = points.iter().map(|(x, [lower, _])| (*x, *lower));
     let back = points.iter().rev().map(|(x, [_, upper])| (*x, *upper));
     steps(there.chain(back)) + " Z"
 }
 
-/// From each point to the next.
+/// A path from each point to the next.
 fn steps(points: impl Iterator<Item = (f64, f64)>) -> String {
     let step =
         |(at, (x, y)): (usize, (f64, f64))| format!("{}{x:.2} {y:.2}", if at == 0 { "M" } else { " L" });

@@ -20,7 +20,7 @@ pub(super) struct Decades {
 }
 
 impl Decades {
-    /// Whole steps around every positive value.
+    /// The range of whole steps around every positive value.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values
             .filter(|value| *value > 0.0)
@@ -36,7 +36,7 @@ impl Decades {
         Decades { first, last: ((high / step).ceil() * step).max(first + step), step }
     }
 
-    /// The powers at which unlabelled ticks stand: the multiples 2 to 9 of each decade, or the decades between labels.
+    /// The powers of unlabelled ticks: the multiples 2 to 9 of each decade, or the decades between labels.
     pub fn minor_ticks(&self) -> Vec<f64> {
         let powers = (0..).map(|i| self.first + f64::from(i)).take_while(|power| *power < self.last);
         if self.step == 1.0 {

@@ -9,8 +9,8 @@ use super::style::colour;
 use super::thinned::thinned;
 use super::{HEIGHT_PX, MOST_TITLE_LETTERS, WIDE_PX, split};
 
-/// Runs of positions and heights, both in the units of their labels, as an SVG document. Runs are not joined: a gap lies between
-/// them.
+/// Draws runs of positions and heights, both in the units of their labels, as an SVG document. Runs are not joined:
+/// missing points lie between them.
 #[must_use]
 pub fn line_of_heights(title: &str, labels: [&str; 2], runs: &[Vec<(f64, f64)>]) -> String {
     let line = |run: &Vec<(f64, f64)>| {

@@ -1,4 +1,4 @@
-//! Labels at the lines themselves: one per colour, where it overlaps nothing; none where there is no such place.
+//! Labels at the lines themselves: one per colour, left out if every place overlaps something.
 
 use super::text_width_px;
 
@@ -6,16 +6,16 @@ use super::text_width_px;
 pub(super) const SIZE_PX: f64 = 11.0;
 const GAP_PX: f64 = 4.0;
 const BERTH_PX: f64 = 7.0;
-/// How far it keeps from the frame.
+/// The distance of a label from the frame.
 const MARGIN_PX: f64 = 2.0;
 
 /// Spacing at which lines are probed; less than a label is high.
 const PROBE_PX: f64 = 3.0;
 
-/// Where along a line a label may stand: at the ends, the one at which the line ends first, then on the way.
+/// The places of a label along a line: its ends, the last point first, then points on the way.
 const PLACES: [f64; 7] = [1.0, 0.0, 0.75, 0.25, 0.5, 0.875, 0.125];
 
-/// A line in pixels. Of lines that share a colour, the label goes to the first that has room for it.
+/// A line in pixels. The first line of a colour with room for it gets the label.
 pub(super) struct Track {
     /// Its label.
     pub label: String,

@@ -12,7 +12,7 @@ use study::figure::{BandKind, FigureData};
 
 const SIZE_PX: f64 = 12.0;
 const ROW_PX: f64 = 18.0;
-/// Long enough to tell dash patterns apart.
+/// The length of a sample, long enough to show its dash pattern.
 const SAMPLE_PX: f64 = 34.0;
 const GAP_PX: f64 = 6.0;
 const BAND_PX: f64 = 8.0;
@@ -23,7 +23,7 @@ struct Entry<'a> {
     sample: Sample,
 }
 
-/// What stands before a label.
+/// The sample before a label.
 enum Sample {
     Line {
         dash: usize,
@@ -36,7 +36,7 @@ enum Sample {
     Band(BandKind),
 }
 
-/// Draws the legend below what is there, between two abscissas, and lengthens the picture by what it takes.
+/// Draws the legend below the picture, between two abscissas, and extends the picture.
 pub(super) fn append(scene: &mut Scene, figure: &FigureData, left: f64, right: f64) {
     let mut baseline = scene.height;
     let groups = [conditions(figure), curves(figure), marked(figure), banded(figure)];
@@ -130,7 +130,7 @@ fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
     entries
 }
 
-/// Curves are told apart only where several share a figure; each is drawn in grey as its lines are in colour.
+/// Entries for the curves, if several share the figure; each is drawn in grey like its lines in colour.
 fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
     let compared = figure.compares_curves();
     let mut entries: Vec<Entry<'_>> = Vec::new();
@@ -145,7 +145,7 @@ fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
     entries
 }
 
-/// What is marked with discs, in grey.
+/// Entries for marks, in grey.
 fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for mark in &figure.marks {
@@ -160,7 +160,7 @@ fn marked(figure: &FigureData) -> Vec<Entry<'_>> {
     entries
 }
 
-/// Bands of one kind have one name.
+/// Entries for bands, one for each kind.
 fn banded(figure: &FigureData) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for band in &figure.bands {

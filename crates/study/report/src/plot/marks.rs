@@ -11,7 +11,7 @@ const RADIUS_PX: f64 = 3.0;
 const CAP_PX: f64 = 3.0;
 const WIDTH_PX: f64 = 1.2;
 
-/// Both ends of a mark, which belong on the axes.
+/// Both ends of a mark, for the range of the axes.
 pub(super) fn ends(mark: &Mark) -> [(f64, f64); 2] {
     [(mark.x, mark.low), (mark.x, mark.high)]
 }

@@ -32,12 +32,12 @@ const WIDTH_PX: f64 = 480.0;
 const HEIGHT_PX: f64 = 380.0;
 /// Width of one that has a page to itself.
 const WIDE_PX: f64 = 860.0;
-/// Without a title, a picture is lower by what that took.
+/// The height that a picture without a title saves.
 const TITLE_PX: f64 = 36.0;
 const MOST_TITLE_LETTERS: usize = 54;
 const MINOR_TICK_PX: f64 = 3.0;
 
-/// The figure as an SVG document. `subject` stands under its title; `provenance` is kept in it as a comment.
+/// Draws a figure as an SVG document, with `subject` under its title and `provenance` as a comment.
 pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String {
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0))
         .with_height(HEIGHT_PX)
@@ -51,9 +51,8 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
     format!("{opening}>\n<!--\n{}\n-->\n{inside}", comment(provenance))
 }
 
-/// The figure as an element of a page, which says in words what is seen and scales with its surroundings. `id` is unique
-/// in the page; `words` is what is read out instead. Figures to be held against each other, itself one of them, get the
-/// same axes.
+/// Draws a figure as an element of a page that scales with its surroundings. `id` is unique in the page; `words` is the
+/// text for readers who cannot see it. The figures of `beside`, including this one, share axes.
 pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
     let width_px = if beside.len() > 1 { WIDTH_PX } else { WIDE_PX };
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX).with_width(width_px);
@@ -145,7 +144,7 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     scene
 }
 
-/// A line and what is drawn of it: its parts between gaps, in powers of ten.
+/// A line and its drawn parts between holes, in powers of ten.
 struct Trace<'f> {
     series: &'f Series,
     runs: Vec<Vec<(f64, f64)>>,
@@ -175,7 +174,7 @@ fn frame(computed: &ComputedLayout) -> Box {
     }
 }
 
-/// The library's minor ticks are evenly spaced; those of a logarithmic axis are not.
+/// Draws minor ticks below; those of the library are evenly spaced, which a logarithmic axis is not.
 fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades) {
     for power in x.minor_ticks() {
         let at = computed.map_x(power);
@@ -183,7 +182,7 @@ fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Deca
     }
 }
 
-/// The same of the ordinate.
+/// Draws minor ticks on the left.
 fn ticks_left(scene: &mut Scene, computed: &ComputedLayout, frame: Box, y: Decades) {
     for power in y.minor_ticks() {
         let at = computed.map_y(power);
@@ -212,7 +211,7 @@ fn line(series: &Series, points: &[(f64, f64)], compared: bool) -> Plot {
     Plot::Line(line.with_line_style(dash(series.dash)))
 }
 
-/// A little more than letters take, whichever of the usual fonts a reader has.
+/// An upper estimate of the width of a text in the usual fonts.
 fn text_width_px(text: &str, size_px: f64) -> f64 {
     let width = |c: char| match c {
         'm' | 'M' | 'W' => 0.98,
@@ -223,9 +222,8 @@ fn text_width_px(text: &str, size_px: f64) -> f64 {
     size_px * text.chars().map(width).sum::<f64>()
 }
 
-/// The opening tag without its end, and everything after it. The library numbers its clip regions through the whole
-/// program; here they are named after the figure, so that it is the same document whatever was drawn before, and pages
-/// can hold many.
+/// The opening tag without its end, and the rest. The library numbers its clip regions through the whole program; here
+/// they are named after the figure, so that the document does not depend on earlier drawings and pages can hold many.
 fn split(scene: &Scene, id: &str) -> (String, String) {
     let svg = SvgBackend::default().render_scene(scene);
     let numbered = svg.split('"').find(|text| text.starts_with("kuva-clip-")).map(str::to_owned);
@@ -239,7 +237,7 @@ fn split(scene: &Scene, id: &str) -> (String, String) {
     }
 }
 
-/// Lines as the text of a comment, which two hyphens would end.
+/// The lines as the text of a comment, without double hyphens.
 fn comment(lines: &[String]) -> String {
     let mut comment = lines.join("\n");
     while comment.contains("--") {
@@ -264,6 +262,7 @@ mod tests {
             curve: String::new(),
             condition: "1e-3 H".to_owned(),
             condition_in_full: "10 MPa = 10⁻³ H".to_owned(),
+            load: None,
             colour: 0,
             dash: 0,
             points: vec![(1.0, 1e-30), (10.0, 1e-20)],
@@ -319,6 +318,7 @@ mod tests {
         let band = |colour, share: f64| Band {
             label: "linear laws".to_owned(),
             kind: BandKind::Yardstick,
+            load: None,
             colour,
             dash: 0,
             points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
@@ -338,6 +338,7 @@ mod tests {
         figure.bands = vec![Band {
             label: "95 % coverage interval".to_owned(),
             kind: BandKind::Interval,
+            load: None,
             colour: 0,
             dash: 1,
             points: vec![(1.0, [1e-33, 1e-29]), (10.0, [1e-21, 1e-19])],

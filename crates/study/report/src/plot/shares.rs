@@ -1,4 +1,4 @@
-//! How something is shared out to decades of wavelengths: bars over a logarithmic axis.
+//! Bars of the share of each decade of wavelengths, over a logarithmic axis.
 
 use kuva::TickFormat;
 use kuva::plot::LinePlot;
@@ -12,14 +12,14 @@ use super::decades::{Decades, powers_of_ten};
 use super::style::{NEUTRAL, colour, tint};
 use super::{WIDE_PX, frame, page_element, ticks_below};
 
-/// Lower than a figure of curves: a few bars say all.
+/// The height of the picture, lower than that of a figure of curves.
 const LOW_PX: f64 = 230.0;
 const LABEL_PX: f64 = 11.0;
 /// Between labelled ticks, in percent.
 const STEP: f64 = 20.0;
 
-/// Shares of decades as an element of a page, as [`element`](super::element) makes one of a figure. `None` where there are
-/// none to draw.
+/// Draws shares of decades as an element of a page, like [`element`](super::element). `None` if there is nothing to
+/// draw.
 pub(crate) fn shares_of_decades(
     decades: &[DecadeOfVariance],
     y_label: &str,
@@ -57,12 +57,12 @@ pub(crate) fn shares_of_decades(
     Some(page_element(&scene, id, words))
 }
 
-/// A decade with wavelengths that have a place on the axis and a share that is a number.
+/// True for a decade with positive wavelengths and a finite share.
 fn is_drawable(decade: &DecadeOfVariance) -> bool {
     decade.shortest_m > 0.0 && decade.longest_m > decade.shortest_m && decade.share.is_finite()
 }
 
-/// A share below nothing is of its own error alone.
+/// The share in percent; a share below 0 is within its own error.
 fn percent(decade: &DecadeOfVariance) -> f64 {
     100.0 * decade.share.clamp(0.0, 1.0)
 }

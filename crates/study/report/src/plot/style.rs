@@ -2,7 +2,7 @@
 
 use kuva::plot::line::LineStyle;
 
-/// Colours that people with any colour vision tell apart, dark enough for thin lines (Okabe & Ito).
+/// Colours for any colour vision, dark enough for thin lines (Okabe & Ito).
 const COLOURS: [[u8; 3]; 6] = [
     [0x00, 0x72, 0xb2],
     [0xd5, 0x5e, 0x00],
@@ -12,14 +12,14 @@ const COLOURS: [[u8; 3]; 6] = [
     [0x00, 0x00, 0x00],
 ];
 
-/// How much of a colour is left where the six are used another time; the rest is grey.
+/// The share of a colour that is left each time the six are used again; the rest is grey.
 const LEFT: f64 = 0.6;
 const GREY: f64 = 128.0;
 
-/// The colour that curves are drawn in where it stands for nothing.
+/// The colour of lines without a meaning of their colour.
 pub(super) const NEUTRAL: usize = COLOURS.len() - 1;
 
-/// The colour of an index: one of six, and greyer each time that these are used up.
+/// The colour of an index: one of six, greyer each time that these are used again.
 pub(super) fn colour(index: usize) -> String {
     let left = LEFT.powi((index / COLOURS.len()) as i32);
     hexadecimal(COLOURS[index % COLOURS.len()].map(|part| GREY + left * (f64::from(part) - GREY)))

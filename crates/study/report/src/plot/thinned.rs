@@ -1,13 +1,13 @@
-//! Lines of very many points, drawn by fewer that look the same.
+//! Lines of very many points, thinned without a visible change.
 
-/// Points above which a line is thinned: a few for each pixel of a plot's width.
+/// The number of points above which a line is thinned: a few for each pixel of a plot's width.
 const MOST_POINTS: usize = 2000;
 
 /// Columns into which a thinned line is sorted; each keeps up to four points, so that at most [`MOST_POINTS`] remain.
 const COLUMNS: usize = MOST_POINTS / 4;
 
-/// The points in order, but of each narrow column only the first, the lowest, the highest and the last: no peak and no
-/// dip is lost. The abscissas run one way.
+/// Thins points whose abscissas run one way: each narrow column keeps its first, lowest, highest and last point, so
+/// that no peak and no dip is lost.
 pub(super) fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let (Some(&(first, _)), Some(&(last, _))) = (points.first(), points.last()) else { return points };
     if points.len() <= MOST_POINTS || first == last {

@@ -1,35 +1,35 @@
-//! The answer in plain words.
+//! The answer in words.
 
 use crate::curve_names::in_full;
 use crate::listing::{at_loads, decade_name, listed, range};
-use findings::answer::{Answer, DISAGREEMENT, Disagreement, LEAST_DECADES, LEAST_SCALES, LoadAnswer};
+use findings::answer::{Answer, DISAGREEMENT, Disagreement, LoadAnswer, MIN_DECADES, MIN_SCALES};
 use scene::Scene;
 use spectrum::ProfilePsd;
 use study::plan::Results;
 use topography::InstrumentsDisagree;
 use units::display::{counted, length, pressure, three_digits};
 
-/// How much touches and which scales decide it, a sentence or some for each curve whose area the spectrum determines.
+/// The areas and the scales that decide them, for each curve whose area the spectrum determines.
 pub(crate) fn sentences(answer: &Answer, scene: &Scene, results: &Results) -> Vec<String> {
     let mut sentences = Vec::new();
     for (curve, answers) in scene.needs.curves.iter().zip(&answer.curves) {
         let name = in_full(curve);
         let complete = |answer: &LoadAnswer| answer.area_fraction == 1.0;
-        let settled = Group::of(answers, |answer| answer.settled && !complete(answer));
+        let settled = Group::new(answers, |answer| answer.settled && !complete(answer));
         if !settled.is_empty() {
             sentences.push(format!("{name}: {}", settled.found(scene, &results.psd)));
         }
-        let flattened = Group::of(answers, |answer| answer.settled && complete(answer));
+        let flattened = Group::new(answers, |answer| answer.settled && complete(answer));
         if !flattened.is_empty() {
             sentences.push(format!(
-                "{name}: everything touches {}: no scale of the roughness stays open.",
+                "{name}: everything touches {}; no scale of the roughness stays open.",
                 flattened.loads_text(scene)
             ));
         }
-        let ends = Group::of(answers, |answer| !answer.followed);
+        let ends = Group::new(answers, |answer| !answer.followed);
         if !ends.is_empty() {
             sentences.push(format!(
-                "{name}: {} At the shortest wavelength alone: where it settles was not asked for.",
+                "{name}: {} Computed at the shortest wavelength only, so whether the area has settled is unknown.",
                 ends.touching(scene)
             ));
         }
@@ -37,38 +37,52 @@ pub(crate) fn sentences(answer: &Answer, scene: &Scene, results: &Results) -> Ve
     sentences
 }
 
-/// What the spectrum cannot tell, and why.
-pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) -> Vec<String> {
+/// A limit of what the spectrum determines.
+pub(crate) struct Shortcoming {
+    /// What is left of the answer: `Upper bound` or `No answer`.
+    pub heading: &'static str,
+    /// The reason.
+    pub reason: String,
+}
+
+impl std::fmt::Display for Shortcoming {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}. {}", self.heading, self.reason)
+    }
+}
+
+/// The limits of what the spectrum determines.
+pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) -> Vec<Shortcoming> {
+    let no_answer = |reason| vec![Shortcoming { heading: "No answer", reason }];
     let wavelengths_m = results.psd.wavelengths_m();
     let (longest_m, shortest_m) = (wavelengths_m[0], wavelengths_m[wavelengths_m.len() - 1]);
     if scene.needs.curves.is_empty() {
         return Vec::new();
     }
     if let Some(scales) = answer.too_few_scales {
-        return vec![format!(
-            "This spectrum cannot tell how much touches, nor which scales decide it: it has {} from {} to {}; \
-             at least {LEAST_SCALES} over {LEAST_DECADES} decade are needed. The tables hold what its scales alone give.",
+        return no_answer(format!(
+            "The spectrum is too short to tell how much touches: it has {} from {} to {}, and at least {MIN_SCALES} over \
+             {MIN_DECADES} decade are needed. The tables hold what these scales alone give.",
             counted(scales, "scale"),
             length(longest_m),
             length(shortest_m)
-        )];
+        ));
     }
     if let Some(InstrumentsDisagree { names: [first, second], ratio, longest_m, shortest_m }) =
         &answer.instruments_disagree
     {
-        return vec![format!(
-            "This spectrum cannot tell how much touches: its instruments do not show the same surface. {first} has {} times \
-             the spectrum of {second} from {} to {}, where both measure; check units, height scales and places, or leave \
-             one of them out. The tables hold what the composite of both gives.",
+        return no_answer(format!(
+            "The instruments do not show the same surface: {first} has {} times the spectrum of {second} from {} to {}, where both \
+             measure. Check units, height scales and places, or leave one of them out. The tables hold the composite of both.",
             three_digits(*ratio),
             length(*longest_m),
             length(*shortest_m)
-        )];
+        ));
     }
     // Curves that fail in the same way share a sentence.
     let mut failing: Vec<(String, Vec<String>)> = Vec::new();
     for (curve, answers) in scene.needs.curves.iter().zip(&answer.curves) {
-        let open = Group::of(answers, |answer| answer.followed && !answer.settled);
+        let open = Group::new(answers, |answer| answer.followed && !answer.settled);
         if open.is_empty() {
             continue;
         }
@@ -83,25 +97,28 @@ pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) ->
             all if all == scene.needs.curves.len() && all > 2 => "any of the models".to_owned(),
             _ => listed(&names.iter().map(String::as_str).collect::<Vec<_>>()),
         };
-        format!(
-            "This spectrum cannot tell how much touches by {models} {loads}: it ends at {} before the area has settled (within \
-             1 %, with half a decade of spectrum below). The tables hold the area at that cutoff.",
-            length(shortest_m)
-        )
+        Shortcoming {
+            heading: "Upper bound",
+            reason: format!(
+                "The spectrum stops at {}, and the area by {models} {loads} is still falling there (not within 1 % over half a \
+                 decade); finer roughness can only lower it. The tables hold the area at that cutoff.",
+                length(shortest_m)
+            ),
+        }
     };
     failing.into_iter().map(sentence).collect()
 }
 
-/// Where the models disagree.
+/// The loads at which the models disagree.
 pub(crate) fn disagreements(answer: &Answer, scene: &Scene) -> Vec<String> {
     if answer.too_few_scales.is_some() {
         return Vec::new();
     }
-    let mut told: Vec<(usize, usize, Vec<&Disagreement>)> = Vec::new();
+    let mut groups: Vec<(usize, usize, Vec<&Disagreement>)> = Vec::new();
     for found in answer.disagreements.iter().filter(|found| found.ratio >= DISAGREEMENT) {
-        match told.iter_mut().find(|(least, most, _)| (*least, *most) == (found.least, found.most)) {
+        match groups.iter_mut().find(|(least, most, _)| (*least, *most) == (found.least, found.most)) {
             Some((_, _, all)) => all.push(found),
-            None => told.push((found.least, found.most, vec![found])),
+            None => groups.push((found.least, found.most, vec![found])),
         }
     }
     let name = |curve: usize| in_full(&scene.needs.curves[curve]);
@@ -124,16 +141,16 @@ pub(crate) fn disagreements(answer: &Answer, scene: &Scene) -> Vec<String> {
             name(least)
         )
     };
-    told.into_iter().map(sentence).collect()
+    groups.into_iter().map(sentence).collect()
 }
 
-/// The loads under which a curve does the same.
+/// The loads under which a curve behaves alike.
 struct Group<'a> {
     answers: Vec<(usize, &'a LoadAnswer)>,
 }
 
 impl<'a> Group<'a> {
-    fn of(answers: &'a [Option<LoadAnswer>], belongs: impl Fn(&LoadAnswer) -> bool) -> Self {
+    fn new(answers: &'a [Option<LoadAnswer>], belongs: impl Fn(&LoadAnswer) -> bool) -> Self {
         let answers = answers
             .iter()
             .enumerate()
@@ -155,7 +172,7 @@ impl<'a> Group<'a> {
         range(self.answers.iter().map(|(_, answer)| of(answer)), display)
     }
 
-    /// The loads in the order in which ranges are told.
+    /// The loads from the least to the largest, as the ranges are.
     fn load_range(&self, scene: &Scene) -> String {
         let pressure = |(load, _): &&(usize, &LoadAnswer)| scene.needs.loads[*load].nominal_pressure_pa();
         let rising =
@@ -177,14 +194,14 @@ impl<'a> Group<'a> {
             None => pressure(pressure_pa),
         };
         format!(
-            "{} of the nominal area touches {}, at a real pressure of {}.",
-            self.range(|answer| answer.area_fraction, three_digits),
+            "{} % of the area touches {}, at a real pressure of {}.",
+            self.range(|answer| answer.area_fraction, |share| three_digits(100.0 * share)),
             self.load_range(scene),
             self.range(|answer| answer.real_pressure_pa, real_pressure)
         )
     }
 
-    /// Area, real pressure, where it settles, and which scales decide it.
+    /// Area, real pressure, the wavelength at which it settles, and the scales that decide it.
     fn found(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let mut text = self.touching(scene);
         text += &format!(
@@ -204,18 +221,18 @@ impl<'a> Group<'a> {
         text
     }
 
-    /// Why a stack settles whatever the surface: that it does so is no mark of trust.
+    /// The reason why a stack settles on any surface, so that this is no sign of accuracy.
     fn by_construction(&self) -> Option<String> {
         let setting: Vec<_> = self.answers.iter().map(|(_, answer)| answer.setting).collect::<Option<_>>()?;
         Some(format!(
-            " A stack settles by construction: its pressure cannot exceed {}, at which the scale at {}, which sets the real \
-             pressure, is in complete contact.",
+            " A stack settles by construction: its pressure cannot exceed {}, which flattens the scale at {} that sets the real \
+             pressure.",
             range(setting.iter().map(|scale| scale.full_contact_pressure_pa), pressure),
             range(setting.iter().map(|scale| scale.wavelength_m), length)
         ))
     }
 
-    /// Which decades decide most, for every load the same one or one each.
+    /// The decade that decides most, for all loads together or for each.
     fn deciding(&self, scene: &Scene, psd: &ProfilePsd) -> String {
         let decade = |answer: &LoadAnswer| {
             let decade = answer.decisive_decade()?;
@@ -246,6 +263,6 @@ impl<'a> Group<'a> {
             return String::new();
         }
         let clauses: Vec<String> = decades.iter().map(clause).collect();
-        format!(" The decade that decides the largest part of it is {}.", clauses.join(", "))
+        format!(" The decisive decade is {}.", clauses.join(", "))
     }
 }

@@ -5,17 +5,18 @@ use persson::Cut;
 use stacked_contact::Level;
 use state_tables::{NarrowSpectra, StateCounts};
 use study::plan::{CurveResult, CutoffState};
+use study::validity::SMALL_SLOPE_GRADIENT;
 use units::display::{counted, length, three_digits};
 use units::number;
 
-/// What the states of a statistical curve, or the cuts of Persson's theory, leave open or go beyond.
+/// The notes on the states of a statistical curve, or on the cuts of Persson's theory.
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
     counts.notes()
 }
 
-/// What there is to say of one block of a curve.
+/// The notes on one block of a curve.
 pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
     let mut counts = CurveCounts::default();
     match result {
@@ -28,14 +29,14 @@ pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> 
     counts.notes()
 }
 
-/// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
+/// The note on levels beyond the range of the elastic-plastic sinusoid, if there are any.
 pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
     let mut counts = LevelCounts::default();
     counts.add(curve);
     counts.note()
 }
 
-/// What there is to count of a curve, whose parts may come one by one.
+/// Counts of remarkable rows of a curve, which may come part by part.
 #[derive(Debug, Default)]
 pub struct CurveCounts {
     states: StateCounts,
@@ -62,7 +63,7 @@ impl CurveCounts {
         rows.iter().filter_map(|row| row.too_narrow_alpha).for_each(|alpha| self.narrow.add(alpha));
     }
 
-    /// What there is to say of them.
+    /// The notes on all rows so far.
     pub fn notes(&self) -> Vec<String> {
         let all = counted(self.states.all + self.narrow.count, "row");
         let narrow = narrow_spectra(&self.narrow, &all);
@@ -71,9 +72,9 @@ impl CurveCounts {
     }
 }
 
-/// What there is to say of spectra that have no summits, if there are any.
+/// The note on spectra without summits, if there are any.
 pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String> {
-    // Rounded down, so that none is told to be 1.5.
+    // Rounded down, so that none reads 1.5.
     let [lowest, highest] = narrow.alphas?.map(|alpha| number((1e3 * alpha).floor() / 1e3));
     let alphas = if lowest == highest { lowest } else { format!("{lowest} to {highest}") };
     Some(format!(
@@ -82,13 +83,13 @@ pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String>
     ))
 }
 
-/// What there is to say of states together, with those that are beyond complete contact.
+/// The notes on states, with those beyond complete contact.
 pub fn notes_of_states(counts: &StateCounts) -> Vec<String> {
     let what = "beyond complete contact of every asperity, area fraction 1, no separation";
     of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
 }
 
-/// What there is to say where each state beyond complete contact is told by itself.
+/// The notes on states but those beyond complete contact.
 pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
     let clamped = of_states(
         counts.clamped,
@@ -98,7 +99,7 @@ pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
     let out_of_range = of_states(
         counts.out_of_range,
         counts,
-        "most of the load on asperities outside the range their law was fitted in",
+        "most of the load on asperities outside the fitted range of their law",
     );
     clamped.into_iter().chain(out_of_range).collect()
 }
@@ -107,7 +108,7 @@ fn of_states(found: usize, counts: &StateCounts, what: &str) -> Option<String> {
     (found > 0).then(|| format!("{found} of {}: {what}", counted(counts.all, "state")))
 }
 
-/// How many levels lie beyond what their law is trusted for.
+/// Levels beyond the range of their law.
 #[derive(Debug, Default)]
 struct LevelCounts {
     all: usize,
@@ -126,25 +127,21 @@ impl LevelCounts {
         let LevelCounts { all, beyond } = self;
         (*beyond > 0).then(|| {
             format!(
-                "{beyond} of {}: B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the elastic-plastic \
-                 sinusoid is trusted for",
+                "{beyond} of {}: B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond the range of the elastic-plastic sinusoid",
                 counted(*all, "level")
             )
         })
     }
 }
 
-/// From this rms gradient on the pressure that flattens the roughness, s = E* h'/2, exceeds E*/10.
-const STEEP: f64 = 0.2;
-
-/// Cutoffs at which small slopes are assumed of a surface that has none, and those at which all that touches flows.
+/// Cutoffs at which slopes are too steep for the theory, and loads under which everything that touches flows.
 #[derive(Debug, Default)]
 pub(crate) struct CutCounts {
     all: usize,
     steep: usize,
     longest_steep_m: f64,
     steepest: f64,
-    /// Blocks in which the nominal pressure itself is not below the hardness.
+    /// Loads whose nominal pressure is not below the hardness.
     flowing: usize,
 }
 
@@ -153,7 +150,7 @@ impl CutCounts {
         for block in blocks {
             self.flowing += usize::from(block.first().is_some_and(|cut| cut.areas.plastic == 1.0));
             self.all += block.len();
-            for cut in block.iter().filter(|cut| cut.rms_gradient > STEEP) {
+            for cut in block.iter().filter(|cut| cut.rms_gradient > SMALL_SLOPE_GRADIENT) {
                 self.steep += 1;
                 self.longest_steep_m = self.longest_steep_m.max(cut.wavelength_m);
                 self.steepest = self.steepest.max(cut.rms_gradient);
@@ -165,7 +162,7 @@ impl CutCounts {
         let CutCounts { all, steep, longest_steep_m, steepest, flowing } = self;
         let of_slopes = (*steep > 0).then(|| {
             format!(
-                "{steep} of {}, from {} down: the rms gradient h' exceeds {STEEP} (up to {}) and with it s = E* h'/2 exceeds \
+                "{steep} of {}, from {} down: the rms gradient h' exceeds {SMALL_SLOPE_GRADIENT} (up to {}) and with it s = E* h'/2 exceeds \
                  E*/10; the theory assumes small slopes",
                 counted(*all, "cutoff"),
                 length(*longest_steep_m),

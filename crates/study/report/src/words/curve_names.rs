@@ -7,7 +7,7 @@ use study::figure::{FigureData, Shows};
 use study::models::CurveModel;
 use study::plan::Curve;
 
-/// The name of a curve in print: that of its model, behind its own where the user gave it one.
+/// The name of a curve in print: that of its model, after its own name if the user gave one.
 #[must_use]
 pub fn in_full(curve: &Curve) -> String {
     let (key, full) = (key(&curve.model), model_in_full(&curve.model));
@@ -29,7 +29,7 @@ pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
     figure
 }
 
-/// The model's full name, and what of its choices sets it apart from the plain one.
+/// The full name of a model, with the choices that differ from the plain one.
 fn model_in_full(model: &CurveModel) -> String {
     let mut name = model.entry().full_name.to_owned();
     if grows(model) {
@@ -41,17 +41,17 @@ fn model_in_full(model: &CurveModel) -> String {
     name
 }
 
-/// The name that a scene gives a curve of this model where the user gives it none.
+/// The default name of a curve with this model in a scene.
 fn key(model: &CurveModel) -> String {
     model.entry().curve_name(grows(model), other_interference(model))
 }
 
-/// Whether the strength grows at small depths.
+/// True if the strength grows at small depths.
 fn grows(model: &CurveModel) -> bool {
     model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
 }
 
-/// The interference law of elastic sinusoids, where it is not the usual one.
+/// The interference law of elastic sinusoids, unless it is the usual one.
 fn other_interference(model: &CurveModel) -> Option<InterferenceLaw> {
     model.interference().filter(|law| *law != InterferenceLaw::default())
 }

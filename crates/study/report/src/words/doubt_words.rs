@@ -1,7 +1,7 @@
-//! What is doubtful, in a short line each.
+//! Doubts in words, a short line each.
 
 use findings::doubts::Doubt;
-use units::display::{length, pressure, three_digits};
+use units::display::{counted, length, pressure, three_digits};
 
 /// A doubt in a line, without a full stop.
 #[must_use]
@@ -12,12 +12,12 @@ pub fn line(doubt: &Doubt) -> String {
             three_digits(*rms_slope)
         ),
         Doubt::SteepScale { wavelength_m, aspect_ratio } => format!(
-            "the scale at {} is {} times as high as it is long",
+            "the scale at {} is {} times as high as it is long: check the units of the spectrum",
             length(*wavelength_m),
             three_digits(*aspect_ratio)
         ),
         Doubt::StrongerThanSolids { yield_strength_pa, bound_pa } => format!(
-            "the yield strength {} is above E/10 = {}, about the most that a solid bears",
+            "the yield strength {} exceeds E/10 = {}, about the most that a solid bears",
             pressure(*yield_strength_pa),
             pressure(*bound_pa)
         ),
@@ -43,7 +43,7 @@ pub fn line(doubt: &Doubt) -> String {
             pressure(*bound_pa),
             and_more(highest.other_curves, "curve")
         ),
-        // Further doubts are told by their data until they have words.
+        // Doubts without words of their own show their data.
         other => format!("{other:?}"),
     }
 }
@@ -51,7 +51,6 @@ pub fn line(doubt: &Doubt) -> String {
 fn and_more(others: usize, what: &str) -> String {
     match others {
         0 => String::new(),
-        1 => format!(" (and 1 more {what})"),
-        _ => format!(" (and {others} more {what}s)"),
+        _ => format!(" (and {})", counted(others, &format!("more {what}"))),
     }
 }

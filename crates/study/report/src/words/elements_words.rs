@@ -1,18 +1,15 @@
-//! The words for what boundary elements press, and for what to think of what comes out.
+//! Boundary elements in words: the surfaces, and the limits of the results.
 
 use gaussian_surfaces::{AreaSpectrum, GridBand};
 use rough_bem::{PressedLoad, RandomSurfaces};
-use units::display::{length, pressure, three_digits};
+use study::validity::SMALL_SLOPE_PRESSURE;
+use units::display::{counted, length, percent, pressure, three_digits};
 
-/// Slopes are small to a linear-elastic half-space while the pressures that flatten them, E* h'/2, are below this share of
-/// E*.
-const LARGEST_SHARE: f64 = 0.1;
-
-/// What becomes of a spectrum that was given as that of an area.
+/// The note on a spectrum that was given as that of an area.
 pub const TAKEN_AS_IT_IS: &str =
     "surfaces are made of the spectrum of areas as it is, without the Abel integral and all of its samples";
 
-/// What is made of a spectrum, a line for its file.
+/// The surfaces made of a spectrum, in a line of provenance.
 #[must_use]
 pub fn random_surfaces(random: &RandomSurfaces) -> String {
     let synthesis = &random.synthesis;
@@ -30,7 +27,7 @@ pub fn random_surfaces(random: &RandomSurfaces) -> String {
     )
 }
 
-/// What a reader has to know of surfaces made of a spectrum, a sentence each.
+/// The notes on surfaces made of a spectrum, a sentence each.
 #[must_use]
 pub fn of_surfaces(
     spectrum: &AreaSpectrum,
@@ -69,27 +66,27 @@ pub fn of_surfaces(
     let conversion = spectrum.conversion();
     if conversion.smoothed {
         words.push(format!(
-            "the spectrum rises where that of profiles of a surface cannot ({} % of the roughness came out negative): it \
-             was smoothed to the nearest one that nowhere rises",
-            three_digits(100.0 * conversion.negative_share)
+            "the spectrum rises where that of profiles cannot ({} of the roughness came out negative); it was smoothed to the \
+             nearest one that never rises",
+            percent(conversion.negative_share)
         ));
     } else if conversion.clipped_share > 1e-6 {
         words.push(format!(
-            "{} % of the roughness came out negative, as profiles of a surface cannot have it, and was left out",
-            three_digits(100.0 * conversion.clipped_share)
+            "{} of the roughness came out negative, which profiles of a surface cannot have, and was left out",
+            percent(conversion.clipped_share)
         ));
     }
-    if 0.5 * gradient > LARGEST_SHARE {
+    if 0.5 * gradient > SMALL_SLOPE_PRESSURE {
         words.push(format!(
-            "doubtful: pressures of {} E* flatten such slopes, and a linear-elastic half-space holds for slopes that are \
-             small",
+            "doubtful: these slopes take {} E* to flatten, and a linear-elastic half-space needs small slopes (up to \
+             {SMALL_SLOPE_PRESSURE} E*)",
             three_digits(0.5 * gradient)
         ));
     }
     words
 }
 
-/// What to think of results, a sentence each.
+/// The notes on results, a sentence each.
 #[must_use]
 pub fn of_results(loads: &[PressedLoad]) -> Vec<String> {
     let mut words = Vec::new();
@@ -108,8 +105,8 @@ pub fn of_results(loads: &[PressedLoad]) -> Vec<String> {
     let falling: Vec<&PressedLoad> = loads.iter().filter(falls).collect();
     if !falling.is_empty() {
         words.push(format!(
-            "at {} the corrected area falls from every second point to all of them: the grid does not show the spots, and no \
-             step to a finer one is taken; more points for the shortest wavelength would tell",
+            "at {} the grid is too coarse for the contact spots, and the area is not extrapolated to finer grids; use more points \
+             for the shortest wavelength",
             all(falling)
         ));
     }
@@ -118,12 +115,12 @@ pub fn of_results(loads: &[PressedLoad]) -> Vec<String> {
     if !rounded.is_empty() {
         words.push(format!("at {} rounding kept the residual above the tolerance", all(rounded)));
     }
-    words.extend(ways_shut(loads));
+    words.extend(closed_paths(loads));
     words
 }
 
-/// At which loads contact shuts ways from edge to edge; nothing where every surface is open in both directions.
-fn ways_shut(loads: &[PressedLoad]) -> Option<String> {
+/// The loads at which contact closes the paths from edge to edge; `None` if every surface is open in both directions.
+fn closed_paths(loads: &[PressedLoad]) -> Option<String> {
     let (mut clauses, mut shut) = (Vec::new(), Vec::new());
     for load in loads {
         let count = load.states.len();
@@ -145,20 +142,16 @@ fn ways_shut(loads: &[PressedLoad]) -> Option<String> {
     if !shut.is_empty() {
         clauses.push(format!("at {} none is open", shut.join(", ")));
     }
-    (!clauses.is_empty()).then(|| format!("contact shuts ways from edge to edge: {}", clauses.join("; ")))
+    (!clauses.is_empty())
+        .then(|| format!("contact closes the paths from edge to edge: {}", clauses.join("; ")))
 }
 
-/// Why a load is refused that is not below the saturation, which `option` gives.
+/// The error for a load that is not below the saturation, which `option` sets.
 #[must_use]
 pub fn cannot_be_carried(nominal_pressure_pa: f64, saturation_pa: f64, option: &str) -> String {
     format!(
-        "a nominal pressure of {} cannot be carried: {option} lets no point carry more than {}; give a smaller pressure, or a \
-         larger saturation",
+        "{} is more than the saturation can carry: {option} is {}; use a smaller pressure or a larger saturation",
         pressure(nominal_pressure_pa),
         pressure(saturation_pa)
     )
-}
-
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }

@@ -1,8 +1,8 @@
-//! What a scene needs, what of it is the same, and what is skipped, told before anything is computed.
+//! The explanation of a scene before anything is computed: what it needs, shares and skips.
 
 use crate::listing::listed;
 use crate::summary::aligned;
-use crate::uncertainty_words::group_in_words;
+use crate::uncertainty_words::describe_group;
 use findings::sensitivity::wanted_areas;
 use scene::Scene;
 use study::choices_in_words;
@@ -109,7 +109,9 @@ pub fn explain(scene: &Scene) -> String {
     if areas > 0 {
         row(
             "needed",
-            format!("{areas} final areas for the report, choices made another way (not with --no-report)"),
+            format!(
+                "{areas} final areas with other modelling choices, for the report (not with --no-report)"
+            ),
         );
     }
     if let Some((state, what)) = draws(scene) {
@@ -122,20 +124,20 @@ pub fn explain(scene: &Scene) -> String {
     format!("{}\n{}", scene.title, aligned(&rows))
 }
 
-/// The draws that tell how sure the areas are, where something of the scene scatters.
+/// The draws for the uncertainty of the areas, if any input of the scene is uncertain.
 fn draws(scene: &Scene) -> Option<(&'static str, String)> {
     if scene.needs.curves.is_empty() {
         return None;
     }
     let groups = scattering_groups(scene);
     let of_scans = scene.surface.each().iter().any(|part| part.made_from.is_some());
-    let of: Vec<&str> = groups.iter().map(|group| group_in_words(*group, of_scans)).collect();
+    let of: Vec<&str> = groups.iter().map(|group| describe_group(*group, of_scans)).collect();
     let of = listed(&of);
     let choices = scene.uncertainty.as_ref();
     if choices.is_some_and(|choices| choices.off) {
         return (!groups.is_empty()).then(|| ("skipped", format!("draws of {of}: uncertainty is off")));
     }
-    let Settings { draws, level, .. } = Settings::of(choices);
+    let Settings { draws, level, .. } = Settings::from_choices(choices);
     let without = if choices.is_some() { "" } else { " (not with --no-report)" };
     (!groups.is_empty()).then(|| {
         (
@@ -162,7 +164,7 @@ fn spectrum(scene: &Scene) -> String {
     )
 }
 
-/// The figures that draw moments, the curves of Persson's theory, and those that are made of asperities.
+/// The users of moments: figures, curves of Persson's theory, and asperities.
 fn users_of_moments(scene: &Scene) -> String {
     let drawn = figures(scene, &[Shows::Moments]);
     let persson = scene.needs.curves.iter().any(|curve| is_persson(&curve.model));
@@ -182,7 +184,7 @@ fn at_cutoffs(curve: &Curve) -> &'static str {
     }
 }
 
-/// Loads whose pressure is that of one before them, and that one, as typed.
+/// Loads with the pressure of an earlier load, and that load, both as typed.
 fn repeated_loads(needs: &Needs) -> Vec<(&str, &str)> {
     let mut repeated = Vec::new();
     for (at, load) in needs.loads.iter().enumerate() {

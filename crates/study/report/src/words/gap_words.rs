@@ -1,19 +1,16 @@
-//! What mean gaps leave open, in words.
+//! The limits of mean gaps in words.
 
 use persson::variance::Band;
 use rough_bem::PressedLoad;
 use study::gap_law::{GapLaw, GapState};
 use units::display::{pressure, three_digits};
 
-use crate::persson_words;
+use crate::persson_words::{self, FEW_TOUCH};
 
-/// Above so many rms heights only the highest summits of a finite sample touch.
-const FEW_TOUCH: f64 = 3.0;
-
-/// Within this share of the pressure the law of light loads is said to hold.
+/// The relative error of the pressure within which the law of light loads holds.
 pub const LIGHT_LOADS_SHARE: f64 = 0.01;
 
-/// What boundary elements say, as models say it: the mean of all surfaces under each load.
+/// The results of boundary elements in the form of a model: the mean of all surfaces under each load.
 #[must_use]
 pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
     let state = |load: &PressedLoad| {
@@ -28,8 +25,8 @@ pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
     loads.iter().map(state).collect()
 }
 
-/// Where gap and stiffness of a law mean little, and where the law of light loads holds; `least_pa` is the least load, and
-/// `by_surface` what makes the law take the waves of the surface.
+/// The notes on a law: where its gap and stiffness mean little, and where the law of light loads holds. `least_pa` is the least
+/// load, and `by_surface` the option for the waves of the surface.
 #[must_use]
 pub fn of_law(law: &GapLaw, least_pa: f64, by_surface: &str) -> Vec<String> {
     let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
@@ -47,8 +44,7 @@ pub fn of_law(law: &GapLaw, least_pa: f64, by_surface: &str) -> Vec<String> {
     notes
 }
 
-/// What single states leave open. `rms_height_m` is that of the surface where few asperities are to be told by it: not where
-/// [`of_law`] has.
+/// The notes on single states. `rms_height_m`, if given, adds the note on few asperities, which [`of_law`] has as well.
 #[must_use]
 pub fn of_states(states: &[GapState], rms_height_m: Option<f64>) -> Vec<String> {
     let counted = |which: &dyn Fn(&GapState) -> bool| states.iter().filter(|state| which(state)).count();
@@ -60,15 +56,14 @@ pub fn of_states(states: &[GapState], rms_height_m: Option<f64>) -> Vec<String> 
     });
     if few > 0 {
         notes.push(format!(
-            "{} the mean gap exceeds {FEW_TOUCH} rms heights: of a finite sample only a few asperities touch then",
+            "{} the mean gap exceeds {FEW_TOUCH} rms heights: only a few asperities of a finite sample touch",
             of_all(few)
         ));
     }
     let below = counted(&|state| gap_m(state).is_some_and(|gap_m| gap_m < 0.0));
     if below > 0 {
         notes.push(format!(
-            "{} the mean gap is negative: the flat lies below the mean plane of the surface as it was, and asperities that \
-             move none of their neighbours do not know that it sinks",
+            "{} the mean gap is negative: the model ignores that asperities push their neighbours down",
             of_all(below)
         ));
     }

@@ -1,4 +1,4 @@
-//! What the interface does besides touching, in plain words.
+//! The quantities of an interface in words.
 
 use findings::interface::InterfaceStates;
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
@@ -6,19 +6,19 @@ use persson::variance::Band;
 use scene::Scene;
 use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
-use units::display::{counted, length, pressure, three_digits};
+use units::display::{counted, length, percent, pressure, three_digits};
 
 use crate::listing::listed;
 use crate::persson_words;
 use crate::uncertainty_words::level;
 
-/// What is nearer than this is in touch \[m\].
+/// The size of an atom \[m\]: surfaces nearer than this touch.
 const ATOM_M: f64 = 0.3e-9;
 
-/// More loads than this are left to the table.
-const LOADS_TOLD: usize = 3;
+/// The most loads in words; the table holds all.
+const LOADS_SHOWN: usize = 3;
 
-/// `mean gap 2.31 um`, with its unit.
+/// A value with its unit: `2.31 um`.
 pub(crate) fn value(quantity: Quantity, value: f64) -> String {
     match quantity.unit() {
         "m" => length(value),
@@ -34,7 +34,7 @@ pub(crate) fn with_interval(slot: Slot, found: f64, uncertainty: Option<&Uncerta
     value(slot.quantity, found) + &interval.unwrap_or_default()
 }
 
-/// `2.1 um to 2.5 um`, both ends of an interval; none where nothing that is uncertain moves it.
+/// Both ends of an interval: `2.1 um to 2.5 um`; `None` if no uncertain input changes the value.
 pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
     let found = uncertainty.quantity(slot).filter(|interval| interval.low < interval.high)?;
     let unit = slot.quantity.unit();
@@ -48,20 +48,20 @@ pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
     })
 }
 
-/// What is told under a heading: names and values.
-pub(crate) struct Told {
-    /// Under which load.
+/// Quantities under a heading, with their values.
+pub(crate) struct QuantityList {
+    /// The load.
     pub heading: String,
-    /// Every quantity with its value.
+    /// Name and value of every quantity.
     pub lines: Vec<(String, String)>,
 }
 
-/// What is told of every load, of the first alone where there are many; what all of them share comes first.
-pub(crate) fn told(
+/// The quantities that do not depend on the load, then those of each of the first loads.
+pub(crate) fn quantity_lists(
     states: &InterfaceStates<'_>,
     scene: &Scene,
     uncertainty: Option<&Uncertainty>,
-) -> Vec<Told> {
+) -> Vec<QuantityList> {
     let slots = states.slots();
     let line = |slot: &Slot| {
         let found = states.value(*slot).ok().flatten()?;
@@ -73,29 +73,25 @@ pub(crate) fn told(
     let of = |load: Option<usize>| -> Vec<(String, String)> {
         slots.iter().filter(|slot| slot.load == load).filter_map(line).collect()
     };
-    let all = Told { heading: "What it means under any load".to_owned(), lines: of(None) };
+    let all = QuantityList { heading: "At any load".to_owned(), lines: of(None) };
     let loads = &scene.needs.loads;
     let of_load = |load: usize| {
-        let more = (load + 1 == LOADS_TOLD && loads.len() > LOADS_TOLD)
-            .then(|| format!(" ({} more in report-interface)", counted(loads.len() - LOADS_TOLD, "load")));
+        let more = (load + 1 == LOADS_SHOWN && loads.len() > LOADS_SHOWN)
+            .then(|| format!(" ({} more in report-interface)", counted(loads.len() - LOADS_SHOWN, "load")));
         let tight = is_tight(states, &slots, load).then(|| {
             let in_draws = uncertainty.and_then(|found| found.share_open(load)).filter(|share| *share > 0.0);
-            let in_draws = in_draws.map(|share| format!(", but in {} of the draws one is", percent(share)));
-            ("last channel".to_owned(), format!("none is open: tight{}", in_draws.unwrap_or_default()))
+            let in_draws = in_draws.map(|share| format!(" (open in {} of the draws)", percent(share)));
+            ("last channel".to_owned(), format!("none open: tight{}", in_draws.unwrap_or_default()))
         });
         let heading = format!(
-            "What it means at {}, gap and stiffness by Persson’s elastic theory{}",
+            "At {} (gap and stiffness by Persson’s elastic theory){}",
             loads[load].label,
             more.unwrap_or_default()
         );
-        Told { heading, lines: of(Some(load)).into_iter().chain(tight).collect() }
+        QuantityList { heading, lines: of(Some(load)).into_iter().chain(tight).collect() }
     };
-    let of_loads = (0..loads.len().min(LOADS_TOLD)).map(of_load);
+    let of_loads = (0..loads.len().min(LOADS_SHOWN)).map(of_load);
     Some(all).filter(|all| !all.lines.is_empty()).into_iter().chain(of_loads).collect()
-}
-
-fn percent(share: f64) -> String {
-    format!("{} %", three_digits((1000.0 * share).round() / 10.0))
 }
 
 fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {
@@ -103,18 +99,18 @@ fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {
     slots.iter().find(of_channel).is_some_and(|slot| matches!(states.value(*slot), Ok(None)))
 }
 
-/// What the numbers leave out or go beyond.
+/// Limits of the numbers, a sentence each.
 pub(crate) fn notes(
     states: &InterfaceStates<'_>,
     scene: &Scene,
     uncertainty: Option<&Uncertainty>,
 ) -> Vec<String> {
-    let asked = states.asked();
+    let asked = states.request();
     let mut notes = of_the_gap(states, scene);
     if asked.conductivities.is_some() || asked.resistivities.is_some() {
         notes.push(format!(
-            "conductances take both bodies to be clean (films are not considered) and spots to be wider than the mean free path of \
-             what crosses them, about {} for electrons in a good metal",
+            "conductances assume clean bodies (no films) and contact spots wider than the mean free path of the carriers, about {} \
+             for electrons in a good metal",
             length(ELECTRON_MEAN_FREE_PATH_M)
         ));
     }
@@ -129,33 +125,33 @@ pub(crate) fn notes(
         && shear_pa > yield_pa / 3f64.sqrt()
     {
         notes.push(format!(
-            "the shear strength of {} is above that of the softer body itself, S₀/√3 = {}, which would shear instead",
+            "the shear strength of {} exceeds that of the softer body, S₀/√3 = {}, which would shear instead",
             pressure(shear_pa),
             pressure(yield_pa / 3f64.sqrt())
         ));
     }
     if asked.adhesion.is_some() {
         notes.push(
-            "the parameters of adhesion are indicators at the shortest wavelength, and need not agree; no area follows from them"
+            "the adhesion parameters are indicators at the shortest wavelength and need not agree; no area follows from them"
                 .to_owned(),
         );
     }
     notes
 }
 
-/// The labels of the loads that something holds for, each with what is told of it.
+/// The labels of the loads for which `remark` returns a text, each followed by the text.
 fn loads_where(scene: &Scene, told: impl Fn(usize) -> Option<String>) -> Option<String> {
     let label = |load: usize| Some(format!("{}{}", scene.needs.loads[load].label, told(load)?));
     let labels: Vec<String> = (0..scene.needs.loads.len()).filter_map(label).collect();
     (!labels.is_empty()).then(|| listed(&labels.iter().map(String::as_str).collect::<Vec<_>>()))
 }
 
-/// Nothing to tell beside the label.
+/// An empty text for a label alone, if the condition holds.
 fn alone(holds: bool) -> Option<String> {
     holds.then(String::new)
 }
 
-/// Where gap and stiffness say little: what flows, few asperities, less than an atom.
+/// The loads at which gap and stiffness mean little: yielding, few asperities, less than an atom.
 fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let loads = &scene.needs.loads;
     let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
@@ -163,17 +159,17 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let mut notes = light.map_or_else(Vec::new, |light| {
         persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa)
     });
-    if states.asked().band == Band::Profile {
+    if states.request().band == Band::Profile {
         notes.push(persson_words::by_profiles("interface.band = \"2d\""));
     }
     let plastic = loads_where(scene, |load| {
         let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
-        Some(format!(" ({})", percent(share)))
+        Some(format!(" ({} of the contact)", percent(share)))
     });
     notes.extend(plastic.map(|loads| {
         format!(
-            "part of the contact has flowed at {loads}: gap, stiffness and what follows from them are those of the elastic theory, and \
-             say less the more has flowed"
+            "the contact yields at {loads}, but gap, stiffness and what follows from them assume that it does not: order of \
+             magnitude only"
         )
     }));
     let below_atoms = loads_where(scene, |load| {
@@ -181,18 +177,21 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
         alone(states.value(slot).ok().flatten().is_none_or(|gap_m| gap_m < ATOM_M))
     });
     notes.extend(below_atoms.map(|loads| {
-        format!("at {loads} the mean gap is below the size of an atom, {}: read it as closed", length(ATOM_M))
+        format!(
+            "at {loads} the mean gap is below the size of an atom, {}: treat it as closed",
+            length(ATOM_M)
+        )
     }));
     notes
 }
 
-/// At which cutoff the correlations for flowed peaks stand, and for which loads they were not made.
+/// The cutoff that the correlations for flowed peaks depend on, and the loads outside their range.
 fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let slope = states.mean_absolute_slope().ok().map(|slope| {
         format!(
-            "the correlations for flowed peaks take the mean absolute slope at {}, {}: it grows with every shorter wavelength, and \
-             so do they; Barber’s analogy does not",
-            length(states.pressed().results.psd.shortest_wavelength_m()),
+            "the correlations for flowed peaks use the mean absolute slope at {}, {}: both grow with every shorter wavelength, \
+             unlike Barber’s analogy",
+            length(states.inputs().results.psd.shortest_wavelength_m()),
             three_digits(slope)
         )
     });
@@ -203,13 +202,13 @@ fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let [least, most] = PressureRatio::FITTED;
     let outside = outside.map(|loads| {
         format!(
-            "at {loads} the pressure over the hardness is outside {least:e} to {most}, for which these correlations stand"
+            "at {loads} the pressure over the hardness is outside {least:e} to {most}, the range of these correlations"
         )
     });
     slope.into_iter().chain(outside).collect()
 }
 
-/// What a seal takes for granted.
+/// Assumptions of a seal.
 fn of_the_seal(
     states: &InterfaceStates<'_>,
     scene: &Scene,
@@ -218,8 +217,9 @@ fn of_the_seal(
 ) -> Vec<String> {
     let threshold = seal.threshold.area_fraction();
     let mut notes = vec![format!(
-        "channels close where {threshold} of the nominal area touches; contact areas of the seal are those of a form fitted to boundary \
-         elements, not those of the curves, and a leak rate is an order of magnitude"
+        "channels close when {} of the area touches; the area of the seal comes from a fit to boundary elements, not from the curves, \
+         and the leak rate is an order of magnitude",
+        percent(threshold)
     )];
     let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
     let tight_pa = states.value(tight).ok().flatten();
@@ -228,8 +228,8 @@ fn of_the_seal(
         && flows_pa < tight_pa
     {
         notes.push(format!(
-            "the seal is elastic: by the flow of the softer body {threshold} of the area touches from about {} on, {threshold} times its \
-             hardness, and the seal is tight then",
+            "the seal is computed as elastic; if the softer body yields, the seal is tight from about {} on, {threshold} times its \
+             hardness",
             pressure(flows_pa)
         ));
     }
@@ -239,18 +239,17 @@ fn of_the_seal(
     });
     notes.extend(sometimes.map(|loads| {
         format!(
-            "a channel is open in part of the draws at {loads}; its intervals are those of these draws, and are left out where they are \
-             less than nine in ten"
+            "a channel is open in some draws only at {loads}; its intervals rest on these draws, and are left out below 90 %"
         )
     }));
-    let longest_m = states.pressed().results.psd.longest_wavelength_m();
+    let longest_m = states.inputs().results.psd.longest_wavelength_m();
     let at_the_end = loads_where(scene, |load| {
         let slot = Slot { quantity: Quantity::ChannelWavelength, load: Some(load), curve: None };
         alone(states.value(slot).ok().flatten()? > 0.5 * longest_m)
     });
     notes.extend(at_the_end.map(|loads| {
         format!(
-            "at {loads} the last channel is as wide as the longest wave of the spectrum, {}: wider ones may decide",
+            "at {loads} the last channel is as wide as the longest wave of the spectrum, {}: wider channels may decide",
             length(longest_m)
         )
     }));
@@ -259,12 +258,12 @@ fn of_the_seal(
         alone(drop_pa >= scene.needs.loads[load].nominal_pressure_pa())
     });
     notes.extend(parted.map(|loads| {
-        format!("at {loads} the fluid presses as much as the bodies do, or more, and would part them")
+        format!("at {loads} the fluid pressure is not below the contact pressure and would part the bodies")
     }));
     notes
 }
 
-/// Which keys would give more.
+/// The keys of a scene that would add quantities.
 pub(crate) fn further_keys(scene: &Scene) -> Option<String> {
     let asked = scene.interface.as_ref();
     let is_missing = |has: Option<bool>| !has.unwrap_or(false);
@@ -283,6 +282,5 @@ pub(crate) fn further_keys(scene: &Scene) -> Option<String> {
         (is_missing(asked.map(|asked| asked.adhesion.is_some())), "interface.work_of_adhesion (adhesion)"),
     ];
     let missing: Vec<&str> = keys.iter().filter(|(is_missing, _)| *is_missing).map(|(_, key)| *key).collect();
-    (!missing.is_empty())
-        .then(|| format!("More of what the contact does is told where the scene has {}.", listed(&missing)))
+    (!missing.is_empty()).then(|| format!("For more quantities, add to the scene: {}.", listed(&missing)))
 }

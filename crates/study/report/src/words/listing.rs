@@ -1,9 +1,9 @@
-//! Loads, names and ranges as people list them.
+//! Loads, names, ranges and small numbers as people list them.
 
 use findings::features::DecadeShare;
 use scene::Scene;
 use spectrum::ProfilePsd;
-use units::display::length;
+use units::display::{length, three_digits};
 
 /// `at every load`, `at 5 MPa`, `at 1e-3 H and 1e-2 H`.
 pub(crate) fn at_loads(scene: &Scene, loads: &[usize]) -> String {
@@ -25,7 +25,7 @@ pub(crate) fn listed(names: &[&str]) -> String {
     }
 }
 
-/// `least to most` as people read it, or the one text of both.
+/// `least to most`, or one text if both read the same.
 pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> String) -> String {
     let (least, most) = values
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
@@ -33,7 +33,12 @@ pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> 
     if least == most { least } else { format!("{least} to {most}") }
 }
 
-/// The same text with a capital at its beginning.
+/// `0.12 to 0.18 %`, a range of shares in percent.
+pub(crate) fn percent_range(low: f64, high: f64) -> String {
+    format!("{} %", range([low, high].into_iter(), |share| three_digits(100.0 * share)))
+}
+
+/// The text with a capital at its beginning.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
@@ -47,8 +52,7 @@ pub(crate) fn number_word(number: usize) -> String {
     word.map_or_else(|| number.to_string(), |word| (*word).to_owned())
 }
 
-/// `10 µm to 1 µm`: a decade that the spectrum covers in part is told as far as the spectrum goes, and one that was not
-/// measured as such.
+/// `10 µm to 1 µm`: the part of a decade that the spectrum covers, with a remark if it was not measured.
 pub(crate) fn decade_name(decade: &DecadeShare, psd: &ProfilePsd) -> String {
     let begins_m = decade.longest_m.min(psd.longest_wavelength_m());
     let ends_m = decade.shortest_m.max(psd.shortest_wavelength_m());
@@ -56,19 +60,17 @@ pub(crate) fn decade_name(decade: &DecadeShare, psd: &ProfilePsd) -> String {
     format!("{} to {}{measured}", unbroken(begins_m), unbroken(ends_m))
 }
 
-/// A length that stays on its line.
+/// A length without a line break.
 fn unbroken(length_m: f64) -> String {
     length(length_m).replace(' ', "\u{a0}")
 }
 
 #[cfg(test)]
 mod tests {
-    use units::display::three_digits;
-
     use super::*;
 
     #[test]
-    fn names_are_listed_and_ranges_told_once() {
+    fn names_are_listed_and_equal_ends_of_a_range_are_one() {
         assert_eq!(listed(&["a", "b", "c"]), "a, b and c");
         assert_eq!(listed(&["a", "b"]), "a and b");
         assert_eq!(listed(&["a, b", "c", "d"]), "a, b; c and d");
@@ -77,12 +79,12 @@ mod tests {
     }
 
     #[test]
-    fn a_decade_is_told_as_far_as_the_spectrum_goes() {
+    fn a_decade_is_named_as_far_as_the_spectrum_goes() {
         let psd = ProfilePsd::new(vec![4e-5, 1.26e-6], vec![1e-20, 1e-24]).unwrap();
-        let told = |longest_m, measured| {
+        let named = |longest_m, measured| {
             decade_name(&DecadeShare { longest_m, shortest_m: longest_m / 10.0, share: 0.5, measured }, &psd)
         };
-        assert_eq!(told(1e-4, true), "40\u{a0}µm to 10\u{a0}µm");
-        assert_eq!(told(1e-5, false), "10\u{a0}µm to 1.26\u{a0}µm, not measured");
+        assert_eq!(named(1e-4, true), "40\u{a0}µm to 10\u{a0}µm");
+        assert_eq!(named(1e-5, false), "10\u{a0}µm to 1.26\u{a0}µm, not measured");
     }
 }

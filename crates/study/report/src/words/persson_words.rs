@@ -1,39 +1,39 @@
-//! What Persson's theory leaves open, in words.
+//! The limits of Persson's theory in words.
 
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
 use units::display::{length, pressure, three_digits};
 
-/// The share of u0 that the first decade of wavevectors may have where the spectrum has no roll-off.
-const MOST_OF_FIRST_DECADE: f64 = 0.3;
+/// The largest share of u0 in the first decade of wavevectors for a spectrum without a roll-off.
+const MAX_FIRST_DECADE: f64 = 0.3;
 
-/// From this exponent of dV/dq = q^(e-1) on, C1D falls more slowly than q^-0.5: a roll-off.
+/// Above this exponent e of dV/dq = q^(e-1), C1D falls more slowly than q^-0.5: a roll-off.
 const FLAT: f64 = 2.5;
 
-/// Above so many rms heights only the highest summits of a finite sample touch.
-const FEW_TOUCH: f64 = 3.0;
+/// The mean gap in rms heights above which only the highest summits of a finite sample touch.
+pub(crate) const FEW_TOUCH: f64 = 3.0;
 
-/// What gap and stiffness leave out where they take the waves of profiles; `mend` is what takes those of the surface.
+/// The note on gap and stiffness from the waves of profiles; `mend` is the option for the waves of the surface.
 pub(crate) fn by_profiles(mend: &str) -> String {
     format!(
-        "gap and stiffness take the waves of profiles, which makes the stiffness of a surface with a roll-off 23 to 40 % lower than \
-         boundary elements have it; {mend} takes those of the surface"
+        "gap and stiffness use the waves of profiles, which makes the stiffness of a surface with a roll-off 23 to 40 % lower than \
+         boundary elements give; use {mend} for the waves of the surface"
     )
 }
 
-/// That a corrected form is a fit, and where the roughness lies outside the range that it was fitted in.
+/// The notes on a corrected form: it is a fit, and the cutoffs at which the roughness is outside its range.
 #[must_use]
 pub fn correction(correction: Correction, roughness: &Roughness) -> Vec<String> {
     let [least, most] = Correction::FITTED_ALPHA;
     let mut notes = vec![format!(
-        "{correction} is fitted to boundary elements, alpha = m0 m4/m2^2 from {least} to {most}"
+        "{correction} is fitted to boundary elements for alpha = m0 m4/m2^2 from {least} to {most}"
     )];
     let outside: Vec<_> =
         roughness.places().iter().skip(1).filter(|place| !(least..=most).contains(&place.alpha)).collect();
     if let (Some(first), Some(last)) = (outside.first(), outside.last()) {
         notes.push(format!(
-            "alpha lies outside that range at {} of {} cutoffs between {} and {}: {} to {}",
+            "alpha is outside that range at {} of {} cutoffs between {} and {}: {} to {}",
             outside.len(),
             roughness.places().len() - 1,
             length(first.wavelength_m),
@@ -45,8 +45,8 @@ pub fn correction(correction: Correction, roughness: &Roughness) -> Vec<String> 
     notes
 }
 
-/// Where mean gap and stiffness mean little: a spectrum that begins inside the fractal range, and loads (the least of them
-/// in Pa) under which few asperities touch.
+/// The notes on mean gap and stiffness that mean little: for a spectrum that begins inside the fractal range, and for loads
+/// (the least of them in Pa) under which few asperities touch.
 #[must_use]
 pub fn separation(
     light: &LightLoads,
@@ -58,19 +58,19 @@ pub fn separation(
     let places = roughness.places();
     let decade = places.first().map_or(0.0, |place| 10.0 * place.wavevector_rad_per_m);
     let mut in_decade = places.iter().take_while(|place| place.wavevector_rad_per_m < decade);
-    if light.share_of_first_decade > MOST_OF_FIRST_DECADE
+    if light.share_of_first_decade > MAX_FIRST_DECADE
         && !in_decade.any(|place| place.variance_exponent > FLAT)
     {
         notes.push(format!(
             "the first decade of wavevectors makes {} % of the mean gap, and the spectrum has no roll-off there: gap and \
-             stiffness hang on longer wavelengths, which it does not hold",
+             stiffness depend on longer wavelengths, which are missing",
             three_digits(100.0 * light.share_of_first_decade)
         ));
     }
     let few_touch_pa = light.reference_pressure_pa * (-FEW_TOUCH * rms_height_m / light.decay_length_m).exp();
     if least_pa < few_touch_pa {
         notes.push(format!(
-            "below {} the mean gap exceeds {FEW_TOUCH} rms heights: of a finite sample only a few asperities touch then",
+            "below {} the mean gap exceeds {FEW_TOUCH} rms heights: only a few asperities of a finite sample touch",
             pressure(few_touch_pa)
         ));
     }

@@ -1,4 +1,4 @@
-//! Where a written file comes from: the program, what it was asked, and what the spectrum's own file says.
+//! The provenance of a written file: program, request, and remarks of the spectrum's own file.
 
 use study::plan::Sampling;
 use study::surface::Surface;
@@ -22,7 +22,7 @@ pub fn provenance(asked: &str, surface: &Surface, sampling: Sampling) -> Vec<Str
     lines
 }
 
-/// The comment lines that tell which spectrum a file is made from, and what its own file says.
+/// The comment lines on the spectrum of a file, with the remarks of its own file.
 pub fn of_surface(surface: &Surface) -> Vec<String> {
     let says = surface.remarks.iter().map(|remark| format!("spectrum says: {remark}"));
     let made_of = surface.each().into_iter().filter_map(|part| part.roughness).map(|given| {

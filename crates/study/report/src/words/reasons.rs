@@ -1,4 +1,4 @@
-//! Why every number of a scene is what it is: by which law, on which scale it rests, and what there is to remark.
+//! The reasons behind every number of a scene: its law, the scale that sets it, and the notes on it.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use crate::curve_names::in_full;
 use findings::answer::{Answer, LoadAnswer};
 use scene::Scene;
 use study::plan::{CurveResult, Results};
-use units::display::{length, pressure, three_digits};
+use units::display::{length, percent, pressure, three_digits};
 
 /// The reasons, curve by curve and load by load.
 #[must_use]
@@ -37,7 +37,7 @@ pub fn reasons(scene: &Scene, results: &Results, answer: &Answer) -> String {
     text
 }
 
-/// What there is to say of a curve under one load: the number, what sets it, and the remarks on it.
+/// The reasons of a curve under one load: the area, what sets it, and the notes on it.
 fn of_load(
     scene: &Scene,
     results: &Results,
@@ -66,14 +66,13 @@ fn of_load(
     }
     if answer.followed && !answer.settled {
         reasons.push(format!(
-            "note: not settled; this is the area at {}, where the spectrum ends, or its scales or instruments do not bear \
-             more",
+            "note: not settled; this is the area at {}, where the spectrum ends",
             length(results.psd.shortest_wavelength_m())
         ));
     }
     if let Some(share) = answer.out_of_range_load_share.filter(|share| *share > 0.0) {
         reasons.push(format!(
-            "note: {} of the load rests on asperities outside the range their law was fitted in",
+            "note: {} of the load rests on asperities outside the fitted range of their law",
             percent(share)
         ));
     }
@@ -123,8 +122,4 @@ fn what_sets_it(
             ))
         }
     }
-}
-
-fn percent(share: f64) -> String {
-    format!("{} %", three_digits(100.0 * share))
 }

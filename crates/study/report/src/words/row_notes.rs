@@ -1,4 +1,4 @@
-//! What there is to say of rows, in words.
+//! Notes on rows in words.
 
 use state_tables::RowsNote;
 use units::display::counted;
@@ -6,21 +6,21 @@ use units::number;
 
 use super::curve_counts::{narrow_spectra, state_notes};
 
-/// A note as people read it; none where there is nothing to say.
-pub fn told(note: &RowsNote) -> Vec<String> {
+/// A note in words; empty if there is nothing to say.
+pub fn lines(note: &RowsNote) -> Vec<String> {
     match note {
         RowsNote::BeyondCompleteContact { row, pressure_pa, highest_pressure_pa } => vec![format!(
-            "{row}: {} Pa is beyond complete contact of every asperity: area fraction 1, no separation; every pressure \
-             below {} Pa has one",
+            "{row}: {} Pa is beyond complete contact of every asperity: area fraction 1, no separation; pressures below {} Pa \
+             have one",
             number(*pressure_pa),
             number(*highest_pressure_pa)
         )],
         RowsNote::WithoutAsperities { rows, all } => {
             vec![format!("{rows} of {all} rows have no asperities: their results are empty")]
         }
-        RowsNote::AssumedStrengths { rows, all } => vec![format!(
-            "{rows} of {all} rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3"
-        )],
+        RowsNote::AssumedStrengths { rows, all } => {
+            vec![format!("{rows} of {all} rows have a hardness and no yield strength: S0 = H/3 is used")]
+        }
         RowsNote::NarrowSpectra { narrow, all } => {
             narrow_spectra(narrow, &counted(*all, "row")).into_iter().collect()
         }

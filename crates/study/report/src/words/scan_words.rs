@@ -1,4 +1,4 @@
-//! The words for what is worth knowing about a spectrum and the scans that it is made from.
+//! Notes on a spectrum and the scans that it is made from, in words.
 
 use scans::{Mend, ScanOption};
 use spectrum::{HURST_UNCERTAINTY, Hole, ROLLOFF_UNCERTAINTY_FACTOR, RoughnessParameters};
@@ -12,15 +12,15 @@ use topography::{
 use units::LengthUnit;
 use units::display::{length, three_digits};
 
-/// Double precision tells relative errors from here on.
-const LEAST_RELATIVE_ERROR: f64 = 1e-15;
-/// So many holes are named, the others are counted.
-const MOST_HOLES_NAMED: usize = 3;
+/// The least relative error that double precision resolves.
+const MIN_RELATIVE_ERROR: f64 = 1e-15;
+/// The most holes that are named; the others are counted.
+const MAX_HOLES_NAMED: usize = 3;
 
 /// A note in a sentence, without a full stop.
 #[must_use]
-pub fn note(told: &Note) -> String {
-    match told {
+pub fn note(note: &Note) -> String {
+    match note {
         Note::Reading(text) => text.clone(),
         Note::Reconstruction => "this spectrum is a reconstruction, not the published one".to_owned(),
         Note::Holes(found) => holes(found),
@@ -34,24 +34,23 @@ pub fn note(told: &Note) -> String {
         Note::Superposition { shared_m: None } => {
             "the two spectra share no wavelength: each stands alone on its own".to_owned()
         }
-        Note::OfSurface { name, note: of_it } => format!("{name}: {}", note(of_it)),
+        Note::OfSurface { name, note } => format!("{name}: {}", self::note(note)),
     }
 }
 
-/// What of a spectrum was given, and what was assumed to make it of that.
+/// The note on a spectrum made from roughness parameters: what was given and what was assumed.
 fn of_parameters(given: &GivenRoughness) -> String {
     let RoughnessParameters { rms_height_m, rms_slope, rolloff_m, hurst_exponent } =
         given.profile.parameters();
     let rolloff = match given.rolloff_from {
-        RollOffFrom::Given => "as given",
-        RollOffFrom::MeanWidth => "for which the mean width RSm is taken",
+        RollOffFrom::Given => "given",
+        RollOffFrom::MeanWidth => "the mean width RSm",
     };
-    let hurst = if given.hurst_is_assumed { "assumed" } else { "as given" };
+    let hurst = if given.hurst_is_assumed { "assumed" } else { "given" };
     format!(
-        "this spectrum was not measured but made from an rms height Rq of {} and an rms slope Rdq of {}, both of profiles of an \
-         isotropic surface: level from {} (assumed) to the roll-off at {} ({rolloff}), a Hurst exponent of {} ({hurst}) from there to \
-         {}, where it ends so as to have that slope; shorter waves are not in it. Its standard errors are those of a Hurst exponent \
-         known to {} and a roll-off known to a factor of {}",
+        "this spectrum was made from an rms height Rq of {} and an rms slope Rdq of {}, not measured: level from {} (assumed) to the \
+         roll-off at {} ({rolloff}), then a Hurst exponent of {} ({hurst}) down to {}, where it reaches that slope; shorter waves are \
+         missing. Its standard errors assume a Hurst exponent known to {} and a roll-off known to a factor of {}",
         length(rms_height_m),
         three_digits(rms_slope),
         length(given.profile.longest_m()),
@@ -68,8 +67,8 @@ pub(crate) fn warnings(surface: &Surface) -> Vec<String> {
     surface.notes.iter().filter(|it| it.severity() == Severity::Warning).map(note).collect()
 }
 
-/// What of a spectrum a reader has to know before its answer: warnings, and what was taken for granted of the spectrum
-/// itself. Of every scan as well there is more to say, which stands where the data are told.
+/// The notes to read before the answer: warnings, and assumptions on the spectrum itself. Notes on single scans belong to the
+/// provenance.
 pub(crate) fn foremost(surface: &Surface) -> Vec<String> {
     let is_foremost = |it: &&Note| !matches!(it, Note::Scans(_)) || it.severity() == Severity::Warning;
     surface.notes.iter().filter(is_foremost).map(note).collect()
@@ -77,16 +76,14 @@ pub(crate) fn foremost(surface: &Surface) -> Vec<String> {
 
 /// A remark in a sentence, without a full stop.
 #[must_use]
-pub fn remark(told: &Remark) -> String {
-    match told {
+pub fn remark(remark: &Remark) -> String {
+    match remark {
         Remark::Scan { name, remark } => format!("{name}: {}", scan_remark(remark)),
         Remark::SameData { names: [first, second] } => {
-            format!(
-                "{first} and {second} are the same data, which say nothing of each other; leave one of them out"
-            )
+            format!("{first} and {second} hold the same data; leave one of them out")
         }
         Remark::Overlap { names: [first, second], ratio, bins, longest_m, shortest_m } => {
-            let doubt = if told.severity() == Severity::Warning {
+            let doubt = if remark.severity() == Severity::Warning {
                 format!("; they differ by more than {SPECTRA_DIFFER}x: check units, height scales and places")
             } else {
                 String::new()
@@ -102,11 +99,11 @@ pub fn remark(told: &Remark) -> String {
             format!("{first} over {second}: {} {shared}{doubt}", three_digits(*ratio))
         }
         Remark::Directions { names: [along_x, along_y], ratios, fast } => {
-            directions([along_x, along_y], ratios, *fast, told.severity() == Severity::Warning)
+            directions([along_x, along_y], ratios, *fast, remark.severity() == Severity::Warning)
         }
         Remark::BiasRemoved { factor, wavelength_m } => format!(
-            "the mean of the scans' logarithms, each raised by what the logarithm of few lines and Fourier bins is too low \
-             by: up to {} at {}; average \"log\" leaves it out",
+            "the mean of the scans' logarithms is corrected for the bias of few lines and Fourier bins, by up to {} at {}; average \
+             \"log\" turns this off",
             three_digits(*factor),
             length(*wavelength_m)
         ),
@@ -146,7 +143,7 @@ fn directions(
 #[must_use]
 pub fn holes(holes: &[Hole]) -> String {
     let ends = |hole: &Hole| format!("between {} and {}", length(hole.longest_m), length(hole.shortest_m));
-    let named: Vec<String> = holes.iter().take(MOST_HOLES_NAMED).map(ends).collect();
+    let named: Vec<String> = holes.iter().take(MAX_HOLES_NAMED).map(ends).collect();
     let more = match holes.len() - named.len() {
         0 => String::new(),
         more => format!(", and in {more} more such holes"),
@@ -157,15 +154,15 @@ pub fn holes(holes: &[Hole]) -> String {
     )
 }
 
-/// What mends an error of a scan, in words that follow it; `name_of` knows what an option is called where it is given, if
-/// it can be given there.
+/// The remedy for an error of a scan, in words that follow the error. `name_of` returns the name of an option in the front end,
+/// if it has that option.
 #[must_use]
 pub fn mend(mend: Mend, name_of: impl Fn(ScanOption) -> Option<&'static str>) -> String {
     let (Mend::Give(option) | Mend::LeaveOut(option)) = mend;
     let Some(name) = name_of(option) else { return String::new() };
     match (mend, option) {
-        (Mend::Give(_), ScanOption::Unit) => format!("; say it with {name} ({})", LengthUnit::accepted()),
-        (Mend::Give(_), _) => format!("; say it with {name}"),
+        (Mend::Give(_), ScanOption::Unit) => format!("; set it with {name} ({})", LengthUnit::accepted()),
+        (Mend::Give(_), _) => format!("; set it with {name}"),
         (Mend::LeaveOut(_), _) => format!("; leave out {name}"),
     }
 }
@@ -185,11 +182,11 @@ fn scan_remark(remark: &ScanRemark) -> String {
             format!("tip radius {} from its metadata ('{text}')", length(*radius_m))
         }
         ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: false } => format!(
-            "its metadata speak of a tip radius of {} ('{text}'); tip radius auto uses it",
+            "its metadata mention a tip radius of {} ('{text}'); tip radius auto uses it",
             length(*radius_m)
         ),
         ScanRemark::NoiseFloor(floor) => format!(
-            "the spectrum is level at {} m³ at its short end: noise of the instrument, which sets in at {}; trust only longer \
+            "the spectrum is level at {} m³ at its short end: noise of the instrument, which sets in at {}; assessment only longer \
              wavelengths",
             three_digits(floor.c1d_m3),
             length(floor.wavelength_m)
@@ -206,11 +203,11 @@ fn scan_remark(remark: &ScanRemark) -> String {
         ),
         ScanRemark::Gap { over_median } => match remark.severity() {
             Severity::Warning => format!(
-                "a gap of {} times the usual distance of points is bridged by a straight line",
+                "missing points over {} times the usual spacing are bridged by a straight line",
                 three_digits(*over_median)
             ),
             _ => format!(
-                "no gap is wider than {} times the usual distance of points",
+                "no run of missing points is wider than {} times the usual spacing",
                 three_digits(*over_median)
             ),
         },
@@ -245,7 +242,7 @@ fn scan_remark(remark: &ScanRemark) -> String {
     }
 }
 
-/// What a scan tells of a tip that nobody knows.
+/// The limits of a scan made with an unknown tip.
 fn tip_indicated(found: &TipIndication) -> String {
     let sharpest = found.sharpest_peak_radius_m.map_or(String::new(), |radius_m| {
         format!(
@@ -262,7 +259,7 @@ fn tip_indicated(found: &TipIndication) -> String {
     format!("{sharpest}to be trusted: {}", trusted.collect::<Vec<_>>().join(", "))
 }
 
-/// What ends the band of a scan.
+/// The limit of the band of a scan.
 pub(crate) fn band_end(end: &BandEnd) -> String {
     match end {
         BandEnd::PixelsWithoutTip => "2 pixels; no tip radius given".to_owned(),
@@ -289,12 +286,12 @@ fn fundamental(mode: &FundamentalMode) -> String {
 
 /// The power of ten that a relative error stays below.
 fn bound_of(error: f64) -> f64 {
-    let power = error.abs().max(LEAST_RELATIVE_ERROR).log10().ceil();
+    let power = error.abs().max(MIN_RELATIVE_ERROR).log10().ceil();
     // The logarithm of a power of ten may lie a rounding above it.
     10f64.powi((power - 1e-9) as i32)
 }
 
-/// By how much the second value differs from the first.
+/// The relative difference of the second value from the first.
 fn difference(real: f64, spectral: f64) -> String {
     if real == 0.0 {
         return if spectral == 0.0 { "the same" } else { "none to compare with" }.to_owned();
@@ -309,7 +306,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn checks_are_told_as_the_field_says_them() {
+    fn checks_are_worded_as_in_the_field() {
         let of_scan = |remark| scan_remark(&remark);
         assert_eq!(
             of_scan(ScanRemark::Variance { share: 1.0, evenly_spaced: true }),
@@ -375,11 +372,11 @@ mod tests {
     }
 
     #[test]
-    fn a_tip_that_nobody_knows_is_told_in_words() {
+    fn an_unknown_tip_is_described() {
         let words = TipWords { radius_m: 26e-9, text: "Final tip radii - 26 nm".to_owned() };
         assert_eq!(
             scan_remark(&ScanRemark::TipWords { words, is_used: false }),
-            "its metadata speak of a tip radius of 26 nm ('Final tip radii - 26 nm'); tip radius auto uses it"
+            "its metadata mention a tip radius of 26 nm ('Final tip radii - 26 nm'); tip radius auto uses it"
         );
         let trusted = |radius_m, shortest_m| TrustedDownTo { radius_m, shortest_m };
         let indicated = TipIndication {

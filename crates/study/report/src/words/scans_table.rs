@@ -7,8 +7,8 @@ use units::display::{length, three_digits};
 use crate::scan_words::band_end;
 use crate::summary::aligned;
 
-/// A line for each scan: the wavelengths it is used at and what ends them, its rms slopes along and across its lines, and
-/// whether anything about it is doubtful.
+/// A line for each scan: the wavelengths used and their limit, the rms slopes along and across its lines, and a
+/// verdict.
 #[must_use]
 pub fn scans_table(found: &CompositeSpectrum) -> String {
     let head = ["scan", "used from", "down to", "limit", "slope along", "slope across", "verdict"];
@@ -17,7 +17,8 @@ pub fn scans_table(found: &CompositeSpectrum) -> String {
     aligned(&rows)
 }
 
-/// The same as columns: `scan, used_from_m, used_to_m, limit, slope_along, slope_across, verdict`. A line has no slope across.
+/// The table of scans as columns: `scan, used_from_m, used_to_m, limit, slope_along, slope_across, verdict`. A line has
+/// no slope across.
 #[must_use]
 pub fn scans_columns(found: &CompositeSpectrum) -> Table {
     let number = |of: fn(&ScanSpectrum) -> f64| found.scans.iter().map(of);

@@ -1,4 +1,4 @@
-//! Errors of a scene, drawn like a compiler's message: file, line, the line itself, and the key that mends it. The command line
+//! Errors of a scene, drawn like a compiler's message: file, line, the line itself, and the remedy. The command line
 //! and the Python package show the same text.
 
 use crate::{scan_words, spectrum_words};
@@ -23,7 +23,7 @@ pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
     drawn.strip_prefix("error: ").unwrap_or(&drawn).to_owned()
 }
 
-/// What of the scene mends the error, in words that follow it.
+/// The remedy within the scene, in words that follow the error.
 fn mended(error: &SceneError) -> String {
     let SceneProblem::Surface(error) = &error.problem else { return String::new() };
     let key = |option| match option {
@@ -44,7 +44,7 @@ fn mended(error: &SceneError) -> String {
     }
 }
 
-/// The key of a surface that gives an option of reading.
+/// The key of a surface for an option of reading.
 fn reading_key(option: ReadOption) -> &'static str {
     match option {
         ReadOption::Column => "column",

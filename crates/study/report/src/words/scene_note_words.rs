@@ -1,10 +1,10 @@
-//! Keys of a scene that have no effect, in a line each.
+//! Notes on keys of a scene without effect, a line each.
 
 use scene::{Idle, SceneNote};
 use units::display::length;
 use units::number;
 
-/// The key, its line, and why it has no effect.
+/// The key, its line, and the reason why it has no effect.
 #[must_use]
 pub fn line(note: &SceneNote) -> String {
     let why = match note.reason {
@@ -12,20 +12,21 @@ pub fn line(note: &SceneNote) -> String {
         Idle::ModelHasNoInterferenceLaw => "has no effect: only elastic-sine has a choice of it".to_owned(),
         Idle::FigureShowsSomethingElse => "has no effect on what this figure shows".to_owned(),
         Idle::NoCurveUsesIt => "has no effect: no curve depends on it".to_owned(),
-        Idle::EveryCurveHasItsOwn => "has no effect: every curve that it is for has its own".to_owned(),
+        Idle::EveryCurveHasItsOwn => "has no effect: every curve that it applies to sets its own".to_owned(),
         Idle::NothingNeedsIt => "has no effect: no curve and no figure needs it".to_owned(),
         Idle::CutoffBelowData { shortest_m } => {
             format!("has no effect: the spectrum ends above it, at {}", length(shortest_m))
         }
         Idle::JudgeIsOff => "has no effect: the judge is off".to_owned(),
-        Idle::UncertaintyIsOff => "has no effect: nothing is drawn".to_owned(),
+        Idle::UncertaintyIsOff => "has no effect: the uncertainty analysis is off".to_owned(),
         Idle::NothingScatters => {
-            "has no effect: there are no several scans, no standard errors and no +- in this scene".to_owned()
+            "has no effect: nothing in this scene is uncertain (several scans, standard errors or +-)"
+                .to_owned()
         }
         Idle::ToleranceHeld { used } => {
             format!("is finer than double precision reaches: {} is used", number(used))
         }
-        // Further reasons are told by their names until they have words.
+        // Reasons without words of their own show their names.
         other => format!("has no effect: {other:?}"),
     };
     format!("line {}: {} {why}", note.line, note.key)

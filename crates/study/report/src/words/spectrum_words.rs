@@ -1,16 +1,16 @@
-//! What there is to say of files of spectra.
+//! Remedies for errors of reading spectra, in words.
 
 use spectrum::{ReadMend, ReadOption, Wanted};
 
-/// What mends an error of reading a spectrum, in words that follow it; `name_of` knows what an option is called where it is
-/// given.
+/// The remedy for an error of reading a spectrum, in words that follow the error. `name_of` returns the name of an option in
+/// the front end.
 #[must_use]
 pub fn mend(mend: &ReadMend, name_of: impl Fn(ReadOption) -> &'static str) -> String {
     match mend {
         ReadMend::Give(wanted) => {
             let verb = match wanted.iter().all(|wanted| wanted.values.is_empty()) {
                 true => "choose",
-                false => "say it",
+                false => "set it",
             };
             let named = wanted.iter().map(|wanted| format!("{}{}", name_of(wanted.option), values(wanted)));
             format!("; {verb} with {}", named.collect::<Vec<_>>().join(" and "))
@@ -20,7 +20,7 @@ pub fn mend(mend: &ReadMend, name_of: impl Fn(ReadOption) -> &'static str) -> St
     }
 }
 
-/// ` (ciso or persson)`; nothing where the file has the names.
+/// ` (ciso or persson)`; empty if the file has the names.
 fn values(wanted: &Wanted) -> String {
     match wanted.values.split_last() {
         None => String::new(),

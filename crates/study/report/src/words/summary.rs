@@ -1,4 +1,4 @@
-//! What a scene found, for people: the answer in plain words, then area, real pressure and where the area settles, per load.
+//! The summary of a scene: the answer in words, then area, real pressure and the settling wavelength for every load.
 
 use std::fmt::Write;
 
@@ -7,8 +7,8 @@ use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pre
 
 pub use super::curve_counts::{CurveCounts, notes_of_states};
 use super::curve_counts::{beyond_fitted_range, statistical_notes};
+use crate::assessment::Assessment;
 use crate::curve_names::in_full;
-use crate::trust::Trust;
 use crate::yardstick_words::yardsticks;
 use crate::{
     advice_words, answer_words, doubt_words, interface_words, scan_words, uncertainty_words, verdict_words,
@@ -22,12 +22,12 @@ use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
 use uncertainty::Uncertainty;
 use units::display::{length, pressure, three_digits};
 
-/// The summary of a scene's results, which opens with how far they can be trusted, where that was asked.
-pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'_>) -> String {
+/// The summary of the results of a scene. It opens with the assessment, if there is one.
+pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: Assessment<'_>) -> String {
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
-    for first in verdict_words::opening(scene, answer, trust) {
+    for first in verdict_words::opening(scene, answer, assessment) {
         let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
     }
     let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
@@ -35,32 +35,33 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
-    let judgement = trust.judgement;
+    let judgement = assessment.judgement;
     let mut paragraphs =
         judgement.map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
     paragraphs.extend(answer_words::sentences(answer, scene, results));
-    paragraphs.extend(answer_words::shortcomings(answer, scene, results));
+    let shortcomings = answer_words::shortcomings(answer, scene, results);
+    paragraphs.extend(shortcomings.iter().map(ToString::to_string));
     paragraphs.extend(answer_words::disagreements(answer, scene));
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
     }
-    if let Some(uncertainty) = trust.uncertainty {
-        let advice = trust.foremost_advice().into_iter();
+    if let Some(uncertainty) = assessment.uncertainty {
+        let advice = assessment.foremost_advice().into_iter();
         let advice = advice.flat_map(|advice| advice_words::in_short(uncertainty, advice, scene));
         for line in uncertainty_words::sentences(uncertainty).into_iter().chain(advice) {
             let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
         }
         text.push('\n');
     }
-    if let Some(states) = InterfaceStates::of_scene(scene, results) {
-        for told in interface_words::told(&states, scene, trust.uncertainty) {
-            let _ = writeln!(text, "{}", told.heading);
-            let width = told.lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-            for (name, value) in &told.lines {
+    if let Some(states) = InterfaceStates::from_scene(scene, results) {
+        for list in interface_words::quantity_lists(&states, scene, assessment.uncertainty) {
+            let _ = writeln!(text, "{}", list.heading);
+            let width = list.lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+            for (name, value) in &list.lines {
                 let _ = writeln!(text, "  {name:<width$}  {value}");
             }
         }
-        for note in interface_words::notes(&states, scene, trust.uncertainty) {
+        for note in interface_words::notes(&states, scene, assessment.uncertainty) {
             let _ = writeln!(text, "note: {note}");
         }
         text.push('\n');
@@ -85,17 +86,17 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, trust: Trust<'
     }
     for (curve, loads) in answer.curves.iter().enumerate() {
         text.push('\n');
-        text.push_str(&curve_summary(scene, results, curve, loads, trust.uncertainty));
+        text.push_str(&curve_summary(scene, results, curve, loads, assessment.uncertainty));
     }
     text
 }
 
-/// How the spectrum is sampled, which the stacked area depends on.
+/// The sampling of the spectrum, on which the stacked area depends.
 pub fn sampling(results: &Results) -> String {
     sampling_of(&results.psd)
 }
 
-/// How a spectrum is sampled.
+/// The sampling of a spectrum.
 pub fn sampling_of(psd: &ProfilePsd) -> String {
     let density =
         scales_per_decade(psd).map_or(String::new(), |n| format!(", {} per decade", three_digits(n)));
@@ -107,7 +108,7 @@ pub fn sampling_of(psd: &ProfilePsd) -> String {
     )
 }
 
-/// Where intervals stand among the columns of a curve.
+/// The position of intervals among the columns of a curve.
 const AFTER_THE_AREA: usize = 2;
 
 fn curve_summary(
@@ -163,7 +164,7 @@ fn curve_summary(
     text
 }
 
-/// The name of a curve's table, and what it is.
+/// The name of the table of a curve, and its model.
 fn heading(curve: &Curve) -> String {
     let full = in_full(curve);
     if full.starts_with(&curve.name) { full } else { format!("{}: {full}", curve.name) }
@@ -190,7 +191,7 @@ fn stacked_remarks(
 
 fn settled(answer: &LoadAnswer, found: Convergence) -> String {
     match (answer.followed, answer.settled_at_m(found)) {
-        (false, _) => "not asked for".to_owned(),
+        (false, _) => "unknown".to_owned(),
         (true, Some(wavelength_m)) => length(wavelength_m),
         (true, None) => "not settled".to_owned(),
     }

@@ -1,32 +1,32 @@
-//! How sure the areas are, in the words of the field: coverage intervals, what they come from, and what was assumed.
+//! The uncertainty of areas in words: coverage intervals, their sources, and what was assumed.
 
 use scene::Scene;
 use uncertainty::{
     AreaInterval, Group, Guess, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, SpectrumErrors,
     Uncertainty,
 };
-use units::display::{counted, length, three_digits};
+use units::display::{counted, length, percent, three_digits};
 
 use crate::curve_names::in_full;
-use crate::listing::{capital, listed, number_word};
+use crate::listing::{capital, listed, number_word, percent_range};
 
-/// A share above which the input carries most of the interval.
-const MOST: f64 = 0.5;
+/// The share above which an input carries most of the interval.
+const MAJORITY: f64 = 0.5;
 
-/// A misfit of so many standard uncertainties is as expected.
+/// The largest misfit, in standard uncertainties, that is as expected.
 const EXPECTED: f64 = 2.0;
 
-/// More loads than this are left to the table.
-const LOADS_TOLD: usize = 3;
+/// The most loads in words; the table holds all.
+const LOADS_SHOWN: usize = 3;
 
-/// `95 %: 0.0011 to 0.0024, most of it from the scatter of three AFM scans`.
+/// `95 % interval 0.11 to 0.24 %, mostly from the scatter of three AFM scans`.
 pub(crate) fn interval(uncertainty: &Uncertainty, curve: usize, load: usize) -> Option<String> {
     let area = uncertainty.interval(curve, load)?;
     if !varies(area) {
-        return Some("nothing that is uncertain moves it".to_owned());
+        return Some("no uncertain input changes it".to_owned());
     }
     let from = carried_by(uncertainty, area).map_or_else(String::new, |from| format!(", {from}"));
-    Some(format!("{}: {}{from}", level(uncertainty), ends(area)))
+    Some(format!("{} interval {}{from}", level(uncertainty), percent_range(area.low, area.high)))
 }
 
 /// `95 %`, the probability that intervals cover.
@@ -43,32 +43,32 @@ fn varies(area: &AreaInterval) -> bool {
     area.ln_area_sd > 0.0
 }
 
-/// The areas with their intervals, a sentence for each curve, where no judge says which of them stands.
+/// The areas with their intervals, a sentence for each curve.
 pub(crate) fn of_curves(uncertainty: &Uncertainty, scene: &Scene) -> Vec<String> {
     let sentence = |curve: usize| {
         let of_curve = || uncertainty.areas.iter().filter(move |area| area.curve == curve);
-        let told: Vec<String> = of_curve()
-            .take(LOADS_TOLD)
+        let areas: Vec<String> = of_curve()
+            .take(LOADS_SHOWN)
             .filter_map(|area| {
                 let load = &scene.needs.loads[area.load].label;
                 let interval = interval(uncertainty, curve, area.load)?;
-                Some(format!("{} at {load} ({interval})", three_digits(area.area_fraction)))
+                Some(format!("{} of the area touches at {load} ({interval})", percent(area.area_fraction)))
             })
             .collect();
-        let rest = match of_curve().count().saturating_sub(LOADS_TOLD) {
+        let rest = match of_curve().count().saturating_sub(LOADS_SHOWN) {
             0 => String::new(),
             more => format!("; {} more in report-uncertainty", counted(more, "load")),
         };
         let name = in_full(&scene.needs.curves[curve]);
-        (!told.is_empty()).then(|| format!("How sure, {name}: {}{rest}.", told.join("; ")))
+        (!areas.is_empty()).then(|| format!("{name}: {}{rest}.", areas.join("; ")))
     };
     (0..scene.needs.curves.len()).filter_map(sentence).collect()
 }
 
-/// What the intervals rest on: where they are guesses, what instruments say of each other, what was assumed.
+/// The basis of the intervals: draws, guesses, overlaps of instruments, and assumptions.
 #[must_use]
 pub fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
-    let mut sentences = vec![what_was_drawn(uncertainty)];
+    let mut sentences = vec![drawn_inputs(uncertainty)];
     if uncertainty.ended_early {
         sentences.push(format!("{}.", capital(&ended_early(uncertainty))));
     }
@@ -80,8 +80,8 @@ pub fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
     sentences
 }
 
-/// How many draws there are, and of what, as the Guide to the expression of uncertainty in measurement tells it apart.
-fn what_was_drawn(uncertainty: &Uncertainty) -> String {
+/// The number of draws and their inputs, by type A and type B of the Guide to the expression of uncertainty in measurement.
+fn drawn_inputs(uncertainty: &Uncertainty) -> String {
     let of = |is_meant: fn(&Group) -> bool| -> Vec<String> {
         uncertainty
             .groups
@@ -90,21 +90,21 @@ fn what_was_drawn(uncertainty: &Uncertainty) -> String {
             .map(|group| input(uncertainty, *group))
             .collect()
     };
-    let told = |kind: &str, inputs: Vec<String>| {
+    let by_type = |kind: &str, inputs: Vec<String>| {
         let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
         (!names.is_empty()).then(|| format!("{kind}: {}", listed(&names)))
     };
-    // Errors of what was assumed of a spectrum are no statistics.
+    // Errors of an assumed spectrum are no statistics.
     let errors = &uncertainty.spectrum_errors;
     let is_assumed = uncertainty.instruments.is_empty()
         && !errors.is_empty()
         && errors.iter().all(|errors| errors.are_assumed);
     let kinds = if is_assumed {
-        [None, told("type B", of(|_| true))]
+        [None, by_type("type B", of(|_| true))]
     } else {
         [
-            told("type A", of(|group| *group == Group::Scans)),
-            told("type B", of(|group| *group != Group::Scans)),
+            by_type("type A", of(|group| *group == Group::Scans)),
+            by_type("type B", of(|group| *group != Group::Scans)),
         ]
     };
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
@@ -116,8 +116,8 @@ fn what_was_drawn(uncertainty: &Uncertainty) -> String {
     )
 }
 
-/// A group of inputs, by what it holds; a surface that is not made from scans has its spectrum's own errors.
-pub(crate) fn group_in_words(group: Group, is_of_scans: bool) -> &'static str {
+/// A group of inputs in words; without scans the scatter is that of the standard errors of the spectrum.
+pub(crate) fn describe_group(group: Group, is_of_scans: bool) -> &'static str {
     match group {
         Group::Scans if is_of_scans => "the scatter of scans between places",
         Group::Scans => "the standard errors of the spectrum",
@@ -128,53 +128,56 @@ pub(crate) fn group_in_words(group: Group, is_of_scans: bool) -> &'static str {
 }
 
 fn input(uncertainty: &Uncertainty, group: Group) -> String {
-    group_in_words(group, !uncertainty.instruments.is_empty()).to_owned()
+    describe_group(group, !uncertainty.instruments.is_empty()).to_owned()
 }
 
-/// What there is where somebody ended the draws.
+/// The note on draws that were stopped early.
 #[must_use]
 pub fn ended_early(uncertainty: &Uncertainty) -> String {
     let (made, wanted) = (uncertainty.draws, uncertainty.settings.draws);
     if made < wanted {
         format!(
-            "the draws were ended after {made} of {wanted}: intervals rest on these, and there is no advice"
+            "the draws were stopped after {made} of {wanted}: intervals rest on these, and there is no advice"
         )
     } else {
-        "the draws for shares and advice were ended early: intervals rest on all draws".to_owned()
+        "the draws for shares and advice were stopped early: intervals rest on all draws".to_owned()
     }
 }
 
-/// Why intervals are guesses, a line for each reason.
+/// The reasons to treat intervals as guesses, a line each.
 fn guesses(uncertainty: &Uncertainty) -> Vec<String> {
     let why = |guess: &Guess| match guess {
         Guess::FewScans { instrument, scans } => {
             let name = uncertainty.instruments.get(*instrument)?.name.text();
-            Some(format!("{name} has {}, too few to say how places differ", counted(*scans, "scan")))
+            let scans = match scans {
+                1 => format!("one {name} scan"),
+                _ => format!("{} {name} scans", number_word(*scans)),
+            };
+            Some(format!("{scans} cannot show how much the surface varies"))
         }
-        Guess::DrawsWithoutArea { draws, of } => Some(format!(
-            "{draws} of {} leave the range of a model, and its interval is that of the others",
-            counted(*of, "draw")
-        )),
-        Guess::FewDraws { draws } => Some(format!("it rests on {}", counted(*draws, "draw"))),
-        Guess::SpectrumWithoutErrors { name } => Some(format!(
-            "nothing is known of the scatter of {name}, which has no standard errors; it holds that of the other inputs alone"
-        )),
+        Guess::DrawsWithoutArea { draws, of } => {
+            Some(format!("{draws} of {} leave the range of a model and do not count", counted(*of, "draw")))
+        }
+        Guess::FewDraws { draws } => Some(format!("it rests on {} only", counted(*draws, "draw"))),
+        Guess::SpectrumWithoutErrors { name } => {
+            Some(format!("{name} has no standard errors, so it holds the scatter of the other inputs only"))
+        }
         _ => None,
     };
-    let told = uncertainty.guesses.iter().filter_map(why);
-    told.map(|why| format!("The interval is a guess: {why}.")).collect()
+    let reasons = uncertainty.guesses.iter().filter_map(why);
+    reasons.map(|why| format!("Treat the interval as a guess: {why}.")).collect()
 }
 
-/// What two instruments say of each other where both measure.
+/// The misfit of two instruments at the wavelengths that both measure.
 fn misfit(uncertainty: &Uncertainty, overlap: &OverlapMisfit) -> Option<String> {
     let [first, second] = overlap.instruments;
     let [first, second] = [uncertainty.instruments.get(first)?, uncertainty.instruments.get(second)?];
     let found = match is_as_expected(overlap) {
         true => "as expected",
-        false => "more than scatter and calibrations explain",
+        false => "more than scatter and calibration explain",
     };
     Some(format!(
-        "{} and {} differ by a factor {} in the spectrum where both measure, from {} to {} (standard uncertainty a factor {}): {found}.",
+        "{} and {} differ by a factor {} from {} to {}, where both measure (standard uncertainty: a factor {}): {found}.",
         first.name.text(),
         second.name.text(),
         three_digits(overlap.misfit.abs().exp()),
@@ -184,17 +187,16 @@ fn misfit(uncertainty: &Uncertainty, overlap: &OverlapMisfit) -> Option<String> 
     ))
 }
 
-/// Whether what was stated of both instruments explains how far they differ.
+/// Returns true if the stated uncertainties of both instruments explain their misfit.
 pub(crate) fn is_as_expected(overlap: &OverlapMisfit) -> bool {
     overlap.misfit.abs() <= EXPECTED * overlap.expected
 }
 
 fn errors_of_spectrum(errors: &SpectrumErrors) -> String {
-    let others =
-        if errors.samples < errors.of { ", the others are taken to have their neighbours'" } else { "" };
-    let of = if errors.are_assumed { " of what was assumed" } else { "" };
+    let others = if errors.samples < errors.of { ", the others take that of their neighbours" } else { "" };
+    let assumed = if errors.are_assumed { " from assumptions" } else { "" };
     format!(
-        "{}: {} of {} have a standard error{of}{others}; errors are taken to go together over {} decades of wavelength.",
+        "{}: {} of {} have a standard error{assumed}{others}; errors are taken as correlated over {} decades of wavelength.",
         errors.name,
         errors.samples,
         counted(errors.of, "sample"),
@@ -208,9 +210,9 @@ fn assumed_calibrations(instruments: &[InstrumentInput]) -> Option<String> {
     let share = assumed.first()?.z_calibration;
     let names: Vec<&str> = assumed.iter().map(|instrument| instrument.name.text()).collect();
     Some(format!(
-        "Height scale of {}: {} % assumed as standard uncertainty; give z_calibration.",
+        "Height calibration of {} unknown, {} assumed (set z_calibration).",
         listed(&names),
-        three_digits(100.0 * share)
+        percent(share)
     ))
 }
 
@@ -221,15 +223,11 @@ fn guessed_instruments(instruments: &[InstrumentInput]) -> Option<String> {
         .map(|instrument| format!("{} ({})", instrument.name.text(), counted(instrument.scans, "scan")))
         .collect();
     let names: Vec<&str> = guessed.iter().map(String::as_str).collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            "Taken as one instrument each: {}, guessed from format and maker; give instrument.",
-            listed(&names)
-        )
-    })
+    (!names.is_empty())
+        .then(|| format!("Instruments guessed from format and maker: {} (set instrument).", listed(&names)))
 }
 
-/// What carries the interval, where shares are known well enough: `most of it from the scatter of three AFM scans`.
+/// The source of the interval, if its share is known well enough: `mostly from the scatter of three AFM scans`.
 fn carried_by(uncertainty: &Uncertainty, area: &AreaInterval) -> Option<String> {
     if let [only] = uncertainty.groups[..] {
         return Some(format!("from {}", source(uncertainty, area, only)));
@@ -241,16 +239,16 @@ fn carried_by(uncertainty: &Uncertainty, area: &AreaInterval) -> Option<String> 
         .collect();
     let (group, share) = known.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
     let from = source(uncertainty, area, group);
-    if share > MOST {
-        Some(format!("most of it from {from}"))
+    if share > MAJORITY {
+        Some(format!("mostly from {from}"))
     } else if known.len() == uncertainty.groups.len() {
-        Some(format!("the largest part of it ({:.0} %) from {from}", 100.0 * share))
+        Some(format!("the largest part ({:.0} %) from {from}", 100.0 * share))
     } else {
         None
     }
 }
 
-/// A group of inputs by its largest part for an area.
+/// A group of inputs, narrowed to the instrument that leads for an area.
 fn source(uncertainty: &Uncertainty, area: &AreaInterval, group: Group) -> String {
     let by_instrument = match group {
         Group::Scans => leading(uncertainty, area, 0).map(scatter_of),
@@ -261,13 +259,13 @@ fn source(uncertainty: &Uncertainty, area: &AreaInterval, group: Group) -> Strin
     by_instrument.unwrap_or_else(|| input(uncertainty, group))
 }
 
-/// The instrument that carries most of what all of them carry by the scatter of scans (0) or by height scales (1).
+/// The instrument with most of the share of all instruments, by the scatter of scans (0) or by height scales (1).
 fn leading<'u>(
     uncertainty: &'u Uncertainty,
     area: &AreaInterval,
     part: usize,
 ) -> Option<&'u InstrumentInput> {
-    // Of two surfaces the spectrum of the other may carry as much.
+    // The spectrum of a second surface may carry as much.
     if !uncertainty.spectrum_errors.is_empty() {
         return None;
     }
@@ -277,7 +275,7 @@ fn leading<'u>(
     let shares = &uncertainty.advice_for(area.curve, area.load)?.instruments;
     let of_part = || shares.iter().map(move |shares| shares[part]);
     let (at, largest) = of_part().enumerate().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-    (largest > MOST * of_part().sum::<f64>()).then(|| uncertainty.instruments.get(at))?
+    (largest > MAJORITY * of_part().sum::<f64>()).then(|| uncertainty.instruments.get(at))?
 }
 
 /// `the scatter of three AFM scans`.

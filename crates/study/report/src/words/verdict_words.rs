@@ -1,87 +1,103 @@
-//! What the judge found, in plain words: a number with its bracket, what yields, which models stand, what would settle it.
+//! The judgement in words: areas with their ranges, yielding, the verdict on every model, and what to measure.
 
 use findings::answer::Answer;
-use judge::{ERRORS_GIVEN, Extent, Headline, Judgement, OfCurve, OfMap, Reason, RestsOn, Verdict};
+use judge::{Basis, CurveVerdict, ERRORS_GIVEN, Extent, Headline, Judgement, MapVerdict, Reason, Verdict};
 use scene::Scene;
 use uncertainty::Uncertainty;
-use units::display::{counted, length, pressure, three_digits};
+use units::display::{counted, length, percent, pressure, three_digits};
 
+use crate::assessment::Assessment;
 use crate::curve_names::in_full;
-use crate::listing::{at_loads, capital, listed, range};
-use crate::trust::Trust;
+use crate::listing::{at_loads, capital, listed, number_word, percent_range, range};
 use crate::uncertainty_words::{self, interval, level};
 
-/// More loads than this are left to the table.
-const LOADS_TOLD: usize = 3;
+/// The most loads in words; the table holds all.
+const LOADS_SHOWN: usize = 3;
 
-/// The number that a judge stands for; where none was asked, or no curve is left to him, the curves with their intervals.
-pub(crate) fn opening(scene: &Scene, answer: &Answer, trust: Trust<'_>) -> Vec<String> {
-    // A spectrum that tells nothing has no number.
+/// The first sentences on a scene: the area that the judge supports, or else the curves with their intervals.
+pub(crate) fn opening(scene: &Scene, answer: &Answer, assessment: Assessment<'_>) -> Vec<String> {
+    // Such a spectrum has no area to report.
     if answer.too_few_scales.is_some() || answer.instruments_disagree.is_some() {
         return Vec::new();
     }
-    if let Some(first) = first_line(trust, scene) {
+    if let Some(first) = first_line(assessment, scene) {
         return vec![first];
     }
-    trust.uncertainty.map_or_else(Vec::new, |found| uncertainty_words::of_curves(found, scene))
+    assessment.uncertainty.map_or_else(Vec::new, |found| uncertainty_words::of_curves(found, scene))
 }
 
-/// The number of each of the first loads, with its bracket and its coverage interval; none where no curve has an area, or
-/// nobody judged them.
-fn first_line(trust: Trust<'_>, scene: &Scene) -> Option<String> {
-    let judgement = trust.judgement?;
-    let told: Vec<&Headline> = judgement.headlines.iter().take(LOADS_TOLD).collect();
-    let numbers: Vec<String> =
-        told.iter().map(|headline| number(headline, scene, trust.uncertainty)).collect();
-    if numbers.is_empty() {
+/// The area under each of the first loads, a sentence each, with its range and its coverage interval; `None` without a judge,
+/// or if no curve has an area.
+fn first_line(assessment: Assessment<'_>, scene: &Scene) -> Option<String> {
+    let judgement = assessment.judgement?;
+    let first: Vec<&Headline> = judgement.headlines.iter().take(LOADS_SHOWN).collect();
+    let sentence =
+        |headline: &&Headline| headline_sentence(headline, judgement, scene, assessment.uncertainty);
+    let mut sentences: Vec<String> = first.iter().map(sentence).collect();
+    if sentences.is_empty() {
         return None;
     }
-    let rest = match judgement.headlines.len() - told.len() {
-        0 => String::new(),
-        more => format!("; {} more in report-models", counted(more, "load")),
-    };
-    Some(format!("How much touches: {}{rest}.", numbers.join("; ")))
+    match judgement.headlines.len() - first.len() {
+        0 => {}
+        more => sentences.push(format!("{} more in report-models.", capital(&counted(more, "load")))),
+    }
+    Some(sentences.join(" "))
 }
 
-fn number(headline: &Headline, scene: &Scene, uncertainty: Option<&Uncertainty>) -> String {
+fn headline_sentence(
+    headline: &Headline,
+    judgement: &Judgement,
+    scene: &Scene,
+    uncertainty: Option<&Uncertainty>,
+) -> String {
     let load = &scene.needs.loads[headline.load].label;
-    let (low, high) = (three_digits(headline.low), three_digits(headline.high));
-    match headline.rests_on {
-        RestsOn::Curve { curve, area_fraction, .. } => {
+    let range = percent_range(headline.low, headline.high);
+    match headline.basis {
+        Basis::Curve { curve, area_fraction, .. } => {
             let interval = uncertainty.and_then(|found| interval(found, curve, headline.load));
             let interval = interval.map_or_else(String::new, |interval| format!("; {interval}"));
             format!(
-                "{} of the nominal area at {load} (between {low} and {high}{interval})",
-                three_digits(area_fraction)
+                "{} of the area touches at {load} (boundary elements allow {range}{interval}).",
+                percent(area_fraction)
             )
         }
-        RestsOn::RangeOfModels { least, most, elements } => {
-            let models = if low == high { low } else { format!("between {low} and {high}") };
-            let elements = elements.map_or_else(String::new, |judged| {
-                let [low, high] = [-1.0, 1.0].map(|sign| {
-                    three_digits(judged.area_fraction + sign * ERRORS_GIVEN * judged.standard_error)
-                });
-                format!("; boundary elements put it between {low} and {high}")
-            });
+        Basis::RangeOfModels { least, most, elements } => {
             let outer = uncertainty.and_then(|found| {
-                let of = |curve| found.interval(curve, headline.load);
-                let (least, most) = (of(least)?, of(most)?);
-                Some(format!(
-                    "; with what is uncertain {} to {} ({} of the outermost models)",
-                    three_digits(least.low),
-                    three_digits(most.high),
-                    level(found)
-                ))
+                let interval = |curve| found.interval(curve, headline.load);
+                let (least, most) = (interval(least)?, interval(most)?);
+                let range = percent_range(least.low, most.high);
+                Some(format!(", or {range} with their uncertain inputs ({} intervals)", level(found)))
             });
-            format!(
-                "{models} of the nominal area at {load}, what models give of which none stands{}{elements}",
-                outer.unwrap_or_default()
-            )
+            let outer = outer.unwrap_or_default();
+            let is_judged =
+                |curve: &CurveVerdict| curve.load == headline.load && curve.verdict != Verdict::NotJudged;
+            let found = match judgement.curves.iter().any(is_judged) {
+                true => "is valid",
+                false => "could be checked",
+            };
+            let models = match (scene.needs.curves.len(), found) {
+                (1, "is valid") => format!("Your model is not valid here; it gives {range}{outer}."),
+                (1, _) => format!("Your model could not be checked; it gives {range}{outer}."),
+                (count, _) => {
+                    format!(
+                        "None of your {} models {found} here; they give {range}{outer}.",
+                        number_word(count)
+                    )
+                }
+            };
+            match elements {
+                Some(judged) => {
+                    let given = ERRORS_GIVEN * judged.standard_error;
+                    let range = percent_range(judged.area_fraction - given, judged.area_fraction + given);
+                    format!("{range} of the area touches at {load} (boundary elements). {models}")
+                }
+                None => format!("At {load}: {}{}", models[..1].to_lowercase(), &models[1..]),
+            }
         }
     }
 }
 
-/// The verdict: what the numbers rest on, what yields, which models stand and how far off they are, what would settle it.
+/// The judgement: the source of each area, yielding, the verdict on every model, and what to measure.
 pub(crate) fn sentences(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.extend(rests(judgement, scene));
@@ -94,11 +110,11 @@ pub(crate) fn sentences(judgement: &Judgement, scene: &Scene, answer: &Answer) -
     sentences
 }
 
-/// Which curve each number is of.
+/// The curve of each area.
 fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let mut told: Vec<(usize, Vec<&Headline>)> = Vec::new();
     for headline in &judgement.headlines {
-        let RestsOn::Curve { curve, .. } = headline.rests_on else { continue };
+        let Basis::Curve { curve, .. } = headline.basis else { continue };
         match told.iter_mut().find(|(other, _)| *other == curve) {
             Some((_, headlines)) => headlines.push(headline),
             None => told.push((curve, vec![headline])),
@@ -106,26 +122,26 @@ fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     }
     let sentence = |(curve, headlines): (usize, Vec<&Headline>)| {
         let loads: Vec<usize> = headlines.iter().map(|headline| headline.load).collect();
-        let of_windows = headlines.iter().filter_map(|headline| match headline.rests_on {
-            RestsOn::Curve { agreeing, windows, whole_band, .. } => Some((agreeing, windows, whole_band)),
-            RestsOn::RangeOfModels { .. } => None,
+        let of_windows = headlines.iter().filter_map(|headline| match headline.basis {
+            Basis::Curve { agreeing, windows, whole_band, .. } => Some((agreeing, windows, whole_band)),
+            Basis::RangeOfModels { .. } => None,
         });
         let shares: Vec<String> =
             of_windows.clone().map(|(agreeing, windows, _)| format!("{agreeing} of {windows}")).collect();
         let mut distinct = shares.clone();
         distinct.dedup();
-        let (held, bracket) = if of_windows.clone().all(|(.., whole_band)| whole_band) {
-            ("on the whole band of the spectrum".to_owned(), "theirs")
+        let (checked, range) = if of_windows.clone().all(|(.., whole_band)| whole_band) {
+            ("on the whole band of the spectrum".to_owned(), "")
         } else {
             let shares = listed(&distinct.iter().map(String::as_str).collect::<Vec<_>>());
             (
                 format!("on {shares} windows of the spectrum"),
-                "theirs on the last window, pressed by what the longer waves leave",
+                " on the last window, with Persson's theory for the longer waves",
             )
         };
         format!(
-            "{} the number is that of {}, whose assumptions hold and which agrees with boundary elements {held}; the bracket is \
-             {bracket}.",
+            "{} the area is that of {}: its assumptions hold, and it agrees with boundary elements {checked}. Their range is that \
+             of two standard errors{range}.",
             capital(&at_loads(scene, &loads)),
             in_full(&scene.needs.curves[curve])
         )
@@ -133,40 +149,43 @@ fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     told.into_iter().map(sentence).collect()
 }
 
-/// An elastic contact's pressure against the hardness.
+/// The yielding of the contact: the pressure of an elastic contact against the hardness.
 fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let mut told: Vec<(String, Vec<usize>)> = Vec::new();
+    let mut groups: Vec<((&str, String), Vec<usize>)> = Vec::new();
     for yielding in judgement.yielding.iter().filter(|yielding| yielding.has_hardness) {
-        let constant = yielding.above_constant.map(|above| {
-            format!(
-                "exceeds the hardness of {} from {} on",
-                pressure(above.hardness_pa),
-                length(above.wavelength_m)
-            )
-        });
         let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
-            (true, None) => ", but not a hardness that grows at small scales as the material's does",
+            (true, None) => "; a hardness that grows at small scales as the material's does is not exceeded",
             (true, Some(_)) => {
-                ", and at some scale that of a hardness which grows at small scales as the material's does"
+                "; a hardness that grows as the material's does is exceeded as well, at some scale"
             }
         };
-        let text = match constant {
-            None => "stays below the hardness at every scale: nothing yields on the whole".to_owned(),
-            Some(constant) => format!("{constant}{growing}"),
+        let words = match yielding.above_constant {
+            None => (
+                "Nothing yields",
+                "the mean pressure of an elastic contact stays below the hardness at every scale".to_owned(),
+            ),
+            Some(above) => (
+                "The contact yields",
+                format!(
+                    "roughness finer than {} would need more than the hardness, {}, to stay elastic{growing}",
+                    length(above.wavelength_m),
+                    pressure(above.hardness_pa)
+                ),
+            ),
         };
-        match told.iter_mut().find(|(other, _)| *other == text) {
+        match groups.iter_mut().find(|(other, _)| *other == words) {
             Some((_, loads)) => loads.push(yielding.load),
-            None => told.push((text, vec![yielding.load])),
+            None => groups.push((words, vec![yielding.load])),
         }
     }
-    let sentence = |(text, loads): (String, Vec<usize>)| {
-        format!("What yields {}: the mean pressure of an elastic contact {text}.", at_loads(scene, &loads))
+    let sentence = |((found, why), loads): ((&str, String), Vec<usize>)| {
+        format!("{found} {}: {why}.", at_loads(scene, &loads))
     };
-    told.into_iter().map(sentence).collect()
+    groups.into_iter().map(sentence).collect()
 }
 
-/// What is said of every curve: those of one verdict together.
+/// The verdict on every curve, with the curves of one verdict together.
 fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let verdicts = [
         (Verdict::Agrees, "Agrees with boundary elements"),
@@ -178,7 +197,7 @@ fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let of_verdict = |(verdict, words): (Verdict, &str)| {
         let curves: Vec<String> = (0..scene.needs.curves.len())
             .filter_map(|curve| {
-                let told: Vec<&OfCurve> =
+                let told: Vec<&CurveVerdict> =
                     judgement.curves.iter().filter(|of| of.curve == curve && of.verdict == verdict).collect();
                 (!told.is_empty()).then(|| of_curve(scene, curve, &told))
             })
@@ -188,7 +207,7 @@ fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     verdicts.into_iter().filter_map(of_verdict).collect()
 }
 
-fn of_curve(scene: &Scene, curve: usize, told: &[&OfCurve]) -> String {
+fn of_curve(scene: &Scene, curve: usize, told: &[&CurveVerdict]) -> String {
     let name = in_full(&scene.needs.curves[curve]);
     let loads: Vec<usize> = told.iter().map(|of| of.load).collect();
     let ratios: Vec<f64> = told.iter().filter_map(|of| of.ratio).collect();
@@ -205,70 +224,70 @@ fn of_curve(scene: &Scene, curve: usize, told: &[&OfCurve]) -> String {
     }
 }
 
-/// The reason that curves share, with the wavelengths at which it begins under the loads.
-fn range_of_reasons(told: &[&OfCurve]) -> String {
+/// The reason that all loads share, with the range of wavelengths at which it begins.
+fn range_of_reasons(told: &[&CurveVerdict]) -> String {
     let begins: Vec<f64> = told.iter().filter_map(|of| Some(of.broken?.wavelength_m())).collect();
     match told[0].reason {
-        Reason::Broken(judge::Broken::Yields(_)) => format!(
-            "it takes no yielding into account, and its pressure exceeds the hardness from {} on",
+        Reason::Broken(judge::BrokenAssumption::Yields(_)) => format!(
+            "it assumes that nothing yields, but its pressure exceeds the hardness from {} on",
             range(begins.into_iter(), length)
         ),
-        Reason::Broken(judge::Broken::Unfitted { .. }) => format!(
-            "too much of the load stands outside the range that its law was fitted in, from {} on",
+        Reason::Broken(judge::BrokenAssumption::Unfitted { .. }) => format!(
+            "too much of the load rests outside the fitted range of its law, from {} on",
             range(begins.into_iter(), length)
         ),
         reason => reason.to_string(),
     }
 }
 
-/// What the spectrum leaves out of the measured maps.
+/// The effect on measured maps of what their spectrum leaves out.
 fn phases(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let of_map = |of: &OfMap| {
+    let of_map = |of: &MapVerdict| {
         let error = 2.0 * of.twins.relative_error() * of.ratio();
         format!(
-            "The map {} under {} has {} (give or take {}) times the area of Gaussian surfaces of its own waves: {}.",
+            "The map {} at {} has {} ± {} times the contact area of Gaussian surfaces with its spectrum: {}.",
             of.map,
             scene.needs.loads[of.load].label,
             three_digits(of.ratio()),
             three_digits(error),
             if (of.ratio() - 1.0).abs() > error.max(0.05) {
-                "its heights are not Gaussian, and the spectrum leaves that out"
+                "its heights are not Gaussian, which no spectrum shows"
             } else {
-                "the spectrum tells all that matters"
+                "the spectrum is enough"
             }
         )
     };
     judgement.maps.iter().map(of_map).collect()
 }
 
-/// Where slopes are too large for all of them.
+/// The wavelength at which slopes become too steep for every method.
 fn steep(judgement: &Judgement) -> Option<String> {
     let from_m = judgement.steep_from_m?;
     Some(format!(
-        "Small slopes, which every model here and the elements take for granted, end at {}: from there on the rms pressure of full \
-         contact exceeds E*/10 (rms gradient {} in all). Verdicts compare models of a half-space with one another.",
+        "Below {} slopes are too steep for every method used here, boundary elements included: the rms pressure of full contact \
+         exceeds E*/10 (rms gradient {} over the whole band).",
         length(from_m),
         three_digits(judgement.rms_gradient)
     ))
 }
 
-/// What would settle it.
+/// Measurements that would settle open questions.
 fn settling(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Vec<String> {
     let mut sentences = Vec::new();
     let open: Vec<usize> = judgement
         .headlines
         .iter()
-        .filter_map(|headline| match headline.rests_on {
-            RestsOn::Curve { curve, .. } => {
+        .filter_map(|headline| match headline.basis {
+            Basis::Curve { curve, .. } => {
                 let settled = answer.curves[curve][headline.load].as_ref()?.settled;
                 (!settled).then_some(headline.load)
             }
-            RestsOn::RangeOfModels { .. } => None,
+            Basis::RangeOfModels { .. } => None,
         })
         .collect();
     if !open.is_empty() {
         sentences.push(format!(
-            "What would settle it {}: a spectrum to shorter wavelengths. Finer roughness can only lower the area.",
+            "To settle the area {}, measure shorter wavelengths: finer roughness can only lower it.",
             at_loads(scene, &open)
         ));
     }
@@ -281,8 +300,7 @@ fn settling(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Vec<String
         .collect();
     if !torn.is_empty() {
         sentences.push(
-            "What would settle whether it yields: the hardness at the depth of the small scales, by indentation; it decides \
-             between elastic and plastic contact."
+            "To settle whether the contact yields, measure the hardness at the depth of the small scales by indentation."
                 .to_owned(),
         );
     }
@@ -290,18 +308,20 @@ fn settling(judgement: &Judgement, scene: &Scene, answer: &Answer) -> Vec<String
 }
 
 fn pressed(extent: &Extent) -> String {
-    let times = if extent.windows == 1 { "the whole band" } else { "windows half a decade apart" };
     let left_out = match extent.left_out {
         0 => String::new(),
         some => format!(" ({} without roughness left out)", counted(some, "window")),
     };
+    let windows = match extent.windows {
+        1 => "the whole band".to_owned(),
+        some => format!("{} half a decade apart", counted(some, "window")),
+    };
     format!(
-        "Pressed for this: {}{left_out} under {} on {times}, {} x {} points, {} each, seed {}; {} operators times points of a budget of {}.",
-        counted(extent.windows, "window"),
+        "Boundary elements pressed {windows}{left_out}: {}, {} each of {} x {} points, seed {}; cost {} of a budget of {}.",
         counted(extent.solved, "pressure"),
-        extent.grid,
-        extent.grid,
         counted(extent.realisations, "surface"),
+        extent.grid,
+        extent.grid,
         extent.seed,
         three_digits(extent.spent),
         three_digits(extent.budget)

@@ -1,4 +1,4 @@
-//! The areas that go with the load, beside those of elastic models, in words.
+//! Linear laws of the area beside elastic models, in words.
 
 use scene::Scene;
 use stat_contact::LinearLaw;
@@ -6,8 +6,8 @@ use study::linear_laws::{linear_areas, rms_gradients};
 use study::plan::{Curve, Load, Results};
 use units::display::three_digits;
 
-/// The linear laws under every load of a scene, for a curve whose model is elastic; none where the area of no load is small
-/// enough for them.
+/// The areas of the linear laws under every load, for a curve with an elastic model; `None` if no load is light enough for
+/// them.
 pub(crate) fn yardsticks(scene: &Scene, results: &Results, curve: &Curve) -> Option<String> {
     let (_, gradient) = *rms_gradients(&results.psd).last()?;
     let areas = |load: &Load| {

@@ -53,9 +53,11 @@ pub struct Series {
     pub condition: String,
     /// The same for the legend: a load also in units of the hardness.
     pub condition_in_full: String,
-    /// Which lines share a colour.
+    /// The load it is drawn for, by index; `None` for a line against the load, or without one.
+    pub load: Option<usize>,
+    /// The group it belongs to: lines of one group share a colour.
     pub colour: usize,
-    /// Which lines share a dash pattern; 0 is solid.
+    /// The dash pattern, shared by the lines of a curve; 0 is solid.
     pub dash: usize,
     /// Abscissa and ordinate of each point; the abscissas run one way.
     pub points: Vec<(f64, f64)>,
@@ -69,6 +71,7 @@ impl Series {
             curve: String::new(),
             condition: condition.to_owned(),
             condition_in_full: condition.to_owned(),
+            load: None,
             colour,
             dash: 0,
             points,
@@ -83,6 +86,8 @@ pub struct Band {
     pub label: String,
     /// What it is to the lines of its colour.
     pub kind: BandKind,
+    /// The load of these lines, by index, if they are drawn for one.
+    pub load: Option<usize>,
     /// The colour of those lines.
     pub colour: usize,
     /// The dash pattern of the line whose interval it is; 0 of a yardstick.

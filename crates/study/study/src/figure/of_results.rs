@@ -60,7 +60,14 @@ impl Figure {
             let areas = |gradient| linear_areas(elastic, load.nominal_pressure_pa(), gradient);
             let point = |&(cutoff_m, gradient): &(f64, f64)| Some((cutoff_m, areas(gradient)?));
             let points = gradients.iter().filter_map(point).collect();
-            Band { label: "linear laws".to_owned(), kind: BandKind::Yardstick, colour, dash: 0, points }
+            Band {
+                label: "linear laws".to_owned(),
+                kind: BandKind::Yardstick,
+                load: Some(colour),
+                colour,
+                dash: 0,
+                points,
+            }
         };
         needs.loads.iter().enumerate().map(band).filter(|band| !band.points.is_empty()).collect()
     }
@@ -73,6 +80,7 @@ impl Figure {
                 let line = self.line(&needs.curves[curve].name, &load.label, place, colour, points);
                 series.push(Series {
                     condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa(), hardness_pa),
+                    load: Some(colour),
                     ..line
                 });
             }
@@ -126,6 +134,7 @@ impl Figure {
             curve: curve.to_owned(),
             condition: condition.to_owned(),
             condition_in_full: typeset(condition),
+            load: None,
             colour,
             dash,
             points,
@@ -151,6 +160,7 @@ fn moment_series(results: &Results) -> Vec<Series> {
             curve: String::new(),
             condition: name.to_owned(),
             condition_in_full: name.to_owned(),
+            load: None,
             colour,
             dash: 0,
             points: results
@@ -169,6 +179,7 @@ fn alone(column: &str, points: Vec<(f64, f64)>) -> Series {
         curve: String::new(),
         condition: String::new(),
         condition_in_full: String::new(),
+        load: None,
         colour: 0,
         dash: 0,
         points,

@@ -44,6 +44,7 @@ fn series(name: &str, colour: usize, dash: usize, column: &str, psd: &ProfilePsd
         curve: if dash == 0 { "scans".to_owned() } else { "composite".to_owned() },
         condition: String::new(),
         condition_in_full: if dash == 0 { name.to_owned() } else { String::new() },
+        load: None,
         colour,
         dash,
         points: wavevectors.zip(psd.c1d_m3().iter().copied()).collect(),

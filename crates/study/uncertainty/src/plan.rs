@@ -1,23 +1,23 @@
-//! The draws of a scene, from its inputs to what is told.
+//! The draws of a scene, from its inputs to the result.
 
 use scene::Scene;
 use study::Progress;
 use study::plan::{Cutoffs, PlanError, Results, Work};
 
-use crate::advice::{Adviser, TELLING_SCANS};
+use crate::advice::{Adviser, MIN_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
 use crate::draws::{self, Along, Drawn};
-use crate::found::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::group::Indices;
 use crate::inputs::Inputs;
 use crate::quantiles::{interval, interval_about};
 use crate::quantities::{Quantities, QuantityDraws};
+use crate::results::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
-/// What has to be done to tell how sure the areas of a scene are.
+/// The plan of an uncertainty analysis.
 #[derive(Debug)]
 pub struct UncertaintyPlan<'p> {
     results: &'p Results,
@@ -28,24 +28,25 @@ pub struct UncertaintyPlan<'p> {
     area_fractions: Vec<Option<f64>>,
 }
 
-/// With fewer draws than this nothing is told.
-const FEWEST_DRAWS: usize = 20;
+/// The fewest draws that give a result.
+const MIN_DRAWS: usize = 20;
 
-/// The error that the number of draws leaves, as a share of the interval, from which on the interval is a guess.
-const LOOSE: f64 = 0.25;
+/// The relative Monte Carlo error of an interval above which it is a guess.
+const MAX_MONTE_CARLO_ERROR: f64 = 0.25;
 
-/// The share of draws that have to have an area for an interval of them.
-const LEAST_WITH_AREA: f64 = 0.9;
+/// The least share of draws with an area for an interval of them.
+const MIN_SHARE_WITH_AREA: f64 = 0.9;
 
-/// The level of the narrower interval, that of one standard uncertainty of a normal distribution.
+/// The level of the narrower interval: one standard uncertainty of a normal distribution.
 const ONE_STANDARD_UNCERTAINTY: f64 = 0.68;
 
 impl<'p> UncertaintyPlan<'p> {
-    /// That of a scene and its results; none where nothing of the scene scatters, or it has no areas.
+    /// Plans the analysis of a scene and its results; `None` if nothing in the scene is uncertain, or if it has no
+    /// areas.
     #[must_use]
-    pub fn of(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
-        let inputs = Inputs::of(scene, settings.seed)?;
-        let areas = Areas::of(scene, results);
+    pub fn new(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
+        let inputs = Inputs::from_scene(scene, settings.seed)?;
+        let areas = Areas::new(scene, results);
         let shortest_m = results.psd.shortest_wavelength_m();
         let last = |curve: usize, load| {
             let last = results.curves[curve].area_fractions(load).last().copied();
@@ -56,7 +57,7 @@ impl<'p> UncertaintyPlan<'p> {
             .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
             .collect();
         let has_areas = area_fractions.iter().any(Option::is_some);
-        let quantities = Quantities::of(scene, results);
+        let quantities = Quantities::from_scene(scene, results);
         has_areas.then_some(UncertaintyPlan {
             results,
             settings: *settings,
@@ -67,7 +68,7 @@ impl<'p> UncertaintyPlan<'p> {
         })
     }
 
-    /// How many steps of progress it takes, at most; most of them are draws.
+    /// The most steps of progress, most of which are draws.
     #[must_use]
     pub fn steps(&self) -> usize {
         let draws = self.settings.draws;
@@ -76,11 +77,12 @@ impl<'p> UncertaintyPlan<'p> {
         draws + of_quantities + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
     }
 
-    /// Carries it out. Whoever watches may end the draws: what was drawn by then is told, without shares and advice.
+    /// Runs the analysis. `progress` may end the draws early: the result then rests on the draws made so far, without
+    /// shares and advice.
     ///
     /// # Errors
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
-    pub fn carry_out(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
+    pub fn run(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
         let drawn = self.drawn(progress)?;
         let draws = drawn.ln_areas.len();
         let mut work = drawn.work;
@@ -95,7 +97,7 @@ impl<'p> UncertaintyPlan<'p> {
             work += of_best;
             plans += 1;
         }
-        let shares = self.design().carry_out(&self.inputs, &self.areas, &drawn, progress);
+        let shares = self.design().run(&self.inputs, &self.areas, &drawn, progress);
         let is_incomplete = draws < self.settings.draws || shares.is_none() || progress.is_cancelled();
         let (indices, of_shares, plans_of_shares) = shares.unwrap_or_default();
         work += of_shares;
@@ -129,9 +131,9 @@ impl<'p> UncertaintyPlan<'p> {
         };
         let QuantityDraws { intervals, open_channels } = self.quantities_of(draws, &found.areas, progress);
         (found.quantities, found.open_channels) = (intervals, open_channels);
-        self.tell_inputs(&mut found);
+        self.describe_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
-        let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > LOOSE);
+        let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > MAX_MONTE_CARLO_ERROR);
         if draws < self.settings.draws || beyond_an_end < 1.0 || are_ends_loose {
             found.guesses.push(Guess::FewDraws { draws });
         }
@@ -144,25 +146,25 @@ impl<'p> UncertaintyPlan<'p> {
         Ok(found)
     }
 
-    /// The intervals alone, without indices, bands and advice; a step of `progress` is a draw.
+    /// Computes the intervals only, without indices, bands and advice. `progress` advances once per draw.
     ///
     /// # Errors
-    /// Those of [`carry_out`](Self::carry_out).
+    /// Those of [`run`](Self::run).
     pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
         Ok(self.intervals_of(&self.drawn(progress)?, &[]).0)
     }
 
-    /// The draws, as many as were made before somebody ended them.
+    /// Makes the draws, fewer if they are cancelled.
     fn drawn(&self, progress: &dyn Progress) -> Result<Drawn, PlanError> {
         let wanted = self.settings.draws;
         let drawn = draws::all(&self.inputs, &self.areas, wanted, DrawOf::all, progress);
-        if drawn.ln_areas.len() < FEWEST_DRAWS.min(wanted) {
+        if drawn.ln_areas.len() < MIN_DRAWS.min(wanted) {
             return Err(PlanError::Cancelled);
         }
         Ok(drawn)
     }
 
-    /// The interval of every area that has one, about that of the best estimates.
+    /// The interval of every area that has one, centred on the best estimates.
     fn intervals_of(&self, drawn: &Drawn, indices: &[Vec<Indices>]) -> (Vec<AreaInterval>, Work) {
         let best = match self.inputs.best_psd() {
             Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
@@ -180,7 +182,7 @@ impl<'p> UncertaintyPlan<'p> {
     }
 
     fn design(&self) -> Design {
-        Design::of(self.settings.draws, self.settings.shares_draws)
+        Design::new(self.settings.draws, self.settings.shares_draws)
     }
 
     fn adviser<'a>(&'a self, drawn: &'a Drawn, indices: &'a [Vec<Indices>]) -> Adviser<'a> {
@@ -193,14 +195,14 @@ impl<'p> UncertaintyPlan<'p> {
     }
 
     fn draws_of_bands(&self) -> usize {
-        if self.follows_any() { self.settings.draws.min(bands::MOST_DRAWS) } else { 0 }
+        if self.follows_any() { self.settings.draws.min(bands::MAX_DRAWS) } else { 0 }
     }
 
     fn along(&self, progress: &dyn Progress) -> (Vec<Along>, Work) {
         draws::along(&self.inputs, &self.areas, self.draws_of_bands(), progress)
     }
 
-    /// What the best estimates have along the cutoff; none where no curve is followed.
+    /// The areas of the best estimates along the cutoff; `None` if no curve is followed.
     fn best_along(&self) -> Option<(Along, Work)> {
         let psd = self.inputs.best_psd().filter(|_| self.follows_any())?;
         self.areas.along(psd.as_ref(), self.areas.curves().to_vec())
@@ -226,7 +228,7 @@ impl<'p> UncertaintyPlan<'p> {
         indices: &[Vec<Indices>],
     ) -> Option<AreaInterval> {
         let ln_areas = drawn.of(area);
-        if (ln_areas.len() as f64) < LEAST_WITH_AREA * drawn.ln_areas.len() as f64 {
+        if (ln_areas.len() as f64) < MIN_SHARE_WITH_AREA * drawn.ln_areas.len() as f64 {
             return None;
         }
         // What calibrations and data sheets alone leave open is told as it is drawn.
@@ -251,7 +253,7 @@ impl<'p> UncertaintyPlan<'p> {
         })
     }
 
-    fn tell_inputs(&self, found: &mut Uncertainty) {
+    fn describe_inputs(&self, found: &mut Uncertainty) {
         for part in self.inputs.surface.parts() {
             match part {
                 SurfaceScatter::Scans(scans) => {
@@ -259,7 +261,7 @@ impl<'p> UncertaintyPlan<'p> {
                     let few = (0..scans.told.len()).filter_map(|at| {
                         let places = scans.places_in_a_bin(at);
                         let guess = Guess::FewScans { instrument: first + at, scans: places };
-                        (places < TELLING_SCANS).then_some(guess)
+                        (places < MIN_SCANS).then_some(guess)
                     });
                     found.guesses.extend(few);
                     found.instruments.extend(scans.told.iter().cloned());

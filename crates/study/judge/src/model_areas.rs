@@ -9,11 +9,11 @@ use study::plan::{
 use crate::JudgeError;
 use crate::window::Window;
 
-/// Scales per decade of stacks on a spectrum that has too few samples to tell.
+/// Scales per decade of stacks on a spectrum with too few samples to set them.
 const SCALES_PER_DECADE: f64 = 10.0;
 
-/// The area fractions of some curves of a scene on a window, for each under every one of these mean pressures \[Pa\]; none
-/// where a curve has none there. Choices and tolerances are the scene's; `psd` is its spectrum as sampled.
+/// The area fractions of the `wanted` curves of a scene on a window, curve by curve and pressure \[Pa\] by pressure; `None`
+/// for a curve without an area there. Choices and tolerances are the scene's; `psd` is its spectrum as sampled.
 pub(crate) fn area_fractions(
     scene: &Scene,
     psd: &ProfilePsd,

@@ -1,4 +1,4 @@
-//! What draws say of a scene.
+//! The results of an uncertainty analysis.
 
 use serde::Serialize;
 use study::interface::Slot;
@@ -7,38 +7,38 @@ use study::plan::Work;
 use crate::group::{Group, Indices};
 use crate::settings::Settings;
 
-/// How sure the areas of a scene are.
+/// The uncertainty of the areas of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Uncertainty {
-    /// How the draws were made.
+    /// The settings of the draws.
     pub settings: Settings,
-    /// How many draws the intervals rest on: as many as were asked for, unless they were ended before.
+    /// The number of draws behind the intervals: as many as requested, unless they were stopped early.
     pub draws: usize,
-    /// Whether somebody ended the draws before all were made.
+    /// True if the draws were stopped early.
     pub ended_early: bool,
     /// The groups of inputs that scatter.
     pub groups: Vec<Group>,
     /// The instruments of the scans; none for a spectrum from a file.
     pub instruments: Vec<InstrumentInput>,
-    /// What instruments say of the wavelengths that they share.
+    /// The overlaps of instruments.
     pub overlaps: Vec<OverlapMisfit>,
-    /// The standard errors of spectra from files, where they have some.
+    /// The standard errors of spectra from files that have some.
     pub spectrum_errors: Vec<SpectrumErrors>,
-    /// Why an interval is a guess, where it is one.
+    /// The reasons to treat intervals as guesses.
     pub guesses: Vec<Guess>,
     /// An interval for every curve and load that has an area.
     pub areas: Vec<AreaInterval>,
-    /// An interval for everything that the scene asks of its interface and that has a value.
+    /// An interval for every quantity of the interface that the scene requests and that has a value.
     pub quantities: Vec<QuantityInterval>,
-    /// In how many draws a seal lets a channel through, load by load.
+    /// For every load, the share of draws in which a seal leaks.
     pub open_channels: Vec<OpenChannel>,
     /// Intervals along the cutoff, for every followed curve and load.
     pub bands: Vec<AreaBand>,
-    /// What to measure next; absent where nothing of the spectrum scatters or draws were ended.
+    /// Advice on what to measure next; empty if the spectrum is certain or the draws were stopped early.
     pub advice: Vec<Advice>,
-    /// How much was computed for the draws, bands, shares and advice together.
+    /// The work of draws, bands, shares and advice together.
     pub work: Work,
-    /// How often the plan was carried out for them.
+    /// The number of plans computed for them.
     pub plans: usize,
 }
 
@@ -53,15 +53,15 @@ pub struct AreaInterval {
     pub area_fraction: f64,
     /// The median of the draws, corrected for bias where the surface scatters.
     pub median: f64,
-    /// The lower end of the interval, which leaves as much probability below as the upper one above; of draws as they are where
-    /// the surface is taken for exact, and else corrected for bias
-    /// ([`interval_about`](crate::quantiles::interval_about)).
+    /// The lower end of the interval, with as much probability below it as above the upper end; corrected for bias
+    /// ([`interval_about`](crate::quantiles::interval_about)) if the surface is uncertain.
     pub low: f64,
     /// The upper end.
     pub high: f64,
     /// The interval of 68 %.
     pub within_68: [f64; 2],
-    /// One standard error of ln(high/low) and of the ends, which more draws would shrink, as a share of ln(high/low); 0 where nothing scatters.
+    /// The standard error of ln(high/low) and of the ends from the number of draws, as a share of ln(high/low); 0 if
+    /// nothing is uncertain.
     pub monte_carlo_error: f64,
     /// Standard deviation of ln A.
     pub ln_area_sd: f64,
@@ -69,7 +69,7 @@ pub struct AreaInterval {
     pub indices: Vec<Indices>,
 }
 
-/// A quantity of the interface with its interval, as that of an area.
+/// A quantity of the interface with its interval, defined as that of an area.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct QuantityInterval {
     /// The quantity, its load and its curve.
@@ -82,11 +82,11 @@ pub struct QuantityInterval {
     pub low: f64,
     /// The upper end.
     pub high: f64,
-    /// One standard error of ln(high/low) as a share of it.
+    /// The standard error of ln(high/low), as a share of it.
     pub monte_carlo_error: f64,
 }
 
-/// How often a seal is not tight.
+/// The share of draws in which a seal is not tight.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct OpenChannel {
     /// The load, by index.
@@ -95,18 +95,18 @@ pub struct OpenChannel {
     pub share: f64,
 }
 
-/// How an instrument's scans came to their instrument.
+/// The name of an instrument and its source.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "from", content = "name")]
 pub enum InstrumentName {
-    /// The scene says so.
+    /// Named by the scene.
     Given(String),
-    /// Guessed from the format and what the file says of its maker.
+    /// Guessed from the format and the maker in the file.
     Guessed(String),
 }
 
 impl InstrumentName {
-    /// The name itself.
+    /// The name.
     #[must_use]
     pub fn text(&self) -> &str {
         match self {
@@ -115,51 +115,51 @@ impl InstrumentName {
     }
 }
 
-/// What stands for the scatter between places.
+/// The data that represent the scatter between places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Resampled {
-    /// The scans, of which there are so many at different places.
+    /// This number of scans at different places.
     Scans(usize),
-    /// So many blocks of lines of the one map.
+    /// This number of blocks of lines of the one map.
     BlocksOfLines(usize),
-    /// Nothing: one scan of few lines, of which the scatter of its own Fourier bins is known.
+    /// One scan of few lines: only the scatter of its own Fourier bins is known.
     SingleLine,
 }
 
-/// An instrument, as the draws take it.
+/// An instrument as an input of the draws.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InstrumentInput {
     /// Its name.
     pub name: InstrumentName,
-    /// At how many places it has scanned.
+    /// The number of places scanned.
     pub scans: usize,
-    /// What stands for their scatter.
+    /// The data that represent the scatter between these places.
     pub resampled: Resampled,
-    /// One standard uncertainty of its height scale, as a share.
+    /// The standard uncertainty of its height scale, as a share.
     pub z_calibration: f64,
-    /// Whether that was assumed.
+    /// True if this uncertainty was assumed.
     pub z_calibration_is_assumed: bool,
-    /// One standard uncertainty of the exponent of its spectrum; 0 where none was given.
+    /// The standard uncertainty of the exponent of its spectrum; 0 if none was given.
     pub slope_uncertainty: f64,
-    /// What the overlaps leave of the gain of its spectrum, ln C: mean and standard uncertainty.
+    /// Mean and standard uncertainty of the gain of its spectrum, ln C, after all overlaps.
     pub gain: [f64; 2],
     /// The wavelengths \[m\] that its scans show, the longest first.
     pub band_m: [f64; 2],
 }
 
-/// What two instruments say of the wavelengths that they share.
+/// The overlap of two instruments.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OverlapMisfit {
-    /// Both, by index.
+    /// Both instruments, by index.
     pub instruments: [usize; 2],
     /// Mean of ln(C_first/C_second) over the shared bins.
     pub misfit: f64,
-    /// Its standard uncertainty from the scatter of the scans.
+    /// The standard uncertainty of the misfit from the scatter of the scans.
     pub scatter: f64,
-    /// Its standard uncertainty with that of the height scales, against which the misfit is to be held.
+    /// The standard uncertainty of the misfit with that of the height scales, to compare it with.
     pub expected: f64,
-    /// How many bins they share.
+    /// The number of shared bins.
     pub bins: usize,
     /// The longest wavelength shared \[m\].
     pub longest_m: f64,
@@ -172,42 +172,42 @@ pub struct OverlapMisfit {
 pub struct SpectrumErrors {
     /// The file.
     pub name: String,
-    /// How many samples have one.
+    /// The number of samples with a standard error.
     pub samples: usize,
-    /// Of how many.
+    /// The number of all samples.
     pub of: usize,
-    /// Decades of wavelength over which errors are taken to go together.
+    /// Decades of wavelength over which errors are correlated.
     pub correlation_decades: f64,
-    /// Whether they are of what was assumed to make the spectrum of roughness parameters, and no statistics.
+    /// True if the errors come from assumptions on roughness parameters, not from statistics.
     pub are_assumed: bool,
 }
 
-/// Why an interval is a guess.
+/// The reason to treat an interval as a guess.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Guess {
-    /// An instrument with so few scans (1 or 2) says little of how places differ.
+    /// One or two scans say little about the scatter between places.
     FewScans {
         /// The instrument, by index.
         instrument: usize,
-        /// How many it has.
+        /// The number of its scans.
         scans: usize,
     },
-    /// Some draws leave the range of a model, so that its interval is that of the others.
+    /// Some draws leave the range of a model, so that its interval rests on the others.
     DrawsWithoutArea {
-        /// How many have no area, of the area that has fewest.
+        /// The number of draws without an area, for the area with the most of them.
         draws: usize,
-        /// Of how many.
+        /// The number of all draws.
         of: usize,
     },
-    /// The draws were ended early, or are so few that none lies beyond an end, or that an end is known to a quarter of the interval
-    /// at best.
+    /// The draws were stopped early, or are so few that none lies beyond an end, or that an end is known to a quarter
+    /// of the interval at best.
     FewDraws {
-        /// How many there are.
+        /// The number of draws.
         draws: usize,
     },
-    /// Spectra from files without standard errors beside uncertain materials: nothing is known of their scatter.
+    /// A spectrum without standard errors beside uncertain materials, so that its scatter is missing.
     SpectrumWithoutErrors {
         /// The file.
         name: String,
@@ -221,7 +221,7 @@ pub struct AreaBand {
     pub curve: usize,
     /// The load, by index.
     pub load: usize,
-    /// From long to short cutoffs.
+    /// The points, from long to short cutoffs.
     pub points: Vec<BandPoint>,
 }
 
@@ -236,20 +236,20 @@ pub struct BandPoint {
     pub high: f64,
 }
 
-/// What to measure next, for one curve and load.
+/// Advice on what to measure next for one curve and load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Advice {
     /// The curve, by index.
     pub curve: usize,
     /// The load, by index.
     pub load: usize,
-    /// How much of the variance of ln A that comes from the spectrum each decade of wavelengths carries.
+    /// The share of each decade of wavelengths in the variance of ln A from the spectrum.
     pub decades: Vec<DecadeOfVariance>,
-    /// How much of the variance of ln A the scatter of each instrument's scans carries, and its height scale.
+    /// For every instrument, the shares of its scans and of its height scale in the variance of ln A.
     pub instruments: Vec<[f64; 2]>,
-    /// What could be done, the step that shrinks the interval most first.
+    /// The possible steps, the one that shrinks the interval most first.
     pub steps: Vec<Step>,
-    /// Whether more of the spectrum would settle the area.
+    /// The outlook for settling the area with more of the spectrum.
     pub settling: Settling,
 }
 
@@ -264,27 +264,27 @@ pub struct DecadeOfVariance {
     pub share: f64,
 }
 
-/// Something that could be measured.
+/// A possible measurement.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
-    /// What.
+    /// The kind of measurement.
     pub kind: StepKind,
-    /// ln(high/low) after it over that before.
+    /// ln(high/low) after the step over that before.
     pub width_ratio: f64,
-    /// The area after it over that before; 1 where it is not expected to move.
+    /// The area after the step over that before; 1 if no change is expected.
     pub area_ratio: f64,
 }
 
-/// What could be measured.
+/// The kind of a possible measurement.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum StepKind {
-    /// More scans of an instrument, at other places.
+    /// Further scans of an instrument, at other places.
     MoreScans {
         /// The instrument, by index.
         instrument: usize,
-        /// How many more.
+        /// The number of further scans.
         added: usize,
     },
     /// A height scale known exactly.
@@ -294,17 +294,17 @@ pub enum StepKind {
     },
     /// Inputs of the material known exactly.
     KnownExactly {
-        /// Which.
+        /// The group of inputs.
         group: Group,
     },
-    /// Longer wavelengths, by half a decade.
+    /// Wavelengths longer by half a decade.
     LongerWavelengths {
-        /// Up to this wavelength \[m\].
+        /// The new longest wavelength \[m\].
         to_m: f64,
     },
-    /// Shorter wavelengths, by half a decade: they belong to the surface, so that the area moves.
+    /// Wavelengths shorter by half a decade; they belong to the surface, so that the area changes.
     ShorterWavelengths {
-        /// Down to this wavelength \[m\].
+        /// The new shortest wavelength \[m\].
         to_m: f64,
     },
 }
@@ -325,7 +325,7 @@ impl StepKind {
         }
     }
 
-    /// The instrument that it takes, by index.
+    /// The instrument of the step, by index.
     #[must_use]
     pub fn instrument(&self) -> Option<usize> {
         match self {
@@ -336,7 +336,7 @@ impl StepKind {
         }
     }
 
-    /// How many scans it adds.
+    /// The number of scans that the step adds.
     #[must_use]
     pub fn added_scans(&self) -> Option<usize> {
         match self {
@@ -345,7 +345,7 @@ impl StepKind {
         }
     }
 
-    /// The wavelength \[m\] that it prolongs the spectrum to.
+    /// The new end of the spectrum \[m\].
     #[must_use]
     pub fn wavelength_m(&self) -> Option<f64> {
         match self {
@@ -355,26 +355,26 @@ impl StepKind {
     }
 }
 
-/// Whether the area settles as the spectrum is followed to shorter wavelengths.
+/// The outlook for settling the area with shorter wavelengths.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Settling {
-    /// It has.
+    /// The area has settled.
     HasSettled,
-    /// The spectrum falls fast enough at its short end that the area tends to a limit.
+    /// The spectrum falls fast enough at its short end for the area to tend to a limit.
     WillSettle {
         /// d ln C/d ln q at the short end.
         slope: f64,
         /// Its standard error.
         standard_error: f64,
     },
-    /// The spectrum does not: at every shorter wavelength the area is another one.
+    /// The spectrum falls too slowly for a limit: the area changes with every shorter wavelength.
     CannotSettle {
         /// d ln C/d ln q at the short end.
         slope: f64,
         /// Its standard error.
         standard_error: f64,
     },
-    /// The spectrum has too few samples to tell.
+    /// Unknown: the spectrum has too few samples.
     Unknown,
 }

@@ -1,0 +1,191 @@
+//! A scene as the judge sees it: its bodies and their hardness, and the pressures that Persson's theory gives at each scale.
+
+use gaussian_surfaces::AreaSpectrum;
+use scene::Scene;
+use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
+use study::plan::Results;
+use study::validity::SMALL_SLOPE_PRESSURE;
+
+use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_pressures};
+use crate::body::Body;
+use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
+use crate::window::Band;
+use crate::yielding::Yielding;
+
+/// The curves and loads of a scene with what does not depend on how they are judged.
+pub(crate) struct Case<'s> {
+    pub scene: &'s Scene,
+    pub results: &'s Results,
+    pub composite_modulus_pa: f64,
+    /// The surface of the spectrum; `None` if the spectrum has too few samples, or is noise alone.
+    pub surface: Option<AreaSpectrum>,
+    /// The distinct bounds \[Pa\] on the pressure of elements that the bodies need; `None` for an elastic body.
+    pub bounds_pa: Vec<Option<f64>>,
+    /// The loads by index, from light to heavy.
+    pub loads_by_pressure: Vec<usize>,
+    /// Moments of the spectrum at every cutoff but the longest.
+    moments: Vec<Moments>,
+    /// The body of every curve.
+    bodies: Vec<Body>,
+    /// The bulk hardness at each scale, for a material that yields.
+    constant_hardness: Option<HardnessOfScales>,
+    /// The hardness that grows with the strain-gradient length, for a material that has one.
+    growing_hardness: Option<HardnessOfScales>,
+    /// The first broken assumption of every curve under every load, in the order of [`all`](Self::all).
+    broken: Vec<Option<BrokenAssumption>>,
+}
+
+impl<'s> Case<'s> {
+    pub fn new(scene: &'s Scene, results: &'s Results) -> Self {
+        let bodies: Vec<Body> =
+            scene.needs.curves.iter().map(|curve| Body::from_model(&curve.model)).collect();
+        let mut bounds_pa: Vec<Option<f64>> = Vec::new();
+        for bound_pa in bodies.iter().map(|body| body.saturation_pa()) {
+            if !bounds_pa.contains(&bound_pa) {
+                bounds_pa.push(bound_pa);
+            }
+        }
+        let pressure_pa = |load: &usize| scene.needs.loads[*load].nominal_pressure_pa();
+        let mut loads_by_pressure: Vec<usize> = (0..scene.needs.loads.len()).collect();
+        loads_by_pressure.sort_by(|a, b| pressure_pa(a).total_cmp(&pressure_pa(b)));
+        let scales = amplitudes(&results.psd, scene.needs.amplitudes.unwrap_or_default());
+        let hardness = |strain_gradient: bool| {
+            let strength = scene.material.as_ref()?.strength(strain_gradient).ok()?;
+            Some(HardnessOfScales::new(&strength, &scales))
+        };
+        let mut case = Case {
+            scene,
+            results,
+            composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
+            surface: (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten(),
+            bounds_pa,
+            loads_by_pressure,
+            moments: cumulative_moments(&results.psd, Normalisation::default()),
+            bodies,
+            constant_hardness: hardness(false),
+            growing_hardness: hardness(true),
+            broken: Vec::new(),
+        };
+        case.broken = case.all().map(|at| first_broken(scene, results, at, case.hardness())).collect();
+        case
+    }
+
+    /// Every curve under every load, curve by curve.
+    pub fn all(&self) -> impl Iterator<Item = CurveAtLoad> + use<> {
+        let loads = 0..self.loads();
+        (0..self.curves()).flat_map(move |curve| loads.clone().map(move |load| CurveAtLoad { curve, load }))
+    }
+
+    pub fn curves(&self) -> usize {
+        self.bodies.len()
+    }
+
+    pub fn loads(&self) -> usize {
+        self.scene.needs.loads.len()
+    }
+
+    /// The band of the whole spectrum.
+    pub fn band(&self) -> Band {
+        let psd = &self.results.psd;
+        Band { longest_m: psd.longest_wavelength_m(), shortest_m: psd.shortest_wavelength_m() }
+    }
+
+    pub fn nominal_pressure_pa(&self, load: usize) -> f64 {
+        self.scene.needs.loads[load].nominal_pressure_pa()
+    }
+
+    /// True if the strength of a curve's body grows at small scales.
+    pub fn strength_grows(&self, curve: usize) -> bool {
+        self.bodies[curve] == Body::Growing
+    }
+
+    /// The place in `bounds_pa` of the bound of a curve's body.
+    pub fn bound(&self, curve: usize) -> usize {
+        let bound_pa = self.bodies[curve].saturation_pa();
+        self.bounds_pa.iter().position(|other| *other == bound_pa).unwrap_or(0)
+    }
+
+    /// The area fraction of a curve at the shortest wavelength.
+    pub fn final_area(&self, at: CurveAtLoad) -> Option<f64> {
+        self.results.curves[at.curve].area_fractions(at.load).last().map(|(_, area)| *area)
+    }
+
+    /// The rms pressure \[Pa\] of full contact with all waves of the surface down to a wavelength \[m\]. These are fewer waves
+    /// than profiles show: a long wave of a profile is a shorter wave of the surface, cut at an angle.
+    pub fn rms_pressure_pa(&self, wavelength_m: f64) -> f64 {
+        let longest_m = self.results.psd.longest_wavelength_m();
+        let waves = self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok());
+        let mean_square = waves.map_or(0.0, |waves| waves.mean_square_gradient());
+        0.5 * self.composite_modulus_pa * mean_square.sqrt()
+    }
+
+    /// The mean real pressure \[Pa\] by Persson's theory, with all waves down to a wavelength \[m\], of bodies with this bound.
+    pub fn pressure_pa(&self, bound: usize, load: usize, wavelength_m: f64) -> f64 {
+        let rms_pa = self.rms_pressure_pa(wavelength_m);
+        mean_real_pressure_pa(self.nominal_pressure_pa(load), rms_pa, self.bounds_pa[bound])
+    }
+
+    /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
+    pub fn elastic_pressures_at(&self, loads: &[usize], wavelength_m: f64) -> Vec<(usize, f64)> {
+        let rms_pa = self.rms_pressure_pa(wavelength_m);
+        let pressure =
+            |load: &usize| (*load, mean_real_pressure_pa(self.nominal_pressure_pa(*load), rms_pa, None));
+        loads.iter().map(pressure).collect()
+    }
+
+    /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
+    fn elastic_pressures(&self, load: usize) -> Vec<(f64, f64)> {
+        let nominal_pa = self.nominal_pressure_pa(load);
+        let elastic = |moments: &Moments| {
+            let rms_pa = self.composite_modulus_pa * (0.5 * moments.m2).sqrt();
+            (moments.wavelength_m, mean_real_pressure_pa(nominal_pa, rms_pa, None))
+        };
+        self.moments.iter().map(elastic).collect()
+    }
+
+    pub fn yielding(&self, load: usize) -> Yielding {
+        let elastic = self.elastic_pressures(load);
+        Yielding::new(load, &elastic, self.constant_hardness.as_ref(), self.growing_hardness.as_ref())
+    }
+
+    /// The wavelength \[m\] from which on slopes are too steep for a half-space.
+    pub fn steep_from_m(&self) -> Option<f64> {
+        let is_steep = |moments: &&Moments| (0.5 * moments.m2).sqrt() > SMALL_SLOPE_PRESSURE;
+        self.moments.iter().find(is_steep).map(|moments| moments.wavelength_m)
+    }
+
+    /// The rms gradient of the surface over the whole band.
+    pub fn rms_gradient(&self) -> f64 {
+        self.moments.last().map_or(0.0, |moments| (2.0 * moments.m2).sqrt())
+    }
+
+    /// The assumption of its own that a curve breaks first.
+    pub fn broken_assumption(&self, at: CurveAtLoad) -> Option<BrokenAssumption> {
+        self.broken[at.curve * self.loads() + at.load]
+    }
+
+    /// The scale at which a curve whose strength grows is first pressed beyond its hardness: by its own pressure, or by that
+    /// of an elastic contact, which is an upper bound.
+    pub fn yields_while_growing(&self, at: CurveAtLoad) -> Option<AboveHardness> {
+        let hardness = self.hardness()?;
+        let own = hardness.first_above(real_pressures(self.scene, self.results, at));
+        own.or_else(|| hardness.first_above(self.elastic_pressures(at.load).into_iter()))
+    }
+
+    /// The hardness at each scale, for a material that yields.
+    fn hardness(&self) -> Option<&HardnessOfScales> {
+        self.growing_hardness.as_ref().or(self.constant_hardness.as_ref())
+    }
+}
+
+/// The mean real pressure \[Pa\] of Persson's contact from the nominal pressure and the rms pressure of full contact \[Pa\];
+/// elastic, or plastic at one hardness \[Pa\].
+fn mean_real_pressure_pa(nominal_pa: f64, rms_pressure_pa: f64, hardness_pa: Option<f64>) -> f64 {
+    match hardness_pa {
+        None => nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pressure_pa),
+        Some(hardness_pa) if nominal_pa >= hardness_pa => nominal_pa,
+        Some(hardness_pa) => {
+            nominal_pa / persson::constant_hardness::areas(nominal_pa, rms_pressure_pa, hardness_pa).contact()
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! The plan of a judgement: what is pressed, and in which order everything is compared.
+
+use parallel::{Progress, NestedProgress};
+use scene::Scene;
+use study::plan::Results;
+
+use crate::JudgeError;
+use crate::case::Case;
+use crate::comparison::{Comparisons, conclude, without_elements};
+use crate::judgement::Judgement;
+use crate::layout::Layout;
+use crate::maps::{MapPressing, MapVerdict, compare_maps};
+use crate::reason::Reason;
+use crate::settings::Settings;
+use crate::solve::solve;
+
+/// The surfaces and pressures that the judge will solve for a scene. The budget fixes them before anything is solved.
+pub struct JudgePlan<'s> {
+    case: Case<'s>,
+    settings: Settings,
+    layout: Result<Layout, Reason>,
+}
+
+impl<'s> JudgePlan<'s> {
+    /// Cuts the spectrum of a scene into windows, as fine as the budget allows.
+    #[must_use]
+    pub fn new(scene: &'s Scene, results: &'s Results, settings: &Settings) -> Self {
+        let case = Case::new(scene, results);
+        let layout = layout(&case, settings);
+        JudgePlan { case, settings: *settings, layout }
+    }
+
+    /// The number of solutions: one for each pressure and realisation.
+    #[must_use]
+    pub fn solutions(&self) -> usize {
+        self.layout.as_ref().map_or(0, |layout| layout.presses.len() * layout.realisations)
+    }
+
+    /// Presses the surfaces and compares every curve with them. `progress` advances once per surface and pressure; surfaces
+    /// that are cancelled are not judged.
+    ///
+    /// # Errors
+    /// [`JudgeError`] if a surface cannot be made or pressed, or if a window cannot be given to the models.
+    pub fn run(&self, progress: &dyn Progress) -> Result<Judgement, JudgeError> {
+        let layout = match &self.layout {
+            Err(reason) => return Ok(without_elements(&self.case, *reason)),
+            Ok(layout) => layout,
+        };
+        let solutions = solve(layout, self.case.composite_modulus_pa, self.settings.seed, progress)?;
+        let maps = self.maps(layout, progress)?;
+        let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions };
+        let mut windows = comparisons.on_windows()?;
+        windows.extend(comparisons.on_whole_band(&windows));
+        let curves = comparisons.verdicts(&windows);
+        let extent = layout.extent(&self.settings, solutions.spent);
+        Ok(Judgement { maps, ..conclude(&self.case, Some(extent), windows, curves) })
+    }
+
+    /// Compares the measured maps behind the spectrum with Gaussian surfaces of their waves.
+    fn maps(&self, layout: &Layout, progress: &dyn Progress) -> Result<Vec<MapVerdict>, JudgeError> {
+        let maps = self.case.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
+        let pressing = MapPressing {
+            case: &self.case,
+            loads: &layout.loads,
+            seed: self.settings.seed,
+            grid: layout.grid,
+        };
+        compare_maps(maps, &pressing, &NestedProgress(progress))
+    }
+}
+
+/// The finest layout within the budget, or the reason why there is none.
+fn layout(case: &Case<'_>, settings: &Settings) -> Result<Layout, Reason> {
+    if case.curves() == 0 || case.loads() == 0 {
+        return Err(Reason::NoSurface);
+    }
+    let surface = case.surface.as_ref().ok_or(Reason::NoSurface)?;
+    Layout::within(settings, case, surface).ok_or(Reason::BeyondBudget)
+}

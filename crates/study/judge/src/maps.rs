@@ -1,0 +1,135 @@
+//! Measured maps under the elements beside Gaussian surfaces of their waves: the effect of what a spectrum leaves out.
+
+use gaussian_surfaces::{MapWaves, Surface};
+use half_space::{Elements, Grid, Loading};
+use measurements::MapPatch;
+use parallel::Progress;
+use serde::Serialize;
+use topography::{Detrend, detrended_m};
+
+use crate::JudgeError;
+use crate::case::Case;
+use crate::solve::{Solved, TOLERANCE};
+use crate::verdicts::ElementArea;
+use crate::window::POINTS_PER_SHORTEST;
+
+/// The most maps that are pressed.
+const MAX_MAPS: usize = 3;
+/// Gaussian surfaces beside each map.
+const TWINS: u64 = 4;
+/// With fewer points in contact a map says little.
+const MIN_POINTS: f64 = 200.0;
+/// The pressure over E* h' at which nearly all of a map touches.
+const NEARLY_FULL: f64 = 1.0;
+
+/// The area of a measured map under a load, and that of Gaussian surfaces with the same waves.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MapVerdict {
+    /// The name of the measurement.
+    pub map: String,
+    /// The load, by index: the first of those that press the map alike.
+    pub load: usize,
+    /// The mean pressure on the map, by Persson's theory for the longer waves, over E* times the rms gradient of the map.
+    pub pressure_over_gradient: f64,
+    /// The area fraction of the map.
+    pub area_fraction: f64,
+    /// The area fraction of Gaussian surfaces with the amplitudes of its waves and random phases.
+    pub twins: ElementArea,
+}
+
+impl MapVerdict {
+    /// The map's area over that of its twins.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.area_fraction / self.twins.area_fraction
+    }
+}
+
+/// The loads and the resolution at which maps are pressed.
+pub(crate) struct MapPressing<'p> {
+    pub case: &'p Case<'p>,
+    /// The loads, by index.
+    pub loads: &'p [usize],
+    pub seed: u64,
+    /// The most points along a side.
+    pub grid: usize,
+}
+
+/// Presses maps and their twins, elastically. Cancelled work is left out.
+pub(crate) fn compare_maps(
+    maps: &[MapPatch],
+    pressing: &MapPressing<'_>,
+    progress: &dyn Progress,
+) -> Result<Vec<MapVerdict>, JudgeError> {
+    let first = &maps[..maps.len().min(MAX_MAPS)];
+    let found = parallel::try_map(first, |patch| compare_map(patch, pressing, progress))?;
+    Ok(found.into_iter().flatten().collect())
+}
+
+fn compare_map(
+    patch: &MapPatch,
+    pressing: &MapPressing<'_>,
+    progress: &dyn Progress,
+) -> Result<Vec<MapVerdict>, JudgeError> {
+    let map = patch.map.middle(pressing.grid);
+    let is_whole = map == patch.map;
+    let lengths_m = [map.columns() as f64 * map.spacing_x_m(), map.rows() as f64 * map.spacing_y_m()];
+    let heights_m = detrended_m(&map, Detrend::Plane);
+    let waves = MapWaves::new(
+        &heights_m,
+        map.columns(),
+        lengths_m,
+        patch.is_periodic && is_whole,
+        POINTS_PER_SHORTEST,
+    );
+    let surface = waves.surface();
+    let gradient_pa = pressing.case.composite_modulus_pa * surface.mean_square_gradient().sqrt();
+    let points = (map.columns() * map.rows()) as f64;
+    let mut found: Vec<MapVerdict> = Vec::new();
+    let shortest_side_m = lengths_m[0].min(lengths_m[1]);
+    for (load, pressure_pa) in pressing.case.elastic_pressures_at(pressing.loads, shortest_side_m) {
+        let pressure_over_gradient = pressure_pa / gradient_pa;
+        let known = |of: &MapVerdict| (of.pressure_over_gradient / pressure_over_gradient - 1.0).abs() < 0.01;
+        let says_something = 2.0 * pressure_over_gradient * points > MIN_POINTS
+            && pressure_over_gradient < NEARLY_FULL
+            && !found.iter().any(known);
+        if !says_something {
+            continue;
+        }
+        let area = |surface: &Surface| area_fraction(surface, pressure_pa, pressing, progress);
+        let Some(area_fraction) = area(&surface)? else { return Ok(found) };
+        let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
+        let Some(twins) = twins.collect::<Result<Option<Vec<f64>>, JudgeError>>()? else { return Ok(found) };
+        let Solved { area_fraction: of_twins, standard_error } = Solved::from_surfaces(&twins);
+        let twins = ElementArea { area_fraction: of_twins, standard_error };
+        found.push(MapVerdict {
+            map: patch.name.clone(),
+            load,
+            pressure_over_gradient,
+            area_fraction,
+            twins,
+        });
+    }
+    Ok(found)
+}
+
+fn area_fraction(
+    surface: &Surface,
+    nominal_pressure_pa: f64,
+    pressing: &MapPressing<'_>,
+    progress: &dyn Progress,
+) -> Result<Option<f64>, JudgeError> {
+    if progress.is_cancelled() {
+        return Ok(None);
+    }
+    let (rows, columns) = (surface.points_y(), surface.points_x());
+    let grid = Grid::new(rows, columns, surface.length_x_m(), surface.length_y_m())?;
+    let loading = Loading {
+        contact_modulus_pa: pressing.case.composite_modulus_pa,
+        nominal_pressure_pa,
+        saturation_pa: None,
+        tolerance: TOLERANCE,
+    };
+    let contact = Elements::periodic(grid, surface.heights_m())?.press(&loading, progress)?;
+    Ok(Some(contact.area_fraction_corrected))
+}
