@@ -34,8 +34,8 @@ fn check(scan: &Measured) {
     let (columns, rows) = scan.points();
     let points = columns * rows.unwrap_or(1);
     assert_eq!(scan.heights_m().len(), points);
-    assert!(points >= 2 && scan.gaps().count() <= points);
-    assert!(scan.gaps().indices().all(|index| index < points));
+    assert!(points >= 2 && scan.missing_points().count() <= points);
+    assert!(scan.missing_points().indices().all(|index| index < points));
     assert!(scan.heights_m().flatten().all(f64::is_finite));
     let (spacing_x_m, spacing_y_m) = scan.spacing_m();
     assert!(spacing_x_m > 0.0 && spacing_y_m.is_none_or(|spacing_y_m| spacing_y_m > 0.0));

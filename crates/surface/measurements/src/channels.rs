@@ -143,7 +143,7 @@ impl Row {
             size_y_m,
             rms_height_m: in_m.map(|found| found.rms_height_m),
             peak_to_valley_m: in_m.map(|found| found.peak_to_valley_m),
-            gaps: Some(scan.gaps().count()),
+            gaps: Some(scan.missing_points().count()),
             rms_slope_x: in_m.and_then(|found| found.rms_slope_x),
             rms_slope_y: in_m.and_then(|found| found.rms_slope_y),
             note: note(file, found),

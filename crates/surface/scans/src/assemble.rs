@@ -150,14 +150,14 @@ fn scan(
         Lateral::Spacing { x_m, y_m } if Some(size) == stated => Some((x_m, y_m)),
         _ => None,
     };
-    let Decoded { values, gaps } = decoded;
+    let Decoded { values, missing } = decoded;
     let scan = match (rows, spacing) {
         (0 | 1, Some((x_m, _))) => Scan::UniformLine(UniformLineScan::new(x_m, values)?),
         (0 | 1, None) => size.line(values)?,
         (_, Some((x_m, Some(y_m)))) => Scan::Map(HeightMap::new(columns, x_m, y_m, values)?),
         (_, _) => size.map(columns, values, notes)?,
     };
-    Ok(Measured::with_gaps(scan, gaps))
+    Ok(Measured::with_missing_points(scan, missing))
 }
 
 /// A line without the points that have no height: neighbours may lie at any distance.
@@ -166,21 +166,21 @@ fn uneven_line(
     decoded: Decoded,
     notes: &mut Vec<String>,
 ) -> Result<Measured, ScanReadError> {
-    let gaps = &decoded.gaps;
-    if !gaps.is_empty() {
-        let (count, points) = (gaps.count(), positions_m.len());
+    let missing = &decoded.missing;
+    if !missing.is_empty() {
+        let (count, points) = (missing.count(), positions_m.len());
         notes.push(format!(
             "{count} of {points} points have no height and are left out of the unevenly spaced line"
         ));
     }
     let measured = |values: Vec<f64>| -> Vec<f64> {
-        if gaps.is_empty() {
+        if missing.is_empty() {
             return values;
         }
         values
             .into_iter()
             .enumerate()
-            .filter(|(index, _)| !gaps.contains(*index))
+            .filter(|(index, _)| !missing.contains(*index))
             .map(|(_, value)| value)
             .collect()
     };

@@ -243,7 +243,7 @@ pub enum ScanReadError {
     /// Points scattered over a grid that they hardly fill.
     #[error(
         "reading text: {points} points lie on a grid of {columns} x {rows}, most of which they leave empty; points of a map \
-         must fill a regular grid but for gaps: interpolate them onto one"
+         must fill a regular grid but for missing points: interpolate them onto one"
     )]
     Scattered {
         /// How many points there are.

@@ -3,11 +3,11 @@
 use crate::channel::Axis;
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
-use crate::gaps::Gaps;
 use crate::heights::Scan;
 use crate::measure::Measure;
 use crate::measured::Measured;
 use crate::metadata::Probe;
+use crate::missing_points::MissingPoints;
 use crate::scan_size::ScanSize;
 
 /// A scan with what its file says about it: as measured, or, where `S` is a [`Scan`], whole.
@@ -67,7 +67,7 @@ impl<S> ScanFile<S> {
 }
 
 impl ScanFile {
-    /// A line of so many evenly spaced heights \[m\] that are in memory; what they hold at gaps does not count, but is finite.
+    /// A line of so many evenly spaced heights \[m\] that are in memory; what they hold at missing points does not count, but is finite.
     ///
     /// # Errors
     /// [`ScanReadError::Scan`] for heights and sizes that make no line.
@@ -75,13 +75,13 @@ impl ScanFile {
         name: String,
         size: ScanSize,
         heights_m: Vec<f64>,
-        gaps: Gaps,
+        missing: MissingPoints,
     ) -> Result<Self, ScanReadError> {
         let line = size.line(heights_m)?;
-        Ok(Self::in_memory(name, Measured::with_gaps(line, gaps), Vec::new()))
+        Ok(Self::in_memory(name, Measured::with_missing_points(line, missing), Vec::new()))
     }
 
-    /// A map of heights \[m\] that are in memory, row after row of so many columns; what they hold at gaps does not count, but is
+    /// A map of heights \[m\] that are in memory, row after row of so many columns; what they hold at missing points does not count, but is
     /// finite.
     ///
     /// # Errors
@@ -91,11 +91,11 @@ impl ScanFile {
         size: ScanSize,
         columns: usize,
         heights_m: Vec<f64>,
-        gaps: Gaps,
+        missing: MissingPoints,
     ) -> Result<Self, ScanReadError> {
         let mut notes = Vec::new();
         let map = size.map(columns, heights_m, &mut notes)?;
-        Ok(Self::in_memory(name, Measured::with_gaps(map, gaps), notes))
+        Ok(Self::in_memory(name, Measured::with_missing_points(map, missing), notes))
     }
 
     fn in_memory(name: String, scan: Measured, notes: Vec<String>) -> Self {
@@ -116,7 +116,7 @@ impl ScanFile {
         }
     }
 
-    /// The file of a scan without gaps.
+    /// The file of a scan without missing points.
     ///
     /// # Errors
     /// [`ScanReadError::Scan`] with their number, where there are any.
@@ -132,20 +132,20 @@ mod tests {
     #[test]
     fn heights_in_memory_make_scans() {
         let size = ScanSize { x_m: 4.0, y_m: Some(6.0) };
-        let gaps: Gaps = [1].into_iter().collect();
+        let missing: MissingPoints = [1].into_iter().collect();
         let map =
-            ScanFile::of_map("a".to_owned(), size, 2, vec![1.0, 0.0, 3.0, 4.0, 5.0, 6.0], gaps).unwrap();
+            ScanFile::of_map("a".to_owned(), size, 2, vec![1.0, 0.0, 3.0, 4.0, 5.0, 6.0], missing).unwrap();
         assert_eq!((map.scan.points(), map.scan.spacing_m()), ((2, Some(3)), (2.0, Some(2.0))));
         assert_eq!((map.scan.height_m(1), map.scan.height_m(2)), (None, Some(3.0)));
         assert_eq!((map.format.to_string(), map.notes.len()), ("memory".to_owned(), 0));
-        let line = ScanFile::of_line("b".to_owned(), size, vec![1.0, 2.0], Gaps::default()).unwrap();
+        let line = ScanFile::of_line("b".to_owned(), size, vec![1.0, 2.0], MissingPoints::default()).unwrap();
         assert_eq!((line.scan.points(), line.scan.size_m()), ((2, None), (4.0, None)));
         let message = |found: Result<ScanFile, ScanReadError>| found.unwrap_err().to_string();
         let of_columns =
-            |columns| ScanFile::of_map("c".to_owned(), size, columns, vec![0.0; 6], Gaps::default());
+            |columns| ScanFile::of_map("c".to_owned(), size, columns, vec![0.0; 6], MissingPoints::default());
         assert!(message(of_columns(0)).contains("the number of columns is 0"));
         assert!(message(of_columns(6)).contains("the number of rows is 1"));
-        let none = ScanFile::of_line("d".to_owned(), size, Vec::new(), Gaps::default());
+        let none = ScanFile::of_line("d".to_owned(), size, Vec::new(), MissingPoints::default());
         assert!(message(none).contains("the number of points is 0"));
     }
 }

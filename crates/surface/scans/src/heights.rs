@@ -45,7 +45,7 @@ pub enum Scan {
     NonuniformLine(NonuniformLineScan),
     /// On a grid.
     Map(HeightMap),
-    /// Lines cut out of a map or a line with gaps.
+    /// Lines cut out of a map or a line with missing points.
     Lines(ParallelLines),
 }
 
@@ -73,11 +73,11 @@ pub enum ScanError {
     },
     /// Points without a height in what has to be a whole scan.
     #[error(
-        "building a scan: {gaps} of {points} points have no height, the first in {place}; have them filled, or cut them out"
+        "building a scan: {missing} of {points} points have no height, the first in {place}; have them filled, or cut them out"
     )]
-    Gaps {
+    MissingPoints {
         /// How many points have none.
-        gaps: usize,
+        missing: usize,
         /// Number of points.
         points: usize,
         /// Where the first of them is.

@@ -3,7 +3,7 @@
 //!
 //! The nouns:
 //! * [`Scan`]: heights along an evenly or unevenly spaced line, or of a map, in m;
-//! * [`Measured`]: such heights as an instrument gives them, some points without any ([`Gaps`]);
+//! * [`Measured`]: such heights as an instrument gives them, some points without any ([`MissingPoints`]);
 //! * [`ScanFile`]: a scan as read, with what the file says of its instrument and the assumptions made;
 //! * [`ScanOptions`]: what a file may leave open, such as its unit and size;
 //! * [`ScanFormat`]: which reader knows a file.
@@ -18,11 +18,11 @@ mod cursor;
 mod error;
 mod file;
 mod format;
-mod gaps;
 mod heights;
 mod measure;
 mod measured;
 mod metadata;
+mod missing_points;
 mod numbers;
 mod options;
 mod raster;
@@ -48,11 +48,11 @@ pub use channel::Axis;
 pub use error::{Mend, Place, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use format::ScanFormat;
-pub use gaps::Gaps;
 pub use heights::{HeightMap, NonuniformLineScan, ParallelLines, Scan, ScanError, UniformLineScan};
 pub use measure::Measure;
 pub use measured::Measured;
 pub use metadata::{MeasurementMetadata, Probe};
+pub use missing_points::MissingPoints;
 pub use options::ScanOptions;
 pub use read::{read_scans, visit_channels};
 #[cfg(feature = "container")]

@@ -70,9 +70,10 @@ mod tests {
     use crate::heights::{HeightMap, NonuniformLineScan, Scan};
 
     #[test]
-    fn gaps_take_no_part() {
+    fn missing_points_take_no_part() {
         let map = HeightMap::new(3, 1.0, 2.0, vec![0.0, 2.0, 99.0, 4.0, 6.0, 8.0]).unwrap();
-        let found = Statistics::of(&Measured::with_gaps(Scan::Map(map), [2].into_iter().collect())).unwrap();
+        let found = Statistics::of(&Measured::with_missing_points(Scan::Map(map), [2].into_iter().collect()))
+            .unwrap();
         assert_eq!((found.mean_m, found.peak_to_valley_m), (4.0, 8.0));
         assert!((found.rms_height_m - 8f64.sqrt()).abs() < 1e-15);
         assert_eq!((found.rms_slope_x, found.rms_slope_y), (Some(2.0), Some(2.0)));

@@ -10,7 +10,7 @@ use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
@@ -50,7 +50,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let stride =
         columns.checked_mul(NumberType::F32.bytes()).and_then(|row| row.checked_next_multiple_of(ROW_BYTES));
     let raster = Raster::within(NumberType::F32, columns, rows, bytes, offset);
-    let raster = Raster { stride, gap: gap(&tags)?, ..raster };
+    let raster = Raster { stride, missing: missing(&tags)?, ..raster };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     Ok(vec![Channel {
         probe: Some(Probe::Microscope),
@@ -89,12 +89,12 @@ fn tag(cursor: &mut Cursor, expected: Option<&str>) -> Result<Tag, ScanReadError
 
 /// Points without a height hold the number of a tag. A large one is told by its size, since it may be written with fewer
 /// digits than it has: no surface is a metre high.
-fn gap<'b>(tags: &Tags) -> Result<GapMark<'b>, ScanReadError> {
+fn missing<'b>(tags: &Tags) -> Result<MissingMark<'b>, ScanReadError> {
     Ok(match tags.number("InvalidPixelValue")? {
-        Some(mark) if mark >= 1.0 => GapMark::AtLeast(mark * (1.0 - MARK_DIGITS)),
-        Some(mark) if mark <= -1.0 => GapMark::AtMost(mark * (1.0 - MARK_DIGITS)),
-        Some(mark) if mark.is_finite() => GapMark::Equal(f64::from(mark as f32)),
-        _ => GapMark::None,
+        Some(mark) if mark >= 1.0 => MissingMark::AtLeast(mark * (1.0 - MARK_DIGITS)),
+        Some(mark) if mark <= -1.0 => MissingMark::AtMost(mark * (1.0 - MARK_DIGITS)),
+        Some(mark) if mark.is_finite() => MissingMark::Equal(f64::from(mark as f32)),
+        _ => MissingMark::None,
     })
 }
 

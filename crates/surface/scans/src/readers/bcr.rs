@@ -9,7 +9,7 @@ use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
@@ -23,8 +23,8 @@ const LONGEST_CHARACTERS: usize = 1 << 18;
 const FIRST_CHARACTERS: usize = 64;
 const FORMAT_KEY: &str = "fileformat";
 /// Counts and floating-point numbers that mark points without a height.
-const GAP_COUNT: f64 = 32767.0;
-const GAP_NUMBER: f64 = 1.7e38;
+const MISSING_COUNT: f64 = 32767.0;
+const MISSING_NUMBER: f64 = 1.7e38;
 /// Lengths are in this unit where a file names none.
 const UNIT: LengthUnit = LengthUnit::NANOMETRE;
 
@@ -149,16 +149,16 @@ fn raster<'b>(
 ) -> Result<Raster<'b>, ScanReadError> {
     let [columns, rows] = [header.count("xpixels")?, header.count("ypixels")?];
     // The number of points without a height, in some files their mark; where it is 0 there are none.
-    let has_gaps = header.number("voidpixels") != Some(0.0);
-    let (number, scale, gap) = match header.get(FORMAT_KEY).unwrap_or_default() {
+    let has_missing = header.number("voidpixels") != Some(0.0);
+    let (number, scale, missing) = match header.get(FORMAT_KEY).unwrap_or_default() {
         "bcrstm" | "bcrstm_unicode" => {
             let scale = header.number("bit2nm").filter(|&scale| scale != 0.0);
             if scale.is_none() {
                 notes.push("the file does not say the height of a count; it is taken to be 1".to_owned());
             }
-            (NumberType::I16, scale.unwrap_or(1.0), GapMark::Equal(GAP_COUNT))
+            (NumberType::I16, scale.unwrap_or(1.0), MissingMark::Equal(MISSING_COUNT))
         }
-        "bcrf" | "bcrf_unicode" => (NumberType::F32, 1.0, GapMark::AtLeast(GAP_NUMBER)),
+        "bcrf" | "bcrf_unicode" => (NumberType::F32, 1.0, MissingMark::AtLeast(MISSING_NUMBER)),
         other => return Err(bad(FORMAT_KEY, other, "bcrstm or bcrf")),
     };
 
@@ -168,7 +168,7 @@ fn raster<'b>(
             _ => ByteOrder::Little,
         },
         scale,
-        gap: if has_gaps { gap } else { GapMark::None },
+        missing: if has_missing { missing } else { MissingMark::None },
         ..Raster::within(number, columns, rows, bytes, offset)
     })
 }

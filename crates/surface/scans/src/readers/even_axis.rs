@@ -2,7 +2,7 @@
 
 /// The share of the spacing that the rounding of positions may take up before even spacing is a guess.
 const DISCERNIBLE: f64 = 0.25;
-/// How many times as many grid points as points there may be; the others are gaps. More would be no map, and two scattered
+/// How many times as many grid points as points there may be; the others are missing points. More would be no map, and two scattered
 /// points could demand a vast grid.
 const SPARSEST: usize = 4;
 

@@ -84,7 +84,7 @@ impl Profile {
         let start = points_start(file, cursor.offset())?;
         let mut numbers = Numbers { file, points, offset: start };
         let positions = numbers.next(NumberType::F64)?;
-        if let Some(point) = positions.gaps.indices().next() {
+        if let Some(point) = positions.missing.indices().next() {
             let (field, bound) = ("a position", "a finite number");
             return Err(cursor.bad(start, field, &format!("no number at point {}", point + 1), bound));
         }
@@ -92,7 +92,7 @@ impl Profile {
         numbers.next(NumberType::F64)?;
         let heights = numbers.next(NumberType::F64)?;
         let flags = numbers.next(NumberType::F32)?;
-        let is_measured = |point: usize, flag: f64| flag == 0.0 && !heights.gaps.contains(point);
+        let is_measured = |point: usize, flag: f64| flag == 0.0 && !heights.missing.contains(point);
         let in_m = |millimetres: f64| LengthUnit::MILLIMETRE.to_m(millimetres);
         let height_m =
             |(point, (&height, &flag)): (usize, (&f64, &f64))| is_measured(point, flag).then(|| in_m(height));

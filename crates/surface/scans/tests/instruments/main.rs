@@ -105,7 +105,7 @@ pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>>
     found
 }
 
-/// Asserts points, size in m to 1e-12, heights in m (nothing at gaps) within a resolution.
+/// Asserts points, size in m to 1e-12, heights in m (nothing at missing points) within a resolution.
 #[track_caller]
 pub fn assert_holds(
     scan: &Measured,

@@ -132,7 +132,7 @@ fn the_measured_surface_is_read_without_what_was_not_measured() {
     let note = "the surface is as it was measured; what the document derives from it is not stored";
     assert_eq!(scan.notes, [note]);
     let [whole] = heights(&Document { has_mask: false, ..map() }.bytes()).try_into().unwrap();
-    assert!(whole.scan.gaps().is_empty());
+    assert!(whole.scan.missing_points().is_empty());
 }
 
 #[test]

@@ -17,13 +17,13 @@ pub(super) enum Mask {
     /// It covers nothing, or is not of the grid of the image.
     Void,
     /// Points that were not measured: a flag for each of the image.
-    Gaps { flags: Vec<u8>, count: usize },
+    MissingPoints { flags: Vec<u8>, count: usize },
     /// So many points marked for a purpose of their own.
     Marks { count: usize },
 }
 
 impl Mask {
-    /// What a mask means. Images of Gwyddion have no gaps: its importers mask points that were not measured, and fill in the
+    /// What a mask means. Images of Gwyddion have no missing points: its importers mask points that were not measured, and fill in the
     /// mean of the others or what Laplace's equation makes of the points around; other programs write zeros there. Points
     /// that someone marked, such as grains, keep their own values.
     pub(super) fn read(mask: &Raster, image: &Raster) -> Result<Self, ScanReadError> {
@@ -40,7 +40,7 @@ impl Mask {
         let is_elsewhere = || values.iter().zip(&flags).any(|(value, flag)| *flag == 0 && *value == first);
         let is_constant = is_one_value && (first == 0.0 || !is_elsewhere());
         if is_constant || is_interpolated(&values, &flags, image.columns) {
-            return Ok(Self::Gaps { flags, count });
+            return Ok(Self::MissingPoints { flags, count });
         }
         Ok(Self::Marks { count })
     }

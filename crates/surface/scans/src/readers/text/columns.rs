@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::precision::Precision;
-use super::style::{Separator, is_gap, shortened, whole_rows};
+use super::style::{Separator, is_missing, shortened, whole_rows};
 use crate::error::ScanReadError;
 use crate::raster::Decoded;
 
@@ -62,19 +62,25 @@ impl Columns {
         self.values.values.len() / self.count
     }
 
-    /// A column, from 0; 0 where a field marks a gap.
+    /// A column, from 0; 0 where a field marks a missing point.
     pub(crate) fn column(&self, index: usize) -> impl Iterator<Item = f64> {
         self.values.values.iter().skip(index).step_by(self.count).copied()
     }
 
-    /// A column that may have gaps, from 0.
+    /// A column that may have missing points, from 0.
     pub(crate) fn measured(&self, index: usize) -> impl Iterator<Item = Option<f64>> {
-        let at = move |(row, value)| (!self.values.gaps.contains(row * self.count + index)).then_some(value);
+        let at =
+            move |(row, value)| (!self.values.missing.contains(row * self.count + index)).then_some(value);
         self.column(index).enumerate().map(at)
     }
 
     /// Refuses rows that have a height but no position in this column.
-    pub(crate) fn refuse_gaps(&self, text: &str, column: usize, height: usize) -> Result<(), ScanReadError> {
+    pub(crate) fn refuse_missing_points(
+        &self,
+        text: &str,
+        column: usize,
+        height: usize,
+    ) -> Result<(), ScanReadError> {
         let mut points = self.measured(column).zip(self.measured(height));
         match points.position(|(position, height)| position.is_none() && height.is_some()) {
             None => Ok(()),
@@ -202,10 +208,10 @@ impl Decimals {
     }
 }
 
-/// A number; nothing where the field marks a gap.
+/// A number; nothing where the field marks a missing point.
 fn number(field: &str, line: usize, column: usize) -> Result<Option<f64>, ScanReadError> {
     match field.parse::<f64>() {
-        Err(_) if !is_gap(field) && !field.is_empty() => {
+        Err(_) if !is_missing(field) && !field.is_empty() => {
             Err(ScanReadError::NotANumber { line, column, text: shortened(field) })
         }
         parsed => Ok(parsed.ok().filter(|value| value.is_finite())),

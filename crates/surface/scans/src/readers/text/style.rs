@@ -18,7 +18,7 @@ pub(crate) enum Separator {
 }
 
 /// Words that stand for a point without a height.
-const GAPS: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
+const MISSING: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
 
 /// UTF-16 with a byte order mark, UTF-8 with or without one, else Latin-1, in which older instruments write `µ`.
 pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
@@ -58,7 +58,7 @@ pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines.filter(|(_, line)| !line.is_empty() && !is_comment(line))
 }
 
-/// The lines of numbers, from the first one on, with all that follows; lines of gaps above it are part of the scan.
+/// The lines of numbers, from the first one on, with all that follows; lines of missing points above it are part of the scan.
 pub(crate) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let first = first_row(text).unwrap_or(usize::MAX);
     content(text).skip_while(move |(number, _)| *number < first)
@@ -73,16 +73,16 @@ pub(crate) fn whole_rows(text: &str, separator: Separator) -> impl Iterator<Item
     lines.filter(move |(number, line)| *number >= first && !line.is_empty() && !is_comment(line))
 }
 
-/// The first line of the scan: of numbers, or the first of the lines of gaps right above it with as many fields.
+/// The first line of the scan: of numbers, or the first of the lines of missing points right above it with as many fields.
 fn first_row(text: &str) -> Option<usize> {
-    let mut gaps: Option<(usize, usize)> = None;
+    let mut missing: Option<(usize, usize)> = None;
     for (number, line) in content(text) {
         let fields = count_of_fields(line);
         if holds_numbers(line) {
-            return Some(gaps.filter(|&(_, count)| count == fields).map_or(number, |(first, _)| first));
+            return Some(missing.filter(|&(_, count)| count == fields).map_or(number, |(first, _)| first));
         }
-        gaps = match gaps {
-            _ if !holds_gaps(line) => None,
+        missing = match missing {
+            _ if !holds_missing_points(line) => None,
             Some((first, count)) if count == fields => Some((first, count)),
             _ => Some((number, fields)),
         };
@@ -90,10 +90,10 @@ fn first_row(text: &str) -> Option<usize> {
     None
 }
 
-/// Whether a line consists of words for gaps. Dashes do not count: they underline headers.
-fn holds_gaps(line: &str) -> bool {
+/// Whether a line consists of words for missing points. Dashes do not count: they underline headers.
+fn holds_missing_points(line: &str) -> bool {
     let mut words = line.split(is_separator).filter(|word| !word.is_empty()).peekable();
-    words.peek().is_some() && words.all(|word| is_gap(word) && word.contains(char::is_alphabetic))
+    words.peek().is_some() && words.all(|word| is_missing(word) && word.contains(char::is_alphabetic))
 }
 
 /// The fields of a line that need not have the separator of the file.
@@ -118,9 +118,9 @@ fn is_blank(character: char) -> bool {
 }
 
 /// Whether a field marks a point without a height.
-pub(crate) fn is_gap(field: &str) -> bool {
+pub(crate) fn is_missing(field: &str) -> bool {
     let word = field.trim_start_matches(['+', '-']);
-    GAPS.iter().any(|gap| gap.eq_ignore_ascii_case(field) || gap.eq_ignore_ascii_case(word))
+    MISSING.iter().any(|missing| missing.eq_ignore_ascii_case(field) || missing.eq_ignore_ascii_case(word))
 }
 
 /// Whether a line consists of numbers, whatever separates them.
@@ -129,7 +129,7 @@ fn holds_numbers(line: &str) -> bool {
     line.split(is_separator).filter(|word| !word.is_empty()).all(|word| {
         let is_number = word.parse::<f64>().is_ok_and(f64::is_finite);
         has_number |= is_number;
-        is_number || is_gap(word)
+        is_number || is_missing(word)
     }) && has_number
 }
 
