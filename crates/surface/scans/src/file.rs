@@ -1,4 +1,4 @@
-//! A scan as read, joined with what is said about it elsewhere.
+//! A scan as read, with its metadata.
 
 use crate::channel::Axis;
 use crate::error::ScanReadError;
@@ -10,7 +10,7 @@ use crate::metadata::Probe;
 use crate::missing_points::MissingPoints;
 use crate::scan_size::ScanSize;
 
-/// A scan with what its file says about it: as measured, or, where `S` is a [`Scan`], whole.
+/// A scan with the metadata of its file: as measured, or complete where `S` is a [`Scan`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ScanFile<S = Measured> {
@@ -20,33 +20,33 @@ pub struct ScanFile<S = Measured> {
     pub format: ScanFormat,
     /// The heights.
     pub scan: S,
-    /// What they measure: heights in m, unless another channel was asked for or is visited.
+    /// Quantity measured: heights in m, unless another channel was asked for or is visited.
     pub measure: Measure,
     /// The channel read, where the file names it.
     pub channel: Option<String>,
     /// The channels with heights that the file offers.
     pub channels: Vec<String>,
-    /// Along which axis of a map the instrument scanned its lines, where the file says so.
+    /// Axis of a map along which the instrument scanned its lines, where the file states it.
     pub fast_axis: Option<Axis>,
-    /// Whether the heights repeat themselves beyond the scan.
+    /// True if the heights repeat themselves beyond the scan.
     pub is_periodic: bool,
-    /// Whether the instrument has a tip, where the file says so or the format is that of instruments with one.
+    /// The probe, where the file states it or the format has only one kind.
     pub probe: Option<Probe>,
     /// Radius of the tip of the instrument, in m, above 0.
     pub tip_radius_m: Option<f64>,
     /// Smallest length that the instrument resolves, in m, above 0.
     pub resolution_m: Option<f64>,
-    /// What people wrote into the file or its metadata: comments and descriptions, which may tell of the tip.
+    /// Comments and descriptions by people, in the file or its metadata; they may mention the tip.
     pub free_text: String,
     /// Assumptions made, and contradictions between the file, the options and the metadata, a sentence each.
     pub notes: Vec<String>,
 }
 
 impl<S> ScanFile<S> {
-    /// The same file with what becomes of its heights.
+    /// Replaces the scan and keeps everything else.
     ///
     /// # Errors
-    /// That of the change.
+    /// The error of `change`.
     pub fn try_map<T, E>(self, change: impl FnOnce(S) -> Result<T, E>) -> Result<ScanFile<T>, E> {
         Ok(ScanFile {
             name: self.name,
@@ -67,7 +67,8 @@ impl<S> ScanFile<S> {
 }
 
 impl ScanFile {
-    /// A line of so many evenly spaced heights \[m\] that are in memory; what they hold at missing points does not count, but is finite.
+    /// A line of so many evenly spaced heights \[m\] that are in memory; values at missing points are ignored,
+    /// but finite.
     ///
     /// # Errors
     /// [`ScanReadError::Scan`] for heights and sizes that make no line.
@@ -81,8 +82,8 @@ impl ScanFile {
         Ok(Self::in_memory(name, Measured::with_missing_points(line, missing), Vec::new()))
     }
 
-    /// A map of heights \[m\] that are in memory, row after row of so many columns; what they hold at missing points does not count, but is
-    /// finite.
+    /// A map of heights \[m\] that are in memory, row after row of so many columns; values at missing
+    /// points are ignored, but finite.
     ///
     /// # Errors
     /// [`ScanReadError::Scan`] for heights and sizes that make no map.

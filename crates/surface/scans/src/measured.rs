@@ -1,13 +1,13 @@
-//! Heights as they were measured, some of whose points may have none.
+//! Measured heights, with missing points.
 
 use crate::heights::{HeightMap, Scan, ScanError, UniformLineScan};
 use crate::missing_points::MissingPoints;
 
-/// A scan as an instrument gives it: points without a height are known as such, and [`Measured::complete`] tells a whole
-/// scan from one that has to be mended first.
+/// A scan as an instrument gives it, with its missing points. [`Measured::complete`] refuses a scan that has to be
+/// mended first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// Heights of missing points are 0 and nobody sees them.
+    /// Heights of missing points are 0 and never shown.
     scan: Scan,
     missing: MissingPoints,
 }
@@ -19,12 +19,12 @@ impl From<Scan> for Measured {
 }
 
 impl Measured {
-    /// A scan some of whose points are missing points; what it holds there does not count.
+    /// A scan with missing points; the heights that it holds there are ignored.
     pub fn with_missing_points(scan: Scan, missing: MissingPoints) -> Self {
         Self { scan, missing }
     }
 
-    /// The points without a height.
+    /// Returns the missing points.
     #[must_use]
     pub fn missing_points(&self) -> &MissingPoints {
         &self.missing
@@ -41,8 +41,8 @@ impl Measured {
         }
     }
 
-    /// Distances in m of neighbouring points along x and, of a map, along y; of unevenly spaced points, which have no missing points,
-    /// the mean.
+    /// Distances in m of neighbouring points along x and, of a map, along y; of unevenly spaced points, none of which
+    /// is missing, the mean.
     #[must_use]
     pub fn spacing_m(&self) -> (f64, Option<f64>) {
         match &self.scan {
@@ -53,7 +53,8 @@ impl Measured {
         }
     }
 
-    /// Size in m along x and, of a map, along y: points times spacing, of unevenly spaced points from the first to the last.
+    /// Size in m along x and, of a map, along y: points times spacing, of unevenly spaced points from the first to the
+    /// last.
     #[must_use]
     pub fn size_m(&self) -> (f64, Option<f64>) {
         match &self.scan {
@@ -88,7 +89,7 @@ impl Measured {
         self.stored_m().get(index).copied().filter(|_| !self.missing.contains(index))
     }
 
-    /// The scan, where every point has its height.
+    /// Returns the scan if no point is missing.
     ///
     /// # Errors
     /// [`ScanError::MissingPoints`] with their number.
@@ -106,7 +107,7 @@ impl Measured {
         }
     }
 
-    /// The scan with heights in m put into its missing points, in their order.
+    /// Fills the missing points with heights in m, in their order.
     ///
     /// # Errors
     /// [`ScanError`] for heights that are not finite, and for more or fewer of them than there are missing points.

@@ -1,4 +1,4 @@
-//! Which points of a scan have no height.
+//! Missing points of a scan.
 
 /// The points of a scan that were not measured, by their index in the order of the heights.
 ///
@@ -12,19 +12,19 @@ pub struct MissingPoints {
 const BITS: usize = u64::BITS as usize;
 
 impl MissingPoints {
-    /// Whether every point has a height.
+    /// Returns true if every point has a height.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
-    /// How many points have none.
+    /// Number of points without a height.
     #[must_use]
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Whether this point has none.
+    /// Returns true if this point has no height.
     #[inline]
     #[must_use]
     pub fn contains(&self, index: usize) -> bool {

@@ -1,4 +1,4 @@
-//! What the heights of a scan amount to.
+//! Statistics of the heights of a scan.
 
 use crate::measured::Measured;
 
@@ -14,12 +14,12 @@ pub struct Statistics {
     pub peak_to_valley_m: f64,
     /// Root mean square slope along x, from neighbours that both have a height; none without such neighbours.
     pub rms_slope_x: Option<f64>,
-    /// The same along y, of a map.
+    /// Root mean square slope of a map along y, from neighbours that both have a height.
     pub rms_slope_y: Option<f64>,
 }
 
 impl Statistics {
-    /// Of a scan; none where no point has a height.
+    /// Computes the statistics of a scan; none where no point has a height.
     #[must_use]
     pub fn of(scan: &Measured) -> Option<Self> {
         let heights = || scan.heights_m().flatten();

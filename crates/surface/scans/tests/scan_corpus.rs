@@ -1,4 +1,5 @@
-//! The inputs that fuzzing starts from, of formats whose writers the tests of scans share; those of others stand in `instruments`.
+//! The inputs that fuzzing starts from, of formats whose writers the tests of scans share; those of others stand in
+//! `instruments`.
 
 mod support;
 

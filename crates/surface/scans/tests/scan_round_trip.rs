@@ -14,7 +14,7 @@ use support::{
 
 const COLUMNS: usize = 24;
 const ROWS: usize = 15;
-/// Of ten digits of heights near 10 nm.
+/// Rounding of ten digits of heights near 10 nm.
 const TEXT_RESOLUTION_M: f64 = 1e-17;
 const SINGLE_RESOLUTION_M: f64 = 20e-9 * f32::EPSILON as f64;
 

@@ -1,4 +1,4 @@
-//! The values that stored numbers stand for.
+//! Conversion of stored numbers to values.
 
 use super::half::half;
 use super::{Decoded, MissingMark, NumberType, Order, Raster};
@@ -76,8 +76,8 @@ impl Raster<'_> {
         decoded
     }
 
-    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values come
-    /// first and missing points after them, so that rows without any, the rule, are decoded many points at a time.
+    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values
+    /// come first and missing points after them, so that rows without any, the rule, are decoded many points at a time.
     fn decode_row(
         &self,
         numbers: impl Iterator<Item = f64> + Clone,
@@ -122,7 +122,7 @@ fn mark_numbers(
     }
 }
 
-/// The same with every row from its other end.
+/// Reverses every row.
 fn mirrored(decoded: Decoded, columns: usize) -> Decoded {
     let Decoded { mut values, missing } = decoded;
     values.chunks_exact_mut(columns).for_each(<[f64]>::reverse);

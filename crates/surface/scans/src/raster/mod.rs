@@ -21,7 +21,7 @@ pub(crate) enum NumberType {
     U32,
     I64,
     U64,
-    /// Of two bytes.
+    /// Half precision, two bytes.
     F16,
     F32,
     F64,
@@ -50,7 +50,7 @@ pub(crate) enum Order {
     ColumnsFromBottom,
 }
 
-/// How a point without a height is marked. Floating-point numbers that are not finite always mark one.
+/// Mark of a missing point. Floating-point numbers that are not finite always mark one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) enum MissingMark<'b> {
     #[default]
@@ -65,7 +65,7 @@ pub(crate) enum MissingMark<'b> {
     Flagged(Cow<'b, [u8]>),
 }
 
-/// Where the numbers of a channel stand and what they mean. Nothing is decoded yet.
+/// Place and meaning of the numbers of a channel. Nothing is decoded yet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Raster<'b> {
     pub(crate) columns: usize,
@@ -74,11 +74,11 @@ pub(crate) struct Raster<'b> {
     pub(crate) number: NumberType,
     pub(crate) byte_order: ByteOrder,
     pub(crate) order: Order,
-    /// Whether each row is stored from its right end.
+    /// True if each row is stored from its right end.
     pub(crate) is_mirrored: bool,
     /// The bytes of the numbers, from the first one on; what follows the last is not looked at.
     pub(crate) bytes: Cow<'b, [u8]>,
-    /// Where they begin in the file, for messages.
+    /// Offset in the file, for messages.
     pub(crate) offset: usize,
     /// Bytes from one stored row (or column) to the next; those of its numbers where absent.
     pub(crate) stride: Option<usize>,
@@ -163,7 +163,7 @@ impl<'b> Raster<'b> {
         Self::new(number, columns, rows, file.get(offset..).unwrap_or_default(), offset)
     }
 
-    /// The same with bytes of its own.
+    /// Copies borrowed bytes.
     #[cfg(feature = "archives")]
     pub(crate) fn into_owned<'o>(self) -> Raster<'o> {
         Raster {
@@ -217,7 +217,7 @@ impl<'b> Raster<'b> {
         })
     }
 
-    /// How many runs of neighbouring numbers are stored, and how long each is.
+    /// Number of runs of neighbouring numbers, and the length of each.
     fn runs(&self) -> (usize, usize) {
         match self.order {
             Order::RowsFromTop | Order::RowsFromBottom => (self.rows, self.columns),

@@ -1,7 +1,7 @@
 //! Alicona Imaging, InfiniteFocus: `.al3d`.
 //!
-//! A list of tags of fixed length, a comment, then pictures at the places that the tags tell, little-endian, as the maker's
-//! description and the readers of Gwyddion and SurfaceTopography have it. Lengths are in m.
+//! A list of tags of fixed length, a comment, then pictures at the places that the tags tell, little-endian, as the
+//! maker's description and the readers of Gwyddion and SurfaceTopography have it. Lengths are in m.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
@@ -20,7 +20,7 @@ const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 const MOST_TAGS: usize = 10_000;
 /// Rows are filled up to a multiple of so many bytes.
 const ROW_BYTES: usize = 8;
-/// How exactly the mark of points without a height is written.
+/// Relative precision of the mark of missing points.
 const MARK_DIGITS: f64 = 2e-7;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
@@ -87,8 +87,8 @@ fn tag(cursor: &mut Cursor, expected: Option<&str>) -> Result<Tag, ScanReadError
     Ok(Tag { key, value, offset })
 }
 
-/// Points without a height hold the number of a tag. A large one is told by its size, since it may be written with fewer
-/// digits than it has: no surface is a metre high.
+/// Points without a height hold the number of a tag. A large one is told by its size, since it may be written with
+/// fewer digits than it has: no surface is a metre high.
 fn missing<'b>(tags: &Tags) -> Result<MissingMark<'b>, ScanReadError> {
     Ok(match tags.number("InvalidPixelValue")? {
         Some(mark) if mark >= 1.0 => MissingMark::AtLeast(mark * (1.0 - MARK_DIGITS)),

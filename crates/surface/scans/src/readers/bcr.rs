@@ -1,7 +1,8 @@
 //! BCR-STM and BCRF of Image Metrology, which many programs exchange: `.bcr`, `.bcrf`.
 //!
-//! Keys and values in a header of 2048 or 4096 characters, in Latin-1 or UTF-16, then counts of two bytes or floating-point
-//! numbers row after row, as the help of SPIP lays it down and the readers of Gwyddion and SurfaceTopography take it.
+//! Keys and values in a header of 2048 or 4096 characters, in Latin-1 or UTF-16, then counts of two bytes or
+//! floating-point numbers row after row, as the help of SPIP lays it down and the readers of Gwyddion and
+//! SurfaceTopography take it.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::ByteOrder;
@@ -15,11 +16,11 @@ use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Bcr;
-/// Characters of a header that does not tell its length.
+/// Characters of a header without a length.
 const HEADER_CHARACTERS: usize = 2048;
 /// Characters of a header that are looked at; what pads a longer one holds no keys.
 const LONGEST_CHARACTERS: usize = 1 << 18;
-/// Characters among which the line stands that tells the format.
+/// Characters that include the line with the format.
 const FIRST_CHARACTERS: usize = 64;
 const FORMAT_KEY: &str = "fileformat";
 /// Counts and floating-point numbers that mark points without a height.
@@ -30,7 +31,7 @@ const UNIT: LengthUnit = LengthUnit::NANOMETRE;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
-/// How the characters of a header are stored.
+/// Storage of the characters of a header.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Encoding {
     Latin1,

@@ -1,4 +1,5 @@
-//! MicroProf of FRT, `.frt`: a list of numbered blocks, as Gwyddion's user guide and reader describe it. Lengths are in m.
+//! MicroProf of FRT, `.frt`: a list of numbered blocks, as Gwyddion's user guide and reader describe it. Lengths are in
+//! m.
 
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -13,7 +14,7 @@ use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Frt;
 const MAGIC: &[u8] = b"FRTM_GLIDERV";
-/// The number that stands for no height.
+/// Mark of missing points.
 const MISSING: f64 = 1.0;
 
 mod block {

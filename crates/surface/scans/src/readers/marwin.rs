@@ -1,7 +1,7 @@
 //! MarWin of Mahr, which drives styli that trace contours: `.qep`.
 //!
-//! A ZIP file with profiles: a header, a table of texts `>key=value`, then the positions and heights of all points in mm,
-//! little-endian, as the reader of SurfaceTopography takes them.
+//! A ZIP file with profiles: a header, a table of texts `>key=value`, then the positions and heights of all points in
+//! mm, little-endian, as the reader of SurfaceTopography takes them.
 
 use super::measured_line::MeasuredLine;
 use crate::archive::{Archive, is_named_in, is_zip};
@@ -47,7 +47,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     Ok(channels)
 }
 
-/// A profile with what its texts tell of the stylus.
+/// A profile with the stylus that its texts describe.
 struct Profile {
     positions_m: Vec<f64>,
     heights_m: Vec<Option<f64>>,

@@ -1,7 +1,7 @@
 //! Zygo MetroPro, of interferometers: `.dat`.
 //!
-//! A header of 834 or 4096 bytes, big-endian in the fields of use, then intensities, then phases, as the reference guide of
-//! MetroPro lays it down (its appendix on data formats).
+//! A header of 834 or 4096 bytes, big-endian in the fields of use, then intensities, then phases, as the reference
+//! guide of MetroPro lays it down (its appendix on data formats).
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};

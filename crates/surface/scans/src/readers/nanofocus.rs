@@ -1,5 +1,5 @@
-//! NanoFocus confocal microscopes, `.nms`: a header of fixed length without a name of its own, as SurfaceTopography reads it,
-//! then heights as sixteen-bit parts of a range in µm.
+//! NanoFocus confocal microscopes, `.nms`: a header of fixed length without a name of its own, as SurfaceTopography
+//! reads it, then heights as sixteen-bit parts of a range in µm.
 
 use crate::channel::Channel;
 use crate::cursor::{ByteOrder, Cursor};

@@ -1,6 +1,7 @@
 //! OmniSurf3D of Digital Metrology: `.os3d`.
 //!
-//! Texts, the grid, then heights row after row in µm, little-endian, as the maker's description of the format lays it down.
+//! Texts, the grid, then heights row after row in µm, little-endian, as the maker's description of the format lays it
+//! down.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};

@@ -1,5 +1,5 @@
-//! Surface data files, `.sdf`, in text and binary, as ISO 25178-71 lays them down, with their predecessor BCR-1.0 and the
-//! wider counts of version 2.0. Lengths are in m.
+//! Surface data files, `.sdf`, in text and binary, as ISO 25178-71 lays them down, with their predecessor BCR-1.0 and
+//! the wider counts of version 2.0. Lengths are in m.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -16,7 +16,7 @@ const VERSIONS: [&[u8]; 4] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0", b"BCR-0.0"];
 const VERSION_BYTES: usize = 8;
 /// Lines of a header in text that are looked at; it has some dozen.
 const MOST_LINES: usize = 1000;
-/// What some exports put between the header and the data of files of version 1.0.
+/// Separator that some exports put between the header and the data of files of version 1.0.
 const EXTRA_HEADER_BYTES: usize = 8;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
@@ -27,7 +27,7 @@ fn recognises(bytes: &[u8]) -> bool {
     })
 }
 
-/// What the header says.
+/// Fields of the header.
 struct Header {
     points: usize,
     profiles: usize,

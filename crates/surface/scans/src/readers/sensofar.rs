@@ -1,7 +1,7 @@
 //! Sensofar, PLu and S neox: `.plu` and `.apx`.
 //!
-//! A header of 500 bytes, then layers of floating-point numbers in µm, each before the pictures taken of it, little-endian,
-//! as the readers of Gwyddion and SurfaceTopography take them.
+//! A header of 500 bytes, then layers of floating-point numbers in µm, each before the pictures taken of it,
+//! little-endian, as the readers of Gwyddion and SurfaceTopography take them.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
@@ -39,7 +39,7 @@ fn recognises(bytes: &[u8]) -> bool {
     is_time && matches!(time[24..], [0, ..] | [b'\n', 0, ..])
 }
 
-/// What is measured.
+/// Kind of content.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Image,

@@ -54,7 +54,7 @@ fn array(bytes: &[u8], element_bytes: usize, block_elements: usize) -> Vec<u8> {
     group(2, &[number(1, (bytes.len() / element_bytes) as u32), entry(2, &data)])
 }
 
-/// What differs between documents.
+/// Parts that differ between documents.
 #[derive(Clone)]
 struct Document {
     counts: Vec<i32>,

@@ -80,5 +80,5 @@ fn bounds_and_damage_are_told() {
     );
     assert!(refused(&gzipped(PROFILE)[..15]).starts_with("unpacking the gzip file: "));
     // One level is unpacked, no more.
-    assert!(refused(&gzipped(&gzipped(PROFILE))).starts_with("recognising the format of 'scan'"));
+    assert!(refused(&gzipped(&gzipped(PROFILE))).starts_with("recognising 'scan'"));
 }

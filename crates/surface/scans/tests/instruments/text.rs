@@ -72,14 +72,14 @@ fn exports_of_a_stylus_tell_its_radius() {
 }
 
 #[test]
-fn missing_points_of_a_grid_are_missing_points() {
+fn points_without_a_height_in_a_grid_are_missing() {
     let file = read_with(b"0 0 1\n2 1 6\n0 1 2\n1 0 nan\n1 1 4\n", "nm");
     let heights = [Some(1e-9), None, None, Some(2e-9), Some(4e-9), Some(6e-9)];
     assert_holds(&file.scan, (3e-9, Some(2e-9)), &heights, 1e-22);
 }
 
 #[test]
-fn empty_fields_are_missing_points_in_their_place() {
+fn empty_fields_are_missing_points() {
     let size = scans::ScanSize { x_m: 4e-9, y_m: Some(3e-9) };
     let options = ScanOptions { unit: "nm".parse().ok(), size: Some(size), ..ScanOptions::default() };
     let missing = None;

@@ -76,7 +76,7 @@ fn unreadable<'b>(name: &str, error: ScanReadError) -> Channel<'b> {
 /// A curve as its components describe it.
 struct Curve {
     description: String,
-    /// Where the numbers of each begin, and how many they are.
+    /// Offset and count of the numbers of each.
     x: Option<(usize, usize)>,
     y: Option<(usize, usize)>,
 }

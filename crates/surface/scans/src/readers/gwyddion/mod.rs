@@ -27,7 +27,7 @@ use units::LengthUnit;
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
 const MARK: &[u8] = b"GWYP";
-/// That of versions before 2.0.
+/// First bytes of files of versions before 2.0.
 const OLD_MARK: &[u8] = b"GWYO";
 
 fn recognises(bytes: &[u8]) -> bool {
@@ -36,10 +36,10 @@ fn recognises(bytes: &[u8]) -> bool {
         .any(|mark| bytes.strip_prefix(*mark).is_some_and(|rest| rest.starts_with(b"GwyContainer\0")))
 }
 
-/// Where graphs stand, whatever they were made from.
+/// Key prefix of graphs, whatever they were made from.
 const GRAPHS: &str = "/0/graph/graph/";
 
-/// What a file holds under one number.
+/// Objects of a file under one number.
 #[derive(Default)]
 struct Entry<'b> {
     data: Option<Object<'b>>,
@@ -126,7 +126,7 @@ fn channel<'b>(number: u32, data: Object<'b>, entry: &Entry<'b>, bytes: &'b [u8]
     Channel { free_text, ..channel }
 }
 
-/// The image, which of its points are missing points, and what is to be said of it.
+/// The image, its missing points, and the notes on it.
 fn read<'b>(
     data: Object<'b>,
     key: &str,
@@ -153,7 +153,7 @@ fn read<'b>(
     Ok((field, missing, note.into_iter().collect()))
 }
 
-/// What an image measures. Images from elsewhere may have no units at all: then they may be heights.
+/// Classifies an image. Images from elsewhere may have no units at all: then they may be heights.
 fn quantity(field: &Field, name: &str) -> Quantity {
     match LengthUnit::parse(&field.value_unit) {
         Some(unit) if is_named_after_signal(name) => Quantity::OtherLength(unit),

@@ -1,5 +1,5 @@
-//! Zygo's `.datx`, as SurfaceTopography reads it: a dataset below `Data/Surface` with its unit, the number for no height, and
-//! how its indices become lengths as attributes.
+//! Zygo's `.datx`, as SurfaceTopography reads it: a dataset below `Data/Surface` with its unit, the number for no
+//! height, and how its indices become lengths as attributes.
 
 use hdf5_reader::Datatype;
 
@@ -83,7 +83,7 @@ fn numbers(entry: &Entry, kind: &Datatype, raw: &[u8]) -> Option<Vec<f64>> {
     Some(numbers.iter().map(|number| f64::from_le_bytes(*number)).collect())
 }
 
-/// What a reference of variable length points to.
+/// Returns the text that a reference of variable length points to.
 fn elsewhere(entry: &Entry, raw: &[u8], element: usize) -> Option<Vec<u8>> {
     let reference = raw.get(..entry.dataset.vlen_reference_size())?;
     entry.dataset.resolve_vlen_reference_bytes(reference, element).ok()

@@ -1,5 +1,5 @@
-//! NetCDF-4 in the layout of contact.engineering: `heights` over `x` and `y`, over `x` alone, or over points whose positions
-//! `x` gives.
+//! NetCDF-4 in the layout of contact.engineering: `heights` over `x` and `y`, over `x` alone, or over points whose
+//! positions `x` gives.
 
 use super::FORMAT;
 use super::content::{Content, Entry};
@@ -11,7 +11,7 @@ use crate::raster::{MissingMark, Order, Raster};
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
-/// What the NetCDF library writes where nobody has written a number.
+/// Number that the NetCDF library writes where nobody has written one.
 const UNWRITTEN: f64 = 9.969_209_968_386_869e36;
 
 pub(super) fn channels<'b>(
@@ -80,8 +80,8 @@ pub(super) fn channels<'b>(
     Ok(vec![Channel { units: UnitsBy::Reader, is_periodic: periodic, notes, ..channel }])
 }
 
-/// Whether the first axis of the heights is x, as contact.engineering writes them: by the place of the axis among those of
-/// the file, else by its length.
+/// Returns true if the first axis of the heights is x, as contact.engineering writes them: by the place of the axis
+/// among those of the file, else by its length.
 fn is_x_slow(heights: &Entry, content: &Content) -> bool {
     let of = |name: &str| content.find(name).map(|at| &content.entries[at]);
     let linked = heights.attribute("DIMENSION_LIST").and_then(|list| {

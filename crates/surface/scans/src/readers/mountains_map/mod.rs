@@ -1,8 +1,8 @@
 //! Documents of MountainsMap: `.mnt`.
 //!
-//! A compound file of Microsoft with the document in the stream `ScopedContents`, a tree of tagged entries, as the reader of
-//! SurfaceTopography describes it. Surfaces are stored as they were measured, in packed counts; what the document derives
-//! from them (levelled, filtered) is only named there.
+//! A compound file of Microsoft with the document in the stream `ScopedContents`, a tree of tagged entries, as the
+//! reader of SurfaceTopography describes it. Surfaces are stored as they were measured, in packed counts; what the
+//! document derives from them (levelled, filtered) is only named there.
 
 mod entry;
 mod packed;
@@ -145,7 +145,7 @@ impl Axis {
     }
 }
 
-/// What a count is worth: in m where the unit is one of length, else in that unit.
+/// Value of a count: in m where the unit is one of length, else in that unit.
 struct Scale {
     step: f64,
     origin: f64,

@@ -18,7 +18,7 @@ pub(crate) struct Columns {
     pub(crate) separator: Separator,
     /// The fields of a line that are columns; those outside are empty in every row.
     used: Range<usize>,
-    /// How the first two columns are printed; empty for matrices, where nobody asks.
+    /// Precision of the first two columns; empty for matrices, which do not need it.
     printed: [Precision; 2],
 }
 
@@ -97,7 +97,7 @@ impl Columns {
         lines(text, self.separator, self.used.end).nth(row).map_or(0, |(line, _)| line)
     }
 
-    /// How far two printed positions of a column may lie from evenly spaced ones: a unit of the last digit, since
+    /// Largest distance of two printed positions of a column from evenly spaced ones: a unit of the last digit, since
     /// instruments round or cut off, and the rounding of the numbers themselves.
     pub(crate) fn rounding(&self, column: usize) -> f64 {
         let largest = self.column(column).fold(0.0, |largest: f64, value| largest.max(value.abs()));
@@ -105,8 +105,8 @@ impl Columns {
     }
 }
 
-/// The first line of numbers, and which fields of the lines are columns: from the first to the last that is not empty in
-/// every line, since instruments open and close lines with separators.
+/// The first line of numbers, and which fields of the lines are columns: from the first to the last that is not empty
+/// in every line, since instruments open and close lines with separators.
 ///
 /// Every line must have all of them, but for lines of separators alone, which may have fewer.
 fn used_fields(text: &str, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
@@ -170,7 +170,7 @@ fn lines(text: &str, separator: Separator, fields: usize) -> impl Iterator<Item 
     whole_rows(text, separator).filter(move |(_, row)| is_whole(row))
 }
 
-/// Which decimal mark a file uses, and since which line.
+/// Decimal mark of a file, and the line that shows it.
 #[derive(Default)]
 struct Decimals {
     mark: Option<(bool, usize)>,

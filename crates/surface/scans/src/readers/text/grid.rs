@@ -52,7 +52,7 @@ fn axis(text: &str, columns: &Columns, column: usize) -> Result<Axis, ScanReadEr
     Err(ScanReadError::NotAGrid { line, axis, position, count, first, last: nearest.position(count - 1) })
 }
 
-/// The height of every grid point that the file has a line for, which may say that it is a missing point.
+/// The height of every grid point that the file has a line for, which may say that it is missing.
 fn fill(
     text: &str,
     columns: &Columns,

@@ -8,7 +8,7 @@ use crate::format::ScanFormat;
 /// The format whose reader this is, for messages.
 pub(crate) const FORMAT: ScanFormat = ScanFormat::Text;
 
-/// What separates the columns of a file.
+/// Separator of the columns of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Separator {
     Semicolon,
@@ -17,7 +17,7 @@ pub(crate) enum Separator {
     Blanks,
 }
 
-/// Words that stand for a point without a height.
+/// Words for a missing point.
 const MISSING: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
 
 /// UTF-16 with a byte order mark, UTF-8 with or without one, else Latin-1, in which older instruments write `µ`.
@@ -36,8 +36,8 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
     })
 }
 
-/// The characters of UTF-16 text behind its byte order mark, as the spreadsheets of some instruments are saved; none where
-/// there is no such mark. What is no character is put in as one that no number has.
+/// The characters of UTF-16 text behind its byte order mark, as the spreadsheets of some instruments are saved; none
+/// where there is no such mark. What is no character is put in as one that no number has.
 fn decode_utf16(bytes: &[u8]) -> Option<String> {
     let to_unit = match bytes.first_chunk()? {
         [0xff, 0xfe] => u16::from_le_bytes,
@@ -58,13 +58,14 @@ pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines.filter(|(_, line)| !line.is_empty() && !is_comment(line))
 }
 
-/// The lines of numbers, from the first one on, with all that follows; lines of missing points above it are part of the scan.
+/// The lines of numbers, from the first one on, with all that follows; lines of missing points above it are part of the
+/// scan.
 pub(crate) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let first = first_row(text).unwrap_or(usize::MAX);
     content(text).skip_while(move |(number, _)| *number < first)
 }
 
-/// The same with the separators at their ends, which tell empty fields.
+/// Splits a line with the separators at its ends, which mark empty fields.
 pub(crate) fn whole_rows(text: &str, separator: Separator) -> impl Iterator<Item = (usize, &str)> {
     let first = first_row(text).unwrap_or(usize::MAX);
     let is_margin =
@@ -73,7 +74,8 @@ pub(crate) fn whole_rows(text: &str, separator: Separator) -> impl Iterator<Item
     lines.filter(move |(number, line)| *number >= first && !line.is_empty() && !is_comment(line))
 }
 
-/// The first line of the scan: of numbers, or the first of the lines of missing points right above it with as many fields.
+/// The first line of the scan: of numbers, or the first of the lines of missing points right above it with as many
+/// fields.
 fn first_row(text: &str) -> Option<usize> {
     let mut missing: Option<(usize, usize)> = None;
     for (number, line) in content(text) {
@@ -90,7 +92,7 @@ fn first_row(text: &str) -> Option<usize> {
     None
 }
 
-/// Whether a line consists of words for missing points. Dashes do not count: they underline headers.
+/// Returns true if a line consists of words for missing points. Dashes do not count: they underline headers.
 fn holds_missing_points(line: &str) -> bool {
     let mut words = line.split(is_separator).filter(|word| !word.is_empty()).peekable();
     words.peek().is_some() && words.all(|word| is_missing(word) && word.contains(char::is_alphabetic))
@@ -117,13 +119,13 @@ fn is_blank(character: char) -> bool {
     character.is_whitespace() || character == '\u{1a}' || character == '\u{feff}'
 }
 
-/// Whether a field marks a point without a height.
+/// Returns true if a field marks a missing point.
 pub(crate) fn is_missing(field: &str) -> bool {
     let word = field.trim_start_matches(['+', '-']);
     MISSING.iter().any(|missing| missing.eq_ignore_ascii_case(field) || missing.eq_ignore_ascii_case(word))
 }
 
-/// Whether a line consists of numbers, whatever separates them.
+/// Returns true if a line consists of numbers, whatever separates them.
 fn holds_numbers(line: &str) -> bool {
     let mut has_number = false;
     line.split(is_separator).filter(|word| !word.is_empty()).all(|word| {
@@ -168,7 +170,7 @@ impl Separator {
     }
 }
 
-/// Whether the commas of a line separate columns; none where it does not tell.
+/// Returns true if the commas of a line separate columns; none where the line is ambiguous.
 fn comma_separates(line: &str) -> Option<bool> {
     if !line.contains(',') {
         return None;
