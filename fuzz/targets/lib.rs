@@ -19,7 +19,7 @@ pub fn read(bytes: &[u8]) {
     let _ = visit_channels(bytes, "fuzz", &bare, true, |channel| {
         if let Ok(file) = channel {
             check(&file.scan);
-            let _ = Statistics::of(&file.scan);
+            let _ = Statistics::from_scan(&file.scan);
         }
     });
     for options in [bare, told, in_unit, sized] {

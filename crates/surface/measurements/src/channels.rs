@@ -132,7 +132,7 @@ impl Row {
         let scan = &file.scan;
         let (points_x, points_y) = scan.points();
         let (size_x_m, size_y_m) = scan.size_m();
-        let found = Statistics::of(scan);
+        let found = Statistics::from_scan(scan);
         let in_m = found.filter(|_| !matches!(file.measure, Measure::Other(_)));
         Row {
             file: request.path.clone(),

@@ -14,7 +14,7 @@ fn main() {
         let result = visit_channels(&bytes, &path, &options, true, |channel| match channel {
             Err(error) => println!("{path}: {error}"),
             Ok(file) => {
-                let found = Statistics::of(&file.scan);
+                let found = Statistics::from_scan(&file.scan);
                 println!(
                     "{path} ({}), {}: {} in {:?}, size {:?} m, rms {:.9e}, range {:.9e}, {} missing points, axis {:?}, {:?} {:?}",
                     file.format,

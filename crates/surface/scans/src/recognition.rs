@@ -7,7 +7,7 @@ impl ScanFormat {
     /// Recognises the format of a binary file by its content; `None` for text, which may be anything, and for unknown
     /// files. [`read_scans`](crate::read_scans) may still refuse the file.
     #[must_use]
-    pub fn of(bytes: &[u8]) -> Option<Self> {
+    pub fn recognise(bytes: &[u8]) -> Option<Self> {
         #[cfg(feature = "archives")]
         let bytes = &*crate::unpacked::recognisable(bytes);
         #[cfg(feature = "container")]

@@ -69,7 +69,7 @@ fn formats_are_told_without_reading() {
         (b"\x89PNG\r\n\x1a\n".to_vec(), None),
         (Vec::new(), None),
     ] {
-        assert_eq!(ScanFormat::of(&bytes), format);
+        assert_eq!(ScanFormat::recognise(&bytes), format);
     }
 }
 

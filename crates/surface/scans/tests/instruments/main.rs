@@ -136,7 +136,7 @@ fn every_sample_is_told_by_its_content_and_read() {
     for (format, samples) in samples() {
         for Sample { name, bytes } in samples {
             if format != ScanFormat::Text {
-                assert_eq!(ScanFormat::of(&bytes), Some(format), "{name}");
+                assert_eq!(ScanFormat::recognise(&bytes), Some(format), "{name}");
             }
             assert!(
                 !heights_if_told(&bytes)

@@ -142,7 +142,7 @@ fn other_compound_files_are_not_told_to_be_documents() {
     file.create_stream("Workbook").unwrap();
     file.flush().unwrap();
     drop(file);
-    assert_eq!(ScanFormat::of(&bytes.into_inner()), None);
+    assert_eq!(ScanFormat::recognise(&bytes.into_inner()), None);
 }
 
 #[test]
