@@ -1,4 +1,4 @@
-//! What the targets share: the options of a run and what must hold of every scan that is read.
+//! Support of the targets: the options of a run, and the promises of every scan that is read.
 
 use std::io::{Cursor, Write};
 

@@ -1,4 +1,4 @@
-//! What the cross-crate tests share: reference tables, golden curves, pictures, and how far results lie from them.
+//! Support of the cross-crate tests: reference tables, golden curves, pictures, and deviations of results from them.
 //!
 //! ```
 //! use tests::{Deviations, ReferenceTable};

@@ -31,12 +31,12 @@ impl ReferenceTable {
         self.rows.len()
     }
 
-    /// Whether the table has no rows.
+    /// Returns true if the table has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Whether there is such a column.
+    /// Returns true if the table has this column.
     pub fn has(&self, column: &str) -> bool {
         self.columns.iter().any(|name| name == column)
     }
@@ -65,8 +65,8 @@ pub fn shared_file(name: &str) -> PathBuf {
     committed_file("..").join("shared").join(name)
 }
 
-/// A file of this repository, from its top. The checkout is the one that cargo was called in, which need not be the one that
-/// compiled this: two of them may share a folder for what is built.
+/// A file of this repository, from its top. The checkout is the one that cargo was called in, which need not be the one
+/// that compiled this: two of them may share a folder for what is built.
 pub fn committed_file(path: &str) -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR")
         .map_or(PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);

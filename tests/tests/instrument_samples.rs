@@ -1,5 +1,5 @@
-//! Real files of instruments in the shared folder beside the checkout, held against what SurfaceTopography 1.27.1 reads of them
-//! (MIT licence; its test files are not committed).
+//! Real files of instruments in the shared folder beside the checkout, held against what SurfaceTopography 1.27.1 reads
+//! of them (MIT licence; its test files are not committed).
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ impl Files for Samples {
     }
 }
 
-/// What the peer knows that the file does not say: a unit, a size.
+/// Facts that the peer knows and the file lacks: a unit, a size.
 const TOLD: [(&str, &str); 2] = [("xyz-1.txt", ":unit=um"), ("xy-3.txt", ":unit=um")];
 
 /// The cells of a column, as text.

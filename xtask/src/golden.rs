@@ -1,4 +1,4 @@
-//! How far every golden curve has moved since it was accepted.
+//! Shows how far every golden curve has moved since it was accepted.
 
 use std::process::{Command, ExitCode};
 

@@ -1,7 +1,7 @@
-//! What the main kernels and the whole paper cost in instructions, against what was accepted.
+//! Counts the instructions of the main kernels and of the whole paper against the accepted counts.
 //!
-//! Instructions do not depend on what else the machine is doing, so they can be a gate where times cannot. They are those
-//! of the profile that the tests are built with.
+//! Instructions do not depend on what else the machine is doing, so they can be a gate where times cannot. They are
+//! those of the profile that the tests are built with.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -53,7 +53,7 @@ fn compare(accept: bool) -> io::Result<bool> {
     Ok(within)
 }
 
-/// How a count lies to the accepted one.
+/// Comparison of a count with the accepted one.
 enum Verdict {
     New,
     Moved { growth: f64 },
@@ -121,7 +121,8 @@ fn count(work: &str) -> io::Result<u64> {
             .arg(format!("--toggle-collect={COUNTED}"))
             .arg(program())
             .arg(work)
-            // The mathematical functions of the C library come in several variants; which one it takes depends on the processor.
+            // The mathematical functions of the C library come in several variants; which one it takes depends on the
+            // processor.
             .env("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"),
     )
     .map_err(|error| match error.kind() {

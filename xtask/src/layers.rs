@@ -6,8 +6,8 @@ use std::process::{Command, ExitCode};
 
 use serde_json::Value;
 
-/// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own floor
-/// what its manifest lists.
+/// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own
+/// floor what its manifest lists.
 const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evidence"];
 
 /// The floors whose crates are fit for a browser: bytes in, values out.
@@ -16,13 +16,13 @@ const CORE_FLOORS: usize = 4;
 /// Crates of contact that take numbers and know no spectrum and no scan: all but these.
 const JOINS_SURFACE_AND_CONTACT: [&str; 1] = ["truearea-rough-bem"];
 
-/// What only the command line may know, however far down the tree; a pool of threads stands behind a feature.
+/// Packages that only the command line may use, however indirectly; a pool of threads is behind a feature.
 const STRANGERS: [&str; 5] = ["annotate-snippets", "clap", "indicatif", "rayon", "tempfile"];
 
 /// The crates that write files and are therefore no part of the core.
 const OUTSIDE: &[&str] = &["truearea-staging"];
 
-/// What a crate of bytes and values does not call.
+/// Calls that a crate of bytes and values does not make.
 const FORBIDDEN_CALLS: [&str; 9] = [
     "std::fs",
     "std::env",

@@ -1,4 +1,4 @@
-//! Which model to believe: presses what has not been pressed, and rewrites the tables and figures of `docs/which-model.md`.
+//! Trials of every model: presses new surfaces and rewrites the tables and figures of `docs/which-model.md`.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -53,8 +53,8 @@ fn judge(anew: bool) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The areas of boundary elements: those of the table that the programme still has, the others pressed now, each kept once
-/// it is known.
+/// The areas of boundary elements: those of the table that the programme still has, the others pressed now, each kept
+/// once it is known.
 fn pressed(anew: bool) -> Result<Vec<ElementsRow>, Box<dyn Error>> {
     let path = beside("elements");
     let old = if anew || !path.exists() { Vec::new() } else { elements::read(&std::fs::read(&path)?[..])? };

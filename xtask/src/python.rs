@@ -68,7 +68,7 @@ fn command_line(root: &Path) -> Result<PathBuf, String> {
     }
 }
 
-/// Where the package stands, where what is made of it goes, and the command line beside it.
+/// Paths of the package, of its build, and of the command line.
 struct Place {
     package: PathBuf,
     built: PathBuf,

@@ -82,7 +82,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What a spectrum is called in the report.
+/// Returns the name of a spectrum in the report.
 fn label(spectrum: &str) -> &str {
     match spectrum {
         "uncd-reconstructed" => "reconstruction",
@@ -128,7 +128,7 @@ fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {
     plan.carry_out(&Unobserved).map_err(Into::into)
 }
 
-/// How many statements each spectrum reproduces.
+/// Counts the statements that each spectrum reproduces.
 fn verdicts(ledger: &[paper::Row]) -> String {
     let findings = || ledger.iter().flat_map(|row| row.findings.iter());
     let mut spectra: Vec<&str> = findings().map(|(spectrum, _)| *spectrum).collect();

@@ -1,8 +1,8 @@
 //! The work of the main kernels and of the whole paper, one piece at a time, to be counted by instructions:
 //! `cargo xtask instructions` runs this under valgrind and holds the counts against the accepted ones.
 //!
-//! Without an argument it prints the names of the pieces. With one it does that piece twice: at first for what is made at
-//! its first use, and then inside [`counted`], which is where valgrind looks.
+//! Without an argument it prints the names of the pieces. With one it does that piece twice: at first for what is made
+//! at its first use, and then inside [`counted`], which is where valgrind looks.
 
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -21,7 +21,7 @@ use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
 use topography::{Preparation, areal_spectrum, map_line_spectrum};
 
-/// What is counted.
+/// A piece of work that is counted.
 type Work = Box<dyn Fn()>;
 
 /// A name and the preparation of its work.
@@ -214,7 +214,8 @@ fn crossing_waves_m() -> Vec<f64> {
     (0..SIZE * SIZE).map(height_m).collect()
 }
 
-/// The two waves, repeated with their cliffs at the edges, pressed onto a half-space at a load that closes a fifth of it.
+/// The two waves, repeated with their cliffs at the edges, pressed onto a half-space at a load that closes a fifth of
+/// it.
 fn half_space(saturation_pa: Option<f64>) -> Work {
     let side_m = SIZE as f64 * 1e-9;
     let grid = Grid::new(SIZE, SIZE, side_m, side_m).expect("a grid");
