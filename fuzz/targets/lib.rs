@@ -1,4 +1,4 @@
-//! What the targets share: the options of a run and what must hold of every scan that is read.
+//! Support of the targets: the options of a run, and the promises of every scan that is read.
 
 use std::io::{Cursor, Write};
 
@@ -19,7 +19,7 @@ pub fn read(bytes: &[u8]) {
     let _ = visit_channels(bytes, "fuzz", &bare, true, |channel| {
         if let Ok(file) = channel {
             check(&file.scan);
-            let _ = Statistics::of(&file.scan);
+            let _ = Statistics::from_scan(&file.scan);
         }
     });
     for options in [bare, told, in_unit, sized] {
@@ -34,8 +34,8 @@ fn check(scan: &Measured) {
     let (columns, rows) = scan.points();
     let points = columns * rows.unwrap_or(1);
     assert_eq!(scan.heights_m().len(), points);
-    assert!(points >= 2 && scan.gaps().count() <= points);
-    assert!(scan.gaps().indices().all(|index| index < points));
+    assert!(points >= 2 && scan.missing_points().count() <= points);
+    assert!(scan.missing_points().indices().all(|index| index < points));
     assert!(scan.heights_m().flatten().all(f64::is_finite));
     let (spacing_x_m, spacing_y_m) = scan.spacing_m();
     assert!(spacing_x_m > 0.0 && spacing_y_m.is_none_or(|spacing_y_m| spacing_y_m > 0.0));

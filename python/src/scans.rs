@@ -17,7 +17,7 @@ use pyo3::types::{PyBytes, PyDict, PyString};
 use report::heights_picture::{HeightsPicture, of_heights};
 use report::scan_words;
 use report::scans_table::scans_columns;
-use scans::{Gaps, ScanFile, ScanOption, ScanSize};
+use scans::{MissingPoints, ScanFile, ScanOption, ScanSize};
 use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
 use units::{Length, LengthUnit};
@@ -147,7 +147,7 @@ impl PyScan {
         let shape: Vec<usize> = rows.into_iter().chain([points]).collect();
         let heights_m = measured.heights_m().map(|height_m| height_m.unwrap_or(0.0)).collect();
         let heights_m = ArrayD::from_shape_vec(shape.clone(), heights_m).map_err(input)?;
-        let gaps = measured.gaps();
+        let gaps = measured.missing_points();
         let mask = (!gaps.is_empty()).then(|| {
             let is_gap = (0..heights_m.len()).map(|index| gaps.contains(index)).collect();
             ArrayD::from_shape_vec(shape, is_gap).map_err(input)
@@ -271,9 +271,9 @@ fn scan_of_array(
             )));
         }
     };
-    let found: Gaps = match gaps {
+    let found: MissingPoints = match gaps {
         Some(gaps) => gaps.as_array().iter().enumerate().filter(|(_, gap)| **gap).map(|(at, _)| at).collect(),
-        None => Gaps::default(),
+        None => MissingPoints::default(),
     };
     // In C order alone the memory is row after row.
     let given = heights_m.as_array();

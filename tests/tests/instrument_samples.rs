@@ -20,7 +20,7 @@ impl Files for Samples {
     }
 }
 
-/// What the peer knows that the file does not say: a unit, a size.
+/// Facts that the peer knows and the file lacks: a unit, a size.
 const TOLD: [(&str, &str); 2] = [("xyz-1.txt", ":unit=um"), ("xy-3.txt", ":unit=um")];
 
 /// The cells of a column, as text.

@@ -103,7 +103,8 @@ fn counts(text: &str) -> io::Result<BTreeMap<String, u64>> {
 
 fn build() -> io::Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let arguments = ["build", "--quiet", "--package", "tests", "--bin", "instruction_counts"];
+    // With the features of the whole workspace, as `cargo test --workspace` has built it. Its work runs on one thread.
+    let arguments = ["build", "--quiet", "--workspace", "--bin", "instruction_counts"];
     output(Command::new(cargo).args(arguments)).map(drop)
 }
 

@@ -64,12 +64,12 @@ fn every_column_is_written() {
         bench.write(file, listed(file));
     }
     for line in listed("columns.txt").lines() {
-        let (source, columns) =
-            line.split_once(':').map(|_| line.rsplit_once(": ").unwrap_or((line, ""))).unwrap();
+        // The line of `run` has no columns: its tables are files, on the lines below.
+        let (source, columns) = line.split_once(": ").unwrap_or((line.trim_end_matches(':'), ""));
         let table = if source.ends_with(".csv") && !source.contains(' ') {
             bench.read(source)
         } else {
-            bench.run(&source.trim_end_matches(':').split(' ').collect::<Vec<_>>()).ok()
+            bench.run(&source.split(' ').collect::<Vec<_>>()).ok()
         };
         let header = table.lines().find(|line| !line.starts_with('#')).unwrap_or_default();
         let written: BTreeSet<&str> = header.split(',').collect();

@@ -134,7 +134,7 @@ impl Surface {
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
         };
         let PsdFile { psd, comments, notes } =
-            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::of(&bytes) {
+            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::recognise(&bytes) {
                 Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
                 None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
             })?;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use measurements::{CompositeOfFiles, Loaded, NoFiles, ScanInput, ScanProblem, ScanRequest};
 use parallel::Unobserved;
-use scans::{Gaps, ScanFile, ScanSize};
+use scans::{MissingPoints, ScanFile, ScanSize};
 use topography::Recipe;
 
 const COLUMNS: usize = 64;
@@ -42,7 +42,8 @@ fn in_memory(loaded: Loaded) -> CompositeOfFiles {
 
 fn heights() -> ScanFile {
     let heights_m = points().map(|(x, y)| if is_gap(x, y) { 0.0 } else { height_nm(x, y) / 1e9 }).collect();
-    let gaps: Gaps = points().enumerate().filter(|(_, (x, y))| is_gap(*x, *y)).map(|(at, _)| at).collect();
+    let gaps: MissingPoints =
+        points().enumerate().filter(|(_, (x, y))| is_gap(*x, *y)).map(|(at, _)| at).collect();
     let size = ScanSize { x_m: 64e-9, y_m: Some(48e-9) };
     ScanFile::of_map("scan.txt".to_owned(), size, COLUMNS, heights_m, gaps).unwrap()
 }

@@ -1,4 +1,4 @@
-//! Lists the channels of the files given: points, size, rms height, peak to valley, gaps.
+//! Lists the channels of the files given: points, size, rms height, peak to valley, missing points.
 
 use scans::{ScanOptions, Statistics, visit_channels};
 
@@ -14,9 +14,9 @@ fn main() {
         let result = visit_channels(&bytes, &path, &options, true, |channel| match channel {
             Err(error) => println!("{path}: {error}"),
             Ok(file) => {
-                let found = Statistics::of(&file.scan);
+                let found = Statistics::from_scan(&file.scan);
                 println!(
-                    "{path} ({}), {}: {} in {:?}, size {:?} m, rms {:.9e}, range {:.9e}, {} gaps, axis {:?}, {:?} {:?}",
+                    "{path} ({}), {}: {} in {:?}, size {:?} m, rms {:.9e}, range {:.9e}, {} missing points, axis {:?}, {:?} {:?}",
                     file.format,
                     file.channel.as_deref().unwrap_or("unnamed"),
                     file.measure,
@@ -24,7 +24,7 @@ fn main() {
                     file.scan.size_m(),
                     found.map_or(0.0, |found| found.rms_height_m),
                     found.map_or(0.0, |found| found.peak_to_valley_m),
-                    file.scan.gaps().count(),
+                    file.scan.missing_points().count(),
                     file.fast_axis,
                     file.probe,
                     file.notes,

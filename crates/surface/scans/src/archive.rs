@@ -10,7 +10,7 @@ use crate::room::Room;
 
 /// Most files in an archive; containers hold some hundreds.
 const MOST_ENTRIES: usize = 10_000;
-/// How an entry of the directory begins.
+/// First bytes of an entry of the directory.
 const ENTRY: &[u8] = b"PK\x01\x02";
 
 /// A ZIP file whose entries all lie inside it, and which unpacks to no more than it may.
@@ -71,12 +71,12 @@ impl<'b> Archive<'b> {
     }
 }
 
-/// Whether a file begins as ZIP files do.
+/// Returns true if a file begins as ZIP files do.
 pub(crate) fn is_zip(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
-/// Whether a name stands anywhere in a file; in a ZIP file names stand as they are.
+/// Returns true if a file holds a name anywhere. ZIP files store names uncompressed.
 pub(crate) fn is_named_in(bytes: &[u8], name: &str) -> bool {
     memmem::find(bytes, name.as_bytes()).is_some()
 }
@@ -95,7 +95,7 @@ fn failure(what: &str, error: &zip::result::ZipError) -> ScanReadError {
     ScanReadError::Zip { what: what.to_owned(), problem: error.to_string() }
 }
 
-/// Whether a path is absolute, names a drive, or climbs.
+/// Returns true if a path is absolute, names a drive, or climbs.
 pub(crate) fn leads_outside(path: &str) -> bool {
     let mut parts = path.split(['/', '\\']);
     path.starts_with(['/', '\\'])

@@ -1,4 +1,4 @@
-//! A channel becomes a scan: which one, in which unit, of which size.
+//! Assembly of a channel to a scan: choice of channel, unit and size.
 
 use crate::channel::{Channel, Lateral, Quantity, UnitsBy};
 use crate::choice_of_size;
@@ -15,10 +15,10 @@ use crate::raster::Decoded;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
-/// How far the size in the metadata may lie from that of the file before a note says so.
+/// Relative difference of the sizes in metadata and file above which a note says so.
 const SIZE_AGREEMENT: f64 = 1e-4;
 
-/// What a channel without a name is called where one is asked for.
+/// Name of a channel without one, where a channel is asked for.
 pub(crate) const UNNAMED: &str = "unnamed";
 
 /// The channel asked for, else the one that the metadata chose, else the first of heights.
@@ -58,7 +58,7 @@ fn without_bracket(name: &str) -> &str {
     name.strip_suffix(')').and_then(|name| name.rsplit_once(" (")).map_or(name, |(name, _)| name)
 }
 
-/// Decodes a channel, completed by what the caller and the metadata say; beside it stand the channels with heights.
+/// Decodes a channel, completed from options and metadata. `with_heights` lists all channels of heights.
 pub(crate) fn assembled(
     format: ScanFormat,
     channel: Channel<'_>,
@@ -109,7 +109,7 @@ pub(crate) fn assembled(
     })
 }
 
-/// What makes values lengths in m; nothing where they are, or are no lengths.
+/// Returns the conversion of values to m; none where they are in m, or are no lengths.
 fn to_m(quantity: &Quantity) -> Option<Box<dyn Fn(f64) -> f64>> {
     match *quantity {
         Quantity::Heights(Some(unit)) | Quantity::OtherLength(unit) if unit != LengthUnit::METRE => {
@@ -119,7 +119,7 @@ fn to_m(quantity: &Quantity) -> Option<Box<dyn Fn(f64) -> f64>> {
     }
 }
 
-/// Values at their places.
+/// Places the values of a channel.
 fn scan(
     format: ScanFormat,
     columns: usize,
@@ -150,14 +150,14 @@ fn scan(
         Lateral::Spacing { x_m, y_m } if Some(size) == stated => Some((x_m, y_m)),
         _ => None,
     };
-    let Decoded { values, gaps } = decoded;
+    let Decoded { values, missing } = decoded;
     let scan = match (rows, spacing) {
         (0 | 1, Some((x_m, _))) => Scan::UniformLine(UniformLineScan::new(x_m, values)?),
         (0 | 1, None) => size.line(values)?,
         (_, Some((x_m, Some(y_m)))) => Scan::Map(HeightMap::new(columns, x_m, y_m, values)?),
         (_, _) => size.map(columns, values, notes)?,
     };
-    Ok(Measured::with_gaps(scan, gaps))
+    Ok(Measured::with_missing_points(scan, missing))
 }
 
 /// A line without the points that have no height: neighbours may lie at any distance.
@@ -166,21 +166,21 @@ fn uneven_line(
     decoded: Decoded,
     notes: &mut Vec<String>,
 ) -> Result<Measured, ScanReadError> {
-    let gaps = &decoded.gaps;
-    if !gaps.is_empty() {
-        let (count, points) = (gaps.count(), positions_m.len());
+    let missing = &decoded.missing;
+    if !missing.is_empty() {
+        let (count, points) = (missing.count(), positions_m.len());
         notes.push(format!(
             "{count} of {points} points have no height and are left out of the unevenly spaced line"
         ));
     }
     let measured = |values: Vec<f64>| -> Vec<f64> {
-        if gaps.is_empty() {
+        if missing.is_empty() {
             return values;
         }
         values
             .into_iter()
             .enumerate()
-            .filter(|(index, _)| !gaps.contains(*index))
+            .filter(|(index, _)| !missing.contains(*index))
             .map(|(_, value)| value)
             .collect()
     };

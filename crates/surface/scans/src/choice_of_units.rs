@@ -1,4 +1,4 @@
-//! Units and scales: which ones count.
+//! Choice of units and scales.
 
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;

@@ -39,7 +39,7 @@ impl<'b> Cursor<'b> {
         Self { format, bytes, at: 0, order }
     }
 
-    /// The same file from another byte on, which may lie beyond its end: the next field then is truncated.
+    /// Moves to another byte, which may lie beyond the end of the file: the next field then is truncated.
     pub(crate) fn at(self, offset: usize) -> Self {
         Self { at: offset, ..self }
     }
@@ -52,7 +52,7 @@ impl<'b> Cursor<'b> {
         self.order
     }
 
-    /// What is left of the file.
+    /// Returns the rest of the file.
     pub(crate) fn rest(&self) -> &'b [u8] {
         self.bytes.get(self.at..).unwrap_or_default()
     }

@@ -1,4 +1,4 @@
-//! What can be wrong with the file of a scan.
+//! Errors of reading the file of a scan.
 
 use std::fmt;
 
@@ -8,36 +8,32 @@ use crate::format::ScanFormat;
 use crate::heights::ScanError;
 use units::LengthUnit;
 
-/// A file that holds no scan, or does not say how large it is.
+/// Error of a file that holds no scan, or lacks unit or size.
 ///
 /// Lines, rows, columns and points are counted from 1, bytes from 0.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ScanReadError {
     /// Content that no reader knows.
-    #[error(
-        "recognising the format of '{name}': no reader knows a file that begins with {start}{hint}; formats read are {formats}"
-    )]
+    #[error("recognising '{name}': no format that is read begins with {start}; {hint}")]
     UnknownFormat {
         /// Name of the file.
         name: String,
         /// Its first bytes, escaped.
         start: String,
-        /// What is known about it.
+        /// Advice by the first bytes.
         hint: &'static str,
-        /// The formats read.
-        formats: String,
     },
     /// A field that is missing.
     #[error("reading {format}, {place}: there is no {field}; {mend}")]
     MissingField {
         /// Format of the file.
         format: ScanFormat,
-        /// Where it should be.
+        /// Place where it should be.
         place: Place,
         /// Its name.
         field: String,
-        /// What can be done.
+        /// Advice.
         mend: &'static str,
     },
     /// A field with a value that cannot be.
@@ -45,15 +41,15 @@ pub enum ScanReadError {
     BadField {
         /// Format of the file.
         format: ScanFormat,
-        /// Where it is.
+        /// Place of the point or field.
         place: Place,
         /// Its name.
         field: String,
-        /// What it holds.
+        /// Value found.
         value: String,
-        /// What it should hold.
+        /// Values allowed.
         bound: String,
-        /// What can be done.
+        /// Advice.
         mend: &'static str,
     },
     /// Bytes beyond the end of the file.
@@ -64,13 +60,13 @@ pub enum ScanReadError {
     Truncated {
         /// Format of the file.
         format: ScanFormat,
-        /// Where the bytes begin.
+        /// Offset of the bytes.
         offset: u64,
-        /// What they hold.
+        /// Name of their content.
         what: String,
-        /// How many there should be.
+        /// Number of bytes needed.
         needed: u64,
-        /// How many there are.
+        /// Number found.
         available: u64,
     },
     /// A variant of the format that is not read.
@@ -78,11 +74,11 @@ pub enum ScanReadError {
     Unsupported {
         /// Format of the file.
         format: ScanFormat,
-        /// Where it says so.
+        /// Place in the file.
         place: Place,
-        /// What is found.
+        /// Variant found.
         found: String,
-        /// What can be done.
+        /// Advice.
         mend: &'static str,
     },
     /// No channel or measurement of the name asked for, or none that holds heights.
@@ -90,7 +86,7 @@ pub enum ScanReadError {
     NoChannel {
         /// Format of the file.
         format: ScanFormat,
-        /// What was asked for.
+        /// Name asked for.
         wanted: String,
         /// Those that there are.
         channels: Vec<String>,
@@ -115,7 +111,7 @@ pub enum ScanReadError {
     NoUnit {
         /// Format of the file.
         format: ScanFormat,
-        /// What is measured.
+        /// Kind of content.
         what: &'static str,
     },
     /// A unit given by option to a format that fixes its own.
@@ -131,7 +127,7 @@ pub enum ScanReadError {
     NoSize {
         /// Format of the file.
         format: ScanFormat,
-        /// What is unknown.
+        /// Size that is unknown.
         what: &'static str,
     },
     /// A size asked for where every point has its position.
@@ -139,7 +135,7 @@ pub enum ScanReadError {
     SizeIsFixed {
         /// Format of the file.
         format: ScanFormat,
-        /// Where it says so.
+        /// Place in the file.
         place: Place,
     },
     /// Bytes that are no text.
@@ -203,7 +199,7 @@ pub enum ScanReadError {
         line: usize,
         /// The field.
         text: String,
-        /// Whether the field has a comma.
+        /// True if the field has a comma.
         is_comma: bool,
         /// Line of the first decimal mark.
         first_line: usize,
@@ -229,7 +225,7 @@ pub enum ScanReadError {
     NotAGrid {
         /// Line.
         line: usize,
-        /// Which coordinate.
+        /// Name of the coordinate.
         axis: char,
         /// Its value, in the file's unit.
         position: f64,
@@ -243,10 +239,10 @@ pub enum ScanReadError {
     /// Points scattered over a grid that they hardly fill.
     #[error(
         "reading text: {points} points lie on a grid of {columns} x {rows}, most of which they leave empty; points of a map \
-         must fill a regular grid but for gaps: interpolate them onto one"
+         must fill a regular grid but for missing points: interpolate them onto one"
     )]
     Scattered {
-        /// How many points there are.
+        /// Number of points.
         points: usize,
         /// Points of the grid along x.
         columns: usize,
@@ -270,7 +266,7 @@ pub enum ScanReadError {
     Zip {
         /// The archive or the entry.
         what: String,
-        /// What is wrong.
+        /// Problem found.
         problem: String,
     },
     /// A ZIP file that unpacks to more than it may.
@@ -282,7 +278,7 @@ pub enum ScanReadError {
         what: String,
         /// Most that is accepted.
         bound: u64,
-        /// What is counted.
+        /// Name of the quantity counted.
         unit: &'static str,
     },
     /// An entry of a ZIP file that points out of it.
@@ -298,7 +294,7 @@ pub enum ScanReadError {
     Syntax {
         /// Name of the file.
         file: String,
-        /// What is wrong, with the line.
+        /// Problem found, with the line.
         problem: String,
     },
     /// A measurement of a container that cannot be read.
@@ -308,7 +304,7 @@ pub enum ScanReadError {
         measurement: String,
         /// Its data file.
         file: String,
-        /// What is wrong with it.
+        /// Error of the data file.
         source: Box<ScanReadError>,
     },
     /// Heights and spacings that make no scan.
@@ -316,14 +312,14 @@ pub enum ScanReadError {
     Scan(#[from] ScanError),
 }
 
-/// The beginning of a text of the file in quotes, as messages show it.
+/// Quotes the beginning of a text of the file, for messages.
 pub(crate) fn quoted(text: &str) -> String {
     const MOST: usize = 60;
     format!("'{}'", text.chars().take(MOST).collect::<String>())
 }
 
 impl ScanReadError {
-    /// What the caller can do about it with an option, where that is all there is to it.
+    /// Returns the option that mends the error, if one does.
     #[must_use]
     pub fn mend(&self) -> Option<Mend> {
         match self {
@@ -344,12 +340,12 @@ impl ScanReadError {
     }
 }
 
-/// A way out of an error; front ends know what the option is called there.
+/// An option that mends an error; front ends spell it in their own way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mend {
-    /// Give what the file does not tell.
+    /// Give what the file lacks.
     Give(ScanOption),
-    /// Leave out what the file tells itself.
+    /// Leave out what the file has itself.
     LeaveOut(ScanOption),
 }
 

@@ -36,7 +36,7 @@ pub struct ParallelLines {
     across: Option<Box<ParallelLines>>,
 }
 
-/// Any of the four.
+/// A scan of any kind.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Scan {
     /// Evenly spaced along a line.
@@ -45,19 +45,19 @@ pub enum Scan {
     NonuniformLine(NonuniformLineScan),
     /// On a grid.
     Map(HeightMap),
-    /// Lines cut out of a map or a line with gaps.
+    /// Lines cut out of a map or a line with missing points.
     Lines(ParallelLines),
 }
 
-/// Samples that make no scan. Points, rows and columns are counted from 1.
+/// Error of samples that form no scan. Points, rows and columns are counted from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ScanError {
     /// Fewer than two points, or rows, or columns.
     #[error("building a scan: the number of {what} is {found}, it must be at least 2")]
     TooFew {
-        /// What is counted.
+        /// Name of the quantity counted.
         what: &'static str,
-        /// How many there are.
+        /// Number found.
         found: usize,
     },
     /// A spacing that is no finite length above 0.
@@ -66,35 +66,35 @@ pub enum ScanError {
         length(*.value)
     )]
     BadSpacing {
-        /// Which spacing.
+        /// Name of the spacing.
         what: &'static str,
         /// Its value in m.
         value: f64,
     },
     /// Points without a height in what has to be a whole scan.
     #[error(
-        "building a scan: {gaps} of {points} points have no height, the first in {place}; have them filled, or cut them out"
+        "building a scan: {missing} of {points} points have no height, the first in {place}; have them filled, or cut them out"
     )]
-    Gaps {
-        /// How many points have none.
-        gaps: usize,
+    MissingPoints {
+        /// Number of points without a height.
+        missing: usize,
         /// Number of points.
         points: usize,
-        /// Where the first of them is.
+        /// Place of the first of them.
         place: String,
     },
     /// A height that is no finite number.
     #[error("building a scan: the height of {place} is no finite number; leave the point out")]
     UndefinedHeight {
-        /// Where it is.
+        /// Place of the point or field.
         place: String,
     },
     /// Positions and heights, or rows, of different lengths.
     #[error("building a scan: {heights} heights do not fill {what}")]
     LengthMismatch {
-        /// How many heights there are.
+        /// Number of heights.
         heights: usize,
-        /// What they should fill.
+        /// Points that they should fill.
         what: String,
     },
     /// Positions that do not rise.
@@ -106,7 +106,7 @@ pub enum ScanError {
         point: usize,
         /// Its position in m.
         position_m: f64,
-        /// That of the point before in m.
+        /// Position of the point before in m.
         before_m: f64,
     },
 }
@@ -149,7 +149,8 @@ impl NonuniformLineScan {
     /// Heights in m at strictly rising positions in m.
     ///
     /// # Errors
-    /// [`ScanError`] for fewer than two points, lengths that differ, an undefined height, or positions that do not rise.
+    /// [`ScanError`] for fewer than two points, lengths that differ, an undefined height, or positions that do not
+    /// rise.
     pub fn new(positions_m: Vec<f64>, heights_m: Vec<f64>) -> Result<Self, ScanError> {
         refuse_few("points", heights_m.len())?;
         if positions_m.len() != heights_m.len() {
@@ -266,7 +267,7 @@ impl HeightMap {
         Self { columns: columns.len(), heights_m, ..*self }
     }
 
-    /// The same map with x and y exchanged: its rows run across those of this one.
+    /// Exchanges x and y: the rows of the result run across those of this map.
     #[must_use]
     pub fn turned(&self) -> Self {
         Self {
@@ -296,7 +297,7 @@ impl ParallelLines {
         Ok(Self { spacing_m, points, heights_m, across: None })
     }
 
-    /// The same with the lines that were cut out of the same map along y.
+    /// Adds the lines that were cut out of the same map along y.
     #[must_use]
     pub fn with_across(self, across: Self) -> Self {
         Self { across: Some(Box::new(across)), ..self }

@@ -7,13 +7,14 @@ use flate2::read::ZlibDecoder;
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 
-/// Where a stream stands in a file, for messages.
+/// Offset of a stream in a file, for messages.
 pub(crate) struct StreamPlace {
     pub(crate) format: ScanFormat,
     pub(crate) offset: usize,
 }
 
-/// Unpacks a stream that must hold exactly so many bytes. Memory grows with what is unpacked, not with what is promised.
+/// Unpacks a stream that must hold exactly so many bytes. Memory grows with what is unpacked, not with what is
+/// promised.
 pub(crate) fn inflated(place: &StreamPlace, packed: &[u8], length: usize) -> Result<Vec<u8>, ScanReadError> {
     let bad = |value: String| ScanReadError::BadField {
         format: place.format,

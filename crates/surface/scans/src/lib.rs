@@ -1,14 +1,14 @@
-//! Measured heights and the files that hold them: text, the formats of some thirty-five instruments and programs, containers of
-//! contact.engineering.
+//! Measured heights and the files that hold them: text, the formats of some thirty-five instruments and programs,
+//! containers of contact.engineering.
 //!
 //! The nouns:
 //! * [`Scan`]: heights along an evenly or unevenly spaced line, or of a map, in m;
-//! * [`Measured`]: such heights as an instrument gives them, some points without any ([`Gaps`]);
-//! * [`ScanFile`]: a scan as read, with what the file says of its instrument and the assumptions made;
+//! * [`Measured`]: such heights as an instrument gives them, some points without any ([`MissingPoints`]);
+//! * [`ScanFile`]: a scan as read, with the instrument that the file names and the assumptions made;
 //! * [`ScanOptions`]: what a file may leave open, such as its unit and size;
 //! * [`ScanFormat`]: which reader knows a file.
 //!
-//! What it does not do: it opens no paths, prints nothing, and does not detrend, filter or fill anything.
+//! It opens no paths, prints nothing, and does not detrend, filter or fill anything.
 
 mod assemble;
 mod channel;
@@ -18,11 +18,11 @@ mod cursor;
 mod error;
 mod file;
 mod format;
-mod gaps;
 mod heights;
 mod measure;
 mod measured;
 mod metadata;
+mod missing_points;
 mod numbers;
 mod options;
 mod raster;
@@ -48,11 +48,11 @@ pub use channel::Axis;
 pub use error::{Mend, Place, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use format::ScanFormat;
-pub use gaps::Gaps;
 pub use heights::{HeightMap, NonuniformLineScan, ParallelLines, Scan, ScanError, UniformLineScan};
 pub use measure::Measure;
 pub use measured::Measured;
 pub use metadata::{MeasurementMetadata, Probe};
+pub use missing_points::MissingPoints;
 pub use options::ScanOptions;
 pub use read::{read_scans, visit_channels};
 #[cfg(feature = "container")]

@@ -1,8 +1,8 @@
-//! What the values of a channel are.
+//! Quantities that a channel may measure.
 
 use std::fmt;
 
-/// What a channel measures.
+/// The quantity that a channel measures.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Measure {
     /// Heights of the surface.

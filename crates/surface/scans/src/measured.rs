@@ -1,33 +1,33 @@
-//! Heights as they were measured, some of whose points may have none.
+//! Measured heights, with missing points.
 
-use crate::gaps::Gaps;
 use crate::heights::{HeightMap, Scan, ScanError, UniformLineScan};
+use crate::missing_points::MissingPoints;
 
-/// A scan as an instrument gives it: points without a height are known as such, and [`Measured::complete`] tells a whole
-/// scan from one that has to be mended first.
+/// A scan as an instrument gives it, with its missing points. [`Measured::complete`] refuses a scan that has to be
+/// mended first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// Heights of gaps are 0 and nobody sees them.
+    /// Heights of missing points are 0 and never shown.
     scan: Scan,
-    gaps: Gaps,
+    missing: MissingPoints,
 }
 
 impl From<Scan> for Measured {
     fn from(scan: Scan) -> Self {
-        Self { scan, gaps: Gaps::default() }
+        Self { scan, missing: MissingPoints::default() }
     }
 }
 
 impl Measured {
-    /// A scan some of whose points are gaps; what it holds there does not count.
-    pub fn with_gaps(scan: Scan, gaps: Gaps) -> Self {
-        Self { scan, gaps }
+    /// A scan with missing points; the heights that it holds there are ignored.
+    pub fn with_missing_points(scan: Scan, missing: MissingPoints) -> Self {
+        Self { scan, missing }
     }
 
-    /// The points without a height.
+    /// Returns the missing points.
     #[must_use]
-    pub fn gaps(&self) -> &Gaps {
-        &self.gaps
+    pub fn missing_points(&self) -> &MissingPoints {
+        &self.missing
     }
 
     /// Number of points along x and, of a map, along y; of parallel lines the number of lines.
@@ -41,8 +41,8 @@ impl Measured {
         }
     }
 
-    /// Distances in m of neighbouring points along x and, of a map, along y; of unevenly spaced points, which have no gaps,
-    /// the mean.
+    /// Distances in m of neighbouring points along x and, of a map, along y; of unevenly spaced points, none of which
+    /// is missing, the mean.
     #[must_use]
     pub fn spacing_m(&self) -> (f64, Option<f64>) {
         match &self.scan {
@@ -53,7 +53,8 @@ impl Measured {
         }
     }
 
-    /// Size in m along x and, of a map, along y: points times spacing, of unevenly spaced points from the first to the last.
+    /// Size in m along x and, of a map, along y: points times spacing, of unevenly spaced points from the first to the
+    /// last.
     #[must_use]
     pub fn size_m(&self) -> (f64, Option<f64>) {
         match &self.scan {
@@ -77,7 +78,7 @@ impl Measured {
 
     /// The heights in m, row after row, where there are any.
     pub fn heights_m(&self) -> impl ExactSizeIterator<Item = Option<f64>> {
-        let height = |(index, &height_m): (usize, &f64)| (!self.gaps.contains(index)).then_some(height_m);
+        let height = |(index, &height_m): (usize, &f64)| (!self.missing.contains(index)).then_some(height_m);
         self.stored_m().iter().enumerate().map(height)
     }
 
@@ -85,34 +86,38 @@ impl Measured {
     #[inline]
     #[must_use]
     pub fn height_m(&self, index: usize) -> Option<f64> {
-        self.stored_m().get(index).copied().filter(|_| !self.gaps.contains(index))
+        self.stored_m().get(index).copied().filter(|_| !self.missing.contains(index))
     }
 
-    /// The scan, where every point has its height.
+    /// Returns the scan if no point is missing.
     ///
     /// # Errors
-    /// [`ScanError::Gaps`] with their number.
+    /// [`ScanError::MissingPoints`] with their number.
     pub fn complete(self) -> Result<Scan, ScanError> {
-        match self.gaps.indices().next() {
+        match self.missing.indices().next() {
             None => Ok(self.scan),
             Some(first) => {
                 let place = self.place(first);
-                Err(ScanError::Gaps { gaps: self.gaps.count(), points: self.stored_m().len(), place })
+                Err(ScanError::MissingPoints {
+                    missing: self.missing.count(),
+                    points: self.stored_m().len(),
+                    place,
+                })
             }
         }
     }
 
-    /// The scan with heights in m put into its gaps, in their order.
+    /// Fills the missing points with heights in m, in their order.
     ///
     /// # Errors
-    /// [`ScanError`] for heights that are not finite, and for more or fewer of them than there are gaps.
+    /// [`ScanError`] for heights that are not finite, and for more or fewer of them than there are missing points.
     pub fn filled(self, heights_m: &[f64]) -> Result<Scan, ScanError> {
-        if heights_m.len() != self.gaps.count() {
-            let what = format!("{} gaps", self.gaps.count());
+        if heights_m.len() != self.missing.count() {
+            let what = format!("{} missing points", self.missing.count());
             return Err(ScanError::LengthMismatch { heights: heights_m.len(), what });
         }
         let put = |mut all_m: Vec<f64>| {
-            self.gaps.indices().zip(heights_m).for_each(|(index, height_m)| all_m[index] = *height_m);
+            self.missing.indices().zip(heights_m).for_each(|(index, height_m)| all_m[index] = *height_m);
             all_m
         };
         Ok(match self.scan {
@@ -123,7 +128,7 @@ impl Measured {
                 let (columns, x_m, y_m) = (map.columns(), map.spacing_x_m(), map.spacing_y_m());
                 Scan::Map(HeightMap::new(columns, x_m, y_m, put(map.into_heights_m()))?)
             }
-            without_gaps @ (Scan::NonuniformLine(_) | Scan::Lines(_)) => without_gaps,
+            whole @ (Scan::NonuniformLine(_) | Scan::Lines(_)) => whole,
         })
     }
 
@@ -157,11 +162,11 @@ mod tests {
     fn map() -> Measured {
         let heights_m = vec![1.0, 2.0, 0.0, 4.0, 5.0, 0.0];
         let map = HeightMap::new(3, 1.0, 2.0, heights_m).unwrap();
-        Measured::with_gaps(Scan::Map(map), [2, 5].into_iter().collect())
+        Measured::with_missing_points(Scan::Map(map), [2, 5].into_iter().collect())
     }
 
     #[test]
-    fn gaps_are_told_and_filled() {
+    fn missing_points_are_told_and_filled() {
         assert_eq!(map().heights_m().flatten().collect::<Vec<_>>(), [1.0, 2.0, 4.0, 5.0]);
         assert_eq!((map().height_m(1), map().height_m(2), map().height_m(6)), (Some(2.0), None, None));
         assert_eq!((map().points(), map().size_m()), ((3, Some(2)), (3.0, Some(4.0))));

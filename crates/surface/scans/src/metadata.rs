@@ -1,9 +1,9 @@
-//! What a container says about one measurement.
+//! Metadata of one measurement of a container.
 
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
-/// What an instrument feels the surface with.
+/// The probe of an instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Probe {
@@ -31,22 +31,22 @@ pub struct MeasurementMetadata {
     /// Factor to heights in `unit`, for files that do not state the unit of their heights; it must not be applied to
     /// instrument files that carry their own scale.
     pub height_scale: Option<f64>,
-    /// Whether the heights repeat themselves.
+    /// True if the heights repeat themselves.
     pub is_periodic: Option<bool>,
-    /// Which of the images of an instrument's file was chosen, counted from 0.
+    /// Number of the image chosen in an instrument's file, counted from 0.
     pub data_source: Option<usize>,
-    /// Whether the instrument has a tip.
+    /// The probe of the instrument.
     pub probe: Option<Probe>,
     /// Radius of the tip of the instrument, in m, above 0.
     pub tip_radius_m: Option<f64>,
     /// Smallest length that the instrument resolves, in m, above 0.
     pub resolution_m: Option<f64>,
-    /// What people wrote about the measurement.
+    /// Description by the people who measured.
     pub description: Option<String>,
 }
 
 impl MeasurementMetadata {
-    /// Whether the last part of a path is that of one of the data files.
+    /// Returns true if a path ends in the name of one of the data files.
     pub fn names_file(&self, path: &str) -> bool {
         [&self.original, &self.squeezed].into_iter().flatten().any(|own| file_name(own) == file_name(path))
     }
@@ -64,7 +64,7 @@ pub(crate) fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// Whether the instrument of an entry has a tip, by its `type`; none where it is not given.
+/// Returns the probe of the instrument of an entry, by its `type`; none where it is not given.
 pub(crate) fn probe(entry: &serde_json::Value) -> Option<Probe> {
     match entry.get("instrument")?.get("type")?.as_str()? {
         "contact-based" => Some(Probe::Tip),

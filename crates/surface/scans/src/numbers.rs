@@ -10,7 +10,7 @@ pub(crate) fn finite(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// The same number, where it may be a length: finite and above 0.
+/// Returns the number if it can be a length: finite and above 0.
 pub(crate) fn positive(number: f64) -> Option<f64> {
     (number.is_finite() && number > 0.0).then_some(number)
 }

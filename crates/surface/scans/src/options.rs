@@ -1,20 +1,20 @@
-//! What a caller may say about a scan.
+//! Options of a caller who knows more than the file says.
 
 use crate::metadata::MeasurementMetadata;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
-/// What the caller knows about a scan.
+/// Facts about a scan that the caller knows.
 ///
-/// An option counts before the file, with a note where it contradicts it; the file counts before the metadata, and these
-/// before what is given to fall back on.
+/// An option overrides the file, with a note where they differ. The file overrides the metadata, and both override the
+/// fallbacks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ScanOptions {
     /// The channel to read, by one of the names in [`ScanFile::channels`](crate::ScanFile::channels), or such a name
     /// without the bracket at its end. Without it the first height channel is read.
     pub channel: Option<String>,
-    /// The measurement to read from a container, by its name or that of its data file. Without it all are read. Also the
-    /// file to read from any other ZIP file, which without it may hold one scan.
+    /// The measurement to read from a container, by its name or that of its data file. Without it all are read. Also
+    /// the file to read from any other ZIP file, which without it may hold one scan.
     pub measurement: Option<String>,
     /// Unit of lengths, and of heights unless `height_unit` is given. Refused for formats that fix their units.
     pub unit: Option<LengthUnit>,
@@ -22,11 +22,11 @@ pub struct ScanOptions {
     pub height_unit: Option<LengthUnit>,
     /// Size of the scan.
     pub size: Option<ScanSize>,
-    /// Unit of lengths and heights where neither the options above, nor the file, nor the metadata tell one.
+    /// Unit of lengths and heights if options, file and metadata have none.
     pub fallback_unit: Option<LengthUnit>,
-    /// Size of the scan where neither of them gives one.
+    /// Size of the scan if options, file and metadata have none.
     pub fallback_size: Option<ScanSize>,
-    /// What a container says about the scan; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies
+    /// Metadata of a container; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies
     /// beside a file.
     pub metadata: Option<MeasurementMetadata>,
     /// Most bytes that a file may unpack to, be it packed as a whole or in parts; 1 GiB if none is given.

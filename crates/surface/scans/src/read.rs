@@ -1,4 +1,4 @@
-//! Files of scans become scans: one, those of a container, or every channel.
+//! Reading of files: one scan, those of a container, or every channel.
 
 use crate::assemble::{assembled, chosen, names_of_heights};
 use crate::error::ScanReadError;
@@ -10,9 +10,9 @@ use crate::single::{read_unpacked, unpacked};
 
 /// Reads the scan in a file, or those in a container.
 ///
-/// The format is told by the content, of files packed with gzip or alone in a ZIP file by what is packed, see
-/// [`ScanFormat`](crate::ScanFormat). Of several channels the one asked for is read, else the first of heights; one
-/// that holds no lengths is refused. `name` is the name of the file, for messages. Memory is bounded by a small multiple of the file, or of what it unpacks to.
+/// The content decides on the [`ScanFormat`](crate::ScanFormat), also inside gzip files and ZIP files of one scan. Of
+/// several channels the one asked for is read, else the first of heights; a channel without lengths is refused. `name`
+/// is the name of the file, for messages. Memory is bounded by a small multiple of the file, or of its unpacked size.
 ///
 /// ```
 /// use scans::{Scan, ScanOptions, read_scans};
@@ -37,12 +37,12 @@ pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec
     Ok(vec![read_unpacked(bytes, name, options)?])
 }
 
-/// Visits every channel of a file, one after the other, so that only one of them is held in memory: of heights and, where
-/// wanted, of anything else. The values of a channel that measures no length stand in its own unit, see
-/// [`ScanFile::measure`]. Of a container, the scans are visited.
+/// Visits every channel of heights of a file, with `all_channels` every channel. Only one of them is in memory at a
+/// time. Values that are no lengths keep the unit of their channel, see [`ScanFile::measure`]. Of a container, the
+/// scans are visited.
 ///
 /// # Errors
-/// [`ScanReadError`] for a file that no reader knows; what is wrong with one channel is handed to the visitor.
+/// [`ScanReadError`] for a file that no reader knows; the visitor gets the error of a single channel.
 pub fn visit_channels(
     bytes: &[u8],
     name: &str,

@@ -1,15 +1,15 @@
-//! How the format of a file is told: by its content.
+//! Recognition of the format of a file by its content.
 
 use crate::format::ScanFormat;
 use crate::readers::{READERS, reader_of};
 
 impl ScanFormat {
-    /// The format of a binary file, told by its content; `None` for text, which may be anything, and for what no reader
-    /// knows. Whether it can be read is [`read_scans`](crate::read_scans)'s to say.
+    /// Recognises the format of a binary file by its content; `None` for text, which may be anything, and for unknown
+    /// files. [`read_scans`](crate::read_scans) may still refuse the file.
     #[must_use]
-    pub fn of(bytes: &[u8]) -> Option<Self> {
+    pub fn recognise(bytes: &[u8]) -> Option<Self> {
         #[cfg(feature = "archives")]
-        let bytes = &*crate::unpacked::told_by(bytes);
+        let bytes = &*crate::unpacked::recognisable(bytes);
         #[cfg(feature = "container")]
         if crate::archive::is_container(bytes) {
             return Some(Self::Container);
@@ -17,8 +17,8 @@ impl ScanFormat {
         reader_of(bytes).map(|reader| reader.format).filter(|format| *format != Self::Text)
     }
 
-    /// Every format but text that a file, as it is, could be of by its content. More than one is the mark of a file that was
-    /// made to deceive, or of readers that tell their files too loosely.
+    /// Returns every format but text that the content of a file fits. More than one shows a file made to deceive, or
+    /// readers that recognise their files too loosely.
     #[must_use]
     pub fn candidates(bytes: &[u8]) -> Vec<Self> {
         let claimed = READERS.iter().filter(|reader| (reader.recognises)(bytes));

@@ -1,4 +1,4 @@
-//! How much may still be unpacked of a file: its packed parts share one bound.
+//! Bound on unpacking that all packed parts of a file share.
 
 use crate::error::ScanReadError;
 
@@ -18,7 +18,7 @@ impl Room {
         self.bound
     }
 
-    /// What is left of it.
+    /// Returns the bytes left.
     pub(crate) fn left(&self) -> u64 {
         self.left
     }

@@ -14,7 +14,7 @@ use crate::readers::{reader_of, unknown_format};
 #[cfg(feature = "archives")]
 pub(crate) use crate::unpacked::unpacked;
 
-/// The bytes themselves: this build unpacks nothing.
+/// Returns the bytes themselves: this build unpacks nothing.
 #[cfg(not(feature = "archives"))]
 pub(crate) fn unpacked<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Cow<'b, [u8]>, ScanReadError> {
     Ok(bytes.into())

@@ -1,4 +1,4 @@
-//! What the heights of a scan amount to.
+//! Statistics of the heights of a scan.
 
 use crate::measured::Measured;
 
@@ -14,14 +14,14 @@ pub struct Statistics {
     pub peak_to_valley_m: f64,
     /// Root mean square slope along x, from neighbours that both have a height; none without such neighbours.
     pub rms_slope_x: Option<f64>,
-    /// The same along y, of a map.
+    /// Root mean square slope of a map along y, from neighbours that both have a height.
     pub rms_slope_y: Option<f64>,
 }
 
 impl Statistics {
-    /// Of a scan; none where no point has a height.
+    /// Computes the statistics of a scan; none where no point has a height.
     #[must_use]
-    pub fn of(scan: &Measured) -> Option<Self> {
+    pub fn from_scan(scan: &Measured) -> Option<Self> {
         let heights = || scan.heights_m().flatten();
         let count = heights().count();
         if count == 0 {
@@ -70,9 +70,11 @@ mod tests {
     use crate::heights::{HeightMap, NonuniformLineScan, Scan};
 
     #[test]
-    fn gaps_take_no_part() {
+    fn missing_points_take_no_part() {
         let map = HeightMap::new(3, 1.0, 2.0, vec![0.0, 2.0, 99.0, 4.0, 6.0, 8.0]).unwrap();
-        let found = Statistics::of(&Measured::with_gaps(Scan::Map(map), [2].into_iter().collect())).unwrap();
+        let found =
+            Statistics::from_scan(&Measured::with_missing_points(Scan::Map(map), [2].into_iter().collect()))
+                .unwrap();
         assert_eq!((found.mean_m, found.peak_to_valley_m), (4.0, 8.0));
         assert!((found.rms_height_m - 8f64.sqrt()).abs() < 1e-15);
         assert_eq!((found.rms_slope_x, found.rms_slope_y), (Some(2.0), Some(2.0)));
@@ -81,7 +83,7 @@ mod tests {
     #[test]
     fn slopes_of_uneven_lines_know_their_distances() {
         let line = NonuniformLineScan::new(vec![0.0, 1.0, 3.0], vec![0.0, 1.0, 7.0]).unwrap();
-        let found = Statistics::of(&Scan::NonuniformLine(line).into()).unwrap();
+        let found = Statistics::from_scan(&Scan::NonuniformLine(line).into()).unwrap();
         assert_eq!((found.rms_slope_x, found.rms_slope_y), (Some(5f64.sqrt()), None));
     }
 }

@@ -1,4 +1,4 @@
-//! Texts in binary files, none longer than anybody writes.
+//! Texts in binary files, truncated to a length that people write.
 
 /// Most bytes kept of a text that people wrote; every channel of a file has a copy.
 pub(crate) const MOST_TEXT: usize = 1 << 14;

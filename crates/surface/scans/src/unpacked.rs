@@ -12,7 +12,7 @@ use crate::metadata::file_name;
 use crate::options::ScanOptions;
 use crate::readers::reader_of;
 
-/// What is unpacked of a file to tell its format; headers are shorter.
+/// Bytes unpacked of a file to recognise its format; headers are shorter.
 const BEGINNING: u64 = 1 << 20;
 
 /// The bytes that a reader gets: those of the file, or what is packed in it. One level is unpacked, no more.
@@ -34,8 +34,8 @@ pub(crate) fn unpacked<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Cow
     Ok(Cow::Borrowed(bytes))
 }
 
-/// What the format of a file can be told from: its bytes, or the beginning of what is packed in it.
-pub(crate) fn told_by(bytes: &[u8]) -> Cow<'_, [u8]> {
+/// Returns the bytes that show the format of a file: its own, or the beginning of those packed in it.
+pub(crate) fn recognisable(bytes: &[u8]) -> Cow<'_, [u8]> {
     let unpacked = if is_gzip(bytes) {
         gunzipped(bytes, BEGINNING).ok()
     } else if is_zip_of_files(bytes) {
@@ -50,7 +50,7 @@ fn is_gzip(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x1f\x8b\x08")
 }
 
-/// Whether a file is a ZIP file of no format of its own. Documents of office programs are none that holds scans as files.
+/// Returns true for a ZIP file without a format of its own. Documents of office programs do not count.
 fn is_zip_of_files(bytes: &[u8]) -> bool {
     is_zip(bytes)
         && !is_container(bytes)
@@ -66,7 +66,7 @@ fn is_container(_: &[u8]) -> bool {
     false
 }
 
-/// Up to one byte more than the bound, which tells that there are too many.
+/// Unpacks up to one byte more than the bound; that byte shows that there are too many.
 fn gunzipped(bytes: &[u8], bound: u64) -> Result<Vec<u8>, ScanReadError> {
     let mut found = Vec::new();
     match MultiGzDecoder::new(bytes).take(bound.saturating_add(1)).read_to_end(&mut found) {
@@ -77,8 +77,8 @@ fn gunzipped(bytes: &[u8], bound: u64) -> Result<Vec<u8>, ScanReadError> {
     }
 }
 
-/// The one file of an archive that a reader knows by its content, or the one asked for; text, which may be a note beside a
-/// scan, only where nothing else is known. None where the archive holds nothing that may be a scan.
+/// The one file of an archive that a reader knows by its content, or the one asked for; text, which may be a note
+/// beside a scan, only where nothing else is known. None where the archive holds nothing that may be a scan.
 fn only_scan(bytes: &[u8], options: &ScanOptions) -> Result<Option<Vec<u8>>, ScanReadError> {
     let mut archive = Archive::open(bytes, options.unpacked_bound())?;
     let paths: Vec<String> =

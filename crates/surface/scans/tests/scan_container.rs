@@ -51,7 +51,7 @@ fn scans(options: &ScanOptions) -> Result<Vec<ScanFile<Scan>>, ScanReadError> {
     complete_scans(&archive, options)
 }
 
-/// The scans of a container, none of which has gaps.
+/// The scans of a container, none of which has missing points.
 fn complete_scans(archive: &[u8], options: &ScanOptions) -> Result<Vec<ScanFile<Scan>>, ScanReadError> {
     read_scans(archive, "container.zip", options)?.into_iter().map(ScanFile::complete).collect()
 }

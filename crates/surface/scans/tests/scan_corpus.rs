@@ -1,4 +1,5 @@
-//! The inputs that fuzzing starts from, of formats whose writers the tests of scans share; those of others stand in `instruments`.
+//! The inputs that fuzzing starts from, of formats whose writers the tests of scans share; those of others stand in
+//! `instruments`.
 
 mod support;
 
@@ -60,13 +61,13 @@ fn inputs() -> Vec<(&'static str, &'static str, Vec<u8>)> {
 fn the_corpus_is_small_and_read_by_the_readers_it_is_for() {
     for (target, name, bytes) in inputs() {
         keep(target, name, &bytes);
-        let gaps = usize::from(name == "one-column");
+        let missing = usize::from(name == "one-column");
         if ["nanoscope", "netcdf", "archive"].contains(&target) {
             read_scans(&bytes, name, &ScanOptions::default()).unwrap();
         } else if target == "text" && name != "matrix" && name != "decimal-commas" {
             assert_eq!(
-                read_scans(&bytes, name, &in_unit("nm")).unwrap()[0].scan.gaps().count(),
-                gaps,
+                read_scans(&bytes, name, &in_unit("nm")).unwrap()[0].scan.missing_points().count(),
+                missing,
                 "{name}"
             );
         }

@@ -14,7 +14,7 @@ use support::{
 
 const COLUMNS: usize = 24;
 const ROWS: usize = 15;
-/// Of ten digits of heights near 10 nm.
+/// Rounding of ten digits of heights near 10 nm.
 const TEXT_RESOLUTION_M: f64 = 1e-17;
 const SINGLE_RESOLUTION_M: f64 = 20e-9 * f32::EPSILON as f64;
 
@@ -69,7 +69,7 @@ fn formats_are_told_without_reading() {
         (b"\x89PNG\r\n\x1a\n".to_vec(), None),
         (Vec::new(), None),
     ] {
-        assert_eq!(ScanFormat::of(&bytes), format);
+        assert_eq!(ScanFormat::recognise(&bytes), format);
     }
 }
 

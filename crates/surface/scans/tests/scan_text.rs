@@ -3,7 +3,7 @@
 mod support;
 
 use scans::{Mend, Scan, ScanOption, ScanOptions, ScanSize};
-use support::{gaps, heights_m, in_unit, measured, read_one, refusal, spacings_m};
+use support::{heights_m, in_unit, measured, missing_points, read_one, refusal, spacings_m};
 
 fn sized(x_m: f64, y_m: Option<f64>) -> ScanOptions {
     ScanOptions { size: Some(ScanSize { x_m, y_m }), ..in_unit("nm") }
@@ -104,9 +104,9 @@ fn empty_columns_at_the_end_hold_no_numbers() {
 }
 
 #[test]
-fn gaps_and_broken_rows_are_named_by_their_line() {
+fn missing_points_and_broken_rows_are_named_by_their_line() {
     let refused = |text: &str| refusal(text.as_bytes(), &in_unit("nm"));
-    let told = |text: &str| gaps(text.as_bytes(), &in_unit("nm"));
+    let told = |text: &str| missing_points(text.as_bytes(), &in_unit("nm"));
     assert_eq!(told("# a profile\n0 1\n1 NaN\n2 1\n"), [1]);
     assert_eq!(
         read_one(b"# a profile\n0 1\n1 NaN\n2 1\n", &in_unit("nm")).unwrap_err().to_string(),
@@ -119,15 +119,15 @@ fn gaps_and_broken_rows_are_named_by_their_line() {
         refused("0 1\n1 2x\n"),
         "line 2: column 2 is '2x', which is no number; correct it or remove the line"
     );
-    // Rows of gaps on top are rows of the scan, whatever they are separated by.
+    // Rows of missing points on top are rows of the scan, whatever they are separated by.
     // Points without position and height say nothing.
     let points = measured(b"NaN NaN NaN\nnan nan nan\n1 2 3\n4 5 6\n", &in_unit("nm")).unwrap().scan;
-    assert_eq!((points.points(), points.gaps().count()), ((2, Some(2)), 2));
+    assert_eq!((points.points(), points.missing_points().count()), ((2, Some(2)), 2));
     let profile = read_one(b"nan;nan\n0,5;1\n1,5;2\n", &in_unit("nm")).unwrap().scan;
     assert_eq!((spacings_m(&profile).0, heights_m(&profile)), (1e-9, [1e-9, 2e-9].as_slice()));
     let map = "NaN NaN NaN NaN\nnan nan nan nan\n1 2 3 4\n4 5 bad 6\n";
-    assert_eq!(gaps(map.as_bytes(), &sized(1e-6, None)), [0, 1, 2, 3, 4, 5, 6, 7, 14]);
-    assert_eq!(gaps(b"# h\nbad\n1.5\n2\n", &sized(1e-6, None)), [0]);
+    assert_eq!(missing_points(map.as_bytes(), &sized(1e-6, None)), [0, 1, 2, 3, 4, 5, 6, 7, 14]);
+    assert_eq!(missing_points(b"# h\nbad\n1.5\n2\n", &sized(1e-6, None)), [0]);
     // Underlined headers, and those with other words or as many as no row has, are none.
     for text in ["x h\n--- ---\n0 1\n1 2\n", "nan\n0 1\n1 2\n", "nan nan\nx h\n0 1\n1 2\n"] {
         assert_eq!(
@@ -165,7 +165,7 @@ fn profiles_must_not_turn_back() {
 fn points_must_fill_a_grid() {
     let refused = |text: &str| refusal(text.as_bytes(), &in_unit("nm"));
     let hole = measured(b"0 0 1\n1 0 1\n0 1 1\n", &in_unit("nm")).unwrap().scan;
-    assert_eq!((hole.points(), hole.gaps().indices().collect::<Vec<_>>()), ((2, Some(2)), vec![3]));
+    assert_eq!((hole.points(), hole.missing_points().indices().collect::<Vec<_>>()), ((2, Some(2)), vec![3]));
     assert_eq!(
         refused("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 0 2\n"),
         "line 5: the point x = 1, y = 0 stands in line 2 already; keep one"

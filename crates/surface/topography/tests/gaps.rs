@@ -82,7 +82,7 @@ fn every_filled_point_is_the_weighted_mean_of_its_neighbours() {
 fn gaps_of_a_line_lie_on_straight_lines_and_are_level_at_its_ends() {
     let heights_m = vec![9.0, 1.0, 2.0, 9.0, 9.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.0, 0.5, 1.0, 1.5, 2.0, 9.0];
     let line = UniformLineScan::new(1.0, heights_m).unwrap();
-    let scan = Measured::with_gaps(Scan::UniformLine(line), [0, 3, 4].into_iter().collect());
+    let scan = Measured::with_missing_points(Scan::UniformLine(line), [0, 3, 4].into_iter().collect());
     let filled = filled_m(scan);
     assert_eq!(filled[..6], [1.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
 }
@@ -161,7 +161,7 @@ fn stretches_of_the_length_that_keeps_most_points_take_part_where_they_are_not()
     assert!(lines.across().is_none());
 
     let line = UniformLineScan::new(1.0, (0..50).map(f64::from).collect()).unwrap();
-    let scan = Measured::with_gaps(Scan::UniformLine(line), [15].into_iter().collect());
+    let scan = Measured::with_missing_points(Scan::UniformLine(line), [15].into_iter().collect());
     let (lines, _) = lines_of(scan);
     assert_eq!((lines.points(), lines.lines(), lines.heights_m()[0]), (34, 1, 16.0));
 }

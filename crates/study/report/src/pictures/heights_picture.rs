@@ -50,7 +50,7 @@ fn map(
         across.clone().map(move |column| scan.height_m(row * columns + column).map_or(GAP, colour_of))
     });
     let (x_m, y_m) = scan.size_m();
-    let title = match scan.gaps().count() {
+    let title = match scan.missing_points().count() {
         0 => name.to_owned(),
         count => format!("{name}; grey: {count} without a {}", noun(measure)),
     };

@@ -18,16 +18,16 @@ pub(crate) const MOST_CHANNELS: usize = 1024;
 /// Most bytes of a name or unit.
 const LONGEST_NAME: usize = 256;
 
-/// What a channel holds and where; its numbers are decoded when it is read.
+/// A channel as the header describes it. Its numbers are decoded when it is read.
 #[derive(Debug)]
 pub(crate) struct Channel<'b> {
-    /// What the file calls it, if anything.
+    /// Name in the file, if any.
     pub(crate) name: Option<String>,
     pub(crate) quantity: Quantity,
     pub(crate) lateral: Lateral,
     pub(crate) samples: Samples<'b>,
     pub(crate) units: UnitsBy,
-    /// Along which axis of the map the instrument scanned its lines, where the file says so.
+    /// Axis of the map along which the instrument scanned its lines, where the file states it.
     pub(crate) fast_axis: Option<Axis>,
     pub(crate) is_periodic: Option<bool>,
     pub(crate) probe: Option<Probe>,
@@ -35,7 +35,7 @@ pub(crate) struct Channel<'b> {
     pub(crate) resolution_m: Option<f64>,
     /// Comments and descriptions in the file, where a user may have written what no field holds.
     pub(crate) free_text: String,
-    /// What was taken for granted, a sentence each.
+    /// Assumptions made, a sentence each.
     pub(crate) notes: Vec<String>,
 }
 
@@ -48,7 +48,7 @@ pub enum Axis {
     Y,
 }
 
-/// What the numbers of a channel are.
+/// Meaning of the numbers of a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Quantity {
     /// Heights of the surface, in a unit that the file may leave open.
@@ -59,23 +59,23 @@ pub(crate) enum Quantity {
     Other(String),
 }
 
-/// Who settles the units of a channel.
+/// Source of the units of a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum UnitsBy {
     /// The format: another unit cannot be asked for.
     Format,
-    /// Its reader, by what was asked for and what the file says.
+    /// Its reader, from options and file.
     Reader,
-    /// Whoever asks; the file says nothing.
+    /// The caller; the file has none.
     Asker,
 }
 
-/// Where the points of a channel lie.
+/// Lateral places of the points of a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Lateral {
     /// The file does not say.
     Unknown,
-    /// So many spacings as there are points.
+    /// Size: as many spacings as there are points.
     Size(ScanSize),
     /// Distances of neighbours in m, along x and, where there are rows, along y.
     Spacing { x_m: f64, y_m: Option<f64> },
@@ -87,12 +87,12 @@ pub(crate) enum Lateral {
 #[derive(Debug)]
 pub(crate) enum Samples<'b> {
     Raster(Raster<'b>),
-    /// Decoded already, row after row of so many columns.
+    /// Decoded numbers, row after row of so many columns.
     Decoded {
         columns: usize,
         decoded: Decoded,
     },
-    /// What stands in the way of reading this channel; others of the file may do.
+    /// The error of a channel that cannot be read; others of the file may be readable.
     Unreadable(Box<ScanReadError>),
 }
 
@@ -107,7 +107,7 @@ impl<'b> Channel<'b> {
         )
     }
 
-    /// A channel of which no more is known; its units are fixed where it has any.
+    /// Creates a channel without further facts; its units are fixed where it has any.
     pub(crate) fn new(
         name: Option<String>,
         quantity: Quantity,
@@ -134,7 +134,7 @@ impl<'b> Channel<'b> {
         }
     }
 
-    /// What it measures.
+    /// Returns what the channel measures.
     pub(crate) fn measure(&self) -> Measure {
         match &self.quantity {
             Quantity::Heights(_) => Measure::Height,
@@ -143,17 +143,17 @@ impl<'b> Channel<'b> {
         }
     }
 
-    /// Whether nothing is known to stand in the way of reading it.
+    /// Returns true if no error is known yet.
     pub(crate) fn is_readable(&self) -> bool {
         !matches!(self.samples, Samples::Unreadable(_))
     }
 
-    /// Whether it holds heights of the surface.
+    /// Returns true if it holds heights of the surface.
     pub(crate) fn is_heights(&self) -> bool {
         matches!(self.quantity, Quantity::Heights(_))
     }
 
-    /// The same with bytes of its own, of files that are unpacked to be read.
+    /// Copies borrowed bytes, for files that are unpacked to be read.
     #[cfg(feature = "archives")]
     pub(crate) fn into_owned<'o>(self) -> Channel<'o> {
         let samples = match self.samples {

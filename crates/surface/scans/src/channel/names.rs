@@ -1,11 +1,11 @@
-//! What a channel measures, by its name.
+//! Quantities by the names of channels.
 
 use super::Quantity;
 use units::LengthUnit;
 
 impl Quantity {
-    /// What numbers of a unit are, as the file writes it and as a length, where it is one: heights unless their name is that of
-    /// another signal.
+    /// Classifies numbers by their unit, as the file writes it and as a length where it is one: heights unless their
+    /// name is that of another signal.
     pub(crate) fn named(name: &str, unit: &str, length: Option<LengthUnit>) -> Self {
         match length {
             Some(length) if is_named_after_signal(name) => Self::OtherLength(length),
@@ -15,7 +15,7 @@ impl Quantity {
     }
 }
 
-/// Whether a name is that of heights, by the words that makers of instruments have for them.
+/// Returns true if a name is one of heights, by the words that makers of instruments use.
 pub(crate) fn is_named_after_height(name: &str) -> bool {
     let name = name.to_lowercase().replace([' ', '_', '-'], "");
     const WORDS: [&str; 8] =
@@ -23,7 +23,7 @@ pub(crate) fn is_named_after_height(name: &str) -> bool {
     WORDS.iter().any(|word| name.contains(word)) || name == "z"
 }
 
-/// Whether a name is that of a signal that may be given as a length but is no height of the surface.
+/// Returns true if a name is that of a signal that may be given as a length but is no height of the surface.
 pub(crate) fn is_named_after_signal(name: &str) -> bool {
     let is_height = is_named_after_height(name);
     let name = name.to_lowercase().replace([' ', '_', '-'], "");

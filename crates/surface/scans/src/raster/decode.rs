@@ -1,11 +1,11 @@
-//! The values that stored numbers stand for.
+//! Conversion of stored numbers to values.
 
 use super::half::half;
-use super::{Decoded, GapMark, NumberType, Order, Raster};
+use super::{Decoded, MissingMark, NumberType, Order, Raster};
 use crate::cursor::ByteOrder;
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
-use crate::gaps::Gaps;
+use crate::missing_points::MissingPoints;
 
 impl Raster<'_> {
     /// The values.
@@ -48,8 +48,10 @@ impl Raster<'_> {
     fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64 + Copy) -> Decoded {
         let (_, run) = self.runs();
         let stride = self.stride.unwrap_or(run * N).max(run * N);
-        let mut decoded =
-            Decoded { values: Vec::with_capacity(self.columns * self.rows), gaps: Gaps::default() };
+        let mut decoded = Decoded {
+            values: Vec::with_capacity(self.columns * self.rows),
+            missing: MissingPoints::default(),
+        };
         for row in 0..self.rows {
             let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
             let stored = if is_from_top { row } else { self.rows - 1 - row };
@@ -74,8 +76,8 @@ impl Raster<'_> {
         decoded
     }
 
-    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values come
-    /// first and gaps after them, so that rows without any, the rule, are decoded many points at a time.
+    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values
+    /// come first and missing points after them, so that rows without any, the rule, are decoded many points at a time.
     fn decode_row(
         &self,
         numbers: impl Iterator<Item = f64> + Clone,
@@ -86,46 +88,46 @@ impl Raster<'_> {
         let start = decoded.values.len();
         let (scale, zero) = (self.scale, self.zero);
         decoded.values.extend(numbers.clone().map(|number| number * scale + zero));
-        match &self.gap {
-            GapMark::None => {}
-            GapMark::Equal(mark) => mark_numbers(numbers, |number| number == *mark, start, decoded),
-            GapMark::AtLeast(least) => mark_numbers(numbers, |number| number >= *least, start, decoded),
-            GapMark::AtMost(most) => mark_numbers(numbers, |number| number <= *most, start, decoded),
-            GapMark::Flagged(flags) => {
+        match &self.missing {
+            MissingMark::None => {}
+            MissingMark::Equal(mark) => mark_numbers(numbers, |number| number == *mark, start, decoded),
+            MissingMark::AtLeast(least) => mark_numbers(numbers, |number| number >= *least, start, decoded),
+            MissingMark::AtMost(most) => mark_numbers(numbers, |number| number <= *most, start, decoded),
+            MissingMark::Flagged(flags) => {
                 let flagged = (0..decoded.values.len() - start).filter(|at| flags[first + at * step] != 0);
-                flagged.for_each(|at| decoded.set_gap(start + at));
+                flagged.for_each(|at| decoded.set_missing(start + at));
             }
         }
         if !decoded.values[start..].iter().fold(true, |all, value| all & value.is_finite()) {
             for index in start..decoded.values.len() {
                 if !decoded.values[index].is_finite() {
-                    decoded.set_gap(index);
+                    decoded.set_missing(index);
                 }
             }
         }
     }
 }
 
-/// Takes away the values of those numbers of a row that mark gaps; its first value stands at `start`.
+/// Takes away the values of those numbers of a row that mark missing points; its first value stands at `start`.
 fn mark_numbers(
     numbers: impl Iterator<Item = f64> + Clone,
-    is_gap: impl Fn(f64) -> bool,
+    is_missing: impl Fn(f64) -> bool,
     start: usize,
     decoded: &mut Decoded,
 ) {
     // Without an early end this looks at many points at a time as well.
-    if numbers.clone().fold(false, |any, number| any | is_gap(number)) {
-        let marks = numbers.enumerate().filter(|(_, number)| is_gap(*number));
-        marks.for_each(|(at, _)| decoded.set_gap(start + at));
+    if numbers.clone().fold(false, |any, number| any | is_missing(number)) {
+        let marks = numbers.enumerate().filter(|(_, number)| is_missing(*number));
+        marks.for_each(|(at, _)| decoded.set_missing(start + at));
     }
 }
 
-/// The same with every row from its other end.
+/// Reverses every row.
 fn mirrored(decoded: Decoded, columns: usize) -> Decoded {
-    let Decoded { mut values, gaps } = decoded;
+    let Decoded { mut values, missing } = decoded;
     values.chunks_exact_mut(columns).for_each(<[f64]>::reverse);
     let opposite = |index: usize| index - index % columns + (columns - 1 - index % columns);
-    Decoded { values, gaps: gaps.indices().map(opposite).collect() }
+    Decoded { values, missing: missing.indices().map(opposite).collect() }
 }
 
 #[cfg(test)]
@@ -144,7 +146,7 @@ mod tests {
             order,
             scale: 2.0,
             zero: 1.0,
-            gap: GapMark::Equal(4.0),
+            missing: MissingMark::Equal(4.0),
             ..Raster::new(NumberType::I16, 3, 2, &bytes[..], 0)
         };
         let values = |order| raster(order).decode(FORMAT).unwrap().values;
@@ -152,29 +154,34 @@ mod tests {
         assert_eq!(values(Order::RowsFromBottom), [0.0, 11.0, -11.0, 3.0, 5.0, 7.0]);
         assert_eq!(values(Order::ColumnsFromTop), [3.0, 7.0, 11.0, 5.0, 0.0, -11.0]);
         assert_eq!(values(Order::ColumnsFromBottom), [5.0, 0.0, -11.0, 3.0, 7.0, 11.0]);
-        let gaps = raster(Order::RowsFromBottom).decode(FORMAT).unwrap().gaps;
-        assert_eq!(gaps.indices().collect::<Vec<_>>(), [0]);
+        let missing = raster(Order::RowsFromBottom).decode(FORMAT).unwrap().missing;
+        assert_eq!(missing.indices().collect::<Vec<_>>(), [0]);
         let turned = Raster { is_mirrored: true, ..raster(Order::RowsFromTop) }.decode(FORMAT).unwrap();
         assert_eq!(turned.values, [7.0, 5.0, 3.0, -11.0, 11.0, 0.0]);
-        assert_eq!(turned.gaps.indices().collect::<Vec<_>>(), [5]);
+        assert_eq!(turned.missing.indices().collect::<Vec<_>>(), [5]);
     }
 
     #[test]
     fn flags_strides_and_missing_bytes_count() {
         let raster = Raster {
             stride: Some(3),
-            gap: GapMark::Flagged(Cow::Borrowed(&[0, 0, 1, 0])),
+            missing: MissingMark::Flagged(Cow::Borrowed(&[0, 0, 1, 0])),
             ..Raster::new(NumberType::U8, 2, 2, &[1u8, 2, 99, 3, 4][..], 0)
         };
         let decoded = raster.decode(FORMAT).unwrap();
-        assert_eq!((decoded.values, decoded.gaps.count()), (vec![1.0, 2.0, 0.0, 4.0], 1));
+        assert_eq!((decoded.values, decoded.missing.count()), (vec![1.0, 2.0, 0.0, 4.0], 1));
         let short = Raster { rows: 3, ..raster.clone() };
         assert!(short.decode(FORMAT).unwrap_err().to_string().contains("takes 8 bytes, but the file ends 5"));
         assert!(Raster { rows: usize::MAX, ..raster.clone() }.decode(FORMAT).is_err());
-        let void =
-            Raster { columns: 0, rows: usize::MAX, stride: None, gap: GapMark::None, ..raster.clone() };
+        let void = Raster {
+            columns: 0,
+            rows: usize::MAX,
+            stride: None,
+            missing: MissingMark::None,
+            ..raster.clone()
+        };
         assert_eq!(void.decode(FORMAT).unwrap(), Decoded::default());
         let not_finite = Raster::new(NumberType::F32, 2, 1, f32::NAN.to_le_bytes().repeat(2), 0);
-        assert_eq!(not_finite.decode(FORMAT).unwrap().gaps.count(), 2);
+        assert_eq!(not_finite.decode(FORMAT).unwrap().missing.count(), 2);
     }
 }

@@ -1,6 +1,6 @@
 //! Floating-point numbers of two bytes, which the language does not have.
 
-/// The number that sixteen bits of IEEE 754 stand for.
+/// Decodes a number of sixteen bits, IEEE 754.
 pub(super) fn half(bits: u16) -> f64 {
     let fraction = f64::from(bits & 0x3ff) / 1024.0;
     let size = match i32::from(bits >> 10 & 0x1f) {

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use crate::cursor::ByteOrder;
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
-use crate::gaps::Gaps;
+use crate::missing_points::MissingPoints;
 
 /// The type of a stored number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub(crate) enum NumberType {
     U32,
     I64,
     U64,
-    /// Of two bytes.
+    /// Half precision, two bytes.
     F16,
     F32,
     F64,
@@ -50,9 +50,9 @@ pub(crate) enum Order {
     ColumnsFromBottom,
 }
 
-/// How a point without a height is marked. Floating-point numbers that are not finite always mark one.
+/// Mark of a missing point. Floating-point numbers that are not finite always mark one.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) enum GapMark<'b> {
+pub(crate) enum MissingMark<'b> {
     #[default]
     None,
     /// By this number, before scale and offset.
@@ -65,7 +65,7 @@ pub(crate) enum GapMark<'b> {
     Flagged(Cow<'b, [u8]>),
 }
 
-/// Where the numbers of a channel stand and what they mean. Nothing is decoded yet.
+/// Place and meaning of the numbers of a channel. Nothing is decoded yet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Raster<'b> {
     pub(crate) columns: usize,
@@ -74,11 +74,11 @@ pub(crate) struct Raster<'b> {
     pub(crate) number: NumberType,
     pub(crate) byte_order: ByteOrder,
     pub(crate) order: Order,
-    /// Whether each row is stored from its right end.
+    /// True if each row is stored from its right end.
     pub(crate) is_mirrored: bool,
     /// The bytes of the numbers, from the first one on; what follows the last is not looked at.
     pub(crate) bytes: Cow<'b, [u8]>,
-    /// Where they begin in the file, for messages.
+    /// Offset in the file, for messages.
     pub(crate) offset: usize,
     /// Bytes from one stored row (or column) to the next; those of its numbers where absent.
     pub(crate) stride: Option<usize>,
@@ -86,14 +86,14 @@ pub(crate) struct Raster<'b> {
     pub(crate) scale: f64,
     /// ... plus this is the value.
     pub(crate) zero: f64,
-    pub(crate) gap: GapMark<'b>,
+    pub(crate) missing: MissingMark<'b>,
 }
 
 /// Values row after row from the top, with 0 where there is none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Decoded {
     pub(crate) values: Vec<f64>,
-    pub(crate) gaps: Gaps,
+    pub(crate) missing: MissingPoints,
 }
 
 impl Decoded {
@@ -102,17 +102,17 @@ impl Decoded {
         match value.filter(|value| value.is_finite()) {
             Some(value) => self.values.push(value),
             None => {
-                self.gaps.insert(self.values.len());
+                self.missing.insert(self.values.len());
                 self.values.push(0.0);
             }
         }
     }
 
     /// Takes the value of a point away.
-    pub(crate) fn set_gap(&mut self, index: usize) {
+    pub(crate) fn set_missing(&mut self, index: usize) {
         if let Some(value) = self.values.get_mut(index) {
             *value = 0.0;
-            self.gaps.insert(index);
+            self.missing.insert(index);
         }
     }
 }
@@ -120,14 +120,15 @@ impl Decoded {
 impl FromIterator<Option<f64>> for Decoded {
     fn from_iter<I: IntoIterator<Item = Option<f64>>>(values: I) -> Self {
         let values = values.into_iter();
-        let mut decoded = Self { values: Vec::with_capacity(values.size_hint().0), gaps: Gaps::default() };
+        let mut decoded =
+            Self { values: Vec::with_capacity(values.size_hint().0), missing: MissingPoints::default() };
         values.for_each(|value| decoded.push(value));
         decoded
     }
 }
 
 impl<'b> Raster<'b> {
-    /// Packed little-endian numbers from the top, in this unit and without gaps.
+    /// Packed little-endian numbers from the top, in this unit and without missing points.
     pub(crate) fn new(
         number: NumberType,
         columns: usize,
@@ -147,7 +148,7 @@ impl<'b> Raster<'b> {
             stride: None,
             scale: 1.0,
             zero: 0.0,
-            gap: GapMark::None,
+            missing: MissingMark::None,
         }
     }
 
@@ -162,7 +163,7 @@ impl<'b> Raster<'b> {
         Self::new(number, columns, rows, file.get(offset..).unwrap_or_default(), offset)
     }
 
-    /// The same with bytes of its own.
+    /// Copies borrowed bytes.
     #[cfg(feature = "archives")]
     pub(crate) fn into_owned<'o>(self) -> Raster<'o> {
         Raster {
@@ -177,12 +178,12 @@ impl<'b> Raster<'b> {
             stride: self.stride,
             scale: self.scale,
             zero: self.zero,
-            gap: match self.gap {
-                GapMark::None => GapMark::None,
-                GapMark::Equal(mark) => GapMark::Equal(mark),
-                GapMark::AtLeast(mark) => GapMark::AtLeast(mark),
-                GapMark::AtMost(mark) => GapMark::AtMost(mark),
-                GapMark::Flagged(flags) => GapMark::Flagged(Cow::Owned(flags.into_owned())),
+            missing: match self.missing {
+                MissingMark::None => MissingMark::None,
+                MissingMark::Equal(mark) => MissingMark::Equal(mark),
+                MissingMark::AtLeast(mark) => MissingMark::AtLeast(mark),
+                MissingMark::AtMost(mark) => MissingMark::AtMost(mark),
+                MissingMark::Flagged(flags) => MissingMark::Flagged(Cow::Owned(flags.into_owned())),
             },
         }
     }
@@ -200,8 +201,8 @@ impl<'b> Raster<'b> {
             }
             _ => None,
         };
-        let flags = match &self.gap {
-            GapMark::Flagged(flags) => points.is_some_and(|points| flags.len() >= points),
+        let flags = match &self.missing {
+            MissingMark::Flagged(flags) => points.is_some_and(|points| flags.len() >= points),
             _ => true,
         };
         if needed.is_some_and(|needed| self.bytes.len() >= needed) && flags {
@@ -216,7 +217,7 @@ impl<'b> Raster<'b> {
         })
     }
 
-    /// How many runs of neighbouring numbers are stored, and how long each is.
+    /// Number of runs of neighbouring numbers, and the length of each.
     fn runs(&self) -> (usize, usize) {
         match self.order {
             Order::RowsFromTop | Order::RowsFromBottom => (self.rows, self.columns),

@@ -1,7 +1,7 @@
 //! Alicona Imaging, InfiniteFocus: `.al3d`.
 //!
-//! A list of tags of fixed length, a comment, then pictures at the places that the tags tell, little-endian, as the maker's
-//! description and the readers of Gwyddion and SurfaceTopography have it. Lengths are in m.
+//! A list of tags of fixed length, a comment, then pictures at the places that the tags tell, little-endian, as the
+//! maker's description and the readers of Gwyddion and SurfaceTopography have it. Lengths are in m.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
@@ -10,7 +10,7 @@ use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
@@ -20,7 +20,7 @@ const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 const MOST_TAGS: usize = 10_000;
 /// Rows are filled up to a multiple of so many bytes.
 const ROW_BYTES: usize = 8;
-/// How exactly the mark of points without a height is written.
+/// Relative precision of the mark of missing points.
 const MARK_DIGITS: f64 = 2e-7;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
@@ -50,7 +50,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let stride =
         columns.checked_mul(NumberType::F32.bytes()).and_then(|row| row.checked_next_multiple_of(ROW_BYTES));
     let raster = Raster::within(NumberType::F32, columns, rows, bytes, offset);
-    let raster = Raster { stride, gap: gap(&tags)?, ..raster };
+    let raster = Raster { stride, missing: missing(&tags)?, ..raster };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     Ok(vec![Channel {
         probe: Some(Probe::Microscope),
@@ -87,14 +87,14 @@ fn tag(cursor: &mut Cursor, expected: Option<&str>) -> Result<Tag, ScanReadError
     Ok(Tag { key, value, offset })
 }
 
-/// Points without a height hold the number of a tag. A large one is told by its size, since it may be written with fewer
-/// digits than it has: no surface is a metre high.
-fn gap<'b>(tags: &Tags) -> Result<GapMark<'b>, ScanReadError> {
+/// Points without a height hold the number of a tag. A large one is told by its size, since it may be written with
+/// fewer digits than it has: no surface is a metre high.
+fn missing<'b>(tags: &Tags) -> Result<MissingMark<'b>, ScanReadError> {
     Ok(match tags.number("InvalidPixelValue")? {
-        Some(mark) if mark >= 1.0 => GapMark::AtLeast(mark * (1.0 - MARK_DIGITS)),
-        Some(mark) if mark <= -1.0 => GapMark::AtMost(mark * (1.0 - MARK_DIGITS)),
-        Some(mark) if mark.is_finite() => GapMark::Equal(f64::from(mark as f32)),
-        _ => GapMark::None,
+        Some(mark) if mark >= 1.0 => MissingMark::AtLeast(mark * (1.0 - MARK_DIGITS)),
+        Some(mark) if mark <= -1.0 => MissingMark::AtMost(mark * (1.0 - MARK_DIGITS)),
+        Some(mark) if mark.is_finite() => MissingMark::Equal(f64::from(mark as f32)),
+        _ => MissingMark::None,
     })
 }
 

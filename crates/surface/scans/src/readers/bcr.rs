@@ -1,7 +1,8 @@
 //! BCR-STM and BCRF of Image Metrology, which many programs exchange: `.bcr`, `.bcrf`.
 //!
-//! Keys and values in a header of 2048 or 4096 characters, in Latin-1 or UTF-16, then counts of two bytes or floating-point
-//! numbers row after row, as the help of SPIP lays it down and the readers of Gwyddion and SurfaceTopography take it.
+//! Keys and values in a header of 2048 or 4096 characters, in Latin-1 or UTF-16, then counts of two bytes or
+//! floating-point numbers row after row, as the help of SPIP lays it down and the readers of Gwyddion and
+//! SurfaceTopography take it.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::ByteOrder;
@@ -9,28 +10,28 @@ use crate::error::{Place, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Bcr;
-/// Characters of a header that does not tell its length.
+/// Characters of a header without a length.
 const HEADER_CHARACTERS: usize = 2048;
 /// Characters of a header that are looked at; what pads a longer one holds no keys.
 const LONGEST_CHARACTERS: usize = 1 << 18;
-/// Characters among which the line stands that tells the format.
+/// Characters that include the line with the format.
 const FIRST_CHARACTERS: usize = 64;
 const FORMAT_KEY: &str = "fileformat";
 /// Counts and floating-point numbers that mark points without a height.
-const GAP_COUNT: f64 = 32767.0;
-const GAP_NUMBER: f64 = 1.7e38;
+const MISSING_COUNT: f64 = 32767.0;
+const MISSING_NUMBER: f64 = 1.7e38;
 /// Lengths are in this unit where a file names none.
 const UNIT: LengthUnit = LengthUnit::NANOMETRE;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
-/// How the characters of a header are stored.
+/// Storage of the characters of a header.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Encoding {
     Latin1,
@@ -149,16 +150,16 @@ fn raster<'b>(
 ) -> Result<Raster<'b>, ScanReadError> {
     let [columns, rows] = [header.count("xpixels")?, header.count("ypixels")?];
     // The number of points without a height, in some files their mark; where it is 0 there are none.
-    let has_gaps = header.number("voidpixels") != Some(0.0);
-    let (number, scale, gap) = match header.get(FORMAT_KEY).unwrap_or_default() {
+    let has_missing = header.number("voidpixels") != Some(0.0);
+    let (number, scale, missing) = match header.get(FORMAT_KEY).unwrap_or_default() {
         "bcrstm" | "bcrstm_unicode" => {
             let scale = header.number("bit2nm").filter(|&scale| scale != 0.0);
             if scale.is_none() {
                 notes.push("the file does not say the height of a count; it is taken to be 1".to_owned());
             }
-            (NumberType::I16, scale.unwrap_or(1.0), GapMark::Equal(GAP_COUNT))
+            (NumberType::I16, scale.unwrap_or(1.0), MissingMark::Equal(MISSING_COUNT))
         }
-        "bcrf" | "bcrf_unicode" => (NumberType::F32, 1.0, GapMark::AtLeast(GAP_NUMBER)),
+        "bcrf" | "bcrf_unicode" => (NumberType::F32, 1.0, MissingMark::AtLeast(MISSING_NUMBER)),
         other => return Err(bad(FORMAT_KEY, other, "bcrstm or bcrf")),
     };
 
@@ -168,7 +169,7 @@ fn raster<'b>(
             _ => ByteOrder::Little,
         },
         scale,
-        gap: if has_gaps { gap } else { GapMark::None },
+        missing: if has_missing { missing } else { MissingMark::None },
         ..Raster::within(number, columns, rows, bytes, offset)
     })
 }

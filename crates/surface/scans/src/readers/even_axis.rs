@@ -2,7 +2,7 @@
 
 /// The share of the spacing that the rounding of positions may take up before even spacing is a guess.
 const DISCERNIBLE: f64 = 0.25;
-/// How many times as many grid points as points there may be; the others are gaps. More would be no map, and two scattered
+/// Most grid points per point; the others are missing. More would be no map, and two scattered
 /// points could demand a vast grid.
 const SPARSEST: usize = 4;
 
@@ -56,7 +56,7 @@ fn sort(values: &mut Vec<f64>) {
     values.dedup();
 }
 
-/// How many points the grid has; none where so many points hardly fill it.
+/// Number of points of the grid; none where so many points hardly fill it.
 pub(crate) fn points_of_grid(x: &Axis, y: &Axis, points: usize) -> Option<usize> {
     x.count.checked_mul(y.count).filter(|&size| size / SPARSEST <= points)
 }

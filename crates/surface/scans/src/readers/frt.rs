@@ -1,4 +1,5 @@
-//! MicroProf of FRT, `.frt`: a list of numbered blocks, as Gwyddion's user guide and reader describe it. Lengths are in m.
+//! MicroProf of FRT, `.frt`: a list of numbered blocks, as Gwyddion's user guide and reader describe it. Lengths are in
+//! m.
 
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -6,15 +7,15 @@ use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Order, Raster};
+use crate::raster::{MissingMark, NumberType, Order, Raster};
 use crate::readers::Reader;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Frt;
 const MAGIC: &[u8] = b"FRTM_GLIDERV";
-/// The number that stands for no height.
-const GAP: f64 = 1.0;
+/// Mark of missing points.
+const MISSING: f64 = 1.0;
 
 mod block {
     pub(super) const TOPOGRAPHY: u16 = 0x0b;
@@ -190,7 +191,7 @@ impl<'b> Image<'b> {
         let raster = Raster {
             order: Order::RowsFromBottom,
             scale: if is_height { scale } else { 1.0 },
-            gap: GapMark::Equal(GAP),
+            missing: MissingMark::Equal(MISSING),
             ..Raster::new(self.number, self.columns, self.rows, self.data, self.offset)
         };
         let quantity = match self.height_name() {

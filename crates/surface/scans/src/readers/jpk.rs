@@ -1,4 +1,5 @@
-//! Image scans of JPK Instruments, `.jpk` and `.jpk-qi-image`: TIFF with a page a channel, described by tags of the maker's own.
+//! Image scans of JPK Instruments, `.jpk` and `.jpk-qi-image`: TIFF with a page a channel, described by tags of the
+//! maker's own.
 //!
 //! The layout is that which Gwyddion's importer, written by the maker, and SurfaceTopography's reader follow.
 
@@ -17,7 +18,7 @@ const FORMAT: ScanFormat = ScanFormat::Jpk;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
-/// Tags of the scan as a whole, which stand on the first page.
+/// Tags of the whole scan, on the first page.
 const COMMENT: u16 = 0x8005;
 const SAMPLE: u16 = 0x8007;
 const CANTILEVER_COMMENT: u16 = 0x8010;
@@ -67,7 +68,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     Ok(channels.collect())
 }
 
-/// What a channel is called, with the direction of the scan. The picture for the eye may have a name, but has no slots.
+/// Name of a channel, with the direction of the scan. The thumbnail may have a name, but has no slots.
 fn name(page: &Page) -> Option<String> {
     page.number(SLOTS)?;
     let name = page.text(CHANNEL_NAME).filter(|name| !name.is_empty()).or_else(|| page.text(CHANNEL))?;

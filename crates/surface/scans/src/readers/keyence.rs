@@ -1,5 +1,5 @@
-//! Keyence laser scanning microscopes, `.vk4` and its predecessor `.vk3`, and `.vk6` and `.vk7`, which pack a `.vk4`; as
-//! a report of Sandia National Laboratories on the format describes it. Little-endian, lengths in pm.
+//! Keyence laser scanning microscopes, `.vk4` and its predecessor `.vk3`, and `.vk6` and `.vk7`, which pack a `.vk4`;
+//! as a report of Sandia National Laboratories on the format describes it. Little-endian, lengths in pm.
 
 use memchr::memmem;
 
@@ -28,7 +28,7 @@ const IMAGES: [(usize, &str, bool); 6] = [
     (4, "Intensity 2", false),
     (5, "Intensity 3", false),
 ];
-/// Where the lengths of a pixel stand in the conditions.
+/// Offsets of the lengths of a pixel in the conditions.
 const PIXEL_OFFSET: usize = 168;
 const PALETTE_BYTES: usize = 768;
 

@@ -1,7 +1,7 @@
 //! MarWin of Mahr, which drives styli that trace contours: `.qep`.
 //!
-//! A ZIP file with profiles: a header, a table of texts `>key=value`, then the positions and heights of all points in mm,
-//! little-endian, as the reader of SurfaceTopography takes them.
+//! A ZIP file with profiles: a header, a table of texts `>key=value`, then the positions and heights of all points in
+//! mm, little-endian, as the reader of SurfaceTopography takes them.
 
 use super::measured_line::MeasuredLine;
 use crate::archive::{Archive, is_named_in, is_zip};
@@ -47,7 +47,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     Ok(channels)
 }
 
-/// A profile with what its texts tell of the stylus.
+/// A profile with the stylus that its texts describe.
 struct Profile {
     positions_m: Vec<f64>,
     heights_m: Vec<Option<f64>>,
@@ -84,7 +84,7 @@ impl Profile {
         let start = points_start(file, cursor.offset())?;
         let mut numbers = Numbers { file, points, offset: start };
         let positions = numbers.next(NumberType::F64)?;
-        if let Some(point) = positions.gaps.indices().next() {
+        if let Some(point) = positions.missing.indices().next() {
             let (field, bound) = ("a position", "a finite number");
             return Err(cursor.bad(start, field, &format!("no number at point {}", point + 1), bound));
         }
@@ -92,7 +92,7 @@ impl Profile {
         numbers.next(NumberType::F64)?;
         let heights = numbers.next(NumberType::F64)?;
         let flags = numbers.next(NumberType::F32)?;
-        let is_measured = |point: usize, flag: f64| flag == 0.0 && !heights.gaps.contains(point);
+        let is_measured = |point: usize, flag: f64| flag == 0.0 && !heights.missing.contains(point);
         let in_m = |millimetres: f64| LengthUnit::MILLIMETRE.to_m(millimetres);
         let height_m =
             |(point, (&height, &flag)): (usize, (&f64, &f64))| is_measured(point, flag).then(|| in_m(height));

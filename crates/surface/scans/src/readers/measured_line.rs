@@ -12,7 +12,7 @@ const EVEN: f64 = 1e-3;
 pub(super) struct MeasuredLine {
     pub(super) lateral: Lateral,
     pub(super) samples: Samples<'static>,
-    /// What was done to it, if anything.
+    /// Processing of the line, if any.
     pub(super) notes: Vec<String>,
 }
 

@@ -1,7 +1,7 @@
 //! Zygo MetroPro, of interferometers: `.dat`.
 //!
-//! A header of 834 or 4096 bytes, big-endian in the fields of use, then intensities, then phases, as the reference guide of
-//! MetroPro lays it down (its appendix on data formats).
+//! A header of 834 or 4096 bytes, big-endian in the fields of use, then intensities, then phases, as the reference
+//! guide of MetroPro lays it down (its appendix on data formats).
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
@@ -9,7 +9,7 @@ use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
@@ -19,7 +19,7 @@ const MAGICS: [&[u8]; 3] = [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b
 /// The fields read lie within so many bytes, the length of the shortest header.
 const SHORTEST_HEADER: usize = 834;
 /// Phases from this one on mark points without a height.
-const GAP: f64 = 2_147_483_640.0;
+const MISSING: f64 = 2_147_483_640.0;
 /// Phases in a fringe, by the resolution of phases.
 const PHASES: [f64; 3] = [4096.0, 32768.0, 131_072.0];
 
@@ -47,7 +47,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let raster = Raster {
         byte_order: ByteOrder::Big,
         scale: header.scale_m,
-        gap: GapMark::AtLeast(GAP),
+        missing: MissingMark::AtLeast(MISSING),
         ..Raster::within(NumberType::I32, header.columns, header.rows, bytes, offset)
     };
     let spacing_m = header.spacing_m;

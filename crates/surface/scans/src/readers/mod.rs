@@ -1,8 +1,8 @@
-//! One module a format: how its files are told, and what channels they hold.
+//! One module per format, with the recognition of its files and their channels.
 //!
 //! Four modules read no format of their own and help those that do: `even_axis` (positions on even axes and grids),
-//! `measured_line` (lines with a position for every point), `sections` (headers in sections of keys and values) and `tiff` (pages
-//! and tags). `container` holds files of other formats.
+//! `measured_line` (lines with a position for every point), `sections` (headers in sections of keys and values) and
+//! `tiff` (pages and tags). `container` holds files of other formats.
 
 mod alicona;
 mod bcr;
@@ -54,10 +54,10 @@ use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 
-/// How files of a format are told and read.
+/// Recognises and reads the files of a format.
 pub(crate) struct Reader {
     pub(crate) format: ScanFormat,
-    /// Whether a file begins, or is built, as those of the format are; it may be damaged all the same.
+    /// True for a file that begins, or is built, as those of the format are; it may still be damaged.
     pub(crate) recognises: fn(&[u8]) -> bool,
     /// The channels of a file, in its order. Headers are read, numbers are not.
     pub(crate) channels: for<'b> fn(&'b [u8], &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError>,
@@ -110,24 +110,23 @@ pub(crate) fn reader_of(bytes: &[u8]) -> Option<&'static Reader> {
     READERS.iter().find(|reader| (reader.recognises)(bytes))
 }
 
-/// Beginnings of files that are not read, with the way to one that is.
+/// Beginnings of files that are not read, each with advice.
 const FOREIGN: [(&[u8], &str); 4] = [
-    (b"\\*Force file list", ": this is a Nanoscope force curve; export an image of heights"),
-    (b"\x89HDF\r\n\x1a\n", ": this is HDF5 or NetCDF-4; save it as NetCDF-3 ('NETCDF3_64BIT_OFFSET')"),
-    (b"?*File list", ": this is a Nanoscope file with its data as text; save it with binary data"),
-    (b"PK", ": this is a ZIP file without a scan that is known; unpack it"),
+    (b"\\*Force file list", "this is a Nanoscope force curve; export an image of heights"),
+    (b"\x89HDF\r\n\x1a\n", "this is HDF5 or NetCDF-4; save it as NetCDF-3 ('NETCDF3_64BIT_OFFSET')"),
+    (b"?*File list", "this is a Nanoscope file with its data as text; save it with binary data"),
+    (b"PK", "this is a ZIP file without a scan that is known; unpack it"),
 ];
 
-/// The error of a file that no reader knows.
+/// Advice for any other file.
+const UNKNOWN: &str = "save the heights as text, or in a format of docs/guide/instruments.md";
+
+/// Returns the error of a file that no reader knows.
 pub(crate) fn unknown_format(bytes: &[u8], name: &str) -> ScanReadError {
     let start = match bytes {
         [] => "nothing (it is empty)".to_owned(),
         _ => format!("'{}'", bytes[..bytes.len().min(16)].escape_ascii()),
     };
-    let hint = FOREIGN.iter().find(|(start, _)| bytes.starts_with(start)).map_or("", |(_, hint)| hint);
-    let mut formats: Vec<String> = READERS.iter().map(|reader| reader.format.to_string()).collect();
-    if cfg!(feature = "container") {
-        formats.push("containers of contact.engineering".to_owned());
-    }
-    ScanReadError::UnknownFormat { name: name.to_owned(), start, hint, formats: formats.join(", ") }
+    let hint = FOREIGN.iter().find(|(start, _)| bytes.starts_with(start)).map_or(UNKNOWN, |(_, hint)| hint);
+    ScanReadError::UnknownFormat { name: name.to_owned(), start, hint }
 }

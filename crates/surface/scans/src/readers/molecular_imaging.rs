@@ -1,5 +1,5 @@
-//! Files of Molecular Imaging's and Agilent's microscopes, `.mi`: lines of a key of fourteen letters and a value, then the
-//! numbers of all channels, one after the other.
+//! Files of Molecular Imaging's and Agilent's microscopes, `.mi`: lines of a key of fourteen letters and a value, then
+//! the numbers of all channels, one after the other.
 //!
 //! The layout is that which Gwyddion's importer follows, whose author wrote it for the maker.
 
@@ -23,7 +23,7 @@ const FIRST_KEY: &[u8] = b"fileType      ";
 const KEY_BYTES: usize = FIRST_KEY.len();
 /// Headers take some ten kilobytes; a file that goes on with lines beyond this is none.
 const LONGEST: usize = 1 << 20;
-/// What stands for the range of a channel in 16 bits, also where the numbers are text.
+/// Largest stored number of 16 bits, which stands for the range of a channel, also where the numbers are text.
 const FULL_16: f64 = 32_768.0;
 const FULL_32: f64 = 2_147_483_648.0;
 
@@ -37,7 +37,7 @@ type Entries = Vec<(String, String)>;
 struct Header {
     scan: Entries,
     channels: Vec<Entries>,
-    /// How the numbers are written.
+    /// Encoding of the numbers.
     data: String,
     data_offset: usize,
 }
@@ -134,7 +134,7 @@ fn count(entries: &Entries, key: &str) -> Result<usize, ScanReadError> {
     numbers::count(text).ok_or_else(|| bad(key, text, "a whole number above 0"))
 }
 
-/// What the largest number of a channel stands for, in its unit.
+/// Value of the largest number of a channel, in its unit.
 fn range(entries: &Entries) -> Result<f64, ScanReadError> {
     let text = require(entries, "bufferRange")?;
     numbers::finite(text).ok_or_else(|| bad("bufferRange", text, "a number"))

@@ -1,5 +1,5 @@
-//! NanoFocus confocal microscopes, `.nms`: a header of fixed length without a name of its own, as SurfaceTopography reads it,
-//! then heights as sixteen-bit parts of a range in µm.
+//! NanoFocus confocal microscopes, `.nms`: a header of fixed length without a name of its own, as SurfaceTopography
+//! reads it, then heights as sixteen-bit parts of a range in µm.
 
 use crate::channel::Channel;
 use crate::cursor::{ByteOrder, Cursor};
@@ -7,7 +7,7 @@ use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
@@ -74,7 +74,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let raster = Raster {
         scale: LengthUnit::MICROMETRE.to_m((highest_um - lowest_um) / LARGEST),
         zero: LengthUnit::MICROMETRE.to_m(lowest_um),
-        gap: GapMark::AtLeast(LARGEST + 1.0),
+        missing: MissingMark::AtLeast(LARGEST + 1.0),
         ..Raster::within(NumberType::U16, columns, rows, bytes, HEADER_BYTES)
     };
     Ok(vec![Channel { probe: Some(Probe::Microscope), ..Channel::heights_in_m("", size, raster) }])

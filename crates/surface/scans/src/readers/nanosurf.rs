@@ -1,4 +1,5 @@
-//! Files of Nanosurf, `.nid` and the older `.ezd`: a header in sections, then the numbers of all channels, one after the other.
+//! Files of Nanosurf, `.nid` and the older `.ezd`: a header in sections, then the numbers of all channels, one after
+//! the other.
 //!
 //! The layout is that which Nanosurf's own reader, published under the MIT license, and Gwyddion's follow.
 
@@ -68,7 +69,7 @@ fn names(header: &Sections) -> Result<Vec<String>, ScanReadError> {
     Ok(places.into_iter().map(|(_, _, section)| section).collect())
 }
 
-/// How the numbers of a channel are stored.
+/// Storage of the numbers of a channel.
 struct Stored {
     columns: usize,
     rows: usize,
@@ -105,7 +106,7 @@ impl Stored {
         self.columns.checked_mul(self.rows)?.checked_mul(self.number.bytes())
     }
 
-    /// The numbers from the bottom; the whole range of the counts stands for the range of the values.
+    /// Numbers from the bottom; the range of the counts maps to the range of the values.
     fn raster<'b>(
         &self,
         header: &Sections,
@@ -172,7 +173,7 @@ fn size(header: &Sections, section: &str, rows: usize) -> Option<ScanSize> {
     (rows <= 1 || y_m.is_some()).then_some(ScanSize { x_m, y_m })
 }
 
-/// What the user may have written, and the cantilever.
+/// Comments of the user, and the cantilever.
 fn free_text(header: &Sections) -> String {
     const WORDS: [&str; 6] = ["comment", "remark", "note", "sample", "title", "cantilever type"];
     let mut lines: Vec<String> = header

@@ -1,7 +1,7 @@
 //! Files of NT-MDT, `.mdt`: frames one after the other, of which those of scanned images are read.
 //!
-//! The layout is that which Gwyddion's importer and SurfaceTopography's reader follow. Frames of curves, texts and of the newer
-//! kind that describes its own dimensions are passed over.
+//! The layout is that which Gwyddion's importer and SurfaceTopography's reader follow. Frames of curves, texts and of
+//! the newer kind that describes its own dimensions are passed over.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
@@ -19,7 +19,7 @@ const FORMAT: ScanFormat = ScanFormat::NtMdt;
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
 const MAGIC: &[u8] = &[0x01, 0xb0, 0x93, 0xff];
-/// Where the first frame begins.
+/// Offset of the first frame.
 const FIRST_FRAME: usize = 33;
 const FRAME_HEADER_BYTES: usize = 22;
 const SCANNED: u16 = 0;
@@ -97,7 +97,7 @@ impl Scale {
         })
     }
 
-    /// The distance of neighbours, whose sign tells only the direction of the scan.
+    /// Distance of neighbours; its sign is the direction of the scan.
     fn spacing_m(&self) -> Option<f64> {
         numbers::positive(length_unit(self.unit)?.to_m(self.step.abs()))
     }

@@ -33,7 +33,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     arrays(bytes, options)
 }
 
-/// Whether the first file of a ZIP file is an array.
+/// Returns true if the first file of a ZIP file is an array.
 #[cfg(feature = "archives")]
 fn is_archive(bytes: &[u8]) -> bool {
     let length =
@@ -77,7 +77,7 @@ fn arrays<'b>(_: &[u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadErr
     Ok(Vec::new())
 }
 
-/// What the header of an array says.
+/// Header of an array.
 struct Array {
     shape: Vec<usize>,
     /// None of arrays of other things than real numbers.
@@ -85,7 +85,7 @@ struct Array {
     /// The type as written.
     described: String,
     is_fortran: bool,
-    /// Where the numbers begin.
+    /// Offset of the numbers.
     data: usize,
 }
 

@@ -1,20 +1,21 @@
 //! OmniSurf3D of Digital Metrology: `.os3d`.
 //!
-//! Texts, the grid, then heights row after row in µm, little-endian, as the maker's description of the format lays it down.
+//! Texts, the grid, then heights row after row in µm, little-endian, as the maker's description of the format lays it
+//! down.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::OmniSurf;
 const MAGIC: &[u8] = b"OmniSurf3D";
 /// Points without a height hold the least number there is; from here on none is a height.
-const GAP: f64 = -3e38;
+const MISSING: f64 = -3e38;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
@@ -33,7 +34,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let y_m = spacing_m(&mut cursor, "the distance of rows")?;
     cursor.skip(16, "the origin")?;
     let raster = Raster::within(NumberType::F32, columns, rows, bytes, cursor.offset());
-    let raster = Raster { gap: GapMark::AtMost(GAP), ..raster };
+    let raster = Raster { missing: MissingMark::AtMost(MISSING), ..raster };
     let lateral = Lateral::Spacing { x_m, y_m: (rows > 1).then_some(y_m) };
     let quantity = Quantity::Heights(Some(LengthUnit::MICROMETRE));
     let channel = Channel::new(None, quantity, lateral, Samples::Raster(raster));

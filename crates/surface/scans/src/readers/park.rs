@@ -1,4 +1,5 @@
-//! Images of Park Systems, which were PSIA: TIFF with a picture for the eye, and the numbers in tags of the maker's own.
+//! Images of Park Systems, which were PSIA: TIFF with a picture for the eye, and the numbers in tags of the maker's
+//! own.
 //!
 //! The layout of the header is that which Gwyddion's importer and SurfaceTopography's reader follow.
 
@@ -24,7 +25,7 @@ const DATA_TAG: u16 = 50_434;
 const HEADER_TAG: u16 = 50_435;
 const COMMENT_TAG: u16 = 50_436;
 const MAGIC: f64 = 235_082_497.0;
-/// From this version on the header tells the type of the numbers.
+/// First version whose header gives the type of the numbers.
 const TYPED_VERSION: f64 = 16_777_218.0;
 
 fn recognises(bytes: &[u8]) -> bool {
@@ -65,13 +66,13 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     }])
 }
 
-/// What the header says of the one image.
+/// Header of the one image.
 struct Header {
     name: String,
     columns: usize,
     rows: usize,
     number: NumberType,
-    /// Whether the instrument scanned along y.
+    /// True if the instrument scanned along y.
     is_swapped: bool,
     size_um: [f64; 2],
     /// A value is the gain times what the scale and the zero make of a number.

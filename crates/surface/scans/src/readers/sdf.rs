@@ -1,5 +1,5 @@
-//! Surface data files, `.sdf`, in text and binary, as ISO 25178-71 lays them down, with their predecessor BCR-1.0 and the
-//! wider counts of version 2.0. Lengths are in m.
+//! Surface data files, `.sdf`, in text and binary, as ISO 25178-71 lays them down, with their predecessor BCR-1.0 and
+//! the wider counts of version 2.0. Lengths are in m.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -7,7 +7,7 @@ use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{Decoded, GapMark, NumberType, Raster};
+use crate::raster::{Decoded, MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
@@ -16,7 +16,7 @@ const VERSIONS: [&[u8]; 4] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0", b"BCR-0.0"];
 const VERSION_BYTES: usize = 8;
 /// Lines of a header in text that are looked at; it has some dozen.
 const MOST_LINES: usize = 1000;
-/// What some exports put between the header and the data of files of version 1.0.
+/// Separator that some exports put between the header and the data of files of version 1.0.
 const EXTRA_HEADER_BYTES: usize = 8;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
@@ -27,7 +27,7 @@ fn recognises(bytes: &[u8]) -> bool {
     })
 }
 
-/// What the header says.
+/// Fields of the header.
 struct Header {
     points: usize,
     profiles: usize,
@@ -74,7 +74,7 @@ fn binary(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     let offset = cursor.offset() + if has_extra { EXTRA_HEADER_BYTES } else { 0 };
     let raster = Raster {
         scale: header.height_scale_m,
-        gap: header.gap(number, is_wide),
+        missing: header.missing(number, is_wide),
         ..Raster::within(number, points, profiles, bytes, offset)
     };
     let trailer = bytes.get(offset.saturating_add(size)..).unwrap_or_default();
@@ -105,7 +105,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         check_type: fields.number("CheckType")? as i64,
     };
     let number = header.number(Place::Line(fields.line("DataType")))?;
-    let gap = header.gap(number, head.starts_with("aISO-2.0"));
+    let missing = header.missing(number, head.starts_with("aISO-2.0"));
     let mut decoded = Decoded::default();
     let first_line = head.matches('\n').count() + 1;
     for (index, line) in data.lines().enumerate().filter(|(_, line)| !line.starts_with(';')) {
@@ -114,8 +114,8 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
             let value = value.ok_or_else(|| {
                 bad(Place::Line(first_line + index), "a height", word, "a number or BAD".to_owned())
             })?;
-            let is_gap = matches!(gap, GapMark::Equal(mark) if value == mark);
-            decoded.push((!is_gap).then_some(value * header.height_scale_m));
+            let is_missing = matches!(missing, MissingMark::Equal(mark) if value == mark);
+            decoded.push((!is_missing).then_some(value * header.height_scale_m));
         }
     }
     let expected = header.points.checked_mul(header.profiles);
@@ -185,8 +185,8 @@ impl Header {
 
     /// The number that stands for none: the lowest of its type, of an unsigned one the highest; bytes have none before
     /// version 2.0.
-    fn gap(&self, number: NumberType, is_second_version: bool) -> GapMark<'static> {
-        GapMark::Equal(match number {
+    fn missing(&self, number: NumberType, is_second_version: bool) -> MissingMark<'static> {
+        MissingMark::Equal(match number {
             NumberType::U16 => f64::from(u16::MAX),
             NumberType::U32 => f64::from(u32::MAX),
             NumberType::I8 if is_second_version => f64::from(i8::MIN),
@@ -194,7 +194,7 @@ impl Header {
             NumberType::I32 => f64::from(i32::MIN),
             NumberType::F32 => f64::from(f32::MIN),
             NumberType::F64 => f64::MIN,
-            _ => return GapMark::None,
+            _ => return MissingMark::None,
         })
     }
 

@@ -14,7 +14,7 @@ const LONGEST: usize = 1 << 20;
 pub(super) struct Sections {
     format: ScanFormat,
     sections: HashMap<String, HashMap<String, String>>,
-    /// Where the mark that ends the header ends.
+    /// Offset behind the mark that ends the header.
     pub(super) end: usize,
 }
 

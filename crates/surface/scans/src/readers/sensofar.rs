@@ -1,7 +1,7 @@
 //! Sensofar, PLu and S neox: `.plu` and `.apx`.
 //!
-//! A header of 500 bytes, then layers of floating-point numbers in µm, each before the pictures taken of it, little-endian,
-//! as the readers of Gwyddion and SurfaceTopography take them.
+//! A header of 500 bytes, then layers of floating-point numbers in µm, each before the pictures taken of it,
+//! little-endian, as the readers of Gwyddion and SurfaceTopography take them.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
@@ -10,14 +10,14 @@ use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Sensofar;
 const HEADER_BYTES: usize = 500;
 /// Points without a height hold this number.
-const GAP: f64 = 1_000_001.0;
+const MISSING: f64 = 1_000_001.0;
 
 /// Most profiles of a file, each of which is a channel; instruments take some tens.
 const MOST_PROFILES: usize = 10_000;
@@ -39,7 +39,7 @@ fn recognises(bytes: &[u8]) -> bool {
     is_time && matches!(time[24..], [0, ..] | [b'\n', 0, ..])
 }
 
-/// What is measured.
+/// Kind of content.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Image,
@@ -118,7 +118,7 @@ fn layer_channels<'b>(
     let columns = cursor.count("the number of columns")?;
     let (points_bytes, offset) = (cursor.rest(), cursor.offset());
     let raster = Raster::new(NumberType::F32, columns, rows, points_bytes, offset);
-    let raster = Raster { gap: GapMark::Equal(GAP), ..raster };
+    let raster = Raster { missing: MissingMark::Equal(MISSING), ..raster };
     let points = columns.checked_mul(rows);
     // The extreme values follow, then three bytes a point of each picture.
     let size = points.and_then(|points| points.checked_mul(4 + 3 * header.pictures)?.checked_add(8));

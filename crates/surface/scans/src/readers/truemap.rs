@@ -1,4 +1,5 @@
-//! TrueMap of TrueGage and GelSight, `.tmd`, as their own programs for reading it describe it: little-endian, lengths in mm.
+//! TrueMap of TrueGage and GelSight, `.tmd`, as their own programs for reading it describe it: little-endian, lengths
+//! in mm.
 
 use crate::channel::Channel;
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -15,7 +16,7 @@ const FORMAT: ScanFormat = ScanFormat::TrueMap;
 const TITLES: [&[u8]; 2] = [b"Binary TrueMap Data File v", b"TrueMap Data File v1"];
 /// The title with the zero bytes behind it.
 const TITLE_BYTES: usize = 32;
-/// What follows the comment before the heights.
+/// Bytes between the comment and the heights.
 const HEADER_BYTES: usize = 24;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
@@ -28,7 +29,8 @@ fn recognises(bytes: &[u8]) -> bool {
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let rest = bytes.get(TITLE_BYTES..).unwrap_or_default();
     let comment = rest.iter().position(|&byte| byte == 0).map_or(0, |end| end + 1);
-    // Writers end the comment with a zero byte, pad it to 24 or 32 bytes, or leave it out: the length of the file tells.
+    // Writers end the comment with a zero byte, pad it to 24 or 32 bytes, or leave it out: the length of the file
+    // tells.
     let starts = [comment, 24, 32, 0].map(|comment| TITLE_BYTES + comment);
     let fits = |start: &usize| {
         header(bytes, *start).is_ok_and(|header| {

@@ -1,7 +1,8 @@
 //! Workbooks that surface testers of Mitutoyo export, `.xlsx`: a sheet `DATA` with results in its first column and a
 //! profile in its fifth and sixth, and a sheet `Certificate` with the conditions of the measurement.
 //!
-//! The unit of positions is that of the cut-off, the unit of heights that of the results, as SurfaceTopography takes them.
+//! The unit of positions is that of the cut-off, the unit of heights that of the results, as SurfaceTopography takes
+//! them.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -23,8 +24,8 @@ use units::LengthUnit;
 const FORMAT: ScanFormat = ScanFormat::Workbook;
 const INDEX: &str = "xl/workbook.xml";
 const LARGEST_INDEX: u64 = 1 << 20;
-/// Most bytes that a workbook may unpack to. The library takes some ten times as many for texts of one letter; a profile of
-/// a hundred thousand points takes ten million.
+/// Most bytes that a workbook may unpack to. The library takes some ten times as many for texts of one letter; a
+/// profile of a hundred thousand points takes ten million.
 const LARGEST: u64 = 1 << 26;
 const DATA: &str = "DATA";
 const CONDITIONS: &str = "Certificate";
@@ -75,8 +76,8 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     Ok(vec![Channel { units: UnitsBy::Reader, probe: Some(Probe::Tip), free_text, notes, ..channel }])
 }
 
-/// Unpacks every file once and lets it go: the library holds files whole, and the sizes that an archive states need not be
-/// true.
+/// Unpacks every file once and lets it go: the library holds files whole, and the sizes that an archive states need not
+/// be true.
 fn refuse_what_swells(bytes: &[u8], options: &ScanOptions) -> Result<(), ScanReadError> {
     let mut archive = Archive::open(bytes, options.unpacked_bound().min(LARGEST))?;
     let paths: Vec<String> = archive.paths().map(str::to_owned).collect();

@@ -45,7 +45,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     }])
 }
 
-/// The second line tells images from curves and movies.
+/// The second line separates images from curves and movies.
 fn refuse_other_kinds(bytes: &[u8]) -> Result<(), ScanReadError> {
     let line = bytes.split(|&byte| byte == b'\n').nth(1).map(latin1).unwrap_or_default();
     if line == "SxM Image file" {

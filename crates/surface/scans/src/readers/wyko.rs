@@ -11,7 +11,7 @@ use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Order, Raster};
+use crate::raster::{MissingMark, NumberType, Order, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
@@ -31,8 +31,8 @@ const INTENSITIES: [&str; 3] = ["Image", "Intensity", "SecArr_0"];
 const TEXTS: [&str; 4] = ["Title", "Note", "Comment", "UserNote"];
 
 /// Floating-point numbers and counts of two bytes from these on mark points without a height.
-const GAP_F32: f64 = 1e38_f32 as f64;
-const GAP_I16: f64 = 32766.0;
+const MISSING_F32: f64 = 1e38_f32 as f64;
+const MISSING_I16: f64 = 32766.0;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
@@ -149,10 +149,10 @@ fn raster<'b>(block: &Block<'b>, scale: f64) -> Result<Raster<'b>, ScanReadError
         let value = format!("{columns} x {rows}");
         return Err(cursor.bad(block.offset, "the number of points", &value, "above 0 along both axes"));
     }
-    let (number, gap) = match cursor.u16("the bytes of a point")? {
-        1 => (NumberType::U8, GapMark::None),
-        2 => (NumberType::I16, GapMark::AtLeast(GAP_I16)),
-        4 => (NumberType::F32, GapMark::AtLeast(GAP_F32)),
+    let (number, missing) = match cursor.u16("the bytes of a point")? {
+        1 => (NumberType::U8, MissingMark::None),
+        2 => (NumberType::I16, MissingMark::AtLeast(MISSING_I16)),
+        4 => (NumberType::F32, MissingMark::AtLeast(MISSING_F32)),
         other => {
             let offset = block.offset + 4;
             return Err(cursor.bad(
@@ -165,7 +165,7 @@ fn raster<'b>(block: &Block<'b>, scale: f64) -> Result<Raster<'b>, ScanReadError
     };
     let offset = block.offset + cursor.offset();
     let raster = Raster::new(number, columns, rows, cursor.rest(), offset);
-    Ok(Raster { order: Order::ColumnsFromBottom, scale, gap, ..raster })
+    Ok(Raster { order: Order::ColumnsFromBottom, scale, missing, ..raster })
 }
 
 /// The distance of columns in mm, and how much larger that of rows is.

@@ -1,7 +1,7 @@
 //! Zeta profilometers of KLA: `.zmg`.
 //!
-//! A header of fixed length, a comment, then counts of two bytes row after row, little-endian, lengths in µm, as the readers
-//! of Gwyddion and SurfaceTopography take it.
+//! A header of fixed length, a comment, then counts of two bytes row after row, little-endian, lengths in µm, as the
+//! readers of Gwyddion and SurfaceTopography take it.
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor, latin1};
@@ -15,7 +15,7 @@ use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Zeta;
 const MAGIC: &[u8] = b"Zeta-Instruments";
-/// Where the fields of use begin.
+/// Offset of the first field in use.
 const FIELDS: usize = 85;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };

@@ -15,7 +15,7 @@ const TAGS: [(&str, &str); 6] = [
 ];
 
 /// Rows of three points and one more to fill them up.
-fn file(tags: &[(&str, &str)], gap: f32) -> Vec<u8> {
+fn file(tags: &[(&str, &str)], missing: f32) -> Vec<u8> {
     let mut file = Bytes::default();
     file.put(b"AliconaImaging\0\r\n");
     let count = tags.len().to_string();
@@ -23,7 +23,7 @@ fn file(tags: &[(&str, &str)], gap: f32) -> Vec<u8> {
         file.text(key, 20).text(value, 30).put(b"\r\n");
     }
     file.text("turned", 256).pad_to(700);
-    for point in [1e-6f32, -2e-6, 3e-6, 99.0, gap, f32::NAN, 6e-6, 99.0] {
+    for point in [1e-6f32, -2e-6, 3e-6, 99.0, missing, f32::NAN, 6e-6, 99.0] {
         file.put(point.to_le_bytes());
     }
     file.0
@@ -46,7 +46,7 @@ pub fn samples() -> Vec<Sample> {
 }
 
 #[test]
-fn rows_are_cut_where_they_are_filled_up_and_marks_are_gaps() {
+fn rows_are_cut_where_they_are_filled_up_and_marks_are_missing_points() {
     let marked =
         [("1.70141e38", MARK), ("-0.5", -0.5), ("-1e10", -1e10), ("0.1", 0.1), ("NaN", f32::INFINITY)];
     for (text, mark) in marked {

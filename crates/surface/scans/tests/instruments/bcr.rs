@@ -94,7 +94,7 @@ fn long_headers_and_the_other_byte_order_are_read() {
 #[test]
 fn what_is_left_out_is_assumed_or_asked_for() {
     let [scan] = heights(&counts(&with("voidpixels = 0"))).try_into().unwrap();
-    assert!(scan.scan.gaps().is_empty());
+    assert!(scan.scan.missing_points().is_empty());
     let [scan] = heights(&counts(&with("bit2nm = "))).try_into().unwrap();
     assert_eq!(scan.notes, ["the file does not say the height of a count; it is taken to be 1"]);
     assert_holds(&scan.scan, SIZE_M, &heights_m(2e-9), 1e-20);

@@ -7,7 +7,7 @@ use scans::{Probe, ScanOptions, read_scans};
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, channels, heights};
 
-/// What a header says that differs between samples.
+/// Fields of a header that differ between samples.
 #[derive(Clone)]
 struct Object {
     format: u16,

@@ -26,7 +26,7 @@ fn doubles(values: &[f64]) -> Vec<u8> {
     values.iter().flat_map(|value| value.to_le_bytes()).collect()
 }
 
-/// From the lowest row up; 1 is a gap.
+/// From the lowest row up; 1 is a missing point.
 const TOPOGRAPHY: [u16; 6] = [40, 1, 60, 10, 20, 30];
 const HEIGHTS: [Option<f64>; 6] = [Some(10e-9), Some(20e-9), Some(30e-9), Some(40e-9), None, Some(60e-9)];
 

@@ -195,7 +195,7 @@ fn containers_of_version_1_are_read() {
 }
 
 #[test]
-fn a_mask_over_filled_in_points_makes_gaps() {
+fn a_mask_over_filled_in_points_makes_missing_points() {
     let filled = [1.0, 2.5, 3.0, 2.5, 5.0, 0.5];
     let found = heights(&masked(&filled, &[0.0, 1.0, 0.0, 0.7, 0.5, 0.0]));
     let expected = [Some(1.0), None, Some(3.0), None, Some(5.0), Some(0.5)];
@@ -207,11 +207,11 @@ fn a_mask_over_filled_in_points_makes_gaps() {
         ]
     );
     let zeros = heights(&masked(&[0.0, 0.0, 1.0, 2.0, 3.0, 0.0], &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0]));
-    assert_eq!(zeros[0].scan.gaps().count(), 1);
+    assert_eq!(zeros[0].scan.missing_points().count(), 1);
 }
 
 #[test]
-fn a_mask_over_interpolated_points_makes_gaps() {
+fn a_mask_over_interpolated_points_makes_missing_points() {
     let mut values: Vec<f64> = (0..49).map(|index| f64::from(index * 37 % 11)).collect();
     let covered: Vec<usize> = (16..=32).filter(|index| (2..5).contains(&(index % 7))).collect();
     let measured = values.clone();
@@ -221,19 +221,19 @@ fn a_mask_over_interpolated_points_makes_gaps() {
         }
     }
     let mask: Vec<f64> = (0..49).map(|index| f64::from(u8::from(covered.contains(&index)))).collect();
-    let gaps = |values: &[f64]| {
+    let missing = |values: &[f64]| {
         let image = component("/0/data", b'o', field_of([7, 7], "m", "m", values));
         let mask = component("/0/mask", b'o', field_of([7, 7], "m", "", &mask));
-        heights(&file(&[image, mask]))[0].scan.gaps().count()
+        heights(&file(&[image, mask]))[0].scan.missing_points().count()
     };
-    assert_eq!((gaps(&values), gaps(&measured)), (9, 0));
+    assert_eq!((missing(&values), missing(&measured)), (9, 0));
 }
 
 #[test]
 fn a_mask_over_other_points_is_told_and_changes_nothing() {
     for mask in [[1.0, 1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]] {
         let found = heights(&masked(&VALUES, &mask));
-        assert!(found[0].scan.gaps().is_empty());
+        assert!(found[0].scan.missing_points().is_empty());
         let count = mask.iter().filter(|cover| **cover > 0.5).count();
         assert_eq!(
             found[0].notes,
@@ -244,10 +244,10 @@ fn a_mask_over_other_points_is_told_and_changes_nothing() {
 }
 
 #[test]
-fn values_that_are_not_finite_are_gaps() {
+fn values_that_are_not_finite_are_missing_points() {
     let values = [1.0, f64::NAN, 3.0, 4.0, f64::INFINITY, 6.0];
     let found = heights(&masked(&values, &[0.0; 6]));
-    assert_eq!(found[0].scan.gaps().indices().collect::<Vec<_>>(), [1, 4]);
+    assert_eq!(found[0].scan.missing_points().indices().collect::<Vec<_>>(), [1, 4]);
 }
 
 #[test]

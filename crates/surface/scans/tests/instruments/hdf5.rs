@@ -226,7 +226,7 @@ fn any_map_is_a_channel() {
 }
 
 #[test]
-fn files_of_zygo_tell_unit_size_and_gaps() {
+fn files_of_zygo_tell_unit_size_and_missing_points() {
     let found: Vec<_> = channels(&datx("Pixels"), true).into_iter().map(Result::unwrap).collect();
     assert_eq!((found.len(), found[0].probe), (1, Some(Probe::Microscope)));
     let expected = MAP.map(|height| height.is_finite().then_some(height * 1e-9));

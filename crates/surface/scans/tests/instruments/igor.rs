@@ -87,7 +87,7 @@ impl Wave {
     }
 }
 
-/// What makes the sum of the words 0.
+/// Number that makes the sum of the words 0.
 fn checksum(headers: &[u8], is_big_endian: bool) -> u16 {
     let word = |pair: &[u8]| {
         let pair = [pair[0], pair[1]];

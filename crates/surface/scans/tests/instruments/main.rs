@@ -105,7 +105,7 @@ pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>>
     found
 }
 
-/// Asserts points, size in m to 1e-12, heights in m (nothing at gaps) within a resolution.
+/// Asserts points, size in m to 1e-12, heights in m (nothing at missing points) within a resolution.
 #[track_caller]
 pub fn assert_holds(
     scan: &Measured,
@@ -136,7 +136,7 @@ fn every_sample_is_told_by_its_content_and_read() {
     for (format, samples) in samples() {
         for Sample { name, bytes } in samples {
             if format != ScanFormat::Text {
-                assert_eq!(ScanFormat::of(&bytes), Some(format), "{name}");
+                assert_eq!(ScanFormat::recognise(&bytes), Some(format), "{name}");
             }
             assert!(
                 !heights_if_told(&bytes)

@@ -48,7 +48,7 @@ pub fn samples() -> Vec<Sample> {
 }
 
 #[test]
-fn even_profiles_keep_their_gaps() {
+fn even_profiles_keep_their_missing_points() {
     let [measured, reference] = heights(&even()).try_into().unwrap();
     assert_holds(&measured.scan, (2e-3, None), &[Some(0.25e-3), Some(-0.5e-3), None, Some(0.125e-3)], 1e-18);
     assert_eq!(

@@ -54,7 +54,7 @@ fn array(bytes: &[u8], element_bytes: usize, block_elements: usize) -> Vec<u8> {
     group(2, &[number(1, (bytes.len() / element_bytes) as u32), entry(2, &data)])
 }
 
-/// What differs between documents.
+/// Parts that differ between documents.
 #[derive(Clone)]
 struct Document {
     counts: Vec<i32>,
@@ -132,7 +132,7 @@ fn the_measured_surface_is_read_without_what_was_not_measured() {
     let note = "the surface is as it was measured; what the document derives from it is not stored";
     assert_eq!(scan.notes, [note]);
     let [whole] = heights(&Document { has_mask: false, ..map() }.bytes()).try_into().unwrap();
-    assert!(whole.scan.gaps().is_empty());
+    assert!(whole.scan.missing_points().is_empty());
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn other_compound_files_are_not_told_to_be_documents() {
     file.create_stream("Workbook").unwrap();
     file.flush().unwrap();
     drop(file);
-    assert_eq!(ScanFormat::of(&bytes.into_inner()), None);
+    assert_eq!(ScanFormat::recognise(&bytes.into_inner()), None);
 }
 
 #[test]

@@ -39,7 +39,7 @@ fn what_makes_no_sense_is_another_file() {
         nanofocus((-1.0, 1.0), 0.0, &PARTS),
         nanofocus((-1.0, 1.0), 0.001, &PARTS[1..]),
     ] {
-        assert_eq!(ScanFormat::of(&bytes), None);
+        assert_eq!(ScanFormat::recognise(&bytes), None);
         assert!(
             read_scans(&bytes, "scan", &ScanOptions::default())
                 .unwrap_err()

@@ -41,13 +41,13 @@ fn what_is_packed_is_read() {
 
 #[test]
 fn the_format_is_told_by_what_is_packed() {
-    assert_eq!(ScanFormat::of(&gzipped(&array())), Some(ScanFormat::Numpy));
+    assert_eq!(ScanFormat::recognise(&gzipped(&array())), Some(ScanFormat::Numpy));
     assert_eq!(
-        ScanFormat::of(&zipped(&[("readme.txt", b"a note"), ("a.npy", &array())])),
+        ScanFormat::recognise(&zipped(&[("readme.txt", b"a note"), ("a.npy", &array())])),
         Some(ScanFormat::Numpy)
     );
-    assert_eq!(ScanFormat::of(&gzipped(PROFILE)), None);
-    assert_eq!(ScanFormat::of(&gzipped(&array())[..20]), None);
+    assert_eq!(ScanFormat::recognise(&gzipped(PROFILE)), None);
+    assert_eq!(ScanFormat::recognise(&gzipped(&array())[..20]), None);
 }
 
 #[test]
@@ -80,5 +80,5 @@ fn bounds_and_damage_are_told() {
     );
     assert!(refused(&gzipped(PROFILE)[..15]).starts_with("unpacking the gzip file: "));
     // One level is unpacked, no more.
-    assert!(refused(&gzipped(&gzipped(PROFILE))).starts_with("recognising the format of 'scan'"));
+    assert!(refused(&gzipped(&gzipped(PROFILE))).starts_with("recognising 'scan'"));
 }

@@ -19,9 +19,9 @@ fn binary(version: &str, data_type: u8, check_type: u8, extra: &[u8], data: &[u8
     file.0
 }
 
-fn numbers<const N: usize>(to_bytes: impl Fn(f64) -> [u8; N], gap: [u8; N]) -> Vec<u8> {
+fn numbers<const N: usize>(to_bytes: impl Fn(f64) -> [u8; N], missing: [u8; N]) -> Vec<u8> {
     let mut bytes: Vec<[u8; N]> = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0].map(to_bytes).to_vec();
-    bytes[4] = gap;
+    bytes[4] = missing;
     bytes.concat()
 }
 
@@ -74,7 +74,7 @@ fn binary_numbers_of_every_type_are_read() {
             assert_eq!(file.free_text.as_bytes(), trailer);
         }
     }
-    // Bytes have no mark for gaps.
+    // Bytes have no mark for missing points.
     let bytes = binary("bISO-1.0", 0, 0, &[], &[1, 2, 3, 4, 255, 0]);
     assert_eq!(heights(&bytes)[0].scan.heights_m().nth(4), Some(Some(255e-9)));
     // Some exports have eight bytes more in their header.

@@ -105,7 +105,7 @@ fn thicknesses_and_images_are_no_heights() {
 fn only_a_time_with_zero_bytes_behind_it_tells_the_format() {
     let mut bytes = topography().bytes();
     bytes[24] = b' ';
-    assert_eq!(ScanFormat::of(&bytes), None);
+    assert_eq!(ScanFormat::recognise(&bytes), None);
 }
 
 #[test]

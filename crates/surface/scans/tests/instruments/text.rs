@@ -72,17 +72,17 @@ fn exports_of_a_stylus_tell_its_radius() {
 }
 
 #[test]
-fn missing_points_of_a_grid_are_gaps() {
+fn points_without_a_height_in_a_grid_are_missing() {
     let file = read_with(b"0 0 1\n2 1 6\n0 1 2\n1 0 nan\n1 1 4\n", "nm");
     let heights = [Some(1e-9), None, None, Some(2e-9), Some(4e-9), Some(6e-9)];
     assert_holds(&file.scan, (3e-9, Some(2e-9)), &heights, 1e-22);
 }
 
 #[test]
-fn empty_fields_are_gaps_in_their_place() {
+fn empty_fields_are_missing_points() {
     let size = scans::ScanSize { x_m: 4e-9, y_m: Some(3e-9) };
     let options = ScanOptions { unit: "nm".parse().ok(), size: Some(size), ..ScanOptions::default() };
-    let gap = None;
+    let missing = None;
     for text in [
         "1\t2\t\t4\t\n\t\t\t\t\n5\t6\t7\t\t\n",
         "1;2;;4\n;;;\n5;6;7;\n",
@@ -90,7 +90,7 @@ fn empty_fields_are_gaps_in_their_place() {
     ] {
         let file = read_scans(text.as_bytes(), "scan", &options).unwrap().remove(0);
         let heights = [1.0, 2.0, 0.0, 4.0, 0.0, 0.0, 0.0, 0.0, 5.0, 6.0, 7.0, 0.0]
-            .map(|height| if height == 0.0 { gap } else { Some(height * 1e-9) });
+            .map(|height| if height == 0.0 { missing } else { Some(height * 1e-9) });
         assert_holds(&file.scan, (4e-9, Some(3e-9)), &heights, 1e-22);
     }
 }

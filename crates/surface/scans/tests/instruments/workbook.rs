@@ -102,7 +102,7 @@ fn positions_may_be_uneven_and_units_asked_for() {
 #[test]
 fn other_workbooks_are_none() {
     let other = workbook(["INDEX", "Sheet1"], &conditions(), "Ra 1 µm", &POINTS);
-    assert_eq!(ScanFormat::of(&other), None);
+    assert_eq!(ScanFormat::recognise(&other), None);
     let bounded = ScanOptions { max_unpacked_bytes: Some(100), ..ScanOptions::default() };
     let refused = read_scans(&samples()[0].bytes, "scan", &bounded).unwrap_err().to_string();
     assert!(refused.contains("it takes more than 100 bytes"), "{refused}");

@@ -87,8 +87,8 @@ fn data_may_stand_in_the_description() {
     let line = &heights(&samples()[2].bytes)[0];
     assert_eq!(line.scan.positions_m().unwrap(), [0.0, 1e-6, 3e-6]);
     // A point that does not count is left out of an unevenly spaced line.
-    let gap = &heights(&listed("PRF", ("A", "A"), &matrix(3, 1), &["0;0;1", " ", "3e-6; 0; 3"]))[0];
-    assert_eq!((gap.scan.positions_m().unwrap(), gap.notes.len()), ([0.0, 3e-6].as_slice(), 1));
+    let missing = &heights(&listed("PRF", ("A", "A"), &matrix(3, 1), &["0;0;1", " ", "3e-6; 0; 3"]))[0];
+    assert_eq!((missing.scan.positions_m().unwrap(), missing.notes.len()), ([0.0, 3e-6].as_slice(), 1));
     // A surface may give positions along one of its axes.
     let given = &heights(&listed("SUR", ("A", "I"), &matrix(2, 2), &["0;1", "1e-6;2", "0;3", "1e-6;4"]))[0];
     assert_holds(&given.scan, (2e-6, Some(4e-6)), &[Some(1e-9), Some(2e-9), Some(3e-9), Some(4e-9)], 1e-22);

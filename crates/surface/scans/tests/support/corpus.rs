@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// Set this variable to have the inputs written anew.
 const WRITE: &str = "WRITE_FUZZ_CORPUS";
 
-/// What the fuzzer cuts inputs to.
+/// Bytes to which the fuzzer cuts inputs.
 const MOST_BYTES: usize = 8192;
 
 fn corpus() -> PathBuf {

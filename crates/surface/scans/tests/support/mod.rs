@@ -34,7 +34,7 @@ fn cosines(x: f64, y: f64) -> f64 {
     (1..=7).map(mode).sum()
 }
 
-/// Reads the one scan in a file, which must have no gaps.
+/// Reads the one scan in a file, which must have no missing points.
 pub fn read_one(bytes: &[u8], options: &ScanOptions) -> Result<ScanFile<Scan>, ScanReadError> {
     measured(bytes, options)?.complete()
 }
@@ -47,8 +47,8 @@ pub fn measured(bytes: &[u8], options: &ScanOptions) -> Result<ScanFile, ScanRea
 }
 
 /// The points without a height of the one scan in a file, counted from 0, row after row.
-pub fn gaps(bytes: &[u8], options: &ScanOptions) -> Vec<usize> {
-    measured(bytes, options).unwrap().scan.gaps().indices().collect()
+pub fn missing_points(bytes: &[u8], options: &ScanOptions) -> Vec<usize> {
+    measured(bytes, options).unwrap().scan.missing_points().indices().collect()
 }
 
 /// The message of a file that cannot be read.

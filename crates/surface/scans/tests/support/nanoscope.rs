@@ -11,9 +11,9 @@ pub struct Image<'h> {
 /// A file with a scanner of 20 nm/V.
 pub struct NanoscopeFile<'h> {
     pub version: u32,
-    /// What the header says: it sets the scale.
+    /// Value in the header, which sets the scale.
     pub bytes_per_pixel: usize,
-    /// What the data take.
+    /// Bytes of the data.
     pub bytes_per_count: usize,
     pub columns: usize,
     pub rows: usize,

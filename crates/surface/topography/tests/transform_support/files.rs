@@ -1,6 +1,8 @@
 //! Files of instruments that hold whatever scan a test wants.
 
-use scans::{Gaps, HeightMap, LengthUnit, Measured, Scan, ScanFile, ScanOptions, ScanSize, read_scans};
+use scans::{
+    HeightMap, LengthUnit, Measured, MissingPoints, Scan, ScanFile, ScanOptions, ScanSize, read_scans,
+};
 
 /// A file with this scan in it.
 pub fn file_of(scan: Measured) -> ScanFile {
@@ -29,7 +31,7 @@ pub fn map_with_gaps(
         places().map(|(row, column)| if is_gap(row, column) { 777.0 } else { height_m(row, column) });
     let map =
         HeightMap::new(columns, spacings_m[0], spacings_m[1], heights_m.collect()).expect("a sound map");
-    let gaps: Gaps =
+    let gaps: MissingPoints =
         places().enumerate().filter(|&(_, (row, column))| is_gap(row, column)).map(|(at, _)| at).collect();
-    Measured::with_gaps(Scan::Map(map), gaps)
+    Measured::with_missing_points(Scan::Map(map), gaps)
 }

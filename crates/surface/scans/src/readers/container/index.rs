@@ -1,4 +1,4 @@
-//! `index.json` and `meta.yml`: which measurements a container holds, and what is said about them.
+//! `index.json` and `meta.yml`: the measurements of a container, with their metadata.
 
 use serde_json::Value;
 
@@ -23,8 +23,8 @@ use units::LengthUnit;
 /// ```
 ///
 /// # Errors
-/// [`ScanReadError::Syntax`] with the line, [`ScanReadError::BadField`] or [`ScanReadError::MissingField`] with the path
-/// of the element.
+/// [`ScanReadError::Syntax`] with the line, [`ScanReadError::BadField`] or [`ScanReadError::MissingField`] with the
+/// path of the element.
 pub fn read_metadata(text: &str, file: &str) -> Result<Vec<MeasurementMetadata>, ScanReadError> {
     let syntax = |problem: String| ScanReadError::Syntax { file: file_name(file).to_owned(), problem };
     let text = text.trim_start_matches('\u{feff}');

@@ -4,11 +4,11 @@ use super::FORMAT;
 use super::header::{Header, Inversion};
 use crate::channel::Samples;
 use crate::error::ScanReadError;
-use crate::raster::{GapMark, NumberType, Order, Raster};
+use crate::raster::{MissingMark, NumberType, Order, Raster};
 use crate::room::Room;
 
 /// Points without a height have this count less than the lowest.
-const GAP_BELOW_LOWEST: f64 = 2.0;
+const MISSING_BELOW_LOWEST: f64 = 2.0;
 
 /// The counts of an object, and where they end.
 pub(super) fn samples<'b>(
@@ -18,9 +18,9 @@ pub(super) fn samples<'b>(
 ) -> Result<(Samples<'b>, usize), ScanReadError> {
     let number = if header.bits == 16 { NumberType::I16 } else { NumberType::I32 };
     let sign = if header.inversion.turns_heights() { -1.0 } else { 1.0 };
-    let gap = match header.has_special_points {
-        true => GapMark::Equal(f64::from(header.lowest_count) - GAP_BELOW_LOWEST),
-        false => GapMark::None,
+    let missing = match header.has_special_points {
+        true => MissingMark::Equal(f64::from(header.lowest_count) - MISSING_BELOW_LOWEST),
+        false => MissingMark::None,
     };
     let raster = Raster {
         byte_order: header.order,
@@ -31,7 +31,7 @@ pub(super) fn samples<'b>(
         is_mirrored: header.inversion == Inversion::HeightsAndColumns,
         scale: sign * header.scale,
         zero: sign * header.zero,
-        gap,
+        missing,
         ..Raster::within(number, header.columns, header.rows, bytes, header.data)
     };
     let (raster, end) = if header.is_packed {

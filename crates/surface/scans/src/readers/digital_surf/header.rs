@@ -5,7 +5,7 @@ use crate::cursor::{ByteOrder, Cursor, latin1};
 use crate::error::{Place, ScanReadError};
 use crate::metadata::Probe;
 
-/// How objects begin whose counts stand as they are ...
+/// First bytes of objects with plain counts ...
 pub(super) const PLAIN: &[u8] = b"DIGITAL SURF";
 /// ... and those whose counts are packed.
 pub(super) const PACKED: &[u8] = b"DSCOMPRESSED";
@@ -13,7 +13,7 @@ pub(super) const PACKED: &[u8] = b"DSCOMPRESSED";
 /// The value of the field of formats on computers with the byte order of Motorola.
 const MACINTOSH: u16 = 257;
 
-/// What the header of an object says.
+/// Header of an object.
 pub(super) struct Header {
     pub(super) is_packed: bool,
     pub(super) order: ByteOrder,
@@ -32,17 +32,17 @@ pub(super) struct Header {
     /// Worth of a count in the third of the units.
     pub(super) scale: f64,
     pub(super) zero: f64,
-    /// What the counts measure.
+    /// Quantity of the counts.
     pub(super) axis: String,
     pub(super) units: [String; 3],
     pub(super) inversion: Inversion,
     pub(super) packed_bytes: usize,
     pub(super) comment: String,
-    /// Where the counts begin.
+    /// Offset of the counts.
     pub(super) data: usize,
 }
 
-/// What was done to the heights of an object.
+/// Processing of the heights of an object.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Inversion {
     None,
@@ -141,12 +141,12 @@ impl Header {
         })
     }
 
-    /// Whether the object is a binary, grey or coloured image rather than a surface.
+    /// Returns true if the object is a binary, grey or coloured image rather than a surface.
     pub(super) fn is_image(&self) -> bool {
         [3, 10, 12, 18].contains(&self.kind)
     }
 
-    /// What the instrument feels the surface with, by its type: gauges with a tip, then those with light.
+    /// Returns the probe by the type of the instrument: gauges with a tip, then those with light.
     pub(super) fn probe(&self) -> Option<Probe> {
         match self.acquisition {
             1 | 5 | 6 | 7 => Some(Probe::Tip),

@@ -1,8 +1,8 @@
 //! Digital Surf, the format of MountainsMap that many instruments write: `.sur` of maps, `.pro` of profiles.
 //!
-//! A file is a sequence of objects, each with a header of 512 bytes, a comment, a private zone, and counts of 16 or 32 bits,
-//! as the description of the format in the guide of MountainsMap lays it down and the readers of Gwyddion, RosettaSciIO and
-//! SurfaceTopography take it.
+//! A file is a sequence of objects, each with a header of 512 bytes, a comment, a private zone, and counts of 16 or 32
+//! bits, as the description of the format in the guide of MountainsMap lays it down and the readers of Gwyddion,
+//! RosettaSciIO and SurfaceTopography take it.
 
 mod counts;
 mod header;
@@ -55,7 +55,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     Ok(channels)
 }
 
-/// An object with what its header says of the whole file.
+/// An object with the fields of its header that concern the whole file.
 struct Object<'b> {
     channel: Channel<'b>,
     objects: usize,

@@ -1,4 +1,4 @@
-//! What is said of objects that are damaged.
+//! Errors of damaged objects.
 
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;

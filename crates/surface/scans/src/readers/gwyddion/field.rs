@@ -53,8 +53,8 @@ impl<'b> Field<'b> {
         Ok(Self { size, lateral_unit, value_unit, raster })
     }
 
-    /// Where the points lie; images without a unit of length may count in anything, such as pixels. Gwyddion itself takes a
-    /// negative size for its amount.
+    /// Returns the places of the points; images without a unit of length may count in anything, such as pixels.
+    /// Gwyddion itself takes a negative size for its amount.
     pub(super) fn lateral(&self) -> Lateral {
         let Some(unit) = LengthUnit::parse(&self.lateral_unit) else { return Lateral::Unknown };
         let [x_m, y_m] = self.size.map(|length| unit.to_m(length.abs()));

@@ -76,7 +76,7 @@ fn unreadable<'b>(name: &str, error: ScanReadError) -> Channel<'b> {
 /// A curve as its components describe it.
 struct Curve {
     description: String,
-    /// Where the numbers of each begin, and how many they are.
+    /// Offset and count of the numbers of each.
     x: Option<(usize, usize)>,
     y: Option<(usize, usize)>,
 }
@@ -122,12 +122,12 @@ impl Curve {
         }
         let array = |offset| Raster::within(NumberType::F64, points, 1, bytes, offset).decode(FORMAT);
         let positions: Decoded = array(x_offset)?;
-        if let Some(point) = positions.gaps.indices().next() {
+        if let Some(point) = positions.missing.indices().next() {
             let found = format!("no number at point {}", point + 1);
             return Err(bad(key, "'xdata'", &found, "an array of finite numbers".to_owned()));
         }
-        let Decoded { values, gaps } = array(y_offset)?;
-        let height = |(point, height): (usize, f64)| (!gaps.contains(point)).then_some(height);
+        let Decoded { values, missing } = array(y_offset)?;
+        let height = |(point, height): (usize, f64)| (!missing.contains(point)).then_some(height);
         let heights = values.into_iter().enumerate().map(height).collect();
         let positions_m = positions.values.into_iter().map(|position| x_unit.to_m(position)).collect();
         Ok(MeasuredLine::of(positions_m, heights))

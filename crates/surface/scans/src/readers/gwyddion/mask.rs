@@ -7,25 +7,25 @@ use crate::raster::Raster;
 /// A mask covers the points where it is above this; its edges may be soft.
 const COVERED_ABOVE: f64 = 0.5;
 
-/// What is left between a value that was interpolated and the mean of its neighbours, as a part of their differences from
+/// Residual between an interpolated value and the mean of its neighbours, as a share of their differences from
 /// it. Gwyddion's solver leaves some thousandths; of points that were measured it is a hundredth on the smoothest of
 /// surfaces, and a tenth to one on others.
 const LARGEST_REMAINDER: f64 = 0.005;
 
-/// What a mask says of an image.
+/// Meaning of a mask of an image.
 pub(super) enum Mask {
     /// It covers nothing, or is not of the grid of the image.
     Void,
     /// Points that were not measured: a flag for each of the image.
-    Gaps { flags: Vec<u8>, count: usize },
+    MissingPoints { flags: Vec<u8>, count: usize },
     /// So many points marked for a purpose of their own.
     Marks { count: usize },
 }
 
 impl Mask {
-    /// What a mask means. Images of Gwyddion have no gaps: its importers mask points that were not measured, and fill in the
-    /// mean of the others or what Laplace's equation makes of the points around; other programs write zeros there. Points
-    /// that someone marked, such as grains, keep their own values.
+    /// Interprets a mask. Images of Gwyddion have no missing points: its importers mask points that were not measured,
+    /// and fill in the mean of the others or what Laplace's equation makes of the points around; other programs write
+    /// zeros there. Points that someone marked, such as grains, keep their own values.
     pub(super) fn read(mask: &Raster, image: &Raster) -> Result<Self, ScanReadError> {
         if (mask.columns, mask.rows) != (image.columns, image.rows) {
             return Ok(Self::Void);
@@ -40,13 +40,13 @@ impl Mask {
         let is_elsewhere = || values.iter().zip(&flags).any(|(value, flag)| *flag == 0 && *value == first);
         let is_constant = is_one_value && (first == 0.0 || !is_elsewhere());
         if is_constant || is_interpolated(&values, &flags, image.columns) {
-            return Ok(Self::Gaps { flags, count });
+            return Ok(Self::MissingPoints { flags, count });
         }
         Ok(Self::Marks { count })
     }
 }
 
-/// Whether the covered points solve Laplace's equation: each is the mean of its neighbours.
+/// Returns true if the covered points solve Laplace's equation: each is the mean of its neighbours.
 fn is_interpolated(values: &[f64], flags: &[u8], columns: usize) -> bool {
     let rows = values.len() / columns;
     let (mut remainder, mut difference) = (0.0, 0.0);

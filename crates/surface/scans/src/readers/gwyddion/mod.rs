@@ -17,7 +17,7 @@ use crate::channel::{
 };
 use crate::error::{Place, ScanReadError};
 use crate::options::ScanOptions;
-use crate::raster::GapMark;
+use crate::raster::MissingMark;
 use crate::readers::Reader;
 use field::Field;
 use mask::Mask;
@@ -27,7 +27,7 @@ use units::LengthUnit;
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
 const MARK: &[u8] = b"GWYP";
-/// That of versions before 2.0.
+/// First bytes of files of versions before 2.0.
 const OLD_MARK: &[u8] = b"GWYO";
 
 fn recognises(bytes: &[u8]) -> bool {
@@ -36,10 +36,10 @@ fn recognises(bytes: &[u8]) -> bool {
         .any(|mark| bytes.strip_prefix(*mark).is_some_and(|rest| rest.starts_with(b"GwyContainer\0")))
 }
 
-/// Where graphs stand, whatever they were made from.
+/// Key prefix of graphs, whatever they were made from.
 const GRAPHS: &str = "/0/graph/graph/";
 
-/// What a file holds under one number.
+/// Objects of a file under one number.
 #[derive(Default)]
 struct Entry<'b> {
     data: Option<Object<'b>>,
@@ -112,10 +112,10 @@ fn channel<'b>(number: u32, data: Object<'b>, entry: &Entry<'b>, bytes: &'b [u8]
     let name = entry.title.clone();
     let free_text = entry.meta.map(free_text).unwrap_or_default();
     let channel = match read(data, &key, entry, bytes) {
-        Ok((field, gap, notes)) => {
+        Ok((field, missing, notes)) => {
             let quantity = quantity(&field, name.as_deref().unwrap_or_default());
             let lateral = field.lateral();
-            let samples = Samples::Raster(crate::raster::Raster { gap, ..field.raster });
+            let samples = Samples::Raster(crate::raster::Raster { missing, ..field.raster });
             Channel { notes, ..Channel::new(name, quantity, lateral, samples) }
         }
         Err(error) => {
@@ -126,34 +126,34 @@ fn channel<'b>(number: u32, data: Object<'b>, entry: &Entry<'b>, bytes: &'b [u8]
     Channel { free_text, ..channel }
 }
 
-/// The image, which of its points are gaps, and what is to be said of it.
+/// The image, its missing points, and the notes on it.
 fn read<'b>(
     data: Object<'b>,
     key: &str,
     entry: &Entry<'b>,
     bytes: &'b [u8],
-) -> Result<(Field<'b>, GapMark<'b>, Vec<String>), ScanReadError> {
+) -> Result<(Field<'b>, MissingMark<'b>, Vec<String>), ScanReadError> {
     let field = Field::read(data, key, bytes)?;
-    let Some(mask) = entry.mask else { return Ok((field, GapMark::None, Vec::new())) };
+    let Some(mask) = entry.mask else { return Ok((field, MissingMark::None, Vec::new())) };
     let mask = Field::read(mask, &key.replace("data", "mask"), bytes)?;
-    let (gap, note) = match Mask::read(&mask.raster, &field.raster)? {
-        Mask::Void => (GapMark::None, None),
-        Mask::Gaps { flags, count } => {
+    let (missing, note) = match Mask::read(&mask.raster, &field.raster)? {
+        Mask::Void => (MissingMark::None, None),
+        Mask::MissingPoints { flags, count } => {
             let note = format!(
                 "{count} points under the mask of the file hold values that were filled in: they count as points without a height"
             );
-            (GapMark::Flagged(flags.into()), Some(note))
+            (MissingMark::Flagged(flags.into()), Some(note))
         }
         Mask::Marks { count } => {
             let note =
                 format!("{count} points are marked by the mask of the file; they have heights, which count");
-            (GapMark::None, Some(note))
+            (MissingMark::None, Some(note))
         }
     };
-    Ok((field, gap, note.into_iter().collect()))
+    Ok((field, missing, note.into_iter().collect()))
 }
 
-/// What an image measures. Images from elsewhere may have no units at all: then they may be heights.
+/// Classifies an image. Images from elsewhere may have no units at all: then they may be heights.
 fn quantity(field: &Field, name: &str) -> Quantity {
     match LengthUnit::parse(&field.value_unit) {
         Some(unit) if is_named_after_signal(name) => Quantity::OtherLength(unit),

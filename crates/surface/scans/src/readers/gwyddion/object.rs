@@ -8,7 +8,7 @@ use crate::format::ScanFormat;
 /// The format whose reader this is, for messages.
 pub(super) const FORMAT: ScanFormat = ScanFormat::Gwyddion;
 
-/// How the components of an object begin.
+/// First bytes of the components of an object.
 #[derive(Clone, Copy)]
 enum Layout {
     /// A name, then the letter of a type.
@@ -37,7 +37,7 @@ pub(super) enum Value<'b> {
         offset: usize,
         count: usize,
     },
-    /// What no reader of heights asks for; it is passed over.
+    /// A value that no reader of heights needs; it is skipped.
     Other,
 }
 
@@ -170,7 +170,7 @@ pub(super) fn utf8(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).trim().to_owned()
 }
 
-/// Where the elements of an array are, and how many; all of them are there.
+/// Returns the bytes and the number of the elements of an array, all of which are there.
 fn array(cursor: &mut Cursor, bytes_each: usize) -> Result<(usize, usize), ScanReadError> {
     let count = cursor.u32("the length of an array")? as usize;
     let offset = cursor.offset();

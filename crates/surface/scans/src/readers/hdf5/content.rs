@@ -13,9 +13,9 @@ use crate::room::Room;
 /// Groups within groups, and datasets, of files that are made to be read; links may lead in circles.
 const DEEPEST: usize = 8;
 const MOST_DATASETS: usize = 1000;
-/// How many times its size the data of a file may unpack to: what deflate, the filter in use, attains at the most.
+/// Largest ratio of unpacked to packed size: the most that deflate, the filter in use, attains.
 const LARGEST_RATIO: u64 = 1032;
-/// What any file may unpack to.
+/// Bytes that any file may unpack to.
 const SMALL: u64 = 1 << 20;
 
 pub(super) struct Content {

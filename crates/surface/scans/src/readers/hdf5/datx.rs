@@ -1,5 +1,5 @@
-//! Zygo's `.datx`, as SurfaceTopography reads it: a dataset below `Data/Surface` with its unit, the number for no height, and
-//! how its indices become lengths as attributes.
+//! Zygo's `.datx`, as SurfaceTopography reads it: a dataset below `Data/Surface` with its unit, the number for no
+//! height, and how its indices become lengths as attributes.
 
 use hdf5_reader::Datatype;
 
@@ -8,7 +8,7 @@ use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::error::ScanReadError;
 use crate::metadata::Probe;
 use crate::numbers;
-use crate::raster::{GapMark, Raster};
+use crate::raster::{MissingMark, Raster};
 use units::LengthUnit;
 
 const FOLDER: &str = "Data/Surface/";
@@ -34,8 +34,8 @@ fn channel<'b>(content: &mut Content, at: usize) -> Result<Channel<'b>, ScanRead
     let unit = LengthUnit::parse_instrument(&name).ok_or_else(|| {
         entry.bad("the unit", &format!("'{name}'"), &format!("one of {}", LengthUnit::accepted()))
     })?;
-    let gap = entry.number_of("No Data").map_or(GapMark::None, GapMark::Equal);
-    let samples = Samples::Raster(Raster { gap, ..raster });
+    let missing = entry.number_of("No Data").map_or(MissingMark::None, MissingMark::Equal);
+    let samples = Samples::Raster(Raster { missing, ..raster });
     let quantity = Quantity::Heights(Some(unit));
     let probe = Some(Probe::Microscope);
     Ok(Channel { probe, ..Channel::new(Some("Surface".to_owned()), quantity, lateral, samples) })
@@ -83,7 +83,7 @@ fn numbers(entry: &Entry, kind: &Datatype, raw: &[u8]) -> Option<Vec<f64>> {
     Some(numbers.iter().map(|number| f64::from_le_bytes(*number)).collect())
 }
 
-/// What a reference of variable length points to.
+/// Returns the text that a reference of variable length points to.
 fn elsewhere(entry: &Entry, raw: &[u8], element: usize) -> Option<Vec<u8>> {
     let reference = raw.get(..entry.dataset.vlen_reference_size())?;
     entry.dataset.resolve_vlen_reference_bytes(reference, element).ok()

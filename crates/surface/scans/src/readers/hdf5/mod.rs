@@ -1,5 +1,5 @@
-//! HDF5: NetCDF-4 files in the layout of contact.engineering, `.datx` of Zygo, and any other file whose datasets of real
-//! numbers are taken for maps and lines without unit and size.
+//! HDF5: NetCDF-4 files in the layout of contact.engineering, `.datx` of Zygo, and any other file whose datasets of
+//! real numbers are taken for maps and lines without unit and size.
 //!
 //! The first index of such a map counts its rows, as in images.
 

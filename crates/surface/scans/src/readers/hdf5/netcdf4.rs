@@ -1,5 +1,5 @@
-//! NetCDF-4 in the layout of contact.engineering: `heights` over `x` and `y`, over `x` alone, or over points whose positions
-//! `x` gives.
+//! NetCDF-4 in the layout of contact.engineering: `heights` over `x` and `y`, over `x` alone, or over points whose
+//! positions `x` gives.
 
 use super::FORMAT;
 use super::content::{Content, Entry};
@@ -7,11 +7,11 @@ use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, Order, Raster};
+use crate::raster::{MissingMark, Order, Raster};
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
-/// What the NetCDF library writes where nobody has written a number.
+/// Number that the NetCDF library writes where nobody has written one.
 const UNWRITTEN: f64 = 9.969_209_968_386_869e36;
 
 pub(super) fn channels<'b>(
@@ -45,7 +45,7 @@ pub(super) fn channels<'b>(
         let length = content.entries[at?].number_of("length").filter(|&length| length > 0.0);
         length.map(&length_to_m)
     };
-    let gap = entry.number_of("_FillValue").unwrap_or(UNWRITTEN);
+    let missing = entry.number_of("_FillValue").unwrap_or(UNWRITTEN);
     let (scale, zero) =
         (entry.number_of("scale_factor").unwrap_or(1.0), entry.number_of("add_offset").unwrap_or(0.0));
     let periodic = x.and_then(|x| content.entries[x].number_of("periodic")).map(|flag| flag != 0.0);
@@ -54,7 +54,8 @@ pub(super) fn channels<'b>(
 
     let raster = turned(content.raster(heights)?, order);
     let columns = raster.columns;
-    let mut decoded = Raster { gap: GapMark::Equal(gap), scale, zero, ..raster }.decode(FORMAT)?;
+    let mut decoded =
+        Raster { missing: MissingMark::Equal(missing), scale, zero, ..raster }.decode(FORMAT)?;
     decoded.values.iter_mut().for_each(|height| *height = height_to_m(*height));
     if let Some(mask) = mask {
         let masked = turned(content.raster(mask)?, order).decode(FORMAT)?.values;
@@ -63,7 +64,7 @@ pub(super) fn channels<'b>(
             return Err(content.entries[mask].bad("the number of points", &masked.len().to_string(), &bound));
         }
         let covered = masked.iter().enumerate().filter(|(_, mask)| **mask != 0.0);
-        covered.for_each(|(index, _)| decoded.set_gap(index));
+        covered.for_each(|(index, _)| decoded.set_missing(index));
     }
     let lateral = match (is_map, x_m, y_m, x) {
         (true, Some(x_m), Some(y_m), _) => Lateral::Size(ScanSize { x_m, y_m: Some(y_m) }),
@@ -79,8 +80,8 @@ pub(super) fn channels<'b>(
     Ok(vec![Channel { units: UnitsBy::Reader, is_periodic: periodic, notes, ..channel }])
 }
 
-/// Whether the first axis of the heights is x, as contact.engineering writes them: by the place of the axis among those of
-/// the file, else by its length.
+/// Returns true if the first axis of the heights is x, as contact.engineering writes them: by the place of the axis
+/// among those of the file, else by its length.
 fn is_x_slow(heights: &Entry, content: &Content) -> bool {
     let of = |name: &str| content.find(name).map(|at| &content.entries[at]);
     let linked = heights.attribute("DIMENSION_LIST").and_then(|list| {

@@ -1,11 +1,11 @@
-//! What Asylum Research writes into the note of a wave, and what the names of its channels mean.
+//! Notes and names of channels as Asylum Research writes them.
 
 /// The lines `key: value` of the note of a scan.
 pub(super) struct Note<'n> {
     text: &'n str,
 }
 
-/// What a channel measures, by the beginning of its name; the header gives one unit for all of them.
+/// Quantities by the beginning of a channel's name; the header gives one unit for all channels.
 const UNITS: [(&str, &str); 11] = [
     ("Height", "m"),
     ("ZSensor", "m"),
@@ -20,7 +20,7 @@ const UNITS: [(&str, &str); 11] = [
     ("QFactor", ""),
 ];
 
-/// What the detectors give.
+/// Signals of detectors.
 const OTHER_UNIT: &str = "V";
 
 impl<'n> Note<'n> {
@@ -38,13 +38,13 @@ impl<'n> Note<'n> {
         entries.find_map(|(name, value)| (name.trim() == key).then(|| value.trim()))
     }
 
-    /// Whether lines along x are those that the instrument scanned: its images have the fast axis along x, however the scan
-    /// is turned.
+    /// Returns the axis of the lines that the instrument scanned: its images have the fast axis along x, however the
+    /// scan is turned.
     pub(super) fn has_fast_axis(&self) -> bool {
         self.get("FastScanSize").is_some()
     }
 
-    /// What the user wrote of the scan.
+    /// Returns the comments of the user.
     pub(super) fn free_text(&self) -> String {
         let entries = ["ImageNote", "TipSerialNumber"].map(|key| Some((key, self.get(key)?)));
         let filled = entries.into_iter().flatten().filter(|(_, value)| !value.is_empty());
@@ -63,7 +63,8 @@ impl<'n> Note<'n> {
     }
 }
 
-/// The name of a channel without the direction of the scan and the changes made after it: `Height` of `HeightTraceMod0`.
+/// The name of a channel without the direction of the scan and the changes made after it: `Height` of
+/// `HeightTraceMod0`.
 fn base(channel: &str) -> &str {
     let name = channel.trim_end_matches(|letter: char| letter.is_ascii_digit());
     let name = name.strip_suffix("Mod").unwrap_or(channel);

@@ -1,7 +1,7 @@
 //! Binary waves of Igor Pro, as WaveMetrics' technical note 003 describes them, with what Asylum Research adds to them.
 //!
-//! Versions 1, 2 and 3, which hold lines, and 5, which holds images, in both orders of bytes; complex numbers and texts are
-//! not read.
+//! Versions 1, 2 and 3, which hold lines, and 5, which holds images, in both orders of bytes; complex numbers and texts
+//! are not read.
 
 mod asylum;
 mod wave;
@@ -28,7 +28,7 @@ fn recognises(bytes: &[u8]) -> bool {
 /// Instruments have some dozens of channels; a wave of more layers is something else, such as a map of force curves.
 const MOST_CHANNELS: usize = 256;
 
-/// How the dimensions of a wave are used.
+/// Use of the dimensions of a wave.
 struct Shape {
     columns: usize,
     /// None for a line.
@@ -62,8 +62,8 @@ fn shape(wave: &Wave) -> Result<Shape, ScanReadError> {
     Ok(shape)
 }
 
-/// Whether the columns of a wave of two dimensions are lines of their own: they have names, or there is a length along the
-/// first dimension but none along the second, and not as many columns as points.
+/// Returns true if the columns of a wave of two dimensions are separate lines: they have names, or there is a length
+/// along the first dimension but none along the second, and not as many columns as points.
 fn is_table(wave: &Wave) -> bool {
     let is_length = |dimension: usize| LengthUnit::parse(&wave.step_units[dimension]).is_some();
     !wave.labels[1].is_empty() || (is_length(0) && !is_length(1) && wave.points[0] != wave.points[1])
@@ -101,7 +101,7 @@ fn channel<'b>(
     })
 }
 
-/// What a channel measures, by its unit and name. Units are SI here: A is the ampere.
+/// Classifies a channel by its unit and name. Units are SI here: A is the ampere.
 fn quantity(unit: &str, name: &str, is_scan: bool, step_unit: &str) -> Quantity {
     let is_over_length = step_unit.is_empty() || LengthUnit::parse(step_unit).is_some();
     match LengthUnit::parse(unit) {

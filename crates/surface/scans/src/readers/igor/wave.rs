@@ -1,4 +1,4 @@
-//! The headers of a binary wave: its grid, its units, where its numbers and texts stand.
+//! Headers of a binary wave: grid, units, places of numbers and texts.
 
 use crate::cursor::{ByteOrder, Cursor, latin1, latin1_at_most};
 use crate::error::{Place, ScanReadError};
@@ -14,7 +14,7 @@ const DIMENSIONS: usize = 4;
 const LABEL_BYTES: usize = 32;
 /// Bytes of a note that are looked at; those of instruments take some ten kilobytes.
 const LONGEST_NOTE: usize = 1 << 20;
-/// Length of the header behind the one that tells the version.
+/// Length of the header behind the one with the version.
 const OLD_WAVE_BYTES: usize = 110;
 const WAVE_BYTES: usize = 320;
 

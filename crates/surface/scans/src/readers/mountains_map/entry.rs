@@ -28,7 +28,7 @@ impl<'b> Entry<'b> {
         Cursor::new(FORMAT, content, ByteOrder::Little).at(self.offset)
     }
 
-    /// The same without its first bytes.
+    /// Skips the first bytes.
     pub(super) fn after(&self, bytes: usize, what: &str) -> Result<Self, ScanReadError> {
         let mut cursor = self.cursor();
         cursor.skip(bytes, what)?;
@@ -47,7 +47,7 @@ impl<'b> Entry<'b> {
         Ok(Some(entry))
     }
 
-    /// The same where it must be there.
+    /// Returns an entry that must be there.
     pub(super) fn required(&self, path: &[u16]) -> Result<Self, ScanReadError> {
         self.optional(path)?.ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,

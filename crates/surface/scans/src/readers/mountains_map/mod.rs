@@ -1,8 +1,8 @@
 //! Documents of MountainsMap: `.mnt`.
 //!
-//! A compound file of Microsoft with the document in the stream `ScopedContents`, a tree of tagged entries, as the reader of
-//! SurfaceTopography describes it. Surfaces are stored as they were measured, in packed counts; what the document derives
-//! from them (levelled, filtered) is only named there.
+//! A compound file of Microsoft with the document in the stream `ScopedContents`, a tree of tagged entries, as the
+//! reader of SurfaceTopography describes it. Surfaces are stored as they were measured, in packed counts; what the
+//! document derives from them (levelled, filtered) is only named there.
 
 mod entry;
 mod packed;
@@ -17,7 +17,7 @@ use crate::channel::{Channel, Lateral, Quantity, Samples, refuse_many};
 use crate::error::{Place, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
-use crate::raster::{GapMark, NumberType, Raster};
+use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
 use crate::room::Room;
 use units::LengthUnit;
@@ -145,7 +145,7 @@ impl Axis {
     }
 }
 
-/// What a count is worth: in m where the unit is one of length, else in that unit.
+/// Value of a count: in m where the unit is one of length, else in that unit.
 struct Scale {
     step: f64,
     origin: f64,
@@ -183,22 +183,22 @@ fn raster<'b>(
     let counts = packed::array(&heights.required(&[2])?, points, &[4, 2], room)?;
     let number = if counts.element_bytes == 4 { NumberType::I32 } else { NumberType::I16 };
     let mask = grid.optional(&[3])?;
-    let gap = match mask {
-        Some(mask) if class(&mask)? == Some(MASK) => gaps(&mask, [columns, rows], room)?,
-        _ => GapMark::None,
+    let missing = match mask {
+        Some(mask) if class(&mask)? == Some(MASK) => missing(&mask, [columns, rows], room)?,
+        _ => MissingMark::None,
     };
-    Ok(Raster { gap, ..Raster::new(number, columns, rows, counts.bytes, heights.offset) })
+    Ok(Raster { missing, ..Raster::new(number, columns, rows, counts.bytes, heights.offset) })
 }
 
-fn gaps<'b>(
+fn missing<'b>(
     mask: &Entry,
     [columns, rows]: [usize; 2],
     room: &mut Room,
-) -> Result<GapMark<'b>, ScanReadError> {
+) -> Result<MissingMark<'b>, ScanReadError> {
     let [width, height] = [columns.saturating_add(2), rows.saturating_add(2)];
     let points = width.saturating_mul(height);
     let marks = packed::array(&mask.required(&[2, 5, 2])?, points, &[1], room)?;
     let inner = marks.bytes.chunks_exact(width).skip(1).take(rows);
     let marks = inner.flat_map(|row| row.iter().skip(1).take(columns));
-    Ok(GapMark::Flagged(marks.map(|&mark| u8::from(mark != MEASURED)).collect()))
+    Ok(MissingMark::Flagged(marks.map(|&mark| u8::from(mark != MEASURED)).collect()))
 }

@@ -1,4 +1,4 @@
-//! Arrays in packed blocks, which may stand in any order.
+//! Arrays in packed blocks, in any order.
 
 use super::FORMAT;
 use super::entry::Entry;

@@ -1,4 +1,4 @@
-//! The grid of an image of a Nanoscope file: how many points, how far apart, and where their counts stand.
+//! Grid of an image of a Nanoscope file: number of points, spacing, place of the counts.
 
 use super::header::{Header, Section, Value};
 use super::scaled::lengths;
@@ -8,7 +8,7 @@ use crate::raster::{NumberType, Order, Raster};
 /// From this version on counts take four bytes, whatever `Bytes/pixel` says; that still sets their scale.
 const FOUR_BYTE_VERSION: u32 = 0x0920_0000;
 
-/// Where the counts of an image stand and what they cover.
+/// Place of the counts of an image, and the area that they cover.
 pub(crate) struct Grid {
     pub(crate) columns: usize,
     rows: usize,
@@ -35,7 +35,7 @@ impl Grid {
         Ok(Self { columns, rows, size_m, offset, bytes_per_count, header_end: header.end, notes })
     }
 
-    /// Where the numbers stand; the image is stored from its bottom.
+    /// Returns the place of the numbers; the image is stored from its bottom.
     pub(crate) fn raster<'b>(&self, bytes: &'b [u8], scale: f64) -> Result<Raster<'b>, ScanReadError> {
         let Self { columns, rows, bytes_per_count, header_end, .. } = *self;
         let offset = self.offset.text.parse().ok().filter(|&offset: &usize| offset >= header_end);
@@ -52,7 +52,7 @@ impl Grid {
 struct Points {
     columns: usize,
     rows: usize,
-    /// As the section of the image has it, where its data tell otherwise.
+    /// Size in the section of the image, where it differs from that of the data.
     planned: [usize; 2],
     bytes_per_count: usize,
     note: Option<String>,
@@ -79,7 +79,8 @@ impl Points {
         if needed == Some(bytes) {
             return Ok(points);
         }
-        // Some versions leave the resolution planned for the image in its section; that of the scan then fills the data.
+        // Some versions leave the resolution planned for the image in its section; that of the scan then fills the
+        // data.
         let of_scan = |key| header.scan_list(key).and_then(|value| value.count().ok());
         if let Some((scan_columns, scan_rows)) = of_scan("Samps/line").zip(of_scan("Lines"))
             && takes(scan_columns, scan_rows, bytes_per_count) == Some(bytes)
@@ -113,8 +114,9 @@ fn version(header: &Header) -> u32 {
 
 /// The size of the image along x and y.
 ///
-/// Newer versions give the slow axis of the scan apart, and rightly only there. Older ones give it beside the fast axis, or
-/// leave it to the aspect ratio. Of a scan that is no square and was stopped early, both are those of all its lines.
+/// Newer versions give the slow axis of the scan apart, and rightly only there. Older ones give it beside the fast
+/// axis, or leave it to the aspect ratio. Of a scan that is no square and was stopped early, both are those of all its
+/// lines.
 fn size_m(
     header: &Header,
     section: &Section,
@@ -145,7 +147,7 @@ fn size_m(
     })
 }
 
-/// How much longer lines are than what they cover across, `2` of `2:1`; nothing of a square.
+/// Ratio of the length of lines to the size across them, `2` of `2:1`; none for a square.
 fn ratio_of_sides(aspect: &Value) -> Option<f64> {
     let (along, across) = aspect.text.split_once(':')?;
     let side = |text: &str| text.trim().parse::<f64>().ok();

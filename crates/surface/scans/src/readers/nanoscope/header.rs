@@ -21,7 +21,7 @@ const IMAGE: [&str; 5] =
 /// Sections in the order of the file.
 pub(crate) struct Header<'b> {
     sections: Vec<Section<'b>>,
-    /// Where the header ends and data may begin.
+    /// Offset of the end of the header, where data may begin.
     pub(crate) end: usize,
 }
 

@@ -18,7 +18,7 @@ impl<'h> Image<'h> {
         Self { header, section }
     }
 
-    /// What is measured: `Height` in `S [Height] "Height"`.
+    /// Quantity measured: `Height` in `S [Height] "Height"`.
     pub(crate) fn name(&self) -> String {
         let keys = ["@2:Image Data", "@3:Image Data", "@4:Image Data", "Image Data"];
         let Some(value) = keys.iter().find_map(|key| self.section.get(key)) else {
@@ -28,7 +28,7 @@ impl<'h> Image<'h> {
         bracketed.unwrap_or_else(|| value.text.trim_start_matches("S ").trim().trim_matches('"').to_owned())
     }
 
-    /// The name with the direction of the scan, which tells trace from retrace.
+    /// Name with the direction of the scan, trace or retrace.
     pub(crate) fn label(&self) -> String {
         match self.section.get("Line direction") {
             Some(direction) => format!("{} ({})", self.name(), direction.text),
@@ -41,7 +41,7 @@ impl<'h> Image<'h> {
         is_named_after_height(&self.name())
     }
 
-    /// What the user wrote of the image and of the file.
+    /// Returns the comments of the user on image and file.
     pub(crate) fn note(&self) -> String {
         let of_file = ["Note", "Sample description"].map(|key| self.header.file_list(key));
         let values = of_file.into_iter().chain([self.section.get("Note")]).flatten();
@@ -60,7 +60,7 @@ impl<'h> Image<'h> {
         per_volt.or_else(|| full_scale.and_then(unit)).unwrap_or_default()
     }
 
-    /// What one count is worth in [`Image::unit`].
+    /// Value of one count in [`Image::unit`].
     pub(crate) fn scale_per_count(&self) -> Option<f64> {
         let full_scale = Scaled::parse(&self.z_scale().ok()?.text)?;
         let (full, _) = full_scale.number()?;

@@ -39,7 +39,7 @@ impl Scaled {
     }
 }
 
-/// What a unit of voltage is worth in V.
+/// Value of a unit of voltage in V.
 pub(super) fn volt(unit: &str) -> Option<f64> {
     Some(match unit.trim() {
         "V" => 1.0,
@@ -49,7 +49,7 @@ pub(super) fn volt(unit: &str) -> Option<f64> {
     })
 }
 
-/// One or two lengths with a unit; one stands for both.
+/// Parses one or two lengths with a unit; one counts for both.
 pub(super) fn lengths(value: &Value) -> Result<[f64; 2], ScanReadError> {
     let bad = || value.bad("one or two lengths above 0 with their unit, such as '500 500 nm'");
     let mut words: Vec<&str> = value.text.split_whitespace().collect();

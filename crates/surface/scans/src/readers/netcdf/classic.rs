@@ -15,7 +15,7 @@ const ATTRIBUTES: u32 = 12;
 /// Most dimensions of a variable, as `netcdf.h` limits them.
 const MOST_AXES: usize = 1024;
 
-/// Bytes that hold variables, with what the header says about them.
+/// Bytes of the variables, with their description in the header.
 pub(crate) struct Classic<'b> {
     bytes: &'b [u8],
     pub(crate) dimensions: Vec<Dimension<'b>>,
@@ -44,7 +44,7 @@ pub(crate) struct Variable<'b> {
     attributes: Vec<Attribute<'b>>,
     kind: Kind,
     begin: u64,
-    /// Where the header describes it.
+    /// Place of its description in the header.
     pub(crate) offset: u64,
 }
 

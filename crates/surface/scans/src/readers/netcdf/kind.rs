@@ -38,7 +38,7 @@ impl Kind {
         })
     }
 
-    /// What the NetCDF library writes where nobody has (NC_FILL_... of netcdf.h); bytes and text have none.
+    /// Number that the NetCDF library writes where nobody has (NC_FILL_... of netcdf.h); bytes and text have none.
     pub(super) fn default_fill(self) -> Option<f64> {
         Some(match self {
             Self::I8 | Self::U8 | Self::Char => return None,

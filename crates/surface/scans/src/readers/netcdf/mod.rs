@@ -19,10 +19,10 @@ use classic::{Classic, Variable};
 use cursor::FORMAT;
 use units::LengthUnit;
 
-/// What is said of an instrument takes some kilobytes.
+/// Most bytes of a description of an instrument, which takes some kilobytes.
 const LONGEST_JSON: usize = 1 << 20;
 
-/// What the dimensions of `heights` make of it.
+/// Shape of `heights`, by its dimensions.
 enum Layout {
     /// Row after row of so many columns.
     Rows(usize),
@@ -188,7 +188,7 @@ fn is_periodic(file: &Classic) -> Option<bool> {
     Some(flag != 0.0)
 }
 
-/// What a global attribute holds as JSON of the instrument.
+/// Returns a global attribute that describes the instrument as JSON.
 fn instrument(file: &Classic) -> Option<serde_json::Value> {
     serde_json::from_str(&file.attribute("json")?.text().filter(|text| text.len() <= LONGEST_JSON)?).ok()
 }

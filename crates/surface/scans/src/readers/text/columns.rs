@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::precision::Precision;
-use super::style::{Separator, is_gap, shortened, whole_rows};
+use super::style::{Separator, is_missing, shortened, whole_rows};
 use crate::error::ScanReadError;
 use crate::raster::Decoded;
 
@@ -18,7 +18,7 @@ pub(crate) struct Columns {
     pub(crate) separator: Separator,
     /// The fields of a line that are columns; those outside are empty in every row.
     used: Range<usize>,
-    /// How the first two columns are printed; empty for matrices, where nobody asks.
+    /// Precision of the first two columns; empty for matrices, which do not need it.
     printed: [Precision; 2],
 }
 
@@ -62,19 +62,25 @@ impl Columns {
         self.values.values.len() / self.count
     }
 
-    /// A column, from 0; 0 where a field marks a gap.
+    /// A column, from 0; 0 where a field marks a missing point.
     pub(crate) fn column(&self, index: usize) -> impl Iterator<Item = f64> {
         self.values.values.iter().skip(index).step_by(self.count).copied()
     }
 
-    /// A column that may have gaps, from 0.
+    /// A column that may have missing points, from 0.
     pub(crate) fn measured(&self, index: usize) -> impl Iterator<Item = Option<f64>> {
-        let at = move |(row, value)| (!self.values.gaps.contains(row * self.count + index)).then_some(value);
+        let at =
+            move |(row, value)| (!self.values.missing.contains(row * self.count + index)).then_some(value);
         self.column(index).enumerate().map(at)
     }
 
     /// Refuses rows that have a height but no position in this column.
-    pub(crate) fn refuse_gaps(&self, text: &str, column: usize, height: usize) -> Result<(), ScanReadError> {
+    pub(crate) fn refuse_missing_points(
+        &self,
+        text: &str,
+        column: usize,
+        height: usize,
+    ) -> Result<(), ScanReadError> {
         let mut points = self.measured(column).zip(self.measured(height));
         match points.position(|(position, height)| position.is_none() && height.is_some()) {
             None => Ok(()),
@@ -91,7 +97,7 @@ impl Columns {
         lines(text, self.separator, self.used.end).nth(row).map_or(0, |(line, _)| line)
     }
 
-    /// How far two printed positions of a column may lie from evenly spaced ones: a unit of the last digit, since
+    /// Largest distance of two printed positions of a column from evenly spaced ones: a unit of the last digit, since
     /// instruments round or cut off, and the rounding of the numbers themselves.
     pub(crate) fn rounding(&self, column: usize) -> f64 {
         let largest = self.column(column).fold(0.0, |largest: f64, value| largest.max(value.abs()));
@@ -99,8 +105,8 @@ impl Columns {
     }
 }
 
-/// The first line of numbers, and which fields of the lines are columns: from the first to the last that is not empty in
-/// every line, since instruments open and close lines with separators.
+/// The first line of numbers, and which fields of the lines are columns: from the first to the last that is not empty
+/// in every line, since instruments open and close lines with separators.
 ///
 /// Every line must have all of them, but for lines of separators alone, which may have fewer.
 fn used_fields(text: &str, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
@@ -164,7 +170,7 @@ fn lines(text: &str, separator: Separator, fields: usize) -> impl Iterator<Item 
     whole_rows(text, separator).filter(move |(_, row)| is_whole(row))
 }
 
-/// Which decimal mark a file uses, and since which line.
+/// Decimal mark of a file, and the line that shows it.
 #[derive(Default)]
 struct Decimals {
     mark: Option<(bool, usize)>,
@@ -202,10 +208,10 @@ impl Decimals {
     }
 }
 
-/// A number; nothing where the field marks a gap.
+/// A number; nothing where the field marks a missing point.
 fn number(field: &str, line: usize, column: usize) -> Result<Option<f64>, ScanReadError> {
     match field.parse::<f64>() {
-        Err(_) if !is_gap(field) && !field.is_empty() => {
+        Err(_) if !is_missing(field) && !field.is_empty() => {
             Err(ScanReadError::NotANumber { line, column, text: shortened(field) })
         }
         parsed => Ok(parsed.ok().filter(|value| value.is_finite())),

@@ -24,8 +24,8 @@ pub(super) fn read(
     let x_to_m = units.length_to_m(FORMAT)?;
     let y_to_m = Units { lateral: options.unit.or(header.column_unit(1)).or(units.lateral), ..units }
         .length_to_m(FORMAT)?;
-    columns.refuse_gaps(text, 0, 2)?;
-    columns.refuse_gaps(text, 1, 2)?;
+    columns.refuse_missing_points(text, 0, 2)?;
+    columns.refuse_missing_points(text, 1, 2)?;
     let x = axis(text, columns, 0)?;
     let y = axis(text, columns, 1)?;
     let heights = fill(text, columns, &x, &y)?;
@@ -52,7 +52,7 @@ fn axis(text: &str, columns: &Columns, column: usize) -> Result<Axis, ScanReadEr
     Err(ScanReadError::NotAGrid { line, axis, position, count, first, last: nearest.position(count - 1) })
 }
 
-/// The height of every grid point that the file has a line for, which may say that it is a gap.
+/// The height of every grid point that the file has a line for, which may say that it is missing.
 fn fill(
     text: &str,
     columns: &Columns,

@@ -1,4 +1,4 @@
-//! What the header of a text file says: sizes, spacings, units, the channel.
+//! Header of a text file: sizes, spacings, units, the channel.
 
 use super::columns::Columns;
 use super::keys::{Key, key_and_value};
@@ -9,7 +9,7 @@ use crate::error::{Place, ScanReadError};
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
-/// What the lines before the first numbers say.
+/// Contents of the lines before the first numbers.
 #[derive(Default)]
 pub(crate) struct Header {
     channel: Option<String>,
@@ -18,22 +18,22 @@ pub(crate) struct Header {
     spacings: [Option<Length>; 2],
     lateral_unit: Option<LengthUnit>,
     value_unit: Option<LengthUnit>,
-    /// What values are multiplied by to be in their unit.
+    /// Factor that takes values to their unit.
     value_factor: Option<f64>,
     to_nanometres: Option<f64>,
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
-    /// Whether a line names the last column as what says which points count.
+    /// True if a line names the last column as flags of valid points.
     has_validity: bool,
-    /// Whether a line names the first column as a count of the points.
+    /// True if a line names the first column as a count of the points.
     has_index: bool,
-    /// Radius of the stylus in m, where a line tells it.
+    /// Radius of the stylus in m, where a line gives it.
     stylus_radius_m: Option<f64>,
     /// The lines that hold no field known here.
     free_text: String,
 }
 
-/// What a column is called that counts the points.
+/// Names of a column that counts the points.
 const INDEX_NAMES: [&str; 10] = ["index", "idx", "no", "no.", "nr", "nr.", "#", "n", "point", "sample"];
 /// Most bytes of lines that are kept for what a user may have written there.
 const MOST_FREE_TEXT: usize = 4096;
@@ -70,8 +70,8 @@ impl Header {
         Ok(header)
     }
 
-    /// Takes the first four lines for those of an export from Gwyddion in a language that is not known: whatever the keys are,
-    /// the channel, the two sizes and the unit of the values follow each other.
+    /// Takes the first four lines for those of an export from Gwyddion in a language that is not known: whatever the
+    /// keys are, the channel, the two sizes and the unit of the values follow each other.
     fn set_by_position(&mut self, text: &str, columns: &Columns) -> Result<(), ScanReadError> {
         const EXPORT: [Key; 4] = [Key::Channel, Key::Size(0), Key::Size(1), Key::ValueUnit];
         let lines = text.lines().take(columns.first_line.saturating_sub(1));
@@ -119,7 +119,8 @@ impl Header {
         Ok(())
     }
 
-    /// Takes a line for the factor of heights, as exports of some microscopes write it: `height conversion factor (-> m) = 2.5e-7`.
+    /// Takes a line for the factor of heights, as exports of some microscopes write it: `height conversion factor (->
+    /// m) = 2.5e-7`.
     fn set_conversion(&mut self, text: &str, line: usize) -> Result<(), ScanReadError> {
         let lower = text.to_lowercase();
         let Some((name, factor)) =
@@ -137,8 +138,8 @@ impl Header {
         Ok(())
     }
 
-    /// Takes a line for the names of the columns, or the units below them, where it holds as many words or units as there
-    /// are columns.
+    /// Takes a line for the names of the columns, or the units below them, where it holds as many words or units as
+    /// there are columns.
     fn set_columns(&mut self, line: &str, columns: &Columns) {
         self.stylus_radius_m = self.stylus_radius_m.or(stylus_radius_m(line));
         let names = columns.fields_of(line).unwrap_or_default();
@@ -164,12 +165,12 @@ impl Header {
         self.channel.clone()
     }
 
-    /// Whether the last column says which points count.
+    /// Returns true if the last column flags valid points.
     pub(crate) fn has_validity(&self) -> bool {
         self.has_validity
     }
 
-    /// Whether the first column counts the points, by its name.
+    /// Returns true if the first column counts the points, by its name.
     pub(crate) fn has_index(&self) -> bool {
         self.has_index
     }
@@ -179,12 +180,12 @@ impl Header {
         self.stylus_radius_m
     }
 
-    /// What the header says beside the fields known here.
+    /// Returns the lines of the header beside the fields known here.
     pub(crate) fn free_text(&self) -> &str {
         self.free_text.trim_end()
     }
 
-    /// Whether the header gives both sizes of a map.
+    /// Returns true if the header gives both sizes of a map.
     pub(crate) fn is_matrix(&self) -> bool {
         self.sizes.iter().all(Option::is_some)
     }

@@ -1,4 +1,4 @@
-//! What programs call the fields of their headers.
+//! Names of header fields, as programs write them.
 
 /// A field known here.
 #[derive(Clone, Copy, PartialEq, Eq)]

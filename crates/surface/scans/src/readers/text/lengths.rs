@@ -50,8 +50,8 @@ pub(super) fn stylus_radius_m(line: &str) -> Option<f64> {
     Some(length.unit?.to_m(length.value))
 }
 
-/// The unit at the end of a column's name: `X_(microns)`, `Lateral um`, `h/nm`, `x_mm`. A bare A is a name more often than
-/// a unit.
+/// The unit at the end of a column's name: `X_(microns)`, `Lateral um`, `h/nm`, `x_mm`. A bare A is a name more often
+/// than a unit.
 pub(super) fn trailing_unit(name: &str) -> Option<LengthUnit> {
     let name = name.trim();
     if let Some((_, unit)) = name.strip_suffix([')', ']']).and_then(|name| name.rsplit_once(['(', '['])) {

@@ -39,16 +39,16 @@ fn recognises(bytes: &[u8]) -> bool {
         && !bytes.iter().take(512).any(is_binary)
 }
 
-/// What is read, in m.
+/// Scan in m, before its size is known.
 struct Found {
     columns: usize,
     lateral: Lateral,
     heights_m: Decoded,
 }
 
-/// The one channel of a file, told by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h` (or a profile with
-/// a column that counts its points or says which of them count), more a matrix. A
-/// header with both sizes of a map makes any number of columns a matrix.
+/// The one channel of a file, told by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h` (or a
+/// profile with a column that counts its points or says which of them count), more a matrix. A header with both sizes
+/// of a map makes any number of columns a matrix.
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let text = style::decode(bytes)?;
     let columns = Columns::read(&text)?;
@@ -85,8 +85,8 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     }])
 }
 
-/// Whether the first of three columns only counts the rows: it rises by one from row to row, and either it is named so, or
-/// the second column rises or falls throughout as no coordinate of a map does.
+/// Returns true if the first of three columns only counts the rows: it rises by one from row to row, and either it is
+/// named so, or the second column rises or falls throughout as no coordinate of a map does.
 fn counts_points(columns: &Columns, header: &Header) -> bool {
     let rises_by_one = |column: Vec<f64>| column.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
     let second: Vec<f64> = columns.column(1).collect();

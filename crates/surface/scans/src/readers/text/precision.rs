@@ -1,4 +1,4 @@
-//! How finely numbers are printed.
+//! Precision of printed numbers.
 
 /// Most decimals and most significant digits of printed numbers. The most, since trailing zeros may be left out.
 #[derive(Clone, Copy, Default)]

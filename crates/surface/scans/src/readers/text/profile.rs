@@ -11,7 +11,7 @@ use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::even_axis::evenly_spaced;
 
-/// Which columns are which, from 0.
+/// Positions of the columns, from 0.
 #[derive(Clone, Copy)]
 pub(super) struct Roles {
     pub(super) position: usize,
@@ -33,7 +33,7 @@ pub(super) fn read(
     let units = Units::of(options, header.column_unit(position), header.height_unit(height), notes);
     let height_to_m = units.height_to_m(FORMAT)?;
     let length_to_m = units.length_to_m(FORMAT)?;
-    columns.refuse_gaps(text, position, height)?;
+    columns.refuse_missing_points(text, position, height)?;
     let mut rows: Vec<(usize, f64)> =
         columns.measured(position).enumerate().filter_map(|(row, position)| Some((row, position?))).collect();
     let mut heights_m: Vec<Option<f64>> =
@@ -67,7 +67,7 @@ pub(super) fn read(
     Ok(Found { columns: heights_m.values.len(), lateral: Lateral::Positions(positions_m), heights_m })
 }
 
-/// The spacing of rows with a position, where it is even; rows without one are gaps in their place.
+/// The spacing of rows with a position, where it is even; rows without one count as missing points.
 fn spacing_of_rows(rows: &[(usize, f64)], rounding: f64) -> Option<f64> {
     let (first, last) = (rows.first()?, rows.last()?);
     evenly_spaced(

@@ -8,7 +8,7 @@ use crate::format::ScanFormat;
 /// The format whose reader this is, for messages.
 pub(crate) const FORMAT: ScanFormat = ScanFormat::Text;
 
-/// What separates the columns of a file.
+/// Separator of the columns of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Separator {
     Semicolon,
@@ -17,8 +17,8 @@ pub(crate) enum Separator {
     Blanks,
 }
 
-/// Words that stand for a point without a height.
-const GAPS: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
+/// Words for a missing point.
+const MISSING: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
 
 /// UTF-16 with a byte order mark, UTF-8 with or without one, else Latin-1, in which older instruments write `µ`.
 pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
@@ -36,8 +36,8 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
     })
 }
 
-/// The characters of UTF-16 text behind its byte order mark, as the spreadsheets of some instruments are saved; none where
-/// there is no such mark. What is no character is put in as one that no number has.
+/// The characters of UTF-16 text behind its byte order mark, as the spreadsheets of some instruments are saved; none
+/// where there is no such mark. What is no character is put in as one that no number has.
 fn decode_utf16(bytes: &[u8]) -> Option<String> {
     let to_unit = match bytes.first_chunk()? {
         [0xff, 0xfe] => u16::from_le_bytes,
@@ -58,13 +58,14 @@ pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines.filter(|(_, line)| !line.is_empty() && !is_comment(line))
 }
 
-/// The lines of numbers, from the first one on, with all that follows; lines of gaps above it are part of the scan.
+/// The lines of numbers, from the first one on, with all that follows; lines of missing points above it are part of the
+/// scan.
 pub(crate) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let first = first_row(text).unwrap_or(usize::MAX);
     content(text).skip_while(move |(number, _)| *number < first)
 }
 
-/// The same with the separators at their ends, which tell empty fields.
+/// Splits a line with the separators at its ends, which mark empty fields.
 pub(crate) fn whole_rows(text: &str, separator: Separator) -> impl Iterator<Item = (usize, &str)> {
     let first = first_row(text).unwrap_or(usize::MAX);
     let is_margin =
@@ -73,16 +74,17 @@ pub(crate) fn whole_rows(text: &str, separator: Separator) -> impl Iterator<Item
     lines.filter(move |(number, line)| *number >= first && !line.is_empty() && !is_comment(line))
 }
 
-/// The first line of the scan: of numbers, or the first of the lines of gaps right above it with as many fields.
+/// The first line of the scan: of numbers, or the first of the lines of missing points right above it with as many
+/// fields.
 fn first_row(text: &str) -> Option<usize> {
-    let mut gaps: Option<(usize, usize)> = None;
+    let mut missing: Option<(usize, usize)> = None;
     for (number, line) in content(text) {
         let fields = count_of_fields(line);
         if holds_numbers(line) {
-            return Some(gaps.filter(|&(_, count)| count == fields).map_or(number, |(first, _)| first));
+            return Some(missing.filter(|&(_, count)| count == fields).map_or(number, |(first, _)| first));
         }
-        gaps = match gaps {
-            _ if !holds_gaps(line) => None,
+        missing = match missing {
+            _ if !holds_missing_points(line) => None,
             Some((first, count)) if count == fields => Some((first, count)),
             _ => Some((number, fields)),
         };
@@ -90,10 +92,10 @@ fn first_row(text: &str) -> Option<usize> {
     None
 }
 
-/// Whether a line consists of words for gaps. Dashes do not count: they underline headers.
-fn holds_gaps(line: &str) -> bool {
+/// Returns true if a line consists of words for missing points. Dashes do not count: they underline headers.
+fn holds_missing_points(line: &str) -> bool {
     let mut words = line.split(is_separator).filter(|word| !word.is_empty()).peekable();
-    words.peek().is_some() && words.all(|word| is_gap(word) && word.contains(char::is_alphabetic))
+    words.peek().is_some() && words.all(|word| is_missing(word) && word.contains(char::is_alphabetic))
 }
 
 /// The fields of a line that need not have the separator of the file.
@@ -117,19 +119,19 @@ fn is_blank(character: char) -> bool {
     character.is_whitespace() || character == '\u{1a}' || character == '\u{feff}'
 }
 
-/// Whether a field marks a point without a height.
-pub(crate) fn is_gap(field: &str) -> bool {
+/// Returns true if a field marks a missing point.
+pub(crate) fn is_missing(field: &str) -> bool {
     let word = field.trim_start_matches(['+', '-']);
-    GAPS.iter().any(|gap| gap.eq_ignore_ascii_case(field) || gap.eq_ignore_ascii_case(word))
+    MISSING.iter().any(|missing| missing.eq_ignore_ascii_case(field) || missing.eq_ignore_ascii_case(word))
 }
 
-/// Whether a line consists of numbers, whatever separates them.
+/// Returns true if a line consists of numbers, whatever separates them.
 fn holds_numbers(line: &str) -> bool {
     let mut has_number = false;
     line.split(is_separator).filter(|word| !word.is_empty()).all(|word| {
         let is_number = word.parse::<f64>().is_ok_and(f64::is_finite);
         has_number |= is_number;
-        is_number || is_gap(word)
+        is_number || is_missing(word)
     }) && has_number
 }
 
@@ -168,7 +170,7 @@ impl Separator {
     }
 }
 
-/// Whether the commas of a line separate columns; none where it does not tell.
+/// Returns true if the commas of a line separate columns; none where the line is ambiguous.
 fn comma_separates(line: &str) -> Option<bool> {
     if !line.contains(',') {
         return None;

@@ -1,5 +1,5 @@
-//! The image of a page of TIFF: one number a point, in strips that are not packed, as the sixth revision of the format lays
-//! them down.
+//! The image of a page of TIFF: one number a point, in strips that are not packed, as the sixth revision of the format
+//! lays them down.
 
 use std::borrow::Cow;
 
@@ -73,8 +73,8 @@ impl<'b> Page<'b> {
         Ok(Raster { byte_order: self.file.order(), ..raster })
     }
 
-    /// The bytes of the image, which may stand in several strips, and where the first is. Strips that do not follow each other
-    /// are copied, of all pages together no more than the file holds.
+    /// The bytes of the image, which may stand in several strips, and where the first is. Strips that do not follow
+    /// each other are copied, of all pages together no more than the file holds.
     fn strips(&self, left: &mut usize) -> Result<(Cow<'b, [u8]>, usize), ScanReadError> {
         let (offsets, lengths) = (self.strip_table(STRIP_OFFSETS)?, self.strip_table(STRIP_BYTES)?);
         let strips = || offsets.iter().copied().zip(lengths.iter().copied());

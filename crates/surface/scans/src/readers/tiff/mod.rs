@@ -67,7 +67,7 @@ impl<'b> Tiff<'b> {
     }
 }
 
-/// The first page alone, by which formats are told.
+/// Reads the first page alone, by which formats are recognised.
 pub(super) fn first_page<'b>(format: ScanFormat, bytes: &'b [u8]) -> Option<Page<'b>> {
     byte_order(bytes)?;
     let file = whole(format, bytes);

@@ -59,7 +59,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     Ok(channels.map(|((group, kind), label)| channel(bytes, &tree, group, kind, label, &about)).collect())
 }
 
-/// What the file says of its instrument and specimen.
+/// Joins the texts on instrument and specimen.
 struct About {
     probe: Option<Probe>,
     tip_radius_m: Option<f64>,
@@ -73,7 +73,7 @@ fn group(path: &str) -> Option<&str> {
     profile.or_else(|| path.strip_suffix("/Matrix").filter(|group| is_own(group, MAPS)))
 }
 
-/// What a group measures, in the words of the file.
+/// Kind of a group, in the words of the file.
 fn kind(tree: &Tree, group: &str) -> String {
     let own = || group.rsplit('/').next().unwrap_or_default();
     tree.text(&format!("{group}/DataKind")).unwrap_or_else(own).to_owned()
@@ -163,7 +163,7 @@ fn length_unit(unit: &str) -> Option<LengthUnit> {
     LengthUnit::parse_instrument(unit.trim_end_matches('.'))
 }
 
-/// What the instrument feels the surface with: a stylus, or light in a mode of its own.
+/// Returns the probe: a stylus, or light in a mode of its own.
 fn probe(tree: &Tree) -> Option<Probe> {
     let setting = |name: &str| tree.text(&format!("{SETTINGS}{name}"));
     let is_stylus = |text: &str| text.to_lowercase().contains("stylus");

@@ -7,7 +7,7 @@ use crate::channel::MOST_TEXT;
 use crate::cursor::{ByteOrder, Cursor};
 use crate::error::ScanReadError;
 
-/// How every file begins.
+/// First bytes of every file.
 pub(super) const MAGIC: &[u8] = b"VCA DATA\x01\x00\x00\x55";
 
 /// Files nest their values four deep.

@@ -1,13 +1,13 @@
-//! What lies along an axis, and how raw numbers become positions and heights.
+//! Axes, and the conversion of raw numbers to positions and heights.
 
 use crate::raster::NumberType;
 
-/// Where the points lie along an axis.
+/// Places of the points along an axis.
 #[derive(Clone, Copy)]
 pub(super) enum Axis {
     /// So far from each other, in m.
     Even(f64),
-    /// Where their data say.
+    /// At positions stored in the data.
     Given(Coordinate),
 }
 
@@ -20,7 +20,7 @@ pub(super) enum Kind {
     F64,
 }
 
-/// How raw numbers become lengths in m.
+/// Conversion of raw numbers to lengths in m.
 #[derive(Clone, Copy)]
 pub(super) struct Coordinate {
     pub(super) kind: Kind,

@@ -1,4 +1,4 @@
-//! What the XML of a file says: how many points there are, where they lie, and where their data stand.
+//! XML description of a file: number of points, their places, and the place of their data.
 
 use roxmltree::{Document, ParsingOptions};
 
@@ -11,7 +11,7 @@ use crate::metadata::Probe;
 /// Files that are not made to be read have more.
 const MOST_NODES: u32 = 1_000_000;
 
-/// What `main.xml` says.
+/// Contents of `main.xml`.
 pub(super) struct Description {
     pub(super) layout: Layout,
     pub(super) columns: usize,
@@ -32,7 +32,7 @@ pub(super) enum Layout {
     Cloud,
 }
 
-/// Where the data stand.
+/// Place of the data.
 pub(super) enum Points {
     /// In a file of the archive, with a file of a bit for each point that counts.
     Binary { data: String, valid: Option<String> },
@@ -146,7 +146,7 @@ fn points(record: &Element) -> Result<Points, ScanReadError> {
     })
 }
 
-/// What the surface was felt with; none where the file does not say, or says that it was computed.
+/// Returns the probe; none where the file does not say, or says that the surface was computed.
 fn probe(root: &Element) -> Option<Probe> {
     match root.child("Record2").ok()?.child("ProbingSystem").ok()?.child("Type").ok()?.text() {
         "Contacting" => Some(Probe::Tip),

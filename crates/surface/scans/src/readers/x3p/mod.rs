@@ -1,5 +1,5 @@
-//! X3P, the XML and binary data in a ZIP file of ISO 25178-72 (earlier ISO 5436-2): profiles, surfaces, and points as far as
-//! they lie on a grid, with their data in a file or in the XML itself. Lengths are in m.
+//! X3P, the XML and binary data in a ZIP file of ISO 25178-72 (earlier ISO 5436-2): profiles, surfaces, and points as
+//! far as they lie on a grid, with their data in a file or in the XML itself. Lengths are in m.
 
 mod axis;
 mod data;
@@ -53,7 +53,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     Ok(vec![Channel { probe, free_text, ..Channel::new(None, quantity, lateral, samples) }])
 }
 
-/// Points with positions of their own, which must lie on an even grid; grid points without any are gaps.
+/// Points with positions of their own, which must lie on an even grid; grid points without any are missing.
 fn on_grid(description: &Description, data: Data) -> Result<(usize, Lateral, Decoded), ScanReadError> {
     let no_grid = || ScanReadError::Unsupported {
         format: FORMAT,
@@ -70,7 +70,7 @@ fn on_grid(description: &Description, data: Data) -> Result<(usize, Lateral, Dec
     };
     let x_m = along(data.x_m, description.x, |index, columns| index % columns);
     let y_m = along(data.y_m, description.y, |index, columns| index / columns);
-    let is_point = |&index: &usize| !data.z_m.gaps.contains(index);
+    let is_point = |&index: &usize| !data.z_m.missing.contains(index);
     let even_axis = |positions_m: &[f64]| {
         let known: Vec<f64> =
             (0..positions_m.len()).filter(is_point).map(|index| positions_m[index]).collect();

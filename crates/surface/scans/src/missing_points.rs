@@ -1,30 +1,30 @@
-//! Which points of a scan have no height.
+//! Missing points of a scan.
 
 /// The points of a scan that were not measured, by their index in the order of the heights.
 ///
 /// A scan without any takes no memory for them, any other a bit for each of its points.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Gaps {
+pub struct MissingPoints {
     words: Vec<u64>,
     count: usize,
 }
 
 const BITS: usize = u64::BITS as usize;
 
-impl Gaps {
-    /// Whether every point has a height.
+impl MissingPoints {
+    /// Returns true if every point has a height.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
-    /// How many points have none.
+    /// Number of points without a height.
     #[must_use]
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Whether this point has none.
+    /// Returns true if this point has no height.
     #[inline]
     #[must_use]
     pub fn contains(&self, index: usize) -> bool {
@@ -51,11 +51,11 @@ impl Gaps {
     }
 }
 
-impl FromIterator<usize> for Gaps {
+impl FromIterator<usize> for MissingPoints {
     fn from_iter<I: IntoIterator<Item = usize>>(indices: I) -> Self {
-        let mut gaps = Self::default();
-        indices.into_iter().for_each(|index| gaps.insert(index));
-        gaps
+        let mut missing = Self::default();
+        indices.into_iter().for_each(|index| missing.insert(index));
+        missing
     }
 }
 
@@ -65,9 +65,9 @@ mod tests {
 
     #[test]
     fn points_are_found_where_they_were_put() {
-        let gaps: Gaps = [3, 64, 3, 200].into_iter().collect();
-        assert_eq!((gaps.count(), gaps.indices().collect::<Vec<_>>()), (3, vec![3, 64, 200]));
-        assert!(gaps.contains(64) && !gaps.contains(65) && !gaps.contains(100_000));
-        assert!(Gaps::default().is_empty() && Gaps::default().indices().next().is_none());
+        let missing: MissingPoints = [3, 64, 3, 200].into_iter().collect();
+        assert_eq!((missing.count(), missing.indices().collect::<Vec<_>>()), (3, vec![3, 64, 200]));
+        assert!(missing.contains(64) && !missing.contains(65) && !missing.contains(100_000));
+        assert!(MissingPoints::default().is_empty() && MissingPoints::default().indices().next().is_none());
     }
 }
