@@ -144,11 +144,11 @@ pub fn model_options(
     }
     Ok(ModelOptions {
         strain_gradient,
-        hardness: hardness.map(form_of_hardness).transpose()?.unwrap_or_default(),
-        interference: interference_law
+        hardness: hardness.map(form_of_hardness).transpose()?,
+        interference_law: interference_law
             .map(|name| named::<InterferenceLaw>("interference_law", name))
-            .transpose()?
-            .unwrap_or_default(),
+            .transpose()?,
+        ..ModelOptions::default()
     })
 }
 

@@ -95,8 +95,9 @@ pub(super) fn law(
     say_assumed_strength(material, entry);
     let options = ModelOptions {
         strain_gradient: choices.material.strain_gradient_length.is_some(),
-        hardness: choices.hardness.hardness.unwrap_or_default(),
-        interference: choices.interference_law.unwrap_or_default(),
+        hardness: choices.hardness.hardness,
+        interference_law: choices.interference_law,
+        ..ModelOptions::default()
     };
     let model = entry.build(material, &options)?;
     let normalisation = match entry.framework {

@@ -29,8 +29,9 @@ pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), F
 fn options(args: &StatisticalArgs) -> ModelOptions {
     ModelOptions {
         strain_gradient: args.material.strain_gradient_length.is_some(),
-        hardness: args.hardness.hardness.unwrap_or_default(),
-        interference: args.interference_law.unwrap_or_default(),
+        hardness: args.hardness.hardness,
+        interference_law: args.interference_law,
+        ..ModelOptions::default()
     }
 }
 
