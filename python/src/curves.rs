@@ -104,7 +104,7 @@ pub fn findings(curve: &Curve, rows: &CurveResult, plan: &Plan<'_>, material: &M
         .chain(Doubt::of_spectrum(plan.psd))
         .chain(Doubt::of_pressures(needs.pressures().zip(labels), hardness_pa))
         .chain(real_pressures.doubts());
-    let mut said = counts.notes();
+    let mut said = report::question_words::of_counts(&counts);
     said.extend(material_words::assumed_strength(material, curve.model.entry()));
     said.extend(doubts.map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
     said

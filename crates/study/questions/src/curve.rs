@@ -9,7 +9,7 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 use study::figure::Figure;
 use study::hardness_growth::{GrowthLaw, hardness_of};
 use study::material::Material;
-use study::models::{Choice, Framework, ModelEntry};
+use study::models::{Choice, Framework, ModelEntry, ModelOptions};
 use study::persson_law::{PerssonLaw, roughness};
 use study::plan::{
     Curve, CurveModel, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
@@ -20,7 +20,7 @@ use study::surface::Surface;
 use tables::Table;
 use units::Bound;
 
-use crate::choices::{self, ModelChoices};
+use crate::choices;
 use crate::loads::{LoadInput, RangeInput, resolved};
 use crate::note::SampledScales;
 use crate::option::{Reason, first_given};
@@ -35,8 +35,8 @@ pub struct CurveQuestion {
     pub model: Option<&'static ModelEntry>,
     /// The name of the curve in notes and figures; the model's if absent.
     pub name: Option<String>,
-    /// Choices that models leave open.
-    pub choices: ModelChoices,
+    /// Choices that the model leaves open.
+    pub options: ModelOptions,
     /// The bodies in contact.
     pub material: MaterialInput,
     /// Nominal pressures.
@@ -115,13 +115,7 @@ impl CurveQuestion {
         let entry = self.model.ok_or(QuestionError::Missing(OptionName::Model))?;
         let (is_persson, is_statistical) =
             (entry.framework == Framework::Persson, entry.framework == Framework::Statistical);
-        let material = &self.material;
-        choices::check(
-            &self.choices,
-            entry,
-            material.strain_gradient_length_m.is_some(),
-            material.strength_cap.is_some(),
-        )?;
+        choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
         let of_statistical = [
             (OptionName::Normalisation, self.normalisation.is_some() && !is_statistical),
             (OptionName::Tolerance, self.tolerance.is_some() && !is_statistical),
@@ -132,7 +126,7 @@ impl CurveQuestion {
         let material = self.material.material()?;
         let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let tolerance = tolerance.unwrap_or_default();
-        let theory = is_persson.then(|| Theory::new(&self.choices, entry, &material)).transpose()?;
+        let theory = is_persson.then(|| Theory::new(&self.options, entry, &material)).transpose()?;
         // A table brings its own hardness, which the material may lack.
         let named = match &theory {
             Some(_) if entry.has(Choice::Strength) && material.hardness_pa().is_none() => {
@@ -140,7 +134,7 @@ impl CurveQuestion {
             }
             _ => entry,
         };
-        let model = named.build(&material, &self.choices.options(named, &material))?;
+        let model = named.build(&material, &self.options)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
             return Err(QuestionError::Missing(OptionName::Pressure));
@@ -173,8 +167,7 @@ impl CurveQuestion {
             let of_ranges = std::mem::take(&mut needs.load_ranges);
             let pressures = of_ranges.into_iter().flat_map(LoadRange::pressures);
             needs.loads.extend(
-                pressures
-                    .map(|nominal_pressure| Load { nominal_pressure, label: nominal_pressure.label() }),
+                pressures.map(|nominal_pressure| Load { nominal_pressure, label: nominal_pressure.label() }),
             );
         }
         Ok(Resolved { material, entry, tolerance, needs, theory })
@@ -194,35 +187,44 @@ struct Resolved {
 #[derive(Clone)]
 struct Theory {
     model: PerssonModel,
-    choices: ModelChoices,
+    options: ModelOptions,
     energy_factor: f64,
     /// True if the hardness grows, and bears more than that of the bulk.
     grows: bool,
 }
 
 impl Theory {
-    fn new(
-        choices: &ModelChoices,
-        entry: &ModelEntry,
-        material: &Material,
-    ) -> Result<Self, QuestionError> {
-        let energy_factor = choices.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR);
+    fn new(options: &ModelOptions, entry: &ModelEntry, material: &Material) -> Result<Self, QuestionError> {
+        let energy_factor = options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR);
         let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
         bound
             .check("the elastic energy factor", energy_factor)
             .map_err(|error| QuestionError::Other(error.to_string()))?;
         let contact_modulus_pa = material.pair.composite_modulus_pa();
-        let growth = choices.hardness_law.clone().or_else(|| {
-            choices.options(entry, material).strain_gradient.then_some(GrowthLaw::NixGao)
-        });
+        let growth = options.hardness_law.clone().or(options.strain_gradient.then_some(GrowthLaw::NixGao));
         let model = match entry.has(Choice::Strength) {
-            false => PerssonModel::Elastic { contact_modulus_pa, correction: choices.correction },
+            false => PerssonModel::Elastic { contact_modulus_pa, correction: options.correction },
             true => PerssonModel::ElasticPlastic {
                 contact_modulus_pa,
                 hardness: hardness_of(material, growth.as_ref())?,
             },
         };
-        Ok(Theory { model, choices: choices.clone(), energy_factor, grows: growth.is_some() })
+        Ok(Theory { model, options: options.clone(), energy_factor, grows: growth.is_some() })
+    }
+}
+
+impl Theory {
+    /// Refuses loads that the hardness cannot carry; if it carries the largest, it carries all.
+    fn check(&self, roughness: &Roughness, needs: &Needs) -> Result<(), QuestionError> {
+        let separation = self.model.separation(roughness, self.energy_factor);
+        let at = |pressure: NominalPressure| self.model.at_last(roughness, &separation, pressure.pa());
+        let largest = needs.pressures().max_by(|a, b| a.pa().total_cmp(&b.pa()));
+        if largest.is_some_and(|largest| at(largest).is_err()) {
+            for pressure in needs.pressures() {
+                at(pressure)?;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -287,9 +289,12 @@ impl<'s> PreparedCurve<'s> {
                 Normalisation::Parseval,
                 ground.scales(),
                 whole.as_ref().unwrap_or(self.plan.psd),
-                theory.choices.band.unwrap_or_default(),
+                theory.options.band.unwrap_or_default(),
             )
         });
+        if let (Some(theory), Some(roughness)) = (&self.theory, &roughness) {
+            theory.check(roughness, &self.plan.needs)?;
+        }
         Ok(CurveStream { prepared: self, stream, roughness })
     }
 
@@ -323,16 +328,16 @@ impl CurveStream<'_> {
             CurveModel::Persson { .. } => {}
         }
         if let (Some(theory), Some(roughness)) = (theory, &self.roughness) {
-            let correction = theory.choices.correction;
+            let correction = theory.options.correction;
             notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
             let separation = theory.model.separation(roughness, theory.energy_factor);
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
             let moments = self.stream.ground().moments().last();
             let rms_height_m = moments.map_or(0.0, |(moments, _)| moments.rms_height_m());
             let light = separation.light_loads();
-            notes.extend(light.iter().flat_map(|light| {
-                Note::of_separation(light, roughness, rms_height_m, least_pa)
-            }));
+            notes.extend(
+                light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
+            );
         }
         notes.extend(Doubt::of_spectrum(plan.psd).into_iter().map(Note::Doubt));
         let labels =
@@ -409,8 +414,7 @@ impl CurveStream<'_> {
             return self.stream.parts(self.prepared.curve(), progress, each);
         };
         let separation = theory.model.separation(roughness, theory.energy_factor);
-        let pressures_pa: Vec<f64> =
-            self.prepared.plan.needs.pressures().map(NominalPressure::pa).collect();
+        let pressures_pa: Vec<f64> = self.prepared.plan.needs.pressures().map(NominalPressure::pa).collect();
         let together = (16_384 / self.stream.psd().len().max(1)).max(1);
         for pressures_pa in pressures_pa.chunks(together) {
             let blocks = parallel::try_map(pressures_pa, |&pressure_pa| {

@@ -45,7 +45,9 @@ pub enum QuestionError {
         error: MaterialError,
     },
     /// A cutoff below all data.
-    #[error("the cutoff {cutoff_m} m leaves nothing out: the shortest wavelength of {surface} is {shortest_m} m")]
+    #[error(
+        "the cutoff {cutoff_m} m leaves nothing out: the shortest wavelength of {surface} is {shortest_m} m"
+    )]
     CutoffBelowData {
         /// The cutoff \[m\].
         cutoff_m: f64,

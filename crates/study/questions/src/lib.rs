@@ -3,7 +3,9 @@
 mod choices;
 mod counts;
 mod curve;
+mod elements;
 mod error;
+mod gap;
 mod loads;
 mod material;
 mod note;
@@ -13,9 +15,10 @@ mod spectrum;
 mod text;
 
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
-pub use choices::ModelChoices;
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
+pub use elements::{ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
+pub use gap::{FoundLaw, GapModel, GapQuestion, LIGHT_LOADS_SHARE, LawQuestion, states_of_elements};
 pub use loads::{LoadInput, RangeInput};
 pub use material::{BodyInput, MaterialInput};
 pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};

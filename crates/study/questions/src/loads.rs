@@ -68,8 +68,8 @@ pub(crate) fn resolved(
         Ok(Load { nominal_pressure, label: label.clone() })
     };
     let range = |range: &RangeInput| {
-        let [from, to] = [range.from, range.to]
-            .map(|end| nominal_pressure(OptionName::Pressures, None, end, material));
+        let [from, to] =
+            [range.from, range.to].map(|end| nominal_pressure(OptionName::Pressures, None, end, material));
         Ok(LoadRange::new(from?, to?, range.points))
     };
     let loads = pressures.iter().map(load).collect::<Result<_, QuestionError>>()?;

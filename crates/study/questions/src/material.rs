@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use study::bodies::Body;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
+use study::models::{Choice, ModelEntry};
 use units::{IndentationHardness, Pressure};
 
 use crate::text::optional_pressure;
@@ -54,6 +55,12 @@ impl BodyInput {
 }
 
 impl MaterialInput {
+    /// True if the strength of a model grows as soon as the material has the length for it.
+    #[must_use]
+    pub fn strain_gradient_in(&self, entry: &ModelEntry) -> bool {
+        self.strain_gradient_length_m.is_some() && entry.has(Choice::StrainGradient)
+    }
+
     /// The elastic counterface, if there is one.
     ///
     /// # Errors

@@ -32,11 +32,9 @@ impl SamplingInput {
     pub fn check(self, surface: &Surface) -> Result<(), QuestionError> {
         let shortest_m = surface.psd.shortest_wavelength_m();
         match self.cutoff_m {
-            Some(cutoff_m) if cutoff_m < shortest_m => Err(QuestionError::CutoffBelowData {
-                cutoff_m,
-                shortest_m,
-                surface: surface.name.clone(),
-            }),
+            Some(cutoff_m) if cutoff_m < shortest_m => {
+                Err(QuestionError::CutoffBelowData { cutoff_m, shortest_m, surface: surface.name.clone() })
+            }
             _ => Ok(()),
         }
     }

@@ -2,12 +2,11 @@
 
 use std::fmt::Write;
 
-use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use crate::curve_names::in_full;
-use crate::cut_counts::CutCounts;
+use crate::question_words::{of_counts, sampled_scales};
 use crate::trust::Trust;
 use crate::yardstick_words::yardsticks;
 use crate::{
@@ -17,10 +16,12 @@ use crate::{
 use findings::answer::{Answer, LoadAnswer};
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
+pub use questions::CurveCounts;
+use questions::SampledScales;
 use scene::Scene;
 use state_tables::{NarrowSpectra, StateCounts};
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
+use study::plan::{Curve, CurveModel, CurveResult, Results};
 use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 use units::number;
@@ -100,14 +101,7 @@ pub fn sampling(results: &Results) -> String {
 
 /// How a spectrum is sampled.
 pub fn sampling_of(psd: &ProfilePsd) -> String {
-    let density =
-        scales_per_decade(psd).map_or(String::new(), |n| format!(", {} per decade", three_digits(n)));
-    format!(
-        "{} scales from {} to {}{density}",
-        psd.len(),
-        length(psd.longest_wavelength_m()),
-        length(psd.shortest_wavelength_m())
-    )
+    sampled_scales(&SampledScales::of(psd))
 }
 
 /// Where intervals stand among the columns of a curve.
@@ -195,63 +189,21 @@ fn stacked_remarks(
 pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     let mut counts = CurveCounts::default();
     counts.add(result);
-    counts.notes()
+    of_counts(&counts)
 }
 
 /// What there is to say of one block of a curve.
 pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
     let mut counts = CurveCounts::default();
-    match result {
-        CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
-        CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
-        CurveResult::Statistical(blocks) => {
-            counts.add_states(&blocks[block]);
-        }
-    }
-    counts.notes()
+    counts.add_block(result, block);
+    of_counts(&counts)
 }
 
 /// How many levels lie beyond what the elastic-plastic sinusoid is trusted for, if any.
 pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
-    let mut counts = LevelCounts::default();
-    counts.add(curve);
-    counts.note()
-}
-
-/// What there is to count of a curve, whose parts may come one by one.
-#[derive(Debug, Default)]
-pub struct CurveCounts {
-    states: StateCounts,
-    narrow: NarrowSpectra,
-    levels: LevelCounts,
-    cuts: CutCounts,
-}
-
-impl CurveCounts {
-    /// Counts the rows of a curve, or of a part of one.
-    pub fn add(&mut self, part: &CurveResult) {
-        match part {
-            CurveResult::Stacked(blocks) => self.levels.add(blocks),
-            CurveResult::Persson(blocks) => self.cuts.add(blocks),
-            CurveResult::Statistical(blocks) => {
-                blocks.iter().for_each(|rows| self.add_states(rows));
-            }
-        }
-    }
-
-    fn add_states(&mut self, rows: &[CutoffState]) {
-        let contacts = rows.iter().filter_map(|row| row.contact.as_ref());
-        self.states.add(contacts.map(|(_, state)| state));
-        rows.iter().filter_map(|row| row.too_narrow_alpha).for_each(|alpha| self.narrow.add(alpha));
-    }
-
-    /// What there is to say of them.
-    pub fn notes(&self) -> Vec<String> {
-        let all = counted(self.states.all + self.narrow.count, "row");
-        let narrow = narrow_spectra(&self.narrow, &all);
-        let of_states = notes_of_states(&self.states).into_iter().chain(narrow);
-        of_states.chain(self.levels.note()).chain(self.cuts.notes()).collect()
-    }
+    let mut counts = CurveCounts::default();
+    curve.iter().for_each(|levels| counts.levels.add(levels));
+    of_counts(&counts).pop()
 }
 
 /// What there is to say of spectra that have no summits, if there are any.
@@ -288,33 +240,6 @@ pub(crate) fn state_notes(counts: &StateCounts) -> Vec<String> {
 
 fn of_states(found: usize, counts: &StateCounts, what: &str) -> Option<String> {
     (found > 0).then(|| format!("{found} of {}: {what}", counted(counts.all, "state")))
-}
-
-/// How many levels lie beyond what their law is trusted for.
-#[derive(Debug, Default)]
-struct LevelCounts {
-    all: usize,
-    beyond: usize,
-}
-
-impl LevelCounts {
-    fn add(&mut self, curve: &[Vec<Level>]) {
-        let flagged =
-            |level: &&Level| level.aspect_ratio_over_critical > Some(FLAGGED_ASPECT_RATIO_OVER_CRITICAL);
-        self.all += curve.iter().map(Vec::len).sum::<usize>();
-        self.beyond += curve.iter().flatten().filter(flagged).count();
-    }
-
-    fn note(&self) -> Option<String> {
-        let LevelCounts { all, beyond } = self;
-        (*beyond > 0).then(|| {
-            format!(
-                "{beyond} of {}: B/B_c above {FLAGGED_ASPECT_RATIO_OVER_CRITICAL}, beyond what the elastic-plastic \
-                 sinusoid is trusted for",
-                counted(*all, "level")
-            )
-        })
-    }
 }
 
 fn settled(answer: &LoadAnswer, found: Convergence) -> String {
