@@ -104,7 +104,7 @@ pub fn findings(curve: &Curve, rows: &CurveResult, plan: &Plan<'_>, material: &M
         .chain(Doubt::of_spectrum(plan.psd))
         .chain(Doubt::of_pressures(needs.pressures().zip(labels), hardness_pa))
         .chain(real_pressures.doubts());
-    let mut said = counts.notes();
+    let mut said = report::question_words::of_counts(&counts);
     said.extend(material_words::assumed_strength(material, curve.model.entry()));
     said.extend(doubts.map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
     said
@@ -144,11 +144,11 @@ pub fn model_options(
     }
     Ok(ModelOptions {
         strain_gradient,
-        hardness: hardness.map(form_of_hardness).transpose()?.unwrap_or_default(),
-        interference: interference_law
+        hardness: hardness.map(form_of_hardness).transpose()?,
+        interference_law: interference_law
             .map(|name| named::<InterferenceLaw>("interference_law", name))
-            .transpose()?
-            .unwrap_or_default(),
+            .transpose()?,
+        ..ModelOptions::default()
     })
 }
 

@@ -183,7 +183,7 @@ fn findings(
         .chain(Doubt::of_spectrum(plan.psd))
         .chain(Doubt::of_pressures(plan.needs.pressures().zip(labels), hardness_pa))
         .chain(real_pressures.doubts());
-    let mut said = counts.notes();
+    let mut said = report::question_words::of_counts(&counts);
     said.extend(doubts.map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
     Ok(said)
 }

@@ -8,8 +8,8 @@ mod parsers;
 mod persson;
 mod scans;
 
-pub(crate) use bem::{BemArgs, RandomArgs};
-pub(crate) use gap::{GapArgs, GapChoiceArgs, GapModel, LawArgs, LawForm};
+pub(crate) use bem::BemArgs;
+pub(crate) use gap::{GapArgs, LawArgs, LawForm};
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
     ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,

@@ -112,6 +112,12 @@ impl HardnessTable {
         if rows.is_empty() { Err(HardnessError::Empty) } else { Ok(HardnessTable { rows }) }
     }
 
+    /// Returns the sizes \[m\] and hardnesses \[Pa\], by rising size.
+    #[must_use]
+    pub fn rows(&self) -> &[(f64, f64)] {
+        &self.rows
+    }
+
     /// Hardness \[Pa\] of a contact of a size \[m\].
     #[must_use]
     pub fn hardness_pa(&self, size_m: f64) -> f64 {

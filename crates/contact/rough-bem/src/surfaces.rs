@@ -23,7 +23,7 @@ pub enum Surfaces {
 ///
 /// The heights of each are scaled such that its rms gradient, by the sum over its waves, is that of the band: areas
 /// depend on the pressure over E* h', and most of the scatter of small boxes comes from their gradients.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RandomSurfaces {
     /// Spectrum, zero outside its band.
     pub band: AreaSpectrum,

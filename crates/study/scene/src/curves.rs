@@ -13,7 +13,7 @@ use study::plan::Curve;
 pub(super) fn resolve_curves(
     raw: &[Spanned<RawCurve>],
     material: Option<&Material>,
-    options: ModelOptions,
+    options: &ModelOptions,
 ) -> Result<Vec<Curve>, SceneError> {
     let mut curves: Vec<Curve> = Vec::new();
     for spanned in raw {
@@ -21,14 +21,19 @@ pub(super) fn resolve_curves(
         let Some(material) = material else {
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
-        let of_curve = ModelOptions {
+        let own = ModelOptions {
             strain_gradient: curve.strain_gradient,
-            interference: curve.interference_law.unwrap_or(options.interference),
-            ..options
+            interference_law: curve.interference_law,
+            ..ModelOptions::default()
+        };
+        let of_curve = ModelOptions {
+            hardness: options.hardness,
+            interference_law: own.interference_law.or(options.interference_law),
+            ..own.clone()
         };
         let model =
             curve.model.build(material, &of_curve).map_err(|error| SceneError::at(spanned.span(), error))?;
-        let default_name = || curve.model.curve_name(curve.strain_gradient, curve.interference_law);
+        let default_name = || curve.model.curve_name(&own);
         let name = curve.name.as_ref().map_or_else(default_name, |name| name.get_ref().clone());
         let name_span = curve.name.as_ref().map_or_else(|| spanned.span(), Spanned::span);
         check_file_name(&name, name_span.clone())?;

@@ -100,10 +100,12 @@ pub(super) fn resolve(
         optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
     let per_decade =
         options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
-    let hardness = overrides.hardness.or(options.hardness).unwrap_or_default();
-    let interference = options.interference_law.unwrap_or_default();
-    let law_options = ModelOptions { hardness, interference, ..ModelOptions::default() };
-    let curves = resolve_curves(&raw.curve, material.as_ref(), law_options)?;
+    let law_options = ModelOptions {
+        hardness: overrides.hardness.or(options.hardness),
+        interference_law: options.interference_law,
+        ..ModelOptions::default()
+    };
+    let curves = resolve_curves(&raw.curve, material.as_ref(), &law_options)?;
     let loads = match &raw.loads {
         Some(loads) => resolve_loads(loads, material.as_ref())?,
         None if curves.is_empty() => Vec::new(),

@@ -16,7 +16,7 @@ use crate::{NarrowSpectra, StateCounts};
 const BLOCK: usize = 1024;
 
 /// A statistical model with its options, for rows of any material and population.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct ContactStates {
     /// The model.
     pub entry: &'static ModelEntry,

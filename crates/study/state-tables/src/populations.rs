@@ -104,7 +104,7 @@ impl Populations {
     ) -> Result<Option<RowContact>, String> {
         let strain_gradient =
             entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
-        let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options });
+        let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options.clone() });
         let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
             unreachable!("the model is one of the statistical ones");
         };

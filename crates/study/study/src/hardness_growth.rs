@@ -1,20 +1,55 @@
 //! The hardness of a material as Persson's theory takes it: constant, or growing towards short wavelengths.
 
 use persson::hardness_laws::{Hardness, HardnessError, HardnessGrowth, HardnessTable};
+use serde::{Deserialize, Serialize};
 use units::Bound;
 
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 use crate::material::{Material, MaterialError, NeededFor};
 
-/// How a hardness is asked to grow towards short wavelengths.
-#[derive(Debug, Clone, PartialEq)]
+/// The law by which a hardness grows towards short wavelengths. In files it is `nix-gao`, `power:N`, or a list of pairs
+/// of contact size \[m\] and hardness \[Pa\].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "NameOrRows", into = "NameOrRows")]
 pub enum GrowthLaw {
-    /// As a power of the wavevector.
+    /// A power of the wavevector, with its exponent.
     Power(f64),
-    /// With the amplitudes of scales, and the strain-gradient length of the material.
+    /// Growth with the amplitudes of scales and the strain-gradient length of the material (Nix & Gao 1998).
     NixGao,
-    /// As measured.
+    /// A measured table.
     Table(HardnessTable),
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum NameOrRows {
+    Name(String),
+    Rows(Vec<(f64, f64)>),
+}
+
+impl TryFrom<NameOrRows> for GrowthLaw {
+    type Error = String;
+
+    fn try_from(given: NameOrRows) -> Result<Self, String> {
+        match given {
+            NameOrRows::Name(name) => {
+                GrowthLaw::named(&name)?.ok_or_else(|| format!("'{name}' is none of power:N, nix-gao"))
+            }
+            NameOrRows::Rows(rows) => {
+                HardnessTable::new(rows).map(GrowthLaw::Table).map_err(|error| error.to_string())
+            }
+        }
+    }
+}
+
+impl From<GrowthLaw> for NameOrRows {
+    fn from(law: GrowthLaw) -> Self {
+        match law {
+            GrowthLaw::Power(exponent) => NameOrRows::Name(format!("power:{exponent}")),
+            GrowthLaw::NixGao => NameOrRows::Name("nix-gao".to_owned()),
+            GrowthLaw::Table(table) => NameOrRows::Rows(table.rows().to_vec()),
+        }
+    }
 }
 
 impl GrowthLaw {
@@ -102,6 +137,17 @@ mod tests {
         assert_eq!(GrowthLaw::named("power:x"), Err("'x' is not a number".to_owned()));
         let negative = GrowthLaw::named("power:-1").unwrap_err();
         assert_eq!(negative, "the exponent of the hardness is -1; it must be finite and at least 0");
+    }
+
+    #[test]
+    fn laws_come_back_from_files_as_they_were() {
+        let table = HardnessTable::new([(1e-6, 3e9), (1e-8, 9e9)]).unwrap();
+        for law in [GrowthLaw::NixGao, GrowthLaw::Power(0.25), GrowthLaw::Table(table)] {
+            let text = serde_json::to_string(&law).unwrap();
+            assert_eq!(serde_json::from_str::<GrowthLaw>(&text).unwrap(), law, "{text}");
+        }
+        assert!(serde_json::from_str::<GrowthLaw>("\"power:-1\"").is_err());
+        assert!(serde_json::from_str::<GrowthLaw>("[]").is_err());
     }
 
     #[test]

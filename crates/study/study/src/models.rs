@@ -5,11 +5,14 @@
 use std::sync::LazyLock;
 
 use asperity::{Hardness, MaterialPair, NixGao};
-use serde::{Deserialize, Deserializer};
+use persson::corrections::Correction;
+use persson::variance::Band;
+use serde::{Deserialize, Deserializer, Serialize};
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 use units::UnknownName;
 
+use crate::hardness_growth::GrowthLaw;
 use crate::material::{Material, MaterialError, NeededFor};
 use crate::persson_law::PerssonLaw;
 
@@ -64,29 +67,132 @@ impl std::fmt::Display for Framework {
     }
 }
 
-/// What a model may leave to choose, besides the elastic constants.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A property or an option that some models take and others do not, besides the elastic constants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Choice {
     /// A yield strength, which the model needs and whose cap it heeds.
     Strength,
-    /// Whether that strength grows at small depths.
+    /// Growth of that strength at small depths.
     StrainGradient,
     /// The form of the hardness of spheres.
     Hardness,
-    /// What ties the pressure on an elastic sinusoid to its interference.
+    /// The law between pressure and interference of an elastic sinusoid.
+    #[serde(rename = "interference_law")]
     Interference,
+    /// A corrected form of Persson's elastic theory.
+    Correction,
+    /// The spectrum that a cutoff ends, in Persson's theory.
+    Band,
+    /// The elastic energy factor of mean separations, in Persson's theory.
+    Gamma,
+    /// The growth of the hardness towards short wavelengths, in Persson's theory.
+    HardnessLaw,
 }
 
-/// The choices made for a model; those that it does not have are not looked at.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+/// The choices made for a model. An option that is absent was not given, and the model takes its default.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ModelOptions {
-    /// Let the strength grow at small depths.
+    /// True if the strength grows at small depths.
     pub strain_gradient: bool,
     /// The form of the hardness of spheres.
-    pub hardness: Hardness,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<Hardness>,
     /// The interference law of elastic sinusoids.
-    pub interference: InterferenceLaw,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interference_law: Option<InterferenceLaw>,
+    /// The corrected form of Persson's elastic theory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub correction: Option<Correction>,
+    /// The spectrum that a cutoff ends, in Persson's theory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub band: Option<Band>,
+    /// The elastic energy factor of Persson's theory, in (0, 1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gamma: Option<f64>,
+    /// The growth of the hardness towards short wavelengths, in Persson's theory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness_law: Option<GrowthLaw>,
+}
+
+/// An option that was given and that the model ignores.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct IgnoredOption {
+    /// The option.
+    pub choice: Choice,
+    /// Why the model ignores it.
+    pub reason: IgnoredReason,
+}
+
+/// The reason why a model ignores an option.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum IgnoredReason {
+    /// The model has no such option; [`of_framework`] and [`ModelEntry::has`] tell which models have it.
+    NoSuchOption,
+    /// The model never yields, so that it has neither strength nor hardness.
+    NeverYields,
+    /// The model yields, and the corrected forms are elastic ones.
+    CorrectionsAreElastic,
+    /// The hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
+    OtherHardnessLaw,
+    /// Neither strength nor hardness grows, so that there is nothing to cap.
+    NothingGrows,
+}
+
+impl ModelOptions {
+    /// Returns the options that were given, in the order of the fields.
+    pub fn given(&self) -> impl Iterator<Item = Choice> {
+        let given = [
+            (self.strain_gradient, Choice::StrainGradient),
+            (self.hardness.is_some(), Choice::Hardness),
+            (self.interference_law.is_some(), Choice::Interference),
+            (self.correction.is_some(), Choice::Correction),
+            (self.band.is_some(), Choice::Band),
+            (self.gamma.is_some(), Choice::Gamma),
+            (self.hardness_law.is_some(), Choice::HardnessLaw),
+        ];
+        given.into_iter().filter_map(|(is_given, choice)| is_given.then_some(choice))
+    }
+
+    /// Returns the options that were given and that a model ignores.
+    #[must_use]
+    pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<IgnoredOption> {
+        let ignored = |choice| Some(IgnoredOption { choice, reason: self.reason_to_ignore(choice, entry)? });
+        self.given().filter_map(ignored).collect()
+    }
+
+    /// Returns why a model ignores a cap of the strength, or nothing if it heeds one. The cap belongs to the material,
+    /// which is why it is no field here.
+    #[must_use]
+    pub fn reason_to_ignore_strength_cap(&self, entry: &ModelEntry) -> Option<IgnoredReason> {
+        match entry.has(Choice::Strength) {
+            false => Some(IgnoredReason::NeverYields),
+            true if self.strain_gradient || self.hardness_law.is_some() => None,
+            true => Some(IgnoredReason::NothingGrows),
+        }
+    }
+
+    fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<IgnoredReason> {
+        let yields = entry.has(Choice::Strength);
+        let other_law = || self.hardness_law.as_ref().is_some_and(|law| *law != GrowthLaw::NixGao);
+        match choice {
+            Choice::StrainGradient if entry.has(Choice::HardnessLaw) && other_law() => {
+                Some(IgnoredReason::OtherHardnessLaw)
+            }
+            choice if entry.has(choice) => None,
+            Choice::StrainGradient if !yields => Some(IgnoredReason::NeverYields),
+            Choice::HardnessLaw if !yields && entry.framework == Framework::Persson => {
+                Some(IgnoredReason::NeverYields)
+            }
+            Choice::Correction if yields && entry.framework == Framework::Persson => {
+                Some(IgnoredReason::CorrectionsAreElastic)
+            }
+            _ => Some(IgnoredReason::NoSuchOption),
+        }
+    }
 }
 
 /// What there is to know of a model before it is built.
@@ -148,7 +254,10 @@ pub static MODELS: &[ModelEntry] = &[
         choices: &[Choice::Strength, Choice::StrainGradient, Choice::Hardness],
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
-            Ok(statistical(material, AsperityLaw::EpSphere { strength, hardness: options.hardness }))
+            Ok(statistical(
+                material,
+                AsperityLaw::EpSphere { strength, hardness: options.hardness.unwrap_or_default() },
+            ))
         },
         is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSphere { .. })),
     },
@@ -159,7 +268,8 @@ pub static MODELS: &[ModelEntry] = &[
         framework: Framework::Statistical,
         choices: &[Choice::Interference],
         build: |material, options| {
-            Ok(statistical(material, AsperityLaw::ElasticSine { interference: options.interference }))
+            let interference = options.interference_law.unwrap_or_default();
+            Ok(statistical(material, AsperityLaw::ElasticSine { interference }))
         },
         is: |model| has_law(model, |law| matches!(law, AsperityLaw::ElasticSine { .. })),
     },
@@ -191,7 +301,7 @@ pub static MODELS: &[ModelEntry] = &[
         full_name: "Persson's theory, elastic",
         citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
         framework: Framework::Persson,
-        choices: &[],
+        choices: &[Choice::Correction, Choice::Band, Choice::Gamma],
         build: |material, _| Ok(CurveModel::Persson { pair: material.pair, law: PerssonLaw::Elastic }),
         is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::Elastic, .. }),
     },
@@ -200,7 +310,13 @@ pub static MODELS: &[ModelEntry] = &[
         full_name: "Persson's theory, elastic-plastic",
         citation: "Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006), Surf. Sci. Rep. 61:201",
         framework: Framework::Persson,
-        choices: &[Choice::Strength, Choice::StrainGradient],
+        choices: &[
+            Choice::Strength,
+            Choice::StrainGradient,
+            Choice::Band,
+            Choice::Gamma,
+            Choice::HardnessLaw,
+        ],
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
             let hardness_pa = material.hardness_pa().ok_or(MaterialError::Missing(NeededFor::Yielding))?;
@@ -270,19 +386,18 @@ impl ModelEntry {
         self.choices.contains(&choice)
     }
 
-    /// The name of a curve that is given none: the model's, and what sets the curve apart from a plain one. An
-    /// `interference` is one that was chosen for this curve alone.
+    /// Returns the name of a curve that is given none: the model's, followed by the options that differ from its defaults.
     #[must_use]
-    pub fn curve_name(&self, strain_gradient: bool, interference: Option<InterferenceLaw>) -> String {
-        let chosen =
-            interference.filter(|law| self.has(Choice::Interference) && *law != InterferenceLaw::default());
-        match chosen {
-            _ if strain_gradient && self.has(Choice::StrainGradient) => {
-                format!("{}-strain-gradient", self.name)
-            }
-            Some(law) => format!("{}-{law}", self.name),
-            None => self.name.to_owned(),
+    pub fn curve_name(&self, options: &ModelOptions) -> String {
+        let mut name = self.name.to_owned();
+        if options.strain_gradient && self.has(Choice::StrainGradient) {
+            name.push_str("-strain-gradient");
         }
+        let law = options.interference_law.filter(|law| *law != InterferenceLaw::default());
+        if let Some(law) = law.filter(|_| self.has(Choice::Interference)) {
+            name.push_str(&format!("-{law}"));
+        }
+        name
     }
 }
 
@@ -314,6 +429,17 @@ impl CurveModel {
             unreachable!("every law has its entry, which a test goes through");
         };
         entry
+    }
+
+    /// Returns the options in which the model differs from the defaults of its entry.
+    #[must_use]
+    pub fn options(&self) -> ModelOptions {
+        ModelOptions {
+            strain_gradient: self.strength_grows(),
+            hardness: self.hardness().filter(|form| *form != Hardness::default()),
+            interference_law: self.interference().filter(|law| *law != InterferenceLaw::default()),
+            ..ModelOptions::default()
+        }
     }
 
     /// The strength of the rough body, where it yields.
@@ -471,6 +597,47 @@ mod tests {
             assert_eq!((moved.pair(), moved.strength(), moved.entry()), (other, model.strength(), entry));
             assert_eq!(moved.with_pair(model.pair()), model);
         }
+    }
+
+    #[test]
+    fn an_option_is_ignored_by_the_models_that_do_not_have_it_with_the_reason() {
+        use IgnoredReason::{
+            CorrectionsAreElastic, NeverYields, NoSuchOption, NothingGrows, OtherHardnessLaw,
+        };
+        let all = ModelOptions {
+            strain_gradient: true,
+            hardness: Some(Hardness::default()),
+            interference_law: Some(InterferenceLaw::Bem),
+            correction: Some(Correction::AlgebraicNayak),
+            band: Some(Band::Surface),
+            gamma: Some(0.5),
+            hardness_law: Some(GrowthLaw::Power(0.5)),
+        };
+        assert_eq!(ModelOptions::default().given().count(), 0);
+        assert_eq!(all.given().count(), 7);
+        let entry = |name: &str| MODELS.iter().find(|entry| entry.name == name).unwrap();
+        for entry in MODELS {
+            let reasons = all.ignored_by(entry);
+            for choice in all.given() {
+                let ignored = reasons.iter().find(|ignored| ignored.choice == choice);
+                let reason = match choice {
+                    Choice::StrainGradient if entry.name == "persson-plastic" => Some(OtherHardnessLaw),
+                    choice if entry.has(choice) => None,
+                    Choice::StrainGradient => Some(NeverYields),
+                    Choice::HardnessLaw if entry.name == "persson" => Some(NeverYields),
+                    Choice::Correction if entry.name == "persson-plastic" => Some(CorrectionsAreElastic),
+                    _ => Some(NoSuchOption),
+                };
+                assert_eq!(ignored.map(|ignored| ignored.reason), reason, "{choice:?} of {entry}");
+            }
+        }
+        let nix_gao = ModelOptions { hardness_law: Some(GrowthLaw::NixGao), ..all.clone() };
+        let ignored = nix_gao.ignored_by(entry("persson-plastic"));
+        assert!(ignored.iter().all(|ignored| ignored.choice != Choice::StrainGradient));
+        let cap = |options: &ModelOptions, name: &str| options.reason_to_ignore_strength_cap(entry(name));
+        assert_eq!(cap(&all, "persson"), Some(NeverYields));
+        assert_eq!(cap(&ModelOptions::default(), "persson-plastic"), Some(NothingGrows));
+        assert_eq!(cap(&nix_gao, "persson-plastic"), None);
     }
 
     #[test]

@@ -7,12 +7,13 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use gaussian_surfaces::Phases;
 use measurements::ScanRequest;
+use questions::{MaterialInput, OptionName, RandomInput};
 use rough_bem::{Boundary, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
-use super::groups::{CounterfaceArgs, FigureArg, MaterialArgs, ReadingArgs, StrengthCapArg};
+use super::groups::{CounterfaceArgs, FigureArg, ReadingArgs};
 use super::parsers::{one_of, parse_count, parse_labelled_pressure, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
@@ -76,16 +77,15 @@ pub(crate) struct PressedMaterialArgs {
 }
 
 impl PressedMaterialArgs {
-    /// The same as the options of a material whose strength does not grow.
-    pub fn without_growth(&self) -> MaterialArgs {
-        MaterialArgs {
-            youngs_modulus: self.youngs_modulus,
+    /// The material as questions take it.
+    pub fn input(&self) -> MaterialInput {
+        MaterialInput {
+            youngs_modulus_pa: self.youngs_modulus.map(|modulus| modulus.pa),
             poisson_ratio: self.poisson_ratio,
             yield_strength: self.yield_strength,
-            indentation_hardness: self.indentation_hardness,
-            strain_gradient_length: None,
-            strength_cap: StrengthCapArg { strength_cap: None },
-            counterface: self.counterface.clone(),
+            indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
+            counterface: self.counterface.input(),
+            ..MaterialInput::default()
         }
     }
 }
@@ -108,18 +108,17 @@ pub(crate) struct MapArgs {
 }
 
 impl MapArgs {
-    /// The options that were given, by their names.
-    pub fn given(&self) -> impl Iterator<Item = &'static str> {
-        let given = [
-            ("--boundary", self.boundary.is_some()),
-            ("--detrend", self.detrend.is_some()),
-            ("--unit", self.untold.unit.is_some()),
-            ("--size", self.untold.size.is_some()),
-            ("--channel", self.untold.channel.is_some()),
-            ("--gaps", self.treatment.gaps.is_some()),
-            ("--direction", self.treatment.direction.is_some()),
-        ];
-        given.into_iter().filter_map(|(name, given)| given.then_some(name))
+    /// The options of maps, and whether each is given.
+    pub fn given(&self) -> [(OptionName, bool); 7] {
+        [
+            (OptionName::Boundary, self.boundary.is_some()),
+            (OptionName::Detrend, self.detrend.is_some()),
+            (OptionName::Unit, self.untold.unit.is_some()),
+            (OptionName::Size, self.untold.size.is_some()),
+            (OptionName::Channel, self.untold.channel.is_some()),
+            (OptionName::MissingPoints, self.treatment.gaps.is_some()),
+            (OptionName::Direction, self.treatment.direction.is_some()),
+        ]
     }
 }
 
@@ -157,17 +156,17 @@ pub(crate) struct RandomArgs {
 }
 
 impl RandomArgs {
-    /// The options that were given, by their names.
-    pub fn given(&self) -> impl Iterator<Item = &'static str> {
-        let given = [
-            ("--grid", self.grid.is_some()),
-            ("--realisations", self.realisations.is_some()),
-            ("--seed", self.seed.is_some()),
-            ("--shortest", self.shortest.is_some()),
-            ("--longest", self.longest.is_some()),
-            ("--box", self.side.is_some()),
-            ("--phases", self.phases.is_some()),
-        ];
-        given.into_iter().filter_map(|(name, given)| given.then_some(name))
+    /// Random surfaces as questions take them.
+    pub fn input(&self) -> RandomInput {
+        let metres = |length: Option<Length>| length.map(|length| length.m);
+        RandomInput {
+            grid: self.grid.map(|points| points as usize),
+            realisations: self.realisations.map(|count| count.get() as usize),
+            seed: self.seed,
+            longest_m: metres(self.longest),
+            shortest_m: metres(self.shortest),
+            side_m: metres(self.side),
+            phases: self.phases,
+        }
     }
 }

@@ -4,9 +4,9 @@ use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::variance::Band;
+use questions::GapModel;
 use stat_contact::InterferenceLaw;
-use study::models::{self, ModelEntry};
-use study::persson_law::PerssonLaw;
+use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::{Pressure, PressureRange, named};
 
@@ -15,14 +15,9 @@ use super::parsers::{one_of, parse_labelled_pressure, parse_tolerance};
 use super::persson::parse_gamma;
 use super::{HardnessArg, MaterialArgs, NormalisationArg, ReadingArgs, SamplingArgs};
 
-/// What makes the gap.
+/// What makes the gap: a model of asperities, Persson's theory, or boundary elements if there is none.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum GapModel {
-    /// A model of asperities, or Persson's theory.
-    Curve(&'static ModelEntry),
-    /// Boundary elements.
-    Elements,
-}
+pub(crate) struct GapModelArg(pub Option<&'static ModelEntry>);
 
 /// The name of boundary elements among models.
 const ELEMENTS: &str = "bem";
@@ -31,11 +26,11 @@ fn entry(name: &str) -> Result<&'static ModelEntry, &'static str> {
     models::with_gaps().find(|entry| entry.name == name).ok_or("an unknown model")
 }
 
-fn gap_model() -> impl TypedValueParser<Value = GapModel> {
+fn gap_model() -> impl TypedValueParser<Value = GapModelArg> {
     let names = models::with_gaps().map(|entry| entry.name).chain([ELEMENTS]);
     PossibleValuesParser::new(names).try_map(|name| match name.as_str() {
-        ELEMENTS => Ok(GapModel::Elements),
-        name => entry(name).map(GapModel::Curve),
+        ELEMENTS => Ok(GapModelArg(None)),
+        name => entry(name).map(|entry| GapModelArg(Some(entry))),
     })
 }
 
@@ -68,9 +63,24 @@ pub(crate) struct GapChoiceArgs {
 }
 
 impl GapChoiceArgs {
-    /// The elastic energy factor.
-    pub fn energy_factor(&self) -> f64 {
-        self.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR)
+    /// Model, material and spectrum as questions take them.
+    pub fn input(&self, model: Option<&'static ModelEntry>) -> GapModel {
+        let material = self.material.input();
+        GapModel {
+            model,
+            options: ModelOptions {
+                strain_gradient: model.is_some_and(|entry| material.strain_gradient_in(entry)),
+                hardness: self.hardness.hardness,
+                interference_law: self.interference_law,
+                band: self.band,
+                gamma: self.gamma,
+                ..ModelOptions::default()
+            },
+            material,
+            sampling: self.sampling.input(),
+            normalisation: self.normalisation.normalisation,
+            tolerance: None,
+        }
     }
 }
 
@@ -83,7 +93,7 @@ pub(crate) struct GapArgs {
     pub reading: ReadingArgs,
     /// What makes the gap: Persson's theory, a law of asperities, or boundary elements
     #[arg(long, value_parser = gap_model())]
-    pub model: GapModel,
+    pub model: GapModelArg,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,

@@ -4,8 +4,8 @@ use std::num::NonZeroU32;
 
 use asperity::Hardness;
 use clap::Args as ClapArgs;
+use questions::{BodyInput, MaterialInput, SamplingInput};
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
-use study::plan::Sampling;
 use tables::Format;
 use units::{IndentationHardness, Length, Modulus, Pressure};
 
@@ -78,9 +78,12 @@ pub(crate) struct SamplingArgs {
 }
 
 impl SamplingArgs {
-    /// The same for a plan.
-    pub fn sampling(&self) -> Sampling {
-        Sampling { scales_per_decade: self.scales_per_decade, cutoff_m: self.cutoff.map(|cutoff| cutoff.m) }
+    /// The sampling as questions take it.
+    pub fn input(&self) -> SamplingInput {
+        SamplingInput {
+            scales_per_decade: self.scales_per_decade,
+            cutoff_m: self.cutoff.map(|cutoff| cutoff.m),
+        }
     }
 }
 
@@ -152,6 +155,31 @@ pub(crate) struct MaterialArgs {
     pub strength_cap: StrengthCapArg,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
+}
+
+impl CounterfaceArgs {
+    /// The counterface as questions take it.
+    pub fn input(&self) -> Option<BodyInput> {
+        Some(BodyInput {
+            youngs_modulus_pa: self.counterface_youngs_modulus?.pa,
+            poisson_ratio: self.counterface_poisson_ratio?,
+        })
+    }
+}
+
+impl MaterialArgs {
+    /// The material as questions take it.
+    pub fn input(&self) -> MaterialInput {
+        MaterialInput {
+            youngs_modulus_pa: self.youngs_modulus.map(|modulus| modulus.pa),
+            poisson_ratio: self.poisson_ratio,
+            yield_strength: self.yield_strength,
+            indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
+            strain_gradient_length_m: self.strain_gradient_length.map(|length| length.m),
+            strength_cap: self.strength_cap.strength_cap,
+            counterface: self.counterface.input(),
+        }
+    }
 }
 
 /// A picture of what a table holds.

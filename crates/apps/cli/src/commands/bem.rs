@@ -3,44 +3,52 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use gaussian_surfaces::AreaSpectrum;
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
+use questions::{ElementsQuestion, OptionName, PreparedElements, Reason, UnusedOption};
 use report::provenance::program;
-use report::{elements_figure, elements_words, field_picture};
-use rough_bem::{Boundary, ElementsError, Field, Pressing, RandomChoices, RandomSurfaces, Relief, Surfaces};
+use report::{elements_figure, elements_words, field_picture, question_words};
+use rough_bem::{Boundary, ElementsError, Field, Relief, Surfaces};
 use spectrum::ReadOptions;
 use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
-use study::surface::{Surface, SurfaceError};
+use study::surface::SurfaceError;
 use topography::Recipe;
 
-use super::material_options::{loads, material};
-use super::{Context, psd, reading_options, say_notes, say_surface};
-use crate::args::{BemArgs, RandomArgs};
+use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
+use crate::args::BemArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
+use crate::flags::Flags;
 use crate::output::{publish, stage};
 use crate::picture::png_of_field;
 use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let pressing = pressing(args)?;
+    let question = ElementsQuestion {
+        material: args.material.input(),
+        pressures: load_inputs(&args.pressures),
+        pressure_ranges: range_inputs(&args.pressure_ranges),
+        saturation: args.saturation,
+        tolerance: args.tolerance,
+        random: args.random.input(),
+    };
+    question.check()?;
     let mut timings = Timings::start();
-    let (surfaces, comments) = load(args, &pressing, context)?;
+    let (prepared, comments) = load(args, &question, context)?;
     let fields = args.fields.as_deref().map(|folder| FieldFiles::new(folder, args)).transpose()?;
     timings.lap("reading");
-    let progress = Progress::towards(rough_bem::progress_steps(&surfaces, &pressing), "steps");
+    let progress = Progress::towards(prepared.steps(), "steps");
     let files = Mutex::new(StagedFiles::default());
     let see = |field: &Field<'_>| match &fields {
         Some(fields) => fields.stage(field, &files),
         None => Ok(()),
     };
-    let pressed = rough_bem::press::<Failure>(&surfaces, &pressing, see, &progress)?;
+    let (pressed, notes) = prepared.answer::<Failure>(see, &progress)?;
     drop(progress);
     timings.lap("pressing");
-    say_notes(elements_words::of_results(&pressed));
+    say_all(&notes, &Flags);
     let table = if args.per_realisation {
         rough_bem::states_table(&pressed)
     } else {
@@ -72,41 +80,12 @@ impl From<ElementsError> for Failure {
     }
 }
 
-/// Material, loads and tolerance, all refused that cannot be before anything is read.
-fn pressing(args: &BemArgs) -> Result<Pressing, Failure> {
-    let material = material(&args.material.without_growth())?;
-    let (loads, ranges) = loads(&args.pressures, &args.pressure_ranges, &material)?;
-    let of_ranges = ranges.into_iter().flat_map(|range| range.pressures().map(|pressure| pressure.pa()));
-    let saturation_pa = args.saturation.map(|saturation| {
-        saturation.pascals(material.hardness_pa()).ok_or_else(|| {
-            Failure::input(
-                "--saturation is given in H, and the material has no hardness: add --indentation-hardness or \
-                            --yield-strength",
-            )
-        })
-    });
-    let pressing = Pressing {
-        pressures_pa: loads.iter().map(|load| load.nominal_pressure_pa()).chain(of_ranges).collect(),
-        saturation_pa: saturation_pa.transpose()?,
-        tolerance: args.tolerance,
-        stiffness: true,
-        ..Pressing::elastic(material.pair.composite_modulus_pa())
-    };
-    pressing.check().map_err(|error| match error {
-        HalfSpaceError::CannotBeCarried { nominal_pressure_pa, saturation_pa } => Failure::Input(
-            elements_words::cannot_be_carried(nominal_pressure_pa, saturation_pa, "--saturation"),
-        ),
-        error => Failure::input(error),
-    })?;
-    Ok(pressing)
-}
-
 /// The surfaces, and where they come from.
 fn load(
     args: &BemArgs,
-    pressing: &Pressing,
+    question: &ElementsQuestion,
     context: &Context<'_>,
-) -> Result<(Surfaces, Vec<String>), Failure> {
+) -> Result<(PreparedElements, Vec<String>), Failure> {
     let request = args.map.treatment.told_of(args.map.untold.told_of(&args.surface));
     let options = MeasuredOptions {
         kind: args.kind,
@@ -121,35 +100,36 @@ fn load(
     let mut comments = vec![program(context.typed)];
     match found {
         Measured::Map(map) => {
-            refuse_foreign(Kind::Scan, args.random.given(), &args.reading)?;
+            let is_read = (OptionName::Reading, reading_options(&args.reading) != ReadOptions::default());
+            refuse_foreign(Kind::Scan, question.random.given().into_iter().chain([is_read]))?;
             psd::say_remarks(&map.remarks);
             comments.push(map.provenance.clone());
-            Ok((Surfaces::Map(relief(*map, args.map.boundary)), comments))
+            let prepared = question.on_map(relief(*map, args.map.boundary))?;
+            say_all(&prepared.notes, &Flags);
+            Ok((prepared, comments))
         }
         Measured::Spectrum(surface) => {
-            refuse_foreign(Kind::Spectrum, args.map.given(), &args.reading)?;
-            say_surface(&surface);
-            let random = random_surfaces(&surface, &args.random, pressing)?;
+            refuse_foreign(Kind::Spectrum, args.map.given())?;
+            let prepared = question.on(&surface)?;
+            say_all(&prepared.notes, &Flags);
             comments.extend(report::provenance::of_surface(&surface));
-            comments.push(elements_words::random_surfaces(&random));
-            Ok((Surfaces::Random(random), comments))
+            if let Surfaces::Random(random) = &prepared.surfaces {
+                comments.push(elements_words::random_surfaces(random));
+            }
+            Ok((prepared, comments))
         }
     }
 }
 
 /// Refuses options that mean something for the other kind of file.
-fn refuse_foreign(
-    kind: Kind,
-    mut given: impl Iterator<Item = &'static str>,
-    reading: &crate::args::ReadingArgs,
-) -> Result<(), Failure> {
-    let of_spectra = (kind == Kind::Scan && reading_options(reading) != ReadOptions::default())
-        .then_some("an option for reading spectra");
-    match given.next().or(of_spectra) {
+fn refuse_foreign(kind: Kind, given: impl IntoIterator<Item = (OptionName, bool)>) -> Result<(), Failure> {
+    match given.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),
-        Some(option) => Err(Failure::Input(format!(
-            "{option} has no bearing on a {kind}; leave it out, or say what the file is with --as"
-        ))),
+        Some((option, _)) => {
+            let unused = UnusedOption { option, why: Reason::KindOfFile(kind) };
+            let words = question_words::unused(&unused, &Flags);
+            Err(Failure::Input(format!("{words}; leave it out, or say what the file is with --as")))
+        }
     }
 }
 
@@ -165,36 +145,6 @@ fn relief(map: MapOfFile, boundary: Option<Boundary>) -> Relief {
         heights_m: map_m.heights_m().to_vec(),
         boundary: boundary.unwrap_or(of_file),
     }
-}
-
-/// Surfaces that have a spectrum in the band that the grid holds.
-pub(super) fn random_surfaces(
-    surface: &Surface,
-    random: &RandomArgs,
-    pressing: &Pressing,
-) -> Result<RandomSurfaces, Failure> {
-    let named = |error: gaussian_surfaces::SurfaceError| Failure::Input(format!("{}: {error}", surface.name));
-    say_notes(surface.of_area.iter().map(|_| elements_words::TAKEN_AS_IT_IS.to_owned()));
-    let area = match &surface.of_area {
-        Some(psd) => AreaSpectrum::from_psd(psd),
-        None => AreaSpectrum::from_profile(&surface.psd),
-    };
-    let area = area.map_err(named)?;
-    let usual = RandomChoices::default();
-    let [longest_m, shortest_m, side_m] =
-        [random.longest, random.shortest, random.side].map(|length| length.map(|length| length.m));
-    let choices = RandomChoices {
-        points: random.grid.map_or(usual.points, |points| points as usize),
-        realisations: random.realisations.map_or(usual.realisations, |count| count.get() as usize),
-        seed: random.seed.unwrap_or(usual.seed),
-        longest_m,
-        shortest_m,
-        side_m,
-        phases: random.phases.unwrap_or_default(),
-    };
-    let (random, grid) = choices.surfaces(&area).map_err(named)?;
-    say_notes(elements_words::of_surfaces(&area, &random, &grid, pressing.contact_modulus_pa));
-    Ok(random)
 }
 
 /// The files of pressures and gaps, in a folder of their own.

@@ -1,19 +1,17 @@
 //! `law`: pressure against overclosure for finite elements.
 
 use contact_law::{ContactLawError, Heading, SamplingError};
-use report::gap_words;
+use questions::{FoundLaw, LIGHT_LOADS_SHARE, LawQuestion};
 use report::provenance::provenance;
 use study::gap_law::GapError;
-use study::plan::Tolerance;
 use tables::Format;
 
-use super::material_options::material;
-use super::{Context, gap, say_doubts, say_notes, say_surface};
+use super::{Context, say_all};
 use crate::args::{LawArgs, LawForm};
 use crate::failure::Failure;
-use crate::material_errors;
+use crate::flags::Flags;
+use crate::progress::Unseen;
 use crate::timings::Timings;
-use findings::doubts::Doubt;
 
 pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> {
     if context.shared.format == Format::Json {
@@ -21,24 +19,16 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             "--format json has no bearing on `law`, which writes what --dialect says; leave it out",
         ));
     }
-    gap::refuse_idle_options(&args.choices, args.model)?;
-    let material = material(&args.choices.material)?;
-    say_doubts(Doubt::of_material(&material));
-    let pascals = |pressure| {
-        material
-            .nominal_pressure(pressure)
-            .map(|pressure| pressure.pa())
-            .map_err(|error| Failure::Input(format!("--pressure-range: {}", material_errors::told(&error))))
-    };
-    let [from, to] = args.pressure_range.map(pascals);
-    let range_pa = [from?, to?];
+    let [from, to] = args.pressure_range;
+    let question = LawQuestion { by: args.choices.input(Some(args.model)), from, to };
+    question.check()?;
     let mut timings = Timings::start();
-    let surface = gap::load(&args.psd, &args.reading, &args.choices, context)?;
+    let surface = context.load(&args.psd, &args.reading, None)?;
     timings.lap("reading");
-    say_surface(&surface);
-    let law = gap::law(args.model, &args.choices, Tolerance::default(), &material, &surface)?;
-    say_notes(gap_words::of_law(&law, range_pa[0], gap::BY_SURFACE));
-    let mut origin = provenance(context.typed, &surface, args.choices.sampling.sampling());
+    let found = question.answer(&surface, &Unseen)?;
+    say_all(&found.notes, &Flags);
+    let FoundLaw { law, range_pa, .. } = found;
+    let mut origin = provenance(context.typed, &surface, question.by.sampling.sampling());
     origin.push(format!("{}: {}", args.model.full_name, args.model.citation));
     let heading = Heading { provenance: origin, name: args.name.clone() };
     let text = match args.form {
@@ -47,7 +37,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             args.dialect.table(&sampled, args.units, &heading, &[])?
         }
         LawForm::Exponential => {
-            let exponential = law.exponential(gap_words::LIGHT_LOADS_SHARE).ok_or_else(|| {
+            let exponential = law.exponential(LIGHT_LOADS_SHARE).ok_or_else(|| {
                 Failure::Input(format!(
                     "--form exponential is the law of light loads of Persson's theory, and --model {} has none; take the \
                      table",

@@ -5,7 +5,6 @@ mod completions;
 mod gap;
 mod law;
 mod man_pages;
-mod material_options;
 mod one_asperity;
 mod persson;
 mod psd;
@@ -18,31 +17,32 @@ mod statistical;
 
 use std::time::{Duration, Instant};
 
-use spectrum::{ProfilePsd, ReadOption, ReadOptions};
-use staging::StagedFiles;
-
-use crate::args::{Args, Command, FigureArg, ReadingArgs, SharedArgs};
-use crate::failure::Failure;
-use crate::files::Folder;
-use crate::interruption;
-use crate::output::{Place, Stopped, publish, stage};
-use crate::picture::Picture;
-use crate::progress::Progress;
-use crate::stderr::say;
-use crate::targets::Targets;
-use crate::timings::Timings;
-use findings::doubts::{Doubt, RealPressures};
-use report::doubt_words;
+use questions::{Answer, CurveQuestion, LoadInput, Note, RangeInput, SpectrumQuestion, Spelling};
 use report::provenance::provenance;
-use report::summary::CurveCounts;
-use report::{plot, scan_words, spectrum_words};
-use study::figure::{Figure, FigureData, Shows};
-use study::plan::{Curve, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError, Results, Sampling};
-use study::result_tables;
+use report::{plot, question_words, scan_words, spectrum_words};
+use spectrum::{ReadOption, ReadOptions};
+use staging::StagedFiles;
+use study::figure::FigureData;
+use study::plan::{Plan, PlanError, Results, Sampling};
 use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table, TableWriter};
 use topography::Severity;
-use units::display::length;
+use units::{Pressure, PressureRange};
+
+use crate::args::{Args, Command, PsdArgs, ReadingArgs, SharedArgs};
+use crate::failure::Failure;
+use crate::files::Folder;
+use crate::flags::{Flags, failure};
+use crate::interruption;
+use crate::output::{Place, Stopped, publish, stage};
+use crate::picture::Picture;
+use crate::progress::{Progress, Unseen};
+use crate::stderr::say;
+use crate::targets::Targets;
+use crate::timings::Timings;
+
+/// The file that a figure goes to, if there is one.
+type Figure<'a> = Option<&'a Picture>;
 
 /// Carries a command out; `typed` is the command line without the program's name.
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
@@ -82,31 +82,37 @@ struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// Reads the spectrum, computes what is needed of it, and writes the table made from that.
-    fn spectrum_to_table(
+    /// Answers a question about a spectrum alone.
+    fn spectrum(
         &self,
-        spectrum: &Spectrum<'_>,
-        needs: Needs,
-        table: impl FnOnce(&Results) -> Table,
-        notes: impl FnOnce(&Results) -> Vec<String>,
+        question: &SpectrumQuestion,
+        psd: &PsdArgs,
+        figure: Figure<'_>,
     ) -> Result<(), Failure> {
         let mut timings = Timings::start();
-        let surface = self.load(spectrum)?;
+        let surface = self.load(&psd.psd, &psd.reading, figure)?;
         timings.lap("reading");
-        let plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
-        let results = compute(&plan)?;
+        let answer = question.answer(&surface, &Unseen)?;
         timings.lap("computing");
-        say_surface(&surface);
-        say_notes(notes(&results));
-        say_doubts(Doubt::of_spectrum(&surface.psd));
-        let comments = provenance(self.typed, &surface, plan.sampling);
+        let sampling = question.sampling.sampling();
+        self.publish_answer(&answer, &surface, sampling, figure, timings)
+    }
+
+    /// Says the notes of an answer, and writes its table and its figure.
+    fn publish_answer(
+        &self,
+        answer: &Answer,
+        surface: &Surface,
+        sampling: Sampling,
+        figure: Figure<'_>,
+        mut timings: Timings,
+    ) -> Result<(), Failure> {
+        say_all(&answer.notes, &Flags);
+        let comments = provenance(self.typed, surface, sampling);
         let mut files = StagedFiles::default();
-        if let Some(figure) = &spectrum.figure {
-            let data = figure.of.data(&results, &plan.needs, figure.hardness_pa);
-            self.stage_picture(&mut files, figure.picture, &data, &surface.name, &comments)?;
-        }
+        self.stage_figure(&mut files, figure, answer.figure.as_ref(), &surface.name, &comments)?;
         self.stage_blocks(&mut files, &self.shared.output, self.wanted(&comments), |out| {
-            Ok(out.block(&table(&results))?)
+            Ok(out.block(&answer.table)?)
         })?;
         publish(files)?;
         timings.lap("writing");
@@ -114,92 +120,65 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// Reads the spectrum, and writes the one curve that is needed of it part by part as it is computed, or at once where it
-    /// is drawn as well; `first_note` is said before all that is found.
-    fn curve_to_table(
+    /// Answers a question about a curve, part by part as it is computed, or at once if it is drawn as well.
+    fn curve(
         &self,
-        spectrum: &Spectrum<'_>,
-        needs: Needs,
-        hardness_pa: Option<f64>,
-        details: bool,
-        first_note: impl FnOnce(&ProfilePsd) -> String,
+        question: &CurveQuestion,
+        psd: &str,
+        reading: &ReadingArgs,
+        figure: Figure<'_>,
+        spelling: &dyn Spelling,
     ) -> Result<(), Failure> {
+        let failed = |error| failure(&error, spelling);
+        question.check().map_err(failed)?;
         let mut timings = Timings::start();
-        let surface = self.load(spectrum)?;
+        let surface = self.load(psd, reading, figure)?;
         timings.lap("reading");
-        let plan = Plan { psd: &surface.psd, sampling: spectrum.sampling, needs };
-        let stream = plan.stream()?;
-        say_surface(&surface);
-        say_notes([first_note(stream.psd())]);
-        let comments = provenance(self.typed, &surface, plan.sampling);
+        let prepared = question.on(&surface).map_err(failed)?;
+        let stream = prepared.stream().map_err(failed)?;
+        say_all(&stream.notes(), spelling);
+        let progress = Progress::towards(stream.steps(), "states");
+        let whole = figure.map(|_| stream.whole(&progress)).transpose().map_err(failed)?;
+        let comments = provenance(self.typed, &surface, prepared.sampling());
         let mut files = StagedFiles::default();
-        let mut drawn = None;
-        if let Some(figure) = &spectrum.figure {
-            let results = compute(&plan)?;
-            let data = figure.of.data(&results, &plan.needs, figure.hardness_pa);
-            self.stage_picture(&mut files, figure.picture, &data, &surface.name, &comments)?;
-            drawn = Some(results);
-        }
-        let several = plan.needs.load_count() > 1;
-        let mut counts = CurveCounts::default();
-        say_doubts(Doubt::of_spectrum(&surface.psd));
-        let mut real_pressures = RealPressures::new(hardness_pa);
-        let labels =
-            plan.needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
-        say_doubts(Doubt::of_pressures(plan.needs.pressures().zip(labels), hardness_pa));
+        let drawn = whole.as_ref().and_then(|answer| answer.figure.as_ref());
+        self.stage_figure(&mut files, figure, drawn, &surface.name, &comments)?;
         let mut writing = Duration::ZERO;
         self.stage_blocks(&mut files, &self.shared.output, self.wanted(&comments), |out| {
-            let mut write = |curve: &Curve, part: Part| {
-                counts.add(&part.rows);
-                real_pressures.add_part(curve, &part.rows, &part.pressures_pa);
+            let mut write = |table: &Table| {
                 let begun = Instant::now();
-                let rows = result_tables::part_of_curve(&part.rows, &part.pressures_pa, several, details);
-                out.block(&rows)?;
+                out.block(table)?;
                 writing += begun.elapsed();
                 if interruption::is_asked_for() { Err(Failure::Interrupted.into()) } else { Ok(()) }
             };
-            match drawn {
-                Some(results) => {
-                    let pressures_pa: Vec<f64> = plan.needs.pressures().map(NominalPressure::pa).collect();
-                    for (curve, rows) in plan.needs.curves.iter().zip(results.curves) {
-                        write(curve, Part { pressures_pa: pressures_pa.clone(), rows })?;
-                    }
-                }
-                None => {
-                    for curve in &plan.needs.curves {
-                        let progress = Progress::towards(stream.rows(curve), "states");
-                        stream.parts::<Stopped>(curve, &progress, |part| write(curve, part))?;
-                    }
-                }
-            }
-            say_notes(counts.notes());
-            say_doubts(real_pressures.doubts());
+            let notes = match whole {
+                Some(answer) => write(&answer.table).map(|()| answer.notes),
+                None => stream.parts::<Stopped>(&progress, |table| write(&table)),
+            }?;
+            progress.aside(|| say_all(&notes, spelling));
             Ok(())
         })?;
+        drop(progress);
         publish(files)?;
         timings.lap_with("computing", "writing", writing);
         timings.report(self.shared.timings);
         Ok(())
     }
 
-    fn load(&self, spectrum: &Spectrum<'_>) -> Result<Surface, Failure> {
-        let options = reading_options(spectrum.reading);
-        let targets = self.targets(spectrum.figure.as_ref().map(|figure| figure.picture))?;
-        let surface =
-            Surface::load(spectrum.psd, &Folder::current(targets), &options).map_err(
-                |error| match error {
-                    SurfaceError::Scan { ref name, .. } => {
-                        Failure::Input(format!("{error}; use `truearea psd {name}`"))
-                    }
-                    SurfaceError::Spectrum { error: ref reading, .. } => {
-                        let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
-                        Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
-                    }
-                    error => Failure::input(error),
-                },
-            )?;
-        refuse_idle_cutoff(spectrum.sampling.cutoff_m, &surface)?;
-        Ok(surface)
+    /// Reads a spectrum.
+    fn load(&self, psd: &str, reading: &ReadingArgs, figure: Figure<'_>) -> Result<Surface, Failure> {
+        let options = reading_options(reading);
+        let targets = self.targets(figure)?;
+        Surface::load(psd, &Folder::current(targets), &options).map_err(|error| match error {
+            SurfaceError::Scan { ref name, .. } => {
+                Failure::Input(format!("{error}; use `truearea psd {name}`"))
+            }
+            SurfaceError::Spectrum { error: ref reading, .. } => {
+                let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
+                Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
+            }
+            error => Failure::input(error),
+        })
     }
 
     /// The files that results go to.
@@ -208,6 +187,21 @@ impl Context<'_> {
         match picture {
             Some(picture) => targets.with_file("--figure", &picture.path),
             None => Ok(targets),
+        }
+    }
+
+    /// Draws a figure, if there is one and a file for it.
+    fn stage_figure(
+        &self,
+        files: &mut StagedFiles,
+        picture: Figure<'_>,
+        figure: Option<&FigureData>,
+        subject: &str,
+        comments: &[String],
+    ) -> Result<(), Failure> {
+        match picture.zip(figure) {
+            Some((picture, figure)) => self.stage_picture(files, picture, figure, subject, comments),
+            None => Ok(()),
         }
     }
 
@@ -265,57 +259,6 @@ fn reading_options(reading: &ReadingArgs) -> ReadOptions {
     }
 }
 
-/// A spectrum as a command is given it, and what is drawn of its results.
-struct Spectrum<'a> {
-    psd: &'a str,
-    reading: &'a ReadingArgs,
-    sampling: Sampling,
-    figure: Option<Drawn<'a>>,
-}
-
-/// A figure of results, and the file that it goes to.
-struct Drawn<'a> {
-    of: Figure,
-    picture: &'a Picture,
-    hardness_pa: Option<f64>,
-}
-
-impl<'a> Drawn<'a> {
-    /// More lines than these nobody tells apart.
-    const MOST_LINES: usize = 24;
-
-    /// Moments or amplitudes against wavelength.
-    fn against_wavelength(shows: Shows, figure: &'a FigureArg) -> Option<Self> {
-        let of = Figure { shows, ..Figure::area_of_all(Vec::new()) };
-        figure.figure.as_ref().map(|picture| Drawn { of, picture, hardness_pa: None })
-    }
-
-    /// The area of the one curve against cutoff, a line for each load and separation. The loads of ranges get labels, since
-    /// lines have them.
-    fn area(
-        figure: &'a FigureArg,
-        needs: &mut Needs,
-        hardness_pa: Option<f64>,
-    ) -> Result<Option<Self>, Failure> {
-        let Some(picture) = &figure.figure else { return Ok(None) };
-        let lines = needs.load_count() + needs.separations_m.len();
-        if lines > Self::MOST_LINES {
-            return Err(Failure::Input(format!(
-                "--figure draws a line for each pressure and separation, and {lines} are given; give at most {}",
-                Self::MOST_LINES
-            )));
-        }
-        let of_ranges = std::mem::take(&mut needs.load_ranges);
-        needs.loads.extend(
-            of_ranges
-                .into_iter()
-                .flat_map(LoadRange::pressures)
-                .map(|nominal_pressure| Load { nominal_pressure, label: nominal_pressure.label() }),
-        );
-        Ok(Some(Drawn { of: Figure::area_of_all(vec![0]), picture, hardness_pa }))
-    }
-}
-
 /// Carries a plan out, with a progress bar where it takes long.
 fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
     let progress = Progress::towards(plan.statistical_states(), "states");
@@ -335,17 +278,20 @@ fn flag_of(option: ReadOption) -> &'static str {
     }
 }
 
-/// Refuses a cutoff below all data.
-fn refuse_idle_cutoff(cutoff_m: Option<f64>, surface: &Surface) -> Result<(), Failure> {
-    let shortest_m = surface.psd.shortest_wavelength_m();
-    match cutoff_m {
-        Some(cutoff_m) if cutoff_m < shortest_m => Err(Failure::Input(format!(
-            "--cutoff {} leaves nothing out: the shortest wavelength of {} is {}; leave it out, or choose a longer one",
-            length(cutoff_m),
-            surface.name,
-            length(shortest_m)
-        ))),
-        _ => Ok(()),
+/// Loads as questions take them.
+fn load_inputs(pressures: &[(Pressure, String)]) -> Vec<LoadInput> {
+    pressures.iter().cloned().map(LoadInput::from).collect()
+}
+
+/// Ranges of loads as questions take them.
+fn range_inputs(ranges: &[PressureRange]) -> Vec<RangeInput> {
+    ranges.iter().copied().map(RangeInput::from).collect()
+}
+
+/// Says notes of questions on stderr, with the flags of a command.
+fn say_all(notes: &[Note], spelling: &dyn Spelling) {
+    for line in notes.iter().flat_map(|note| question_words::lines(note, spelling)) {
+        say_of_severity(line.severity, &line.text);
     }
 }
 
@@ -363,11 +309,6 @@ fn say_of_severity(severity: Severity, text: &str) {
         Severity::Note => say(&format!("note: {text}")),
         Severity::Warning => say(&format!("warning: {text}")),
     }
-}
-
-/// Says what physics speaks against.
-fn say_doubts(doubts: impl IntoIterator<Item = Doubt>) {
-    say_notes(doubts.into_iter().map(|doubt| format!("doubtful: {}", doubt_words::line(&doubt))));
 }
 
 /// Says notes on stderr.

@@ -1,7 +1,8 @@
 //! `asperity`: the contact law of one asperity, row by row of a table.
 
 use super::Context;
-use super::material_options::counterface;
+use questions::MaterialInput;
+
 use super::row_by_row::{self, Constants};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
@@ -15,12 +16,15 @@ pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failur
         AsperityLaw::SinusoidInterference(args) => (AsperityTable::SinusoidInterference, args),
     };
     let mut constants = Constants::default();
-    constants.add_elastic(args.youngs_modulus, args.poisson_ratio)?;
-    constants.add_strength(args.indentation_hardness, args.yield_strength)?;
-    row_by_row::run(
-        &args.input,
-        &constants,
-        &mut Asperities::new(law, counterface(&args.counterface)?),
-        context,
-    )
+    let material = MaterialInput {
+        youngs_modulus_pa: args.youngs_modulus.map(|modulus| modulus.pa),
+        poisson_ratio: args.poisson_ratio,
+        yield_strength: args.yield_strength,
+        indentation_hardness_pa: args.indentation_hardness.map(|hardness| hardness.pa),
+        counterface: args.counterface.input(),
+        ..MaterialInput::default()
+    };
+    constants.add_elastic(&material)?;
+    constants.add_strength(&material)?;
+    row_by_row::run(&args.input, &constants, &mut Asperities::new(law, material.counterface()?), context)
 }

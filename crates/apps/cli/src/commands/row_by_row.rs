@@ -1,20 +1,20 @@
 //! Tables of any length, checked as a whole and then computed block by block.
 
-use super::material_options::elastic_body;
-use super::{Context, say_notes};
+use questions::{BodyInput, MaterialInput, Note, OptionName, QuestionError};
+
+use super::{Context, say_all};
 use crate::failure::Failure;
 use crate::files::open_table;
+use crate::flags::Flags;
 use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
 use report::provenance::program;
-use report::row_notes;
 use staging::StagedFiles;
 use state_tables::{RowByRow, RowsNote};
 use study::Progress as _;
-use study::hardness_and_strength::HardnessAndStrength;
-use study::material::MaterialError;
+use study::material::{MaterialError, NeededFor};
 use tables::{Refusal, TableError};
-use units::{IndentationHardness, Modulus, Pressure};
+use units::Pressure;
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
@@ -37,32 +37,43 @@ impl Constants {
     }
 
     /// The elastic constants of the rough body.
-    pub fn add_elastic(
-        &mut self,
-        modulus: Option<Modulus>,
-        poisson_ratio: Option<f64>,
-    ) -> Result<(), Failure> {
-        if let (Some(modulus), Some(ratio)) = (modulus, poisson_ratio) {
-            elastic_body(modulus, "--poisson-ratio", ratio)?;
+    pub fn add_elastic(&mut self, material: &MaterialInput) -> Result<(), Failure> {
+        let MaterialInput { youngs_modulus_pa, poisson_ratio, .. } = *material;
+        if let (Some(youngs_modulus_pa), Some(poisson_ratio)) = (youngs_modulus_pa, poisson_ratio) {
+            BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
         }
-        self.add_number("--youngs-modulus", "youngs_modulus_pa", modulus.map(|modulus| modulus.pa));
+        self.add_number("--youngs-modulus", "youngs_modulus_pa", youngs_modulus_pa);
         self.add_number("--poisson-ratio", "poisson_ratio", poisson_ratio);
         Ok(())
     }
 
     /// The hardness and the strength of the rough body.
-    pub fn add_strength(
-        &mut self,
-        hardness: Option<IndentationHardness>,
-        strength: Option<Pressure>,
-    ) -> Result<HardnessAndStrength, Failure> {
-        let pascals = |strength: Pressure| strength.pascals(None).ok_or(MaterialError::StrengthInHardnesses);
-        let strength_pa = strength.map(pascals).transpose()?;
-        let both = HardnessAndStrength::new(hardness, strength).map_err(MaterialError::from)?;
+    pub fn add_strength(&mut self, material: &MaterialInput) -> Result<(), Failure> {
+        let in_hardnesses = QuestionError::from(MaterialError::StrengthInHardnesses);
+        let strength_pa = material.yield_strength.map(|strength| strength.pascals(None).ok_or(in_hardnesses));
+        let strength_pa = strength_pa.transpose()?;
+        material.hardness_and_strength()?;
         self.add_number("--yield-strength", "yield_strength_pa", strength_pa);
-        let hardness_pa = hardness.map(|hardness| hardness.pa);
+        let hardness_pa = material.indentation_hardness_pa;
         self.add_number("--indentation-hardness", "indentation_hardness_pa", hardness_pa);
-        Ok(both)
+        Ok(())
+    }
+
+    /// Nominal pressures, in units of a hardness \[Pa\] or not.
+    pub fn add_pressure(
+        &mut self,
+        pressures: &[(Pressure, String)],
+        hardness_pa: Option<f64>,
+    ) -> Result<(), Failure> {
+        for (pressure, label) in pressures {
+            let pressure_pa = pressure.pascals(hardness_pa).ok_or_else(|| QuestionError::Load {
+                option: OptionName::Pressure,
+                label: Some(label.clone()),
+                error: MaterialError::Missing(NeededFor::PressureInHardnesses),
+            })?;
+            self.add_number("--pressure", "pressure_pa", Some(pressure_pa));
+        }
+        Ok(())
     }
 }
 
@@ -93,7 +104,10 @@ pub(super) fn run(
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
     // What somebody else has written above the table belongs to it.
     comments.append(&mut source.comments);
-    let say = |notes: Vec<RowsNote>| progress.aside(|| say_notes(notes.iter().flat_map(row_notes::lines)));
+    let say = |notes: Vec<RowsNote>| {
+        let notes: Vec<Note> = notes.into_iter().map(Note::Rows).collect();
+        progress.aside(|| say_all(&notes, &Flags));
+    };
     let mut files = StagedFiles::default();
     context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {

@@ -6,8 +6,7 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::material_options::counterface;
-use super::{Context, compute, refuse_idle_cutoff, say_notes, say_surface};
+use super::{Context, compute, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -18,6 +17,7 @@ use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
 use findings::answer::Answer;
+use questions::OptionName;
 use report::assessment::Assessment;
 use report::explain::explain;
 use report::products;
@@ -147,7 +147,11 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         hardness: args.hardness.hardness,
         strength_cap: args.strength_cap.strength_cap,
         cutoff: args.sampling.cutoff,
-        counterface: counterface(&args.counterface)?,
+        counterface: args
+            .counterface
+            .input()
+            .map(|body| body.body(OptionName::CounterfacePoissonRatio))
+            .transpose()?,
         no_judge: args.no_judge,
         no_uncertainty: args.no_uncertainty,
     })
@@ -155,7 +159,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
 
 /// Refuses options that nothing in the scene has a use for.
 fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
-    refuse_idle_cutoff(args.sampling.cutoff.map(|cutoff| cutoff.m), &scene.surface)?;
+    args.sampling.input().check(&scene.surface)?;
     match overrides(args)?.without_bearing(scene) {
         None => Ok(()),
         Some(option) => Err(Failure::Input(format!(

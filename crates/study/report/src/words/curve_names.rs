@@ -1,7 +1,5 @@
 //! The names of curves in print: their models in full, as the field calls them.
 
-use stat_contact::InterferenceLaw;
-
 use study::choices_in_words;
 use study::figure::{FigureData, Shows};
 use study::models::CurveModel;
@@ -32,10 +30,11 @@ pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
 /// The full name of a model, with the choices that differ from the plain one.
 fn model_in_full(model: &CurveModel) -> String {
     let mut name = model.entry().full_name.to_owned();
-    if grows(model) {
+    let options = model.options();
+    if options.strain_gradient {
         name.push_str(", strain gradient");
     }
-    if let Some(law) = other_interference(model) {
+    if let Some(law) = options.interference_law {
         name.push_str(&format!(", {}", choices_in_words::interference(law)));
     }
     name
@@ -43,17 +42,7 @@ fn model_in_full(model: &CurveModel) -> String {
 
 /// The default name of a curve with this model in a scene.
 fn key(model: &CurveModel) -> String {
-    model.entry().curve_name(grows(model), other_interference(model))
-}
-
-/// True if the strength grows at small depths.
-fn grows(model: &CurveModel) -> bool {
-    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
-}
-
-/// The interference law of elastic sinusoids, unless it is the usual one.
-fn other_interference(model: &CurveModel) -> Option<InterferenceLaw> {
-    model.interference().filter(|law| *law != InterferenceLaw::default())
+    model.entry().curve_name(&model.options())
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ pub(crate) mod listing;
 pub mod material_words;
 pub mod persson_words;
 pub mod provenance;
+pub mod question_words;
 pub mod reasons;
 pub mod row_notes;
 pub mod scan_words;

@@ -5,10 +5,11 @@ use std::fmt::Write;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
-pub use super::curve_counts::{CurveCounts, notes_of_states};
+pub use super::curve_counts::notes_of_states;
 use super::curve_counts::{beyond_fitted_range, statistical_notes};
 use crate::assessment::Assessment;
 use crate::curve_names::in_full;
+use crate::question_words::sampled_scales;
 use crate::yardstick_words::yardsticks;
 use crate::{
     advice_words, answer_words, doubt_words, interface_words, scan_words, uncertainty_words, verdict_words,
@@ -16,9 +17,11 @@ use crate::{
 use findings::answer::{Answer, LoadAnswer};
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
+pub use questions::CurveCounts;
+use questions::SampledScales;
 use scene::Scene;
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, Results, scales_per_decade};
+use study::plan::{Curve, CurveModel, CurveResult, Results};
 use uncertainty::Uncertainty;
 use units::display::{length, pressure, three_digits};
 
@@ -98,14 +101,7 @@ pub fn sampling(results: &Results) -> String {
 
 /// The sampling of a spectrum.
 pub fn sampling_of(psd: &ProfilePsd) -> String {
-    let density =
-        scales_per_decade(psd).map_or(String::new(), |n| format!(", {} per decade", three_digits(n)));
-    format!(
-        "{} scales from {} to {}{density}",
-        psd.len(),
-        length(psd.longest_wavelength_m()),
-        length(psd.shortest_wavelength_m())
-    )
+    sampled_scales(&SampledScales::of(psd))
 }
 
 /// The position of intervals among the columns of a curve.

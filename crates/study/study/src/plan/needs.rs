@@ -2,7 +2,7 @@
 
 use std::num::NonZeroU32;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::{Load, LoadRange, NominalPressure, Tolerance};
@@ -29,7 +29,7 @@ pub struct Curve {
 }
 
 /// At which cutoffs a curve is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cutoffs {
     /// At every wavelength.

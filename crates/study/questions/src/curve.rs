@@ -1,0 +1,461 @@
+//! A curve over cutoffs, by any model.
+
+use findings::doubts::{Doubt, RealPressures};
+use parallel::Progress;
+use persson::{PerssonModel, Roughness};
+use scene::Scene;
+use serde::{Deserialize, Serialize};
+use spectrum::{AmplitudeDefinition, Normalisation};
+use study::figure::Figure;
+use study::hardness_growth::{GrowthLaw, hardness_of};
+use study::material::Material;
+use study::models::{Choice, Framework, ModelEntry, ModelOptions};
+use study::persson_law::{PerssonLaw, roughness};
+use study::plan::{
+    Curve, CurveModel, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
+    Sampling, Stream, Tolerance,
+};
+use study::result_tables;
+use study::surface::Surface;
+use tables::Table;
+use units::Bound;
+
+use crate::choices;
+use crate::loads::{LoadInput, RangeInput, resolved};
+use crate::note::SampledScales;
+use crate::option::{Reason, first_given};
+use crate::{Answer, CurveCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
+
+/// The contact over the cutoffs of a spectrum, under loads and at separations.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct CurveQuestion {
+    /// The model.
+    #[serde(with = "crate::text::model")]
+    pub model: Option<&'static ModelEntry>,
+    /// The name of the curve in notes and figures; the model's if absent.
+    pub name: Option<String>,
+    /// Choices that the model leaves open.
+    pub options: ModelOptions,
+    /// The bodies in contact.
+    pub material: MaterialInput,
+    /// Nominal pressures.
+    pub pressures: Vec<LoadInput>,
+    /// Nominal pressures as ranges, behind the others.
+    pub pressure_ranges: Vec<RangeInput>,
+    /// Separations \[m\] from the mean of the asperity heights, for statistical models.
+    pub separations_m: Vec<f64>,
+    /// Scales that take part.
+    pub sampling: SamplingInput,
+    /// Normalisation of moments, for statistical models.
+    pub normalisation: Option<Normalisation>,
+    /// Amplitude of a scale, for all models but statistical ones.
+    pub amplitude: Option<AmplitudeDefinition>,
+    /// Relative tolerance of statistical states, in (0, 0.01\].
+    pub tolerance: Option<f64>,
+    /// Cutoffs at which the contact is wanted.
+    pub cutoffs: Cutoffs,
+    /// True appends columns that tell how each row was found.
+    pub details: bool,
+    /// True draws the area against the cutoff as well.
+    pub figure: bool,
+}
+
+impl CurveQuestion {
+    /// Beyond this many lines a figure is unreadable.
+    pub const MOST_LINES: usize = 24;
+
+    /// Finds options that the model ignores, and input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.resolve().map(drop)
+    }
+
+    /// Prepares the curve of a surface.
+    ///
+    /// # Errors
+    /// Those of [`check`](Self::check), and of a cutoff that leaves nothing out.
+    pub fn on<'s>(&self, surface: &'s Surface) -> Result<PreparedCurve<'s>, QuestionError> {
+        let Resolved { material, entry, tolerance, needs, theory } = self.resolve()?;
+        self.sampling.check(surface)?;
+        let mut notes = Vec::new();
+        notes.extend(tolerance.asked_finer().map(|asked| {
+            let used = tolerance.value();
+            Note::ToleranceTooFine { asked, used }
+        }));
+        notes.extend(Note::of_strength(&material, entry));
+        notes.extend(Doubt::of_material(&material).map(Note::Doubt));
+        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
+        Ok(PreparedCurve {
+            plan: Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs },
+            hardness_pa: material.hardness_pa(),
+            theory,
+            details: self.details,
+            figure: self.figure,
+            notes,
+        })
+    }
+
+    /// Answers at once; a long table is better had in parts ([`CurveStream::parts`]).
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        let prepared = self.on(surface)?;
+        let stream = prepared.stream()?;
+        let mut notes = stream.notes();
+        let found = stream.whole(progress)?;
+        notes.extend(found.notes);
+        Ok(Answer { notes, ..found })
+    }
+
+    fn resolve(&self) -> Result<Resolved, QuestionError> {
+        let entry = self.model.ok_or(QuestionError::Missing(OptionName::Model))?;
+        let (is_persson, is_statistical) =
+            (entry.framework == Framework::Persson, entry.framework == Framework::Statistical);
+        choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
+        let of_statistical = [
+            (OptionName::Normalisation, self.normalisation.is_some() && !is_statistical),
+            (OptionName::Tolerance, self.tolerance.is_some() && !is_statistical),
+            (OptionName::Separation, !self.separations_m.is_empty() && !is_statistical),
+            (OptionName::Amplitude, self.amplitude.is_some() && is_statistical),
+        ];
+        first_given(of_statistical, || Reason::Model(entry.name))?;
+        let material = self.material.material()?;
+        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
+        let tolerance = tolerance.unwrap_or_default();
+        let theory = is_persson.then(|| Theory::new(&self.options, entry, &material)).transpose()?;
+        // A table brings its own hardness, which the material may lack.
+        let named = match &theory {
+            Some(_) if entry.has(Choice::Strength) && material.hardness_pa().is_none() => {
+                study::models::named(Framework::Persson, "persson").unwrap_or(entry)
+            }
+            _ => entry,
+        };
+        let model = named.build(&material, &self.options)?;
+        let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
+        if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
+            return Err(QuestionError::Missing(OptionName::Pressure));
+        }
+        let normalisation = match entry.framework {
+            Framework::Stacked => None,
+            Framework::Statistical => Some(self.normalisation.unwrap_or_default()),
+            Framework::Persson => Some(Normalisation::Parseval),
+        };
+        let mut needs = Needs {
+            moments: normalisation,
+            amplitudes: (!is_statistical).then(|| self.amplitude.unwrap_or_default()),
+            curves: vec![Curve {
+                name: self.name.clone().unwrap_or_else(|| entry.to_string()),
+                model,
+                cutoffs: self.cutoffs,
+            }],
+            loads,
+            load_ranges,
+            separations_m: self.separations_m.clone(),
+            tolerance,
+            ..Needs::default()
+        };
+        if self.figure {
+            let lines = needs.load_count() + needs.separations_m.len();
+            if lines > Self::MOST_LINES {
+                return Err(QuestionError::TooManyLines { lines, most: Self::MOST_LINES });
+            }
+            // Lines have labels.
+            let of_ranges = std::mem::take(&mut needs.load_ranges);
+            let pressures = of_ranges.into_iter().flat_map(LoadRange::pressures);
+            needs.loads.extend(
+                pressures.map(|nominal_pressure| Load { nominal_pressure, label: nominal_pressure.label() }),
+            );
+        }
+        Ok(Resolved { material, entry, tolerance, needs, theory })
+    }
+}
+
+/// A question with everything looked up.
+struct Resolved {
+    material: Material,
+    entry: &'static ModelEntry,
+    tolerance: Tolerance,
+    needs: Needs,
+    theory: Option<Theory>,
+}
+
+/// Persson's theory with its options.
+#[derive(Clone)]
+struct Theory {
+    model: PerssonModel,
+    options: ModelOptions,
+    energy_factor: f64,
+    /// True if the hardness grows, and bears more than that of the bulk.
+    grows: bool,
+}
+
+impl Theory {
+    fn new(options: &ModelOptions, entry: &ModelEntry, material: &Material) -> Result<Self, QuestionError> {
+        let energy_factor = options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR);
+        let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
+        bound
+            .check("the elastic energy factor", energy_factor)
+            .map_err(|error| QuestionError::Other(error.to_string()))?;
+        let contact_modulus_pa = material.pair.composite_modulus_pa();
+        let growth = options.hardness_law.clone().or(options.strain_gradient.then_some(GrowthLaw::NixGao));
+        let model = match entry.has(Choice::Strength) {
+            false => PerssonModel::Elastic { contact_modulus_pa, correction: options.correction },
+            true => PerssonModel::ElasticPlastic {
+                contact_modulus_pa,
+                hardness: hardness_of(material, growth.as_ref())?,
+            },
+        };
+        Ok(Theory { model, options: options.clone(), energy_factor, grows: growth.is_some() })
+    }
+}
+
+impl Theory {
+    /// Refuses loads that the hardness cannot carry; if it carries the largest, it carries all.
+    fn check(&self, roughness: &Roughness, needs: &Needs) -> Result<(), QuestionError> {
+        let separation = self.model.separation(roughness, self.energy_factor);
+        let at = |pressure: NominalPressure| self.model.at_last(roughness, &separation, pressure.pa());
+        let largest = needs.pressures().max_by(|a, b| a.pa().total_cmp(&b.pa()));
+        if largest.is_some_and(|largest| at(largest).is_err()) {
+            for pressure in needs.pressures() {
+                at(pressure)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A curve of a surface, ready to be computed.
+pub struct PreparedCurve<'s> {
+    plan: Plan<'s>,
+    hardness_pa: Option<f64>,
+    theory: Option<Theory>,
+    details: bool,
+    figure: bool,
+    /// Notes from before the spectrum was sampled.
+    notes: Vec<Note>,
+}
+
+impl<'s> PreparedCurve<'s> {
+    /// A curve of a scene, by index.
+    #[must_use]
+    pub fn of_scene(scene: &'s Scene, curve: usize) -> Self {
+        let material = scene.material.as_ref();
+        let one = scene.needs.curves[curve].clone();
+        let mut notes = Vec::new();
+        notes.extend(material.and_then(|material| Note::of_strength(material, one.model.entry())));
+        notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
+        notes.extend(scene.surface.notes.iter().cloned().map(Note::Surface));
+        PreparedCurve {
+            plan: Plan {
+                psd: &scene.surface.psd,
+                sampling: scene.sampling,
+                needs: Needs {
+                    curves: vec![one],
+                    sweeps: Vec::new(),
+                    fit_band_m: None,
+                    ..scene.needs.clone()
+                },
+            },
+            hardness_pa: scene.hardness_pa(),
+            theory: None,
+            details: false,
+            figure: false,
+            notes,
+        }
+    }
+
+    /// Scales that take part.
+    #[must_use]
+    pub fn sampling(&self) -> Sampling {
+        self.plan.sampling
+    }
+
+    /// Samples the spectrum and finds everything that can be wrong before there are rows.
+    ///
+    /// # Errors
+    /// [`QuestionError::Plan`].
+    pub fn stream(&self) -> Result<CurveStream<'_>, QuestionError> {
+        let stream = self.plan.stream()?;
+        let roughness = self.theory.as_ref().map(|theory| {
+            let ground = stream.ground();
+            let whole = self.plan.sampling.scales_per_decade.map(|density| self.plan.psd.resampled(density));
+            roughness(
+                ground.psd(),
+                ground.moments().iter().map(|(moments, _)| moments),
+                Normalisation::Parseval,
+                ground.scales(),
+                whole.as_ref().unwrap_or(self.plan.psd),
+                theory.options.band.unwrap_or_default(),
+            )
+        });
+        if let (Some(theory), Some(roughness)) = (&self.theory, &roughness) {
+            theory.check(roughness, &self.plan.needs)?;
+        }
+        Ok(CurveStream { prepared: self, stream, roughness })
+    }
+
+    fn curve(&self) -> &Curve {
+        &self.plan.needs.curves[0]
+    }
+}
+
+/// A curve that is computed part by part, so that neither its rows nor its loads need be held.
+pub struct CurveStream<'p> {
+    prepared: &'p PreparedCurve<'p>,
+    stream: Stream<'p>,
+    roughness: Option<Roughness>,
+}
+
+impl CurveStream<'_> {
+    /// Number of steps that the progress will count.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.stream.rows(self.prepared.curve())
+    }
+
+    /// What is known before there are rows.
+    #[must_use]
+    pub fn notes(&self) -> Vec<Note> {
+        let PreparedCurve { plan, theory, hardness_pa, notes, .. } = self.prepared;
+        let mut notes = notes.clone();
+        match self.prepared.curve().model {
+            CurveModel::Stacked(_) => notes.push(Note::Sampling(SampledScales::of(self.stream.psd()))),
+            CurveModel::Statistical { .. } => notes.push(Note::FirstRowIsEmpty),
+            CurveModel::Persson { .. } => {}
+        }
+        if let (Some(theory), Some(roughness)) = (theory, &self.roughness) {
+            let correction = theory.options.correction;
+            notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
+            let separation = theory.model.separation(roughness, theory.energy_factor);
+            let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
+            let moments = self.stream.ground().moments().last();
+            let rms_height_m = moments.map_or(0.0, |(moments, _)| moments.rms_height_m());
+            let light = separation.light_loads();
+            notes.extend(
+                light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
+            );
+        }
+        notes.extend(Doubt::of_spectrum(plan.psd).into_iter().map(Note::Doubt));
+        let labels =
+            plan.needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
+        notes.extend(Doubt::of_pressures(plan.needs.pressures().zip(labels), *hardness_pa).map(Note::Doubt));
+        notes
+    }
+
+    /// Computes the table part by part; returns what is known of all of it.
+    ///
+    /// # Errors
+    /// Those of `each`, and [`PlanError`].
+    pub fn parts<E: From<PlanError>>(
+        &self,
+        progress: &dyn Progress,
+        mut each: impl FnMut(Table) -> Result<(), E>,
+    ) -> Result<Vec<Note>, E> {
+        let mut remarks = self.remarks();
+        let several = self.prepared.plan.needs.load_count() > 1;
+        let details = self.prepared.details;
+        self.rows(progress, |part| {
+            remarks.add(&part.rows, &part.pressures_pa);
+            each(result_tables::part_of_curve(&part.rows, &part.pressures_pa, several, details))
+        })?;
+        Ok(remarks.notes())
+    }
+
+    /// Computes the table at once, and the figure if there is one. Its notes are those that [`parts`](Self::parts) returns.
+    ///
+    /// # Errors
+    /// [`QuestionError::Plan`].
+    pub fn whole(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        let plan = &self.prepared.plan;
+        let mut results = match &self.prepared.theory {
+            None => plan.compute_observed(progress)?,
+            Some(_) => self.with_options(progress)?,
+        };
+        let needs = &plan.needs;
+        let pressures_pa: Vec<f64> = needs.pressures().map(NominalPressure::pa).collect();
+        let rows = &results.curves[0];
+        let mut remarks = self.remarks();
+        remarks.add(rows, &pressures_pa);
+        let several = needs.load_count() > 1;
+        let table = result_tables::part_of_curve(rows, &pressures_pa, several, self.prepared.details);
+        let figure = self.prepared.figure.then(|| {
+            let of = Figure::area_of_all(vec![0]);
+            of.data(&results, needs, self.prepared.hardness_pa)
+        });
+        results.curves.clear();
+        Ok(Answer { table, notes: remarks.notes(), figure })
+    }
+
+    fn with_options(&self, progress: &dyn Progress) -> Result<study::plan::Results, QuestionError> {
+        let needs = Needs { curves: Vec::new(), ..self.prepared.plan.needs.clone() };
+        let spectrum_alone = Plan { needs, ..self.prepared.plan };
+        let mut results = spectrum_alone.compute_observed(progress)?;
+        let mut blocks = Vec::new();
+        self.rows::<PlanError>(progress, |part| {
+            if let CurveResult::Persson(part) = part.rows {
+                blocks.extend(part);
+            }
+            Ok(())
+        })?;
+        results.curves.push(CurveResult::Persson(blocks));
+        Ok(results)
+    }
+
+    fn rows<E: From<PlanError>>(
+        &self,
+        progress: &dyn Progress,
+        mut each: impl FnMut(Part) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (Some(theory), Some(roughness)) = (&self.prepared.theory, &self.roughness) else {
+            return self.stream.parts(self.prepared.curve(), progress, each);
+        };
+        let separation = theory.model.separation(roughness, theory.energy_factor);
+        let pressures_pa: Vec<f64> = self.prepared.plan.needs.pressures().map(NominalPressure::pa).collect();
+        let together = (16_384 / self.stream.psd().len().max(1)).max(1);
+        for pressures_pa in pressures_pa.chunks(together) {
+            let blocks = parallel::try_map(pressures_pa, |&pressure_pa| {
+                if progress.is_cancelled() {
+                    return Err(PlanError::Cancelled);
+                }
+                let cuts = theory.model.along(roughness, &separation, pressure_pa)?;
+                progress.advance(cuts.len());
+                Ok(cuts)
+            })?;
+            each(Part { pressures_pa: pressures_pa.to_vec(), rows: CurveResult::Persson(blocks) })?;
+        }
+        Ok(())
+    }
+
+    fn remarks(&self) -> Remarks<'_> {
+        let PreparedCurve { theory, hardness_pa, .. } = self.prepared;
+        let grows = theory.as_ref().is_some_and(|theory| theory.grows);
+        Remarks {
+            curve: self.prepared.curve(),
+            counts: CurveCounts::default(),
+            pressures: RealPressures::new(hardness_pa.filter(|_| !grows)),
+        }
+    }
+}
+
+/// Remarks on rows, gathered part by part.
+struct Remarks<'c> {
+    curve: &'c Curve,
+    counts: CurveCounts,
+    pressures: RealPressures,
+}
+
+impl Remarks<'_> {
+    fn add(&mut self, rows: &CurveResult, pressures_pa: &[f64]) {
+        self.counts.add(rows);
+        self.pressures.add_part(self.curve, rows, pressures_pa);
+    }
+
+    fn notes(self) -> Vec<Note> {
+        let doubts = self.pressures.doubts().into_iter().map(Note::Doubt);
+        std::iter::once(Note::Counts(self.counts)).chain(doubts).collect()
+    }
+}

@@ -1,0 +1,204 @@
+//! Maps and random surfaces pressed by boundary elements.
+
+use findings::doubts::Doubt;
+use gaussian_surfaces::{AreaSpectrum, Phases};
+
+use parallel::Progress;
+use rough_bem::{
+    ElementsError, Field, PressedLoad, Pressing, RandomChoices, RandomSurfaces, Relief, Surfaces,
+};
+use serde::{Deserialize, Serialize};
+use study::material::Material;
+use study::surface::Surface;
+use units::Pressure;
+
+use crate::loads::{LoadInput, RangeInput, pressures_pa};
+use crate::note::MadeSurfaces;
+use crate::text::optional_pressure;
+use crate::{MaterialInput, Note, OptionName, QuestionError};
+
+/// Random surfaces of a spectrum; an absent choice is the usual one.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct RandomInput {
+    /// Points along each side.
+    pub grid: Option<usize>,
+    /// How many surfaces.
+    pub realisations: Option<usize>,
+    /// Seed of their phases.
+    pub seed: Option<u64>,
+    /// The longest wavelength \[m\].
+    pub longest_m: Option<f64>,
+    /// The shortest wavelength \[m\].
+    pub shortest_m: Option<f64>,
+    /// Length of a side \[m\].
+    pub side_m: Option<f64>,
+    /// What is random.
+    pub phases: Option<Phases>,
+}
+
+/// A surface pressed by boundary elements.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ElementsQuestion {
+    /// The bodies in contact.
+    pub material: MaterialInput,
+    /// Nominal pressures.
+    pub pressures: Vec<LoadInput>,
+    /// Nominal pressures as ranges, behind the others.
+    pub pressure_ranges: Vec<RangeInput>,
+    /// The pressure at which the surface flows; elastic throughout if absent.
+    #[serde(with = "optional_pressure")]
+    pub saturation: Option<Pressure>,
+    /// The largest residual, above 0 and at most 0.1.
+    pub tolerance: f64,
+    /// Random surfaces, for a spectrum.
+    pub random: RandomInput,
+}
+
+impl Default for ElementsQuestion {
+    fn default() -> Self {
+        ElementsQuestion {
+            material: MaterialInput::default(),
+            pressures: Vec::new(),
+            pressure_ranges: Vec::new(),
+            saturation: None,
+            tolerance: Pressing::TOLERANCE,
+            random: RandomInput::default(),
+        }
+    }
+}
+
+/// Surfaces ready to be pressed.
+pub struct PreparedElements {
+    /// The surfaces.
+    pub surfaces: Surfaces,
+    /// What is known of them and of the material.
+    pub notes: Vec<Note>,
+    pressing: Pressing,
+}
+
+impl RandomInput {
+    /// The options, and whether each is given.
+    #[must_use]
+    pub fn given(&self) -> [(OptionName, bool); 7] {
+        [
+            (OptionName::Grid, self.grid.is_some()),
+            (OptionName::Realisations, self.realisations.is_some()),
+            (OptionName::Seed, self.seed.is_some()),
+            (OptionName::Shortest, self.shortest_m.is_some()),
+            (OptionName::Longest, self.longest_m.is_some()),
+            (OptionName::Side, self.side_m.is_some()),
+            (OptionName::Phases, self.phases.is_some()),
+        ]
+    }
+
+    fn choices(&self) -> RandomChoices {
+        let usual = RandomChoices::default();
+        RandomChoices {
+            points: self.grid.unwrap_or(usual.points),
+            realisations: self.realisations.unwrap_or(usual.realisations),
+            seed: self.seed.unwrap_or(usual.seed),
+            longest_m: self.longest_m,
+            shortest_m: self.shortest_m,
+            side_m: self.side_m,
+            phases: self.phases.unwrap_or_default(),
+        }
+    }
+}
+
+impl ElementsQuestion {
+    /// Finds input that contradicts itself or is missing, and loads that no surface can carry.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.pressing().map(drop)
+    }
+
+    /// Prepares random surfaces of a spectrum.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn on(&self, surface: &Surface) -> Result<PreparedElements, QuestionError> {
+        let (material, pressing) = self.pressing()?;
+        let mut notes: Vec<Note> = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
+        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
+        notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        let (random, made) = random_surfaces(surface, &self.random, &pressing)?;
+        notes.extend(made);
+        Ok(PreparedElements { surfaces: Surfaces::Random(random), notes, pressing })
+    }
+
+    /// Prepares a map as measured.
+    ///
+    /// # Errors
+    /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
+    pub fn on_map(&self, relief: Relief) -> Result<PreparedElements, QuestionError> {
+        let (material, pressing) = self.pressing()?;
+        let notes = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
+        Ok(PreparedElements { surfaces: Surfaces::Map(relief), notes, pressing })
+    }
+
+    fn pressing(&self) -> Result<(Material, Pressing), QuestionError> {
+        let material = self.material.material()?;
+        let saturation_pa = self.saturation.map(|saturation| {
+            saturation.pascals(material.hardness_pa()).ok_or(QuestionError::SaturationWithoutHardness)
+        });
+        let pressing = Pressing {
+            pressures_pa: pressures_pa(&self.pressures, &self.pressure_ranges, &material)?,
+            saturation_pa: saturation_pa.transpose()?,
+            tolerance: self.tolerance,
+            stiffness: true,
+            ..Pressing::elastic(material.pair.composite_modulus_pa())
+        };
+        pressing.check().map_err(ElementsError::from)?;
+        Ok((material, pressing))
+    }
+}
+
+impl PreparedElements {
+    /// Number of steps that the progress will count.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        rough_bem::progress_steps(&self.surfaces, &self.pressing)
+    }
+
+    /// Presses the surfaces; `see` is shown each one under each load as it is solved.
+    ///
+    /// # Errors
+    /// Those of `see`, and [`ElementsError`].
+    pub fn answer<E: From<ElementsError> + Send>(
+        &self,
+        see: impl Fn(&Field<'_>) -> Result<(), E> + Sync + Send,
+        progress: &dyn Progress,
+    ) -> Result<(Vec<PressedLoad>, Vec<Note>), E> {
+        let pressed = rough_bem::press(&self.surfaces, &self.pressing, see, progress)?;
+        let notes = vec![Note::Pressed(pressed.clone())];
+        Ok((pressed, notes))
+    }
+}
+
+/// Random surfaces that have a spectrum in the band that the grid holds, pressed by whoever asks.
+pub(crate) fn random_surfaces(
+    surface: &Surface,
+    random: &RandomInput,
+    pressing: &Pressing,
+) -> Result<(RandomSurfaces, Vec<Note>), QuestionError> {
+    pressing.check().map_err(ElementsError::from)?;
+    let named = |error| QuestionError::RandomSurfaces { surface: surface.name.clone(), error };
+    let area = match &surface.of_area {
+        Some(psd) => AreaSpectrum::from_psd(psd),
+        None => AreaSpectrum::from_profile(&surface.psd),
+    };
+    let area = area.map_err(named)?;
+    let (random, grid) = random.choices().surfaces(&area).map_err(named)?;
+    let mut notes: Vec<Note> = surface.of_area.iter().map(|_| Note::AreaSpectrumAsItIs).collect();
+    notes.push(Note::RandomSurfaces(Box::new(MadeSurfaces {
+        spectrum: area,
+        random: random.clone(),
+        grid,
+        contact_modulus_pa: pressing.contact_modulus_pa,
+    })));
+    Ok((random, notes))
+}

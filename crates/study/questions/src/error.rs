@@ -1,0 +1,121 @@
+//! Why a question has no answer.
+
+use asperity::AsperityError;
+use persson::hardness_laws::HardnessError;
+use rough_bem::ElementsError;
+use study::gap_law::GapError;
+use study::hardness_growth::GrowthError;
+use study::material::MaterialError;
+use study::plan::PlanError;
+
+use crate::{OptionName, UnusedOption};
+
+/// Why a question has no answer; a front end words it in its own spelling (`report::question_words::error`).
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuestionError {
+    /// An option is given that changes nothing.
+    #[error("{0:?} has no bearing here")]
+    Unused(UnusedOption),
+    /// An option is missing.
+    #[error("{0:?} is needed")]
+    Missing(OptionName),
+    /// An elastic constant is missing.
+    #[error("{0:?} is needed: every model is at least elastic")]
+    ElasticConstant(OptionName),
+    /// A body with an elastic constant out of bounds.
+    #[error("{option:?}: {error}")]
+    Body {
+        /// The option of its Poisson's ratio.
+        option: OptionName,
+        /// The bound.
+        error: AsperityError,
+    },
+    /// The material lacks something, or contradicts itself.
+    #[error(transparent)]
+    Material(#[from] MaterialError),
+    /// A load that the material does not define, or out of bounds.
+    #[error("{error}")]
+    Load {
+        /// The option that gives it.
+        option: OptionName,
+        /// The text it was typed in.
+        label: Option<String>,
+        /// The reason.
+        error: MaterialError,
+    },
+    /// A cutoff below all data.
+    #[error(
+        "the cutoff {cutoff_m} m leaves nothing out: the shortest wavelength of {surface} is {shortest_m} m"
+    )]
+    CutoffBelowData {
+        /// The cutoff \[m\].
+        cutoff_m: f64,
+        /// The shortest wavelength \[m\].
+        shortest_m: f64,
+        /// The name of the surface.
+        surface: String,
+    },
+    /// A figure with more lines than people tell apart.
+    #[error("a figure with {lines} lines is unreadable; at most {most} are drawn")]
+    TooManyLines {
+        /// One line per load and separation.
+        lines: usize,
+        /// The most that are drawn.
+        most: usize,
+    },
+    /// A hardness that Persson's theory does not take.
+    #[error(transparent)]
+    Hardness(#[from] HardnessError),
+    /// The computation failed or was cancelled.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The model or the spectrum has no gaps.
+    #[error(transparent)]
+    Gap(#[from] GapError),
+    /// Boundary elements failed or were cancelled.
+    #[error(transparent)]
+    Elements(#[from] ElementsError),
+    /// Random surfaces cannot be made of the spectrum.
+    #[error("{surface}: {error}")]
+    RandomSurfaces {
+        /// The name of the surface.
+        surface: String,
+        /// The reason.
+        error: gaussian_surfaces::SurfaceError,
+    },
+    /// A saturation in units of a hardness that the material does not have.
+    #[error("the saturation is given in H, and the material has no hardness")]
+    SaturationWithoutHardness,
+    /// Any other reason, in its own words.
+    #[error("{0}")]
+    Other(String),
+}
+
+impl QuestionError {
+    /// True if the person who asked ended the work.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        use half_space::HalfSpaceError;
+        matches!(
+            self,
+            QuestionError::Plan(PlanError::Cancelled)
+                | QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::Cancelled))
+        )
+    }
+}
+
+impl From<UnusedOption> for QuestionError {
+    fn from(unused: UnusedOption) -> Self {
+        QuestionError::Unused(unused)
+    }
+}
+
+impl From<GrowthError> for QuestionError {
+    fn from(error: GrowthError) -> Self {
+        match error {
+            GrowthError::Material(error) => QuestionError::Material(error),
+            GrowthError::Hardness(error) => QuestionError::Hardness(error),
+        }
+    }
+}

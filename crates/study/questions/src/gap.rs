@@ -1,0 +1,316 @@
+//! Mean gap and stiffness under loads, and laws made from them.
+
+use findings::doubts::Doubt;
+use parallel::Progress;
+use persson::variance::Band;
+use rough_bem::{PressedLoad, Pressing, Surfaces};
+use serde::{Deserialize, Serialize};
+use spectrum::Normalisation;
+use study::gap_law::{GapChoices, GapLaw, GapState};
+use study::material::Material;
+use study::models::{Choice, Framework, ModelEntry, ModelOptions};
+use study::persson_law::PerssonLaw;
+use study::plan::{Needs, Plan, PlanError, Tolerance};
+use study::result_tables;
+use study::surface::Surface;
+use units::Pressure;
+
+use crate::choices;
+use crate::elements::{RandomInput, random_surfaces};
+use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
+use crate::option::{Reason, first_given};
+use crate::{Answer, GapCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
+use crate::{FEW_TOUCH, UnusedOption};
+
+/// The light-load law is said to hold within this share of the pressure.
+pub const LIGHT_LOADS_SHARE: f64 = 0.01;
+
+/// A model of gaps, its material and its spectrum: what gaps and laws have in common.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct GapModel {
+    /// The model; boundary elements if absent.
+    #[serde(with = "crate::text::model")]
+    pub model: Option<&'static ModelEntry>,
+    /// Choices that the model leaves open.
+    pub options: ModelOptions,
+    /// The bodies in contact.
+    pub material: MaterialInput,
+    /// Scales that take part.
+    pub sampling: SamplingInput,
+    /// Normalisation of moments, for statistical models.
+    pub normalisation: Option<Normalisation>,
+    /// Relative tolerance of statistical states, in (0, 0.01\].
+    pub tolerance: Option<f64>,
+}
+
+/// Mean gap and stiffness of a surface under loads, with its whole spectrum.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct GapQuestion {
+    /// Model, material and spectrum.
+    pub by: GapModel,
+    /// Nominal pressures.
+    pub pressures: Vec<LoadInput>,
+    /// Nominal pressures as ranges, behind the others.
+    pub pressure_ranges: Vec<RangeInput>,
+    /// Random surfaces, for boundary elements.
+    pub random: RandomInput,
+}
+
+/// A law of pressure against overclosure between two pressures.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LawQuestion {
+    /// Model, material and spectrum.
+    pub by: GapModel,
+    /// The least nominal pressure.
+    #[serde(with = "crate::text::pressure")]
+    pub from: Pressure,
+    /// The largest nominal pressure.
+    #[serde(with = "crate::text::pressure")]
+    pub to: Pressure,
+}
+
+impl Default for LawQuestion {
+    fn default() -> Self {
+        let by = GapModel::default();
+        LawQuestion { by, from: Pressure::Pascals(1e3), to: Pressure::Pascals(1e8) }
+    }
+}
+
+/// A law of gaps of a surface.
+#[derive(Debug)]
+pub struct FoundLaw {
+    /// The law under any load.
+    pub law: GapLaw,
+    /// The least and the largest nominal pressure \[Pa\].
+    pub range_pa: [f64; 2],
+    /// What a reader has to know about it.
+    pub notes: Vec<Note>,
+}
+
+impl GapModel {
+    /// Refuses options that the model ignores.
+    fn check(&self) -> Result<(), UnusedOption> {
+        let options = &self.options;
+        let Some(entry) = self.model else {
+            let given = [
+                (OptionName::Gamma, options.gamma.is_some()),
+                (OptionName::Normalisation, self.normalisation.is_some()),
+                (OptionName::Hardness, options.hardness.is_some()),
+                (OptionName::InterferenceLaw, options.interference_law.is_some()),
+                (OptionName::Band, options.band.is_some()),
+                (OptionName::StrainGradient, options.strain_gradient),
+                (OptionName::StrainGradientLength, self.material.strain_gradient_length_m.is_some()),
+                (OptionName::StrengthCap, self.material.strength_cap.is_some()),
+                (OptionName::ScalesPerDecade, self.sampling.scales_per_decade.is_some()),
+                (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
+            ];
+            return first_given(given, || Reason::BoundaryElements);
+        };
+        let is_persson = entry.framework == Framework::Persson;
+        let without_law = [
+            (OptionName::Normalisation, self.normalisation.is_some() && is_persson),
+            (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
+            (
+                OptionName::InterferenceLaw,
+                options.interference_law.is_some() && !entry.has(Choice::Interference),
+            ),
+            // Gaps of corrected forms and of other growths are not known.
+            (OptionName::Correction, options.correction.is_some()),
+            (OptionName::HardnessLaw, options.hardness_law.is_some()),
+            (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
+        ];
+        first_given(without_law, || Reason::Model(entry.name))?;
+        choices::check(options, entry, self.material.strength_cap.is_some())
+    }
+
+    /// The law with the whole spectrum.
+    fn law(
+        &self,
+        entry: &ModelEntry,
+        material: &Material,
+        surface: &Surface,
+        progress: &dyn Progress,
+    ) -> Result<GapLaw, QuestionError> {
+        self.sampling.check(surface)?;
+        let model = entry.build(material, &self.options)?;
+        let normalisation = match entry.framework {
+            Framework::Persson => Normalisation::Parseval,
+            _ => self.normalisation.unwrap_or_default(),
+        };
+        let needs = Needs {
+            moments: Some(normalisation),
+            amplitudes: model.needs_amplitudes().then(Default::default),
+            ..Needs::default()
+        };
+        let plan = Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs };
+        let results = plan.compute_observed(progress)?;
+        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
+        let choices = GapChoices {
+            energy_factor: self.options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR),
+            band: self.options.band.unwrap_or_default(),
+            tolerance: tolerance.unwrap_or_default(),
+        };
+        Ok(GapLaw::of(&model, &plan, &results, &choices)?)
+    }
+
+    /// What is known before anything is computed.
+    fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
+        let doubt = Doubt::of_material(material).map(Note::Doubt);
+        let surface_notes = surface.notes.iter().cloned().map(Note::Surface);
+        let strength = self.model.and_then(|entry| Note::of_strength(material, entry));
+        let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
+        doubt.into_iter().chain(surface_notes).chain(strength).chain(of_spectrum).collect()
+    }
+}
+
+impl GapQuestion {
+    /// Finds options that the model ignores, and input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.by.check()?;
+        if let Some(entry) = self.by.model {
+            let why = || Reason::OnlyOn { model: entry.name, models: vec!["bem"] };
+            first_given(self.random.given(), why)?;
+        }
+        self.loads().map(drop)
+    }
+
+    /// Computes the gaps.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        self.check()?;
+        let (material, pressures_pa) = self.loads()?;
+        let mut notes = self.by.notes(&material, surface);
+        let Some(entry) = self.by.model else {
+            let (states, found) = self.by_elements(&material, pressures_pa, surface, progress)?;
+            notes.extend(found);
+            return Ok(Answer { table: result_tables::gaps(&states, None), notes, figure: None });
+        };
+        let law = self.by.law(entry, &material, surface, progress)?;
+        let states = parallel::try_map(&pressures_pa, |&pressure_pa| {
+            if progress.is_cancelled() {
+                return Err(QuestionError::Plan(PlanError::Cancelled));
+            }
+            Ok(law.at(pressure_pa)?)
+        })?;
+        notes.extend(Note::of_gap_law(&law, pressures_pa.iter().copied().fold(f64::INFINITY, f64::min)));
+        let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
+        notes.push(Note::Gaps(GapCounts::of(&states, rms_height_m)));
+        let table = result_tables::gaps(&states, law.light_loads().as_ref());
+        Ok(Answer { table, notes, figure: None })
+    }
+
+    fn loads(&self) -> Result<(Material, Vec<f64>), QuestionError> {
+        let material = self.by.material.material()?;
+        let pressures_pa = pressures_pa(&self.pressures, &self.pressure_ranges, &material)?;
+        Ok((material, pressures_pa))
+    }
+
+    /// The mean of random surfaces under elastic boundary elements.
+    fn by_elements(
+        &self,
+        material: &Material,
+        pressures_pa: Vec<f64>,
+        surface: &Surface,
+        progress: &dyn Progress,
+    ) -> Result<(Vec<GapState>, Vec<Note>), QuestionError> {
+        let modulus_pa = material.pair.composite_modulus_pa();
+        let pressing = Pressing { pressures_pa, stiffness: true, ..Pressing::elastic(modulus_pa) };
+        let (random, mut notes) = random_surfaces(surface, &self.random, &pressing)?;
+        let rms_height_m = random.band.mean_square_height_m2().sqrt();
+        let surfaces = Surfaces::Random(random);
+        let pressed = rough_bem::press::<QuestionError>(&surfaces, &pressing, |_| Ok(()), progress)?;
+        let states = states_of_elements(&pressed);
+        notes.push(Note::Pressed(pressed));
+        notes.push(Note::Gaps(GapCounts::of(&states, Some(rms_height_m))));
+        Ok((states, notes))
+    }
+}
+
+impl LawQuestion {
+    /// Finds options that the model ignores, and input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.by.check()?;
+        self.range_pa(&self.by.material.material()?).map(drop)
+    }
+
+    /// Finds the law.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<FoundLaw, QuestionError> {
+        self.by.check()?;
+        let entry = self.by.model.ok_or(QuestionError::Missing(OptionName::Model))?;
+        let material = self.by.material.material()?;
+        let range_pa = self.range_pa(&material)?;
+        let mut notes = self.by.notes(&material, surface);
+        let law = self.by.law(entry, &material, surface, progress)?;
+        notes.extend(Note::of_gap_law(&law, range_pa[0]));
+        Ok(FoundLaw { law, range_pa, notes })
+    }
+
+    fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {
+        let [from, to] =
+            [self.from, self.to].map(|end| nominal_pressure(OptionName::PressureRange, None, end, material));
+        Ok([from?.pa(), to?.pa()])
+    }
+}
+
+impl Note {
+    /// Loads for which gap and stiffness of a law mean little, and for which the law of light loads holds; `least_pa` is the
+    /// least load.
+    #[must_use]
+    pub fn of_gap_law(law: &GapLaw, least_pa: f64) -> Vec<Note> {
+        let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
+        let mut notes = Note::of_separation(&light, roughness, law.rms_height_m(), least_pa);
+        if law.band() == Some(Band::Profile) {
+            notes.push(Note::WavesOfProfiles);
+        }
+        let light_loads = |up_to_pa| Note::LightLoads { up_to_pa, share: LIGHT_LOADS_SHARE };
+        notes.extend(law.light_loads_hold_up_to_pa(LIGHT_LOADS_SHARE).map(light_loads));
+        notes
+    }
+}
+
+impl GapCounts {
+    /// Counts states. `rms_height_m` is that of the surface if few asperities are to be told by it: not if
+    /// [`Note::of_gap_law`] has.
+    #[must_use]
+    pub fn of(states: &[GapState], rms_height_m: Option<f64>) -> Self {
+        let counted = |which: &dyn Fn(Option<f64>) -> bool| {
+            states.iter().filter(|state| which(state.mean_gap_m)).count()
+        };
+        let above = |gap_m: Option<f64>, bound_m: f64| gap_m.is_some_and(|gap_m| gap_m > FEW_TOUCH * bound_m);
+        GapCounts {
+            all: states.len(),
+            few_touch: rms_height_m.map_or(0, |rms_height_m| counted(&|gap_m| above(gap_m, rms_height_m))),
+            negative: counted(&|gap_m| gap_m.is_some_and(|gap_m| gap_m < 0.0)),
+            missing: counted(&|gap_m| gap_m.is_none()),
+        }
+    }
+}
+
+/// States of boundary elements in the form of models: the mean of all surfaces under each load.
+#[must_use]
+pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
+    let state = |load: &PressedLoad| {
+        let mean = load.mean();
+        GapState {
+            nominal_pressure_pa: load.nominal_pressure_pa,
+            area_fraction: mean.best_area_fraction(),
+            mean_gap_m: Some(mean.mean_gap_m),
+            stiffness_pa_per_m: mean.stiffness_pa_per_m,
+        }
+    };
+    loads.iter().map(state).collect()
+}

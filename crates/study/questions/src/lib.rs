@@ -1,0 +1,41 @@
+#![doc = include_str!("../README.md")]
+
+mod choices;
+mod counts;
+mod curve;
+mod elements;
+mod error;
+mod gap;
+mod loads;
+mod material;
+mod note;
+mod option;
+mod sampling;
+mod spectrum;
+mod text;
+
+pub use counts::{CurveCounts, CutCounts, LevelCounts};
+pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
+pub use elements::{ElementsQuestion, PreparedElements, RandomInput};
+pub use error::QuestionError;
+pub use gap::{FoundLaw, GapModel, GapQuestion, LIGHT_LOADS_SHARE, LawQuestion, states_of_elements};
+pub use loads::{LoadInput, RangeInput};
+pub use material::{BodyInput, MaterialInput};
+pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
+pub use option::{OptionName, Reason, Spelling, UnusedOption};
+pub use sampling::SamplingInput;
+pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
+
+use study::figure::FigureData;
+use tables::Table;
+
+/// What a question yields.
+#[derive(Debug)]
+pub struct Answer {
+    /// The table, as every front end writes it.
+    pub table: Table,
+    /// What a reader has to know about it.
+    pub notes: Vec<Note>,
+    /// The figure, if the question asks for one.
+    pub figure: Option<FigureData>,
+}

@@ -1,0 +1,88 @@
+//! Nominal pressures of a question.
+
+use serde::{Deserialize, Serialize};
+use study::material::Material;
+use study::plan::{Load, LoadRange, NominalPressure};
+use units::{Pressure, PressureRange};
+
+use crate::text::pressure;
+use crate::{OptionName, QuestionError};
+
+/// A nominal pressure and the words it was typed in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LoadInput {
+    /// The pressure, in Pa or in units of the hardness.
+    #[serde(with = "pressure")]
+    pub pressure: Pressure,
+    /// Its label.
+    pub label: String,
+}
+
+/// Nominal pressures evenly spaced in their logarithms.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RangeInput {
+    /// The first.
+    #[serde(with = "pressure")]
+    pub from: Pressure,
+    /// The last.
+    #[serde(with = "pressure")]
+    pub to: Pressure,
+    /// How many, at least two.
+    pub points: u32,
+}
+
+impl From<(Pressure, String)> for LoadInput {
+    fn from((pressure, label): (Pressure, String)) -> Self {
+        LoadInput { pressure, label }
+    }
+}
+
+impl From<PressureRange> for RangeInput {
+    fn from(range: PressureRange) -> Self {
+        RangeInput { from: range.from, to: range.to, points: range.points }
+    }
+}
+
+/// A nominal pressure in Pa; `label` is the text it was typed in, if the error should name it.
+pub(crate) fn nominal_pressure(
+    option: OptionName,
+    label: Option<&str>,
+    pressure: Pressure,
+    material: &Material,
+) -> Result<NominalPressure, QuestionError> {
+    let label = || label.map(str::to_owned);
+    let error = |error| QuestionError::Load { option, label: label(), error };
+    material.nominal_pressure(pressure).map_err(error)
+}
+
+/// Loads with labels, and ranges without.
+pub(crate) fn resolved(
+    pressures: &[LoadInput],
+    ranges: &[RangeInput],
+    material: &Material,
+) -> Result<(Vec<Load>, Vec<LoadRange>), QuestionError> {
+    let load = |LoadInput { pressure, label }: &LoadInput| {
+        let nominal_pressure = nominal_pressure(OptionName::Pressure, Some(label), *pressure, material)?;
+        Ok(Load { nominal_pressure, label: label.clone() })
+    };
+    let range = |range: &RangeInput| {
+        let [from, to] =
+            [range.from, range.to].map(|end| nominal_pressure(OptionName::Pressures, None, end, material));
+        Ok(LoadRange::new(from?, to?, range.points))
+    };
+    let loads = pressures.iter().map(load).collect::<Result<_, QuestionError>>()?;
+    Ok((loads, ranges.iter().map(range).collect::<Result<_, QuestionError>>()?))
+}
+
+/// All nominal pressures \[Pa\], ranges last.
+pub(crate) fn pressures_pa(
+    pressures: &[LoadInput],
+    ranges: &[RangeInput],
+    material: &Material,
+) -> Result<Vec<f64>, QuestionError> {
+    let (loads, ranges) = resolved(pressures, ranges, material)?;
+    let of_ranges = ranges.into_iter().flat_map(LoadRange::pressures);
+    Ok(loads.iter().map(|load| load.nominal_pressure).chain(of_ranges).map(NominalPressure::pa).collect())
+}

@@ -1,0 +1,221 @@
+//! Facts that a reader has to know about an answer, as data.
+
+use findings::doubts::Doubt;
+use gaussian_surfaces::{AreaSpectrum, GridBand};
+use persson::Roughness;
+use persson::corrections::Correction;
+use persson::separation::LightLoads;
+use rough_bem::{PressedLoad, RandomSurfaces};
+use spectrum::ProfilePsd;
+use state_tables::RowsNote;
+use study::material::Material;
+use study::models::{Choice, ModelEntry};
+use study::plan::scales_per_decade;
+
+use crate::CurveCounts;
+
+/// A fact that a reader has to know about an answer. Deliberately not `#[non_exhaustive]`: `report` must word every variant.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Note {
+    /// About the spectrum that the question is asked of.
+    Surface(study::Note),
+    /// Physics speaks against a number.
+    Doubt(Doubt),
+    /// No yield strength is given, and H/3 is taken.
+    AssumedStrength {
+        /// H/3 \[Pa\].
+        yield_strength_pa: f64,
+    },
+    /// A tolerance beyond double precision.
+    ToleranceTooFine {
+        /// The tolerance asked for.
+        asked: f64,
+        /// The tolerance used.
+        used: f64,
+    },
+    /// Sampling of the spectrum, on which the area of a stack depends.
+    Sampling(SampledScales),
+    /// The longest wavelength has no asperities yet.
+    FirstRowIsEmpty,
+    /// Rows at a bound or outside the range of a law.
+    Counts(CurveCounts),
+    /// Corrected forms of Persson's theory are fits.
+    Correction {
+        /// The form.
+        correction: Correction,
+        /// Cutoffs outside its range; none if all are inside.
+        outside: Option<OutsideFit>,
+    },
+    /// The spectrum begins inside its fractal range, on which gap and stiffness depend.
+    NoRollOff {
+        /// Share of the mean gap that the first decade of wavevectors makes.
+        share_of_first_decade: f64,
+    },
+    /// Below this load few asperities of a finite sample touch.
+    FewTouchBelow {
+        /// The load \[Pa\].
+        pressure_pa: f64,
+    },
+    /// Gap and stiffness take the waves of profiles.
+    WavesOfProfiles,
+    /// The logarithmic law of light loads holds below a load.
+    LightLoads {
+        /// The load \[Pa\].
+        up_to_pa: f64,
+        /// The share of the pressure within which it holds.
+        share: f64,
+    },
+    /// Gaps that mean little, or are missing.
+    Gaps(GapCounts),
+    /// Moments of no Gaussian isotropic surface.
+    NotGaussian {
+        /// How many cutoffs have them.
+        cutoffs: usize,
+        /// Longest and shortest of these cutoffs \[m\].
+        range_m: [f64; 2],
+        /// The least Nayak parameter.
+        least_alpha: f64,
+    },
+    /// No roll-off can be identified.
+    PurePowerLaw,
+    /// A Hurst exponent outside 0 to 1.
+    HurstOutOfRange {
+        /// The exponent.
+        hurst_exponent: f64,
+    },
+    /// The spectrum of an area is taken as it is.
+    AreaSpectrumAsItIs,
+    /// Surfaces made of a spectrum.
+    RandomSurfaces(Box<MadeSurfaces>),
+    /// Surfaces pressed by boundary elements.
+    Pressed(Vec<PressedLoad>),
+    /// Rows of a table.
+    Rows(RowsNote),
+}
+
+/// Number and range of the scales that take part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SampledScales {
+    /// How many.
+    pub scales: usize,
+    /// The longest \[m\].
+    pub longest_m: f64,
+    /// The shortest \[m\].
+    pub shortest_m: f64,
+    /// How many per decade, on average; absent for a single scale.
+    pub per_decade: Option<f64>,
+}
+
+/// Cutoffs outside the range of a fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutsideFit {
+    /// How many.
+    pub cutoffs: usize,
+    /// Of how many.
+    pub all: usize,
+    /// The first and the last of them \[m\].
+    pub wavelengths_m: [f64; 2],
+    /// Their alpha = m0 m4/m2^2.
+    pub alphas: [f64; 2],
+}
+
+/// Loads whose gaps mean little, or are missing.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct GapCounts {
+    /// All loads.
+    pub all: usize,
+    /// Loads with a gap above [`FEW_TOUCH`] rms heights.
+    pub few_touch: usize,
+    /// Loads with a negative gap.
+    pub negative: usize,
+    /// Loads without a gap.
+    pub missing: usize,
+}
+
+/// Surfaces made of a spectrum, and the grid that holds them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MadeSurfaces {
+    /// The spectrum.
+    pub spectrum: AreaSpectrum,
+    /// The surfaces.
+    pub random: RandomSurfaces,
+    /// Their grid.
+    pub grid: GridBand,
+    /// E* \[Pa\].
+    pub contact_modulus_pa: f64,
+}
+
+/// Above so many rms heights only the highest summits of a finite sample touch.
+pub const FEW_TOUCH: f64 = 3.0;
+
+/// The share of u0 that the first decade of wavevectors may have if the spectrum has no roll-off.
+const MOST_OF_FIRST_DECADE: f64 = 0.3;
+
+/// From this exponent of dV/dq = q^(e-1) on, C1D falls more slowly than q^-0.5: a roll-off.
+const FLAT: f64 = 2.5;
+
+impl SampledScales {
+    /// The scales of a spectrum.
+    #[must_use]
+    pub fn of(psd: &ProfilePsd) -> Self {
+        SampledScales {
+            scales: psd.len(),
+            longest_m: psd.longest_wavelength_m(),
+            shortest_m: psd.shortest_wavelength_m(),
+            per_decade: scales_per_decade(psd),
+        }
+    }
+}
+
+impl Note {
+    /// True for every doubt, which front ends mark as such.
+    #[must_use]
+    pub fn is_doubt(&self) -> bool {
+        matches!(self, Note::Doubt(_))
+    }
+
+    /// H/3 is taken if the model needs a strength and none is given.
+    #[must_use]
+    pub fn of_strength(material: &Material, model: &ModelEntry) -> Option<Note> {
+        let strength_pa = material.assumed_yield_strength_pa().filter(|_| model.has(Choice::Strength))?;
+        Some(Note::AssumedStrength { yield_strength_pa: strength_pa })
+    }
+
+    /// The range that a corrected form was fitted in.
+    #[must_use]
+    pub fn of_correction(correction: Correction, roughness: &Roughness) -> Note {
+        let [least, most] = Correction::FITTED_ALPHA;
+        let places = roughness.places();
+        let outside: Vec<_> =
+            places.iter().skip(1).filter(|place| !(least..=most).contains(&place.alpha)).collect();
+        let outside = outside.first().zip(outside.last()).map(|(first, last)| OutsideFit {
+            cutoffs: outside.len(),
+            all: places.len() - 1,
+            wavelengths_m: [first.wavelength_m, last.wavelength_m],
+            alphas: [first.alpha, last.alpha],
+        });
+        Note::Correction { correction, outside }
+    }
+
+    /// Spectra and loads for which mean gap and stiffness mean little: a spectrum that begins inside its fractal range, and
+    /// loads (the least of them in Pa) under which few asperities touch.
+    #[must_use]
+    pub fn of_separation(
+        light: &LightLoads,
+        roughness: &Roughness,
+        rms_height_m: f64,
+        least_pa: f64,
+    ) -> Vec<Note> {
+        let places = roughness.places();
+        let decade = places.first().map_or(0.0, |place| 10.0 * place.wavevector_rad_per_m);
+        let mut in_decade = places.iter().take_while(|place| place.wavevector_rad_per_m < decade);
+        let rolls_off = in_decade.any(|place| place.variance_exponent > FLAT);
+        let share_of_first_decade = light.share_of_first_decade;
+        let no_rolloff = (share_of_first_decade > MOST_OF_FIRST_DECADE && !rolls_off)
+            .then_some(Note::NoRollOff { share_of_first_decade });
+        let pressure_pa =
+            light.reference_pressure_pa * (-FEW_TOUCH * rms_height_m / light.decay_length_m).exp();
+        let few_touch = (least_pa < pressure_pa).then_some(Note::FewTouchBelow { pressure_pa });
+        no_rolloff.into_iter().chain(few_touch).collect()
+    }
+}

@@ -1,0 +1,156 @@
+//! Options of questions, the reasons why one is ignored, and how a front end writes them.
+
+use study::measured::Kind;
+
+/// An option of a question, whatever a front end calls it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum OptionName {
+    /// Amplitude of a scale.
+    Amplitude,
+    /// Waves that a cutoff lets through in Persson's theory.
+    Band,
+    /// Edges of a map.
+    Boundary,
+    /// Channel of a file of heights.
+    Channel,
+    /// Correction of Persson's elastic theory.
+    Correction,
+    /// Poisson's ratio of the counterface.
+    CounterfacePoissonRatio,
+    /// Shortest wavelength that takes part.
+    Cutoff,
+    /// Trend that is subtracted from a map.
+    Detrend,
+    /// Lines of a map.
+    Direction,
+    /// Figure of the table.
+    Figure,
+    /// Elastic energy factor.
+    Gamma,
+    /// Points along a side of a random surface.
+    Grid,
+    /// Form of the hardness of a sphere.
+    Hardness,
+    /// Growth of the hardness towards short wavelengths.
+    HardnessLaw,
+    /// Indentation hardness.
+    IndentationHardness,
+    /// Law of elastic sinusoids.
+    InterferenceLaw,
+    /// Longest wavelength of random surfaces.
+    Longest,
+    /// Treatment of points without a height.
+    MissingPoints,
+    /// Model.
+    Model,
+    /// Normalisation of moments.
+    Normalisation,
+    /// Phases of random surfaces.
+    Phases,
+    /// Poisson's ratio of the rough body.
+    PoissonRatio,
+    /// Nominal pressure.
+    Pressure,
+    /// Range of nominal pressures of a law.
+    PressureRange,
+    /// Ranges of nominal pressures.
+    Pressures,
+    /// Options for reading spectra.
+    Reading,
+    /// Number of random surfaces.
+    Realisations,
+    /// Pressure at which boundary elements flow.
+    Saturation,
+    /// Density of scales.
+    ScalesPerDecade,
+    /// Seed of random surfaces.
+    Seed,
+    /// Separation.
+    Separation,
+    /// Shortest wavelength of random surfaces.
+    Shortest,
+    /// Length of a side of a random surface.
+    Side,
+    /// Size of a scan.
+    Size,
+    /// Growth of the strength at small depths.
+    StrainGradient,
+    /// Length of that growth.
+    StrainGradientLength,
+    /// Limit of that growth.
+    StrengthCap,
+    /// Relative tolerance of statistical states.
+    Tolerance,
+    /// Unit of a scan.
+    Unit,
+    /// Yield strength.
+    YieldStrength,
+    /// Young's modulus.
+    YoungsModulus,
+}
+
+/// An option that is given and changes nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnusedOption {
+    /// The option.
+    pub option: OptionName,
+    /// The reason.
+    pub why: Reason,
+}
+
+/// The reason why an option changes nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reason {
+    /// The model has no such option.
+    Model(&'static str),
+    /// Only other models have it.
+    OnlyOn {
+        /// The model asked for.
+        model: &'static str,
+        /// Those that have it.
+        models: Vec<&'static str>,
+    },
+    /// The model does not yield.
+    DoesNotYield(&'static str),
+    /// Corrected forms of Persson's theory are elastic.
+    CorrectionsAreElastic(&'static str),
+    /// No option lets the hardness grow.
+    HardnessDoesNotGrow(&'static str),
+    /// The hardness grows by a law without a strain-gradient length.
+    OtherHardnessLaw(&'static str),
+    /// No length lets the strength grow.
+    StrengthDoesNotGrow,
+    /// Boundary elements are elastic, and take their waves by other options.
+    BoundaryElements,
+    /// The file is of the other kind.
+    KindOfFile(Kind),
+}
+
+/// A front end's way to write options.
+pub trait Spelling {
+    /// The option, e.g. `--interference-law` or `interference_law`.
+    fn option(&self, option: OptionName) -> String;
+
+    /// An option with a value, e.g. `--band 2d` or `band="2d"`.
+    fn with_value(&self, option: OptionName, value: &str) -> String;
+
+    /// The choice of a model, e.g. `--model hertz` or `model hertz`.
+    fn model(&self, name: &str) -> String;
+
+    /// Words in front of options that belong to a material made by itself, e.g. `the material `.
+    fn of_material(&self) -> &'static str {
+        ""
+    }
+}
+
+/// The first option of a list that is given.
+pub(crate) fn first_given(
+    options: impl IntoIterator<Item = (OptionName, bool)>,
+    why: impl FnOnce() -> Reason,
+) -> Result<(), UnusedOption> {
+    match options.into_iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => Err(UnusedOption { option, why: why() }),
+        None => Ok(()),
+    }
+}
