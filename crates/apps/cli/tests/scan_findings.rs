@@ -29,7 +29,7 @@ fn lines_with<'t>(text: &'t str, what: &str) -> Vec<&'t str> {
 }
 
 #[test]
-fn f_a_2_a_hole_in_a_composite_is_told_in_table_summary_report_and_figure() {
+fn a_hole_in_a_composite_is_told_in_table_summary_report_and_figure() {
     let bench = Bench::new();
     bench.write("coarse.txt", line(256, 200.0)).write("fine.txt", line(256, 0.5));
     let scans =
@@ -82,7 +82,7 @@ fn f_a_2_a_hole_in_a_composite_is_told_in_table_summary_report_and_figure() {
 }
 
 #[test]
-fn f_a_3_a_scan_without_tip_radius_is_told_once_with_what_was_assumed() {
+fn a_scan_without_tip_radius_is_told_once_with_what_was_assumed() {
     let bench = Bench::new();
     bench.write("map.txt", map(0.0)).write("line.txt", line(256, 5.0));
     let run = bench.run(&["psd", "map.txt", "line.txt:unit=nm"]);
@@ -105,7 +105,7 @@ fn f_a_3_a_scan_without_tip_radius_is_told_once_with_what_was_assumed() {
 }
 
 #[test]
-fn f_a_4_slopes_along_and_across_the_lines_of_a_map_are_both_told() {
+fn slopes_along_and_across_the_lines_of_a_map_are_both_told() {
     let bench = Bench::new();
     bench.write("even.txt", map(0.0)).write("offset.txt", map(4.0));
     let verdict = |file: &str| {
@@ -125,7 +125,7 @@ fn f_a_4_slopes_along_and_across_the_lines_of_a_map_are_both_told() {
 }
 
 #[test]
-fn f_a_20_the_same_scan_twice_has_no_standard_error() {
+fn the_same_scan_twice_has_no_standard_error() {
     let bench = Bench::new();
     bench.write("a.txt", line(256, 5.0));
     let run = bench.run(&["psd", "a.txt", "a.txt", "--unit", "nm"]);
@@ -137,7 +137,7 @@ fn f_a_20_the_same_scan_twice_has_no_standard_error() {
 }
 
 #[test]
-fn f_a_20_a_spectrum_of_one_row_and_a_flat_scan_are_refused() {
+fn a_spectrum_of_one_row_and_a_flat_scan_are_refused() {
     let bench = Bench::new();
     bench.write("short.txt", line(6, 5.0));
     let refused = bench.run(&["psd", "short.txt", "--unit", "nm", "--bins-per-decade", "1"]).refused();
@@ -153,7 +153,7 @@ fn f_a_20_a_spectrum_of_one_row_and_a_flat_scan_are_refused() {
 }
 
 #[test]
-fn f_a_23_an_error_names_the_option_where_it_is_given_and_the_file_as_it_is() {
+fn an_error_names_the_option_where_it_is_given_and_the_file_as_it_is() {
     let bench = Bench::new();
     bench.write("map--unit.txt", line(64, 5.0));
     let refused = bench.run(&["psd", "map--unit.txt"]).refused();
@@ -167,7 +167,7 @@ fn f_a_23_an_error_names_the_option_where_it_is_given_and_the_file_as_it_is() {
 }
 
 #[test]
-fn f_c_10_a_list_of_scans_says_what_options_after_a_file_say() {
+fn a_list_of_scans_says_what_options_after_a_file_say() {
     let bench = Bench::new();
     std::fs::create_dir(bench.path("data")).unwrap();
     bench.write("data/a.txt", line(256, 5.0)).write("data/b.txt", line(256, 20.0));

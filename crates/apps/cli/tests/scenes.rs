@@ -334,7 +334,7 @@ fn a_hardness_in_place_of_a_strength_gives_the_same_areas_and_is_told_in_summary
 }
 
 #[test]
-fn f_a_10_files_that_are_not_of_this_run_are_named() {
+fn files_that_are_not_of_this_run_are_named() {
     let bench = Bench::new();
     bench.write("s.toml", SMALL);
     assert!(!bench.run(&["run", "s.toml"]).ok().contains("not of this run"));
@@ -344,7 +344,7 @@ fn f_a_10_files_that_are_not_of_this_run_are_named() {
 }
 
 #[test]
-fn f_a_18_and_19_idle_keys_and_doubts_are_told_and_the_scene_runs() {
+fn idle_keys_and_doubts_are_told_and_the_scene_runs() {
     let bench = Bench::new();
     bench.write("s.toml", SMALL.replacen("[[curve]]", "[[curve]]\nstrain_gradient = true", 1));
     let ran = bench.run(&["run", "s.toml"]);

@@ -337,7 +337,7 @@ fn moments_chain_into_statistical_with_the_constants_given_once() {
 }
 
 #[test]
-fn f_a_11_loads_beyond_what_the_models_take_are_refused_by_every_command() {
+fn loads_beyond_what_the_models_take_are_refused_by_every_command() {
     let bench = Bench::new();
     let models: [[&str; 4]; 2] = [
         ["stacked", "builtin:uncd-measured", "--model", "elastic-plastic"],
@@ -423,7 +423,7 @@ fn every_bound_of_the_computation_is_held_before_anything_is_written() {
 }
 
 #[test]
-fn f_a_13_and_19_a_tolerance_that_cannot_be_had_and_doubts_are_told() {
+fn a_tolerance_that_cannot_be_had_and_doubts_are_told() {
     let bench = Bench::new();
     let command = ["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressure", "2H"];
     let ran = bench.run(&[&command[..], &support::DIAMOND[..], &["--tolerance", "1e-300"]].concat());

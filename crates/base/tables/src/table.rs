@@ -138,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn f_a_9_a_computed_column_never_takes_the_place_of_another() {
+    fn a_computed_column_never_takes_the_place_of_another() {
         let table = Table::default().with_numbers("a", [1.0]).with_numbers("a", [2.0]).with_words("a", ["w"]);
         let names: Vec<&str> = table.columns().map(|(name, _)| name).collect();
         assert_eq!(names, ["a", "a (2)", "a (3)"]);

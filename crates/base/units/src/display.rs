@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn f_a_9_lengths_that_differ_are_told_apart_and_others_as_ever() {
+    fn lengths_that_differ_are_told_apart_and_others_as_ever() {
         assert_eq!(
             lengths_apart(&[35e-9, 35.004e-9, 70e-9, 35e-9]),
             ["35 nm", "35.004 nm", "70 nm", "35 nm"]
