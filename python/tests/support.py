@@ -1,14 +1,19 @@
-"""Where the checkout stands, and how tables are read."""
+"""The checkout, its tables as columns, and calls that are refused."""
 
 from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Union
 
 import numpy as np
 import numpy.typing as npt
+import pytest
+
+import truearea as ta
 
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests" / "reference"
@@ -43,3 +48,12 @@ def words(columns: Columns, name: str) -> list[str]:
     column = columns[name]
     assert isinstance(column, list)
     return column
+
+
+@contextmanager
+def refused_naming(*words: str, by: type[Exception] = ta.InputError) -> Iterator[None]:
+    """Asserts that calls within are refused, and that the message names these arguments, values and types."""
+    with pytest.raises(by) as caught:
+        yield
+    for word in words:
+        assert word in str(caught.value)

@@ -14,7 +14,7 @@ import numpy.typing as npt
 import pytest
 
 import truearea as ta
-from support import REFERENCE, Columns, numbers, words
+from support import REFERENCE, Columns, numbers, refused_naming, words
 
 UNCD = "builtin:uncd-reconstructed"
 GLASS = ta.Material("100 GPa", 0.0, indentation_hardness="3 GPa")
@@ -136,7 +136,7 @@ def test_topographies_know_their_size_and_edges() -> None:
     assert np.allclose(given.pressure_pa, by_hand.pressure_pa, rtol=1e-6, atol=1.0)
     free = ta.boundary_elements(Topography(), periodic=False, **options)
     assert free.area_fraction != given.area_fraction
-    with pytest.raises(ta.InputError, match="size has no bearing on a Topography"):
+    with refused_naming("size", "Topography"):
         ta.boundary_elements(Topography(), 1e-6, **options)
 
 
@@ -217,76 +217,76 @@ def test_results_are_pickled_and_framed() -> None:
 @pytest.mark.parametrize(
     ("h", "size", "changes", "told"),
     [
-        (np.ma.masked_array(wave(), wave() > 0.9e-8), 1e-6, {}, "h: 42 of 1024 heights are masked; fill them"),
-        (np.where(wave() > 0.9e-8, np.nan, wave()), 1e-6, {}, "h: 42 of 1024 heights are NaN or infinite; fill them"),
-        (np.full((4, 4), np.inf), 1e-6, {}, "h: 16 of 16 heights are NaN or infinite"),
-        (wave()[0], 1e-6, {}, "h: a map of rows and columns is needed, and this has 1 axes"),
-        (wave()[None], 1e-6, {}, "h: a map of rows and columns is needed, and this has 3 axes"),
-        (3.0, 1e-6, {}, "h: a map of rows and columns is needed, and this has 0 axes"),
-        ([["1", "2"], ["3", "4"]], 1e-6, {}, "h: numbers are needed, and these are of type"),
-        ([[1.0, 2.0], [3.0]], 1e-6, {}, "h: no array can be made of it"),
-        (wave().astype(complex), 1e-6, {}, "h: numbers are needed, and these are of type complex128"),
-        (np.empty((0, 0)), 1e-6, {}, "h: .*columns"),
-        (wave()[:1], (1e-6, 1e-6), {}, "h: .*rows"),
+        (np.ma.masked_array(wave(), wave() > 0.9e-8), 1e-6, {}, "h: 42 1024 masked"),
+        (np.where(wave() > 0.9e-8, np.nan, wave()), 1e-6, {}, "h: 42 1024 NaN"),
+        (np.full((4, 4), np.inf), 1e-6, {}, "h: 16 NaN"),
+        (wave()[0], 1e-6, {}, "h: 1"),
+        (wave()[None], 1e-6, {}, "h: 3"),
+        (3.0, 1e-6, {}, "h: 0"),
+        ([["1", "2"], ["3", "4"]], 1e-6, {}, "h: type"),
+        ([[1.0, 2.0], [3.0]], 1e-6, {}, "h: array"),
+        (wave().astype(complex), 1e-6, {}, "h: complex128"),
+        (np.empty((0, 0)), 1e-6, {}, "h: columns"),
+        (wave()[:1], (1e-6, 1e-6), {}, "h: rows"),
         (1e40 * wave(), 1e-6, {}, "height"),
-        (wave(), None, {}, r"size is needed: the lengths \(lx, ly\)"),
-        (wave(16, 32), 1e-6, {}, "size is one length, and h has 16 rows and 32 columns; give two"),
-        (wave(), (1e-6, 1e-6, 1e-6), {}, r"size: two lengths \(lx, ly\) are needed, and these are 3"),
-        (wave(), (1e-6, -1e-6), {}, r"size\[1\] is -0.000001; it must be finite and greater than 0"),
-        (wave(), "1 kg", {}, r"size\[0\]: "),
-        (wave(), (None, 1e-6), {}, r"size\[0\]: a number in m is needed, or text such as '5 um', and this is of type NoneType"),
-        (wave(), 1e-6, {"pressure": -1.0}, "pressure is -1; it must be finite and greater than 0"),
-        (wave(), 1e-6, {"pressure": []}, "pressure: it is empty"),
-        (wave(), 1e-6, {"saturation": "1 kPa"}, "a nominal pressure of 1 MPa cannot be carried: saturation lets no point"),
-        (wave(), 1e-6, {"saturation": 0.0}, "saturation is 0; it must be"),
-        (wave(), 1e-6, {"tolerance": 0.5}, "tolerance is 0.5; it must be"),
-        (wave(), 1e-6, {"tolerance": float("nan")}, "tolerance is NaN; it must be"),
-        (wave(), 1e-6, {"detrend": "cubic"}, "detrend: .*cubic.* mean, line, plane"),
-        (wave(), 1e-6, {"grid": 64}, "grid has no bearing on heights, only on a spectrum; leave it out"),
-        (wave(), 1e-6, {"per_realisation": True}, "per_realisation has no bearing on heights"),
+        (wave(), None, {}, "size (lx, ly)"),
+        (wave(16, 32), 1e-6, {}, "size 16 32"),
+        (wave(), (1e-6, 1e-6, 1e-6), {}, "size: 3"),
+        (wave(), (1e-6, -1e-6), {}, "size[1] -0.000001;"),
+        (wave(), "1 kg", {}, "size[0]:"),
+        (wave(), (None, 1e-6), {}, "size[0]: '5 um' NoneType"),
+        (wave(), 1e-6, {"pressure": -1.0}, "pressure -1; 0"),
+        (wave(), 1e-6, {"pressure": []}, "pressure: empty"),
+        (wave(), 1e-6, {"saturation": "1 kPa"}, "pressure 1 MPa saturation"),
+        (wave(), 1e-6, {"saturation": 0.0}, "saturation 0;"),
+        (wave(), 1e-6, {"tolerance": 0.5}, "tolerance 0.5;"),
+        (wave(), 1e-6, {"tolerance": float("nan")}, "tolerance NaN;"),
+        (wave(), 1e-6, {"detrend": "cubic"}, "detrend: cubic mean line plane"),
+        (wave(), 1e-6, {"grid": 64}, "grid heights spectrum"),
+        (wave(), 1e-6, {"per_realisation": True}, "per_realisation heights"),
     ],
 )
 def test_heights_that_cannot_be_pressed_are_refused(h: Any, size: Any, changes: dict[str, Any], told: str) -> None:
     given: dict[str, Any] = {"pressure": "1 MPa", "material": GLASS} | changes
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.boundary_elements(h, size, **given)
 
 
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"size": 1e-6}, "size has no bearing on a spectrum, only on heights; leave it out"),
-        ({"periodic": True}, "periodic has no bearing on a spectrum"),
-        ({"detrend": "mean"}, "detrend has no bearing on a spectrum"),
-        ({"grid": 8}, "grid is 8; it must be a whole number from 16 to 16384"),
-        ({"grid": 10**30}, "grid is 1000000000000000000000000000000; it must be a whole number from 16"),
-        ({"grid": 32.5}, "grid is 32.5; it must be a whole number"),
-        ({"grid": True}, "grid is of type bool; it must be a whole number"),
-        ({"realisations": 0}, "realisations is 0; it must be a whole number from 1"),
-        ({"seed": -1}, "seed is -1; it must be a whole number from 0"),
-        ({"longest": "long"}, "longest: "),
-        ({"side": -1.0}, "side is -1; it must be"),
-        ({"phases": 3}, "phases: text is needed, and this is of type int"),
-        ({"phases": "none"}, "phases: .*none.* fixed-modulus, gaussian"),
-        ({"longest": 1e-3, "shortest": 1e-6}, f"{UNCD}: the band from 1 mm to 1 µm is too wide for 32 points"),
-        ({"longest": 1e-6, "shortest": 2e-6}, "no roughness between"),
+        ({"size": 1e-6}, "size heights"),
+        ({"periodic": True}, "periodic spectrum"),
+        ({"detrend": "mean"}, "detrend spectrum"),
+        ({"grid": 8}, "grid 8; 16 16384"),
+        ({"grid": 10**30}, "grid 1000000000000000000000000000000; 16"),
+        ({"grid": 32.5}, "grid 32.5;"),
+        ({"grid": True}, "grid bool"),
+        ({"realisations": 0}, "realisations 0; 1"),
+        ({"seed": -1}, "seed -1; 0"),
+        ({"longest": "long"}, "longest:"),
+        ({"side": -1.0}, "side -1;"),
+        ({"phases": 3}, "phases: int"),
+        ({"phases": "none"}, "phases: none fixed-modulus gaussian"),
+        ({"longest": 1e-3, "shortest": 1e-6}, f"{UNCD}: 1 mm 1 µm 32 points"),
+        ({"longest": 1e-6, "shortest": 2e-6}, "roughness"),
     ],
 )
 def test_surfaces_that_cannot_be_made_are_refused(changes: dict[str, Any], told: str) -> None:
     given: dict[str, Any] = {"pressure": "1 MPa", "material": GLASS, "grid": 32} | changes
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.boundary_elements(ta.read_psd(UNCD), **given)
 
 
 def test_what_is_no_material_is_told() -> None:
     steel: Any = "steel"
     for h, size in ((wave(), 1e-6), (ta.read_psd(UNCD), None)):
-        with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+        with refused_naming("material:", "Material", "str"):
             ta.boundary_elements(h, size, pressure=1.0, material=steel)
 
 
 def test_a_saturation_in_hardnesses_needs_one() -> None:
-    with pytest.raises(ta.InputError, match="saturation is given in H, .* give the material indentation_hardness"):
+    with refused_naming("saturation", "H", "indentation_hardness"):
         ta.boundary_elements(wave(), 1e-6, pressure="1 MPa", material=UNIT, saturation="1 H")
 
 
@@ -308,9 +308,9 @@ def test_a_callable_is_told_of_the_steps_and_may_end_the_work() -> None:
     def end(done: int, of: int | None) -> None:
         raise RuntimeError("enough")
 
-    with pytest.raises(RuntimeError, match="enough"):
+    with refused_naming("enough", by=RuntimeError):
         ta.boundary_elements(wave(), "1 um", pressure="1 MPa", material=GLASS, progress=end)
-    with pytest.raises(TypeError, match="progress: True, False or a callable is needed, and this is of type str"):
+    with refused_naming("progress:", "True", "False", "str", by=TypeError):
         progress: Any = "yes"
         ta.boundary_elements(wave(), "1 um", pressure="1 MPa", material=GLASS, progress=progress)
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import REFERENCE, Columns, Floats, numbers, words
+from support import REFERENCE, Columns, Floats, numbers, refused_naming, words
 
 STEEL = ta.Material("210 GPa", 0.3, yield_strength="1 GPa", strain_gradient_length="1 um")
 POPULATION: dict[str, Any] = {"radius": 1e-6, "density": 1e12, "sigma_s": 10e-9}
@@ -127,41 +127,41 @@ def test_a_pressure_in_hardnesses_is_another_one_for_each_material() -> None:
     materials = [STEEL, STEEL.replace(yield_strength="2 GPa")]
     assert np.array_equal(hertz(material=materials, pressure="1e-3 H").pressure_pa, [3e6, 6e6])
     assert np.array_equal(hertz(material=materials, pressure=["1 MPa", "2 MPa"]).pressure_pa, [1e6, 2e6])
-    with pytest.raises(ta.InputError, match="several pressures in H and several materials"):
+    with refused_naming("pressures", "H", "materials"):
         hertz(material=materials, pressure=["1e-3 H", "1e-2 H"])
 
 
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"pressure": [1e6, np.nan]}, r"element \[1\]: pressure in Pa is NaN; it must be finite and greater than 0"),
-        ({"pressure": -1.0}, "pressure in Pa is -1; it must be finite and greater than 0"),
-        ({"pressure": [[1e6], [np.inf]]}, r"element \[1, 0\]: pressure in Pa is inf"),
-        ({"pressure": "5"}, "pressure: '5' has no unit; a pressure needs one of Pa"),
-        ({"pressure": ["1 MPa", "2 m"]}, r"pressure\[1\]: '2 m' has the unit 'm'"),
-        ({"radius": [1e-6, -1e-6]}, r"element \[1\]: asperity radius in m is -1e-6; it must be"),
+        ({"pressure": [1e6, np.nan]}, "element [1]: pressure NaN;"),
+        ({"pressure": -1.0}, "pressure -1;"),
+        ({"pressure": [[1e6], [np.inf]]}, "element [1, 0]: pressure inf"),
+        ({"pressure": "5"}, "pressure: '5'"),
+        ({"pressure": ["1 MPa", "2 m"]}, "pressure[1]: '2 m' 'm'"),
+        ({"radius": [1e-6, -1e-6]}, "element [1]: radius -1e-6;"),
         ({"sigma_s": 0.0}, "height"),
-        ({"pressure": [1e6, 2e6], "radius": [1e-6] * 3}, r"do not broadcast against each other: radius \(3,\), pressure \(2,\)"),
-        ({"pressure": [True]}, "pressure: numbers are needed, and these are of type bool"),
-        ({"pressure": 1j}, "of type complex128"),
-        ({"pressure": np.array(["2020-01-01"], dtype="M8[D]")}, "of type datetime64"),
-        ({"pressure": [[1.0], [1.0, 2.0]]}, "pressure: no array can be made of it"),
-        ({"pressure": [None]}, "of type object"),
-        ({"pressure": np.ma.array([1e6, 2e6], mask=[False, True])}, "pressure: 1 of 2 numbers are masked"),
-        ({"pressure": None}, "pressure or separation is needed"),
-        ({"separation": 1e-9}, "pressure and separation are both given"),
-        ({"radius": None}, "radius is needed for model hertz"),
-        ({"m0": 1.0}, "m0 has no bearing on model hertz"),
-        ({"model": "herz"}, "model: reading the statistical model: 'herz' is none of hertz"),
-        ({"strain_gradient": True}, "strain_gradient has no bearing on model hertz, only on ep-sphere, ep-sine"),
-        ({"model": "ep-sphere", "hardness": "soft"}, "hardness: 'soft' is none of 2005, cosine"),
-        ({"model": "ep-sphere", "material": ta.Material(1e9, 0.3)}, "needs the yield strength: give the material"),
-        ({"material": "steel"}, "material: a Material is needed, and this is of type str"),
-        ({"tolerance": 0.0}, "tolerance is 0; it must be greater than 0"),
+        ({"pressure": [1e6, 2e6], "radius": [1e-6] * 3}, "radius (3,), pressure (2,)"),
+        ({"pressure": [True]}, "pressure: bool"),
+        ({"pressure": 1j}, "pressure: complex128"),
+        ({"pressure": np.array(["2020-01-01"], dtype="M8[D]")}, "pressure: datetime64"),
+        ({"pressure": [[1.0], [1.0, 2.0]]}, "pressure: array"),
+        ({"pressure": [None]}, "pressure: object"),
+        ({"pressure": np.ma.array([1e6, 2e6], mask=[False, True])}, "pressure: 1 of 2 masked"),
+        ({"pressure": None}, "pressure separation"),
+        ({"separation": 1e-9}, "pressure separation"),
+        ({"radius": None}, "radius hertz"),
+        ({"m0": 1.0}, "m0 hertz"),
+        ({"model": "herz"}, "model: 'herz' hertz"),
+        ({"strain_gradient": True}, "strain_gradient hertz ep-sphere, ep-sine"),
+        ({"model": "ep-sphere", "hardness": "soft"}, "hardness: 'soft' 2005"),
+        ({"model": "ep-sphere", "material": ta.Material(1e9, 0.3)}, "yield strength material"),
+        ({"material": "steel"}, "material: Material str"),
+        ({"tolerance": 0.0}, "tolerance 0;"),
     ],
 )
 def test_what_cannot_be_used_is_refused_with_the_argument(changes: dict[str, Any], told: str) -> None:
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         hertz(**changes)
 
 
@@ -188,14 +188,14 @@ def test_results_are_mappings_frames_datasets_and_pickles() -> None:
     assert again == found and again.notes == found.notes
     assert "pressure_pa" in repr(found) and "MPa" not in repr(found) and "Pa" in repr(found)
     assert "<table>" in found._repr_html_()
-    with pytest.raises(AttributeError, match="a ContactStates has no area"):
+    with refused_naming("ContactStates", "area", by=AttributeError):
         found.area
 
 
 def test_a_frame_without_pandas_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     for module, make in (("pandas", hertz().to_pandas), ("xarray", hertz().to_xarray)):
         monkeypatch.setitem(sys.modules, module, None)
-        with pytest.raises(ImportError, match=rf"to_{module} needs {module}, which is not here: pip install truearea\[{module}\]"):
+        with refused_naming(f"to_{module}", f"truearea[{module}]", by=ImportError):
             make()
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import REFERENCE, Columns, numbers, words
+from support import REFERENCE, Columns, numbers, refused_naming, words
 
 UNCD = "builtin:uncd-measured"
 DIAMOND = ta.Material(
@@ -40,7 +40,7 @@ def same(curve: ta.Result, crates: Columns) -> None:
 @pytest.mark.parametrize("model", ["elastic", "elastic-plastic"])
 def test_stacks_are_those_of_the_command_line_bit_for_bit(model: str, grows: bool, command_line: Callable[..., Columns]) -> None:
     if grows and model == "elastic":
-        with pytest.raises(ta.InputError, match="strain_gradient has no bearing on model elastic"):
+        with refused_naming("strain_gradient", "elastic"):
             ta.stacked(ta.read_psd(UNCD), DIAMOND, pressure=LOADS, model=model, strain_gradient=True)
         return
     curve = ta.stacked(ta.read_psd(UNCD), DIAMOND, pressure=LOADS, model=model, strain_gradient=grows)
@@ -78,22 +78,22 @@ def test_stacks_follow_the_reference(reference: Callable[[str], Columns]) -> Non
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"pressure": []}, "pressure: it is empty; give at least one pressure"),
-        ({"pressure": [1e6, 0.0]}, r"pressure\[1\] is 0; it must be finite and greater than 0"),
-        ({"pressure": "1 m"}, "pressure: '1 m' has the unit 'm'"),
-        ({"pressure": None}, "pressure or separation is needed"),
-        ({"pressure": [True]}, r"pressure\[0\]: a number in Pa is needed"),
-        ({"model": "hertz"}, "model: .*'hertz' is none of elastic, elastic-plastic"),
-        ({"cutoff": "1 m"}, "leaves no scale"),
-        ({"cutoff": 1e-12}, "cutoff is .* m and leaves nothing out"),
-        ({"amplitude": "eq6"}, "amplitude: .*'eq6' is none of eq5, parseval"),
-        ({"scales_per_decade": 0}, "scales_per_decade is 0; it must be from 1 to"),
-        ({"material": ta.Material(1e11, 0.3)}, "needs the yield strength: give the material yield_strength or indentation"),
+        ({"pressure": []}, "pressure: empty"),
+        ({"pressure": [1e6, 0.0]}, "pressure[1] 0;"),
+        ({"pressure": "1 m"}, "pressure: '1 m' 'm'"),
+        ({"pressure": None}, "pressure separation"),
+        ({"pressure": [True]}, "pressure[0]:"),
+        ({"model": "hertz"}, "model: 'hertz' elastic"),
+        ({"cutoff": "1 m"}, "scale"),
+        ({"cutoff": 1e-12}, "cutoff nothing"),
+        ({"amplitude": "eq6"}, "amplitude: 'eq6' eq5"),
+        ({"scales_per_decade": 0}, "scales_per_decade 0; 1"),
+        ({"material": ta.Material(1e11, 0.3)}, "material yield_strength indentation_hardness"),
     ],
 )
 def test_what_cannot_be_used_is_refused(changes: dict[str, Any], told: str) -> None:
     given: dict[str, Any] = {"material": DIAMOND, "pressure": 1e6, **changes}
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.stacked(ta.read_psd(UNCD), **given)
 
 

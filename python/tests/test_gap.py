@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import Columns, numbers
+from support import Columns, numbers, refused_naming
 
 UNCD = "builtin:uncd-reconstructed"
 DIAMOND = ta.Material("463 GPa", 0.2, yield_strength="1.8 GPa", strain_gradient_length="5 um")
@@ -98,42 +98,42 @@ def test_gaps_are_pickled_and_framed() -> None:
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"pressure": 0.0}, "pressure is 0; it must be finite and greater than 0"),
-        ({"pressure": "1 parsec"}, "pressure: "),
-        ({"model": "elastic"}, "model: 'elastic' is none of those with gaps, persson, .*, bem$"),
-        ({"model": "hertz", "gamma": 0.5}, "gamma has no bearing on model hertz; leave it out"),
-        ({"model": "hertz", "band": "2d"}, "band has no bearing on model hertz; leave it out"),
-        ({"normalisation": "parseval"}, "normalisation has no bearing on model persson; leave it out"),
-        ({"hardness": "2005"}, "hardness has no bearing on model persson; leave it out"),
-        ({"interference_law": "fit", "model": "hertz"}, "interference_law has no bearing on model hertz; leave it out"),
-        ({"strain_gradient": True, "model": "hertz"}, "strain_gradient has no bearing on model hertz; leave it out"),
-        ({"grid": 64}, "grid has no bearing on model persson, only on bem; leave it out"),
-        ({"model": "bem", "cutoff": 1e-6}, "cutoff has no bearing on model bem, which is elastic"),
-        ({"model": "bem", "gamma": 0.45}, "gamma has no bearing on model bem"),
-        ({"model": "bem", "grid": 8}, "grid is 8; it must be a whole number from 16 to 16384"),
-        ({"gamma": 1.5}, "gamma is 1.5; it must be"),
+        ({"pressure": 0.0}, "pressure 0;"),
+        ({"pressure": "1 parsec"}, "pressure:"),
+        ({"model": "elastic"}, "model: 'elastic' persson bem"),
+        ({"model": "hertz", "gamma": 0.5}, "gamma hertz"),
+        ({"model": "hertz", "band": "2d"}, "band hertz"),
+        ({"normalisation": "parseval"}, "normalisation persson"),
+        ({"hardness": "2005"}, "hardness persson"),
+        ({"interference_law": "fit", "model": "hertz"}, "interference_law hertz"),
+        ({"strain_gradient": True, "model": "hertz"}, "strain_gradient hertz"),
+        ({"grid": 64}, "grid bem"),
+        ({"model": "bem", "cutoff": 1e-6}, "cutoff bem"),
+        ({"model": "bem", "gamma": 0.45}, "gamma bem"),
+        ({"model": "bem", "grid": 8}, "grid 8; 16 16384"),
+        ({"gamma": 1.5}, "gamma 1.5;"),
         ({"model": "hertz", "tolerance": 0.5}, "tolerance"),
-        ({"band": 2}, "band: text is needed, and this is of type int"),
-        ({"scales_per_decade": 2.5}, "scales_per_decade is 2.5; it must be a whole number"),
-        ({"scales_per_decade": -3}, "scales_per_decade is -3; it must be"),
+        ({"band": 2}, "band: int"),
+        ({"scales_per_decade": 2.5}, "scales_per_decade 2.5;"),
+        ({"scales_per_decade": -3}, "scales_per_decade -3;"),
     ],
 )
 def test_wrong_input_is_told_by_its_argument(changes: dict[str, Any], told: str) -> None:
     given: dict[str, Any] = {"pressure": "1 MPa"} | changes
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.gap(ta.read_psd(UNCD), DIAMOND, **given)
 
 
 def test_a_spectrum_without_gap_is_refused() -> None:
     uncd = ta.read_psd(UNCD)
     for model in ("persson", "hertz"):
-        with pytest.raises(ta.InputError, match="the spectrum has no gap"):
+        with refused_naming("spectrum", "gap"):
             ta.gap(uncd, DIAMOND, pressure="1 MPa", model=model, cutoff=uncd.wavelengths_m[0])
 
 
 def test_what_is_no_spectrum_or_material_is_told() -> None:
     other: Any = "builtin:uncd-measured"
-    with pytest.raises(ta.InputError, match="spectrum: a Spectrum is needed, and this is of type str"):
+    with refused_naming("spectrum:", "Spectrum", "str"):
         ta.gap(other, DIAMOND, pressure=1e6)
-    with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+    with refused_naming("material:", "Material", "str"):
         ta.gap(ta.read_psd(UNCD), other, pressure=1e6)

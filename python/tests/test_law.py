@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import Columns, columns_of, numbers
+from support import Columns, columns_of, numbers, refused_naming
 
 UNCD = "builtin:uncd-reconstructed"
 DIAMOND = ta.Material("463 GPa", 0.2)
@@ -77,10 +77,10 @@ def test_light_loads_are_two_numbers_of_calculix(law: ta.ContactLaw) -> None:
     light = ta.gap(ta.read_psd(UNCD), DIAMOND, pressure="1 MPa")
     assert np.isclose(clearance_m, np.log(100.0) * light.u0_m[0], rtol=1e-11)
     assert np.isclose(pressure_pa, light.p00_pa[0], rtol=1e-11)
-    with pytest.raises(ta.InputError, match="the exponential form is one of calculix alone"):
+    with refused_naming("exponential", "calculix"):
         law.to_text("abaqus", form="exponential")
     hertz = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, model="hertz")
-    with pytest.raises(ta.InputError, match="form exponential is .* and model hertz has none; take the table"):
+    with refused_naming("form", "exponential", "model", "hertz", "table"):
         hertz.to_text("calculix", form="exponential")
 
 
@@ -96,7 +96,7 @@ def test_a_law_is_pickled_with_its_texts_and_framed(law: ta.ContactLaw) -> None:
 def test_a_file_is_written_whole_or_not_at_all(law: ta.ContactLaw, tmp_path: Path) -> None:
     target = tmp_path / "rough.inp"
     target.write_text("what was there")
-    with pytest.raises(ta.InputError, match="dialect"):
+    with refused_naming("dialect"):
         law.write(target, "ansys")
     assert target.read_text() == "what was there"
     law.write(target, "abaqus", units="N-mm")
@@ -113,49 +113,49 @@ def test_a_file_is_written_whole_or_not_at_all(law: ta.ContactLaw, tmp_path: Pat
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"pressure": None}, "pressure is needed: two of them"),
-        ({"pressure": None, "from_pressure": "1 kPa"}, "pressure is needed: two of them"),
-        ({"from_pressure": "1 kPa"}, "pressure and from_pressure or to_pressure are both given"),
-        ({"pressure": "1 MPa"}, "pressure: a law goes from one pressure to another, and this is 1 of them; give two"),
-        ({"pressure": [1e4, 1e5, 1e6]}, "and this is 3 of them; give two"),
-        ({"pressure": ("10 MPa", "10 kPa")}, "give the smaller one first"),
-        ({"pressure": (1e4, float("inf"))}, r"pressure\[1\] is inf; it must be finite"),
-        ({"tolerance": 0.9}, "tolerance is 0.9; it must be"),
-        ({"model": "bem"}, "model: 'bem' is none of those with gaps, persson, .*, bgt$"),
-        ({"model": "hertz", "gamma": 0.4}, "gamma has no bearing on model hertz"),
+        ({"pressure": None}, "pressure two"),
+        ({"pressure": None, "from_pressure": "1 kPa"}, "pressure two"),
+        ({"from_pressure": "1 kPa"}, "pressure from_pressure to_pressure"),
+        ({"pressure": "1 MPa"}, "pressure: 1"),
+        ({"pressure": [1e4, 1e5, 1e6]}, "pressure: 3"),
+        ({"pressure": ("10 MPa", "10 kPa")}, "pressure smaller"),
+        ({"pressure": (1e4, float("inf"))}, "pressure[1] inf;"),
+        ({"tolerance": 0.9}, "tolerance 0.9;"),
+        ({"model": "bem"}, "model: 'bem' persson bgt"),
+        ({"model": "hertz", "gamma": 0.4}, "gamma hertz"),
     ],
 )
 def test_wrong_input_is_told_by_its_argument(changes: dict[str, Any], told: str) -> None:
     given: dict[str, Any] = {"pressure": RANGE} | changes
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.law(ta.read_psd(UNCD), DIAMOND, **given)
 
 
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"dialect": "ansys"}, "dialect: .*ansys.* abaqus, calculix, csv"),
-        ({"units": "mm"}, "units: .*mm.* SI, N-mm"),
-        ({"name": "two words"}, "name: a name begins with a letter and has at most 80 letters"),
-        ({"name": ""}, "name: a name begins with a letter"),
-        ({"form": "cubic"}, "form: 'cubic' is none of table, exponential"),
+        ({"dialect": "ansys"}, "dialect: ansys abaqus calculix csv"),
+        ({"units": "mm"}, "units: mm SI N-mm"),
+        ({"name": "two words"}, "name: 80"),
+        ({"name": ""}, "name:"),
+        ({"form": "cubic"}, "form: 'cubic' table"),
     ],
 )
 def test_wrong_words_are_refused(law: ta.ContactLaw, changes: dict[str, str], told: str) -> None:
     given = {"dialect": "abaqus"} | changes
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         law.to_text(given.pop("dialect"), **given)
 
 
 def test_rows_nearer_than_a_code_tells_apart_are_refused() -> None:
     fine = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, tolerance=1e-5)
-    with pytest.raises(ta.InputError, match="calculix has room for 200|moves rows apart"):
+    with refused_naming("calculix", "rows"):
         fine.to_text("calculix")
 
 
 def test_what_is_no_spectrum_or_material_is_told() -> None:
     other: Any = "builtin:uncd-measured"
-    with pytest.raises(ta.InputError, match="spectrum: a Spectrum is needed, and this is of type str"):
+    with refused_naming("spectrum:", "Spectrum", "str"):
         ta.law(other, DIAMOND, pressure=RANGE)
-    with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+    with refused_naming("material:", "Material", "str"):
         ta.law(ta.read_psd(UNCD), other, pressure=RANGE)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
+from support import refused_naming
 
 
 def test_numbers_and_text_are_the_same() -> None:
@@ -24,24 +25,24 @@ def test_numbers_and_text_are_the_same() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"youngs_modulus": "210"}, "youngs_modulus: '210' has no unit; a modulus needs one of Pa"),
-        ({"youngs_modulus": "210 nm"}, "youngs_modulus: '210 nm' has the unit 'nm'"),
-        ({"youngs_modulus": 0}, "youngs_modulus is 0; it must be finite and greater than 0"),
-        ({"youngs_modulus": -1.0}, "youngs_modulus is -1"),
-        ({"youngs_modulus": float("nan")}, "youngs_modulus is NaN"),
-        ({"youngs_modulus": 1e40}, "youngs_modulus is 1000"),
-        ({"youngs_modulus": None}, "youngs_modulus: a number in Pa is needed, or text such as '210 GPa'"),
-        ({"youngs_modulus": True}, "youngs_modulus: a number in Pa is needed"),
-        ({"youngs_modulus": [1e9, 2e9]}, "youngs_modulus: a number in Pa is needed.* of type list"),
-        ({"poisson_ratio": 0.7}, "poisson_ratio is 0.7; it must be greater than -1 and at most 0.5"),
-        ({"poisson_ratio": "0.3"}, "poisson_ratio: a number is needed, and this is of type str"),
-        ({"yield_strength": "1 GPa", "indentation_hardness": "1 GPa"}, "must be 3 times it within 1 %"),
-        ({"counterface": "steel"}, "counterface: a Material is needed, and this is of type str"),
-        ({"strain_gradient_length": "5 Pa"}, "strain_gradient_length: '5 Pa' has the unit 'Pa'"),
+        ({"youngs_modulus": "210"}, "youngs_modulus: '210'"),
+        ({"youngs_modulus": "210 nm"}, "youngs_modulus: '210 nm' 'nm'"),
+        ({"youngs_modulus": 0}, "youngs_modulus 0;"),
+        ({"youngs_modulus": -1.0}, "youngs_modulus -1"),
+        ({"youngs_modulus": float("nan")}, "youngs_modulus NaN"),
+        ({"youngs_modulus": 1e40}, "youngs_modulus 1000"),
+        ({"youngs_modulus": None}, "youngs_modulus: '210 GPa'"),
+        ({"youngs_modulus": True}, "youngs_modulus:"),
+        ({"youngs_modulus": [1e9, 2e9]}, "youngs_modulus: list"),
+        ({"poisson_ratio": 0.7}, "poisson_ratio 0.7; -1 0.5"),
+        ({"poisson_ratio": "0.3"}, "poisson_ratio: str"),
+        ({"yield_strength": "1 GPa", "indentation_hardness": "1 GPa"}, "hardness yield strength 3"),
+        ({"counterface": "steel"}, "counterface: Material str"),
+        ({"strain_gradient_length": "5 Pa"}, "strain_gradient_length: '5 Pa' 'Pa'"),
     ],
 )
 def test_what_cannot_be_used_is_refused(given: dict[str, Any], told: str) -> None:
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.Material(**{"youngs_modulus": 1e9, "poisson_ratio": 0.3, **given})
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import Columns, Floats, numbers, words
+from support import Columns, Floats, numbers, refused_naming, words
 
 UNCD = "builtin:uncd-reconstructed"
 DIAMOND = ta.Material("463 GPa", 0.2, indentation_hardness="5.4 GPa", strain_gradient_length="1 um")
@@ -173,69 +173,69 @@ def test_a_curve_is_pickled_framed_and_has_its_axes() -> None:
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"pressure": -1.0}, "pressure is -1; it must be finite and greater than 0"),
-        ({"pressure": [1e6, float("nan")]}, r"pressure\[1\] is NaN; it must be finite and greater than 0"),
-        ({"pressure": []}, "pressure: it is empty; give at least one pressure"),
-        ({"model": "plastic"}, "model: .*plastic.* elastic, elastic-plastic"),
-        ({"gamma": 0.0}, "gamma is 0; it must be .*greater than 0"),
-        ({"gamma": "half"}, "gamma: a number is needed, and this is of type str"),
-        ({"band": "3d"}, "band: .*3d.* 1d, 2d"),
-        ({"correction": "none"}, "correction: .*none.*wang-muser"),
-        ({"hardness_law": "power:0.2"}, "hardness_law has no bearing on model elastic, which does not yield; leave it out"),
-        ({"strain_gradient": True}, "strain_gradient has no bearing on model elastic, which does not yield"),
+        ({"pressure": -1.0}, "pressure -1; 0"),
+        ({"pressure": [1e6, float("nan")]}, "pressure[1] NaN; 0"),
+        ({"pressure": []}, "pressure: empty"),
+        ({"model": "plastic"}, "model: plastic elastic-plastic"),
+        ({"gamma": 0.0}, "gamma 0;"),
+        ({"gamma": "half"}, "gamma: str"),
+        ({"band": "3d"}, "band: 3d 1d 2d"),
+        ({"correction": "none"}, "correction: none wang-muser"),
+        ({"hardness_law": "power:0.2"}, "hardness_law elastic"),
+        ({"strain_gradient": True}, "strain_gradient elastic"),
         (
             {"model": "elastic-plastic", "correction": "algebraic"},
-            "correction has no bearing on model elastic-plastic: the corrected forms are elastic ones; leave it out",
+            "correction elastic-plastic",
         ),
         (
             {"model": "elastic-plastic", "strain_gradient": True, "hardness_law": "power:0.2"},
-            "strain_gradient has no bearing on a hardness_law other than nix-gao",
+            "strain_gradient hardness_law",
         ),
         (
             {"model": "elastic-plastic", "hardness_law": "power:-1"},
-            "hardness_law: the exponent of the hardness is -1; it must be",
+            "hardness_law: -1;",
         ),
-        ({"model": "elastic-plastic", "hardness_law": "linear"}, "hardness_law: 'linear' is none of power:N, nix-gao"),
-        ({"model": "elastic-plastic", "hardness_law": 0.2}, "hardness_law: 'power:N' or 'nix-gao' is needed, or a mapping"),
+        ({"model": "elastic-plastic", "hardness_law": "linear"}, "hardness_law: 'linear' power:N nix-gao"),
+        ({"model": "elastic-plastic", "hardness_law": 0.2}, "hardness_law: 'power:N' 'nix-gao'"),
         (
             {"model": "elastic-plastic", "hardness_law": {"hardness_pa": [1.0]}},
-            "a mapping with the columns contact_size_m",
+            "contact_size_m",
         ),
         (
             {"model": "elastic-plastic", "hardness_law": {"contact_size_m": [1.0, 2.0], "hardness_pa": [1.0]}},
-            r"columns of one length, and theirs are \(2,\) and \(1,\)",
+            "(2,) (1,)",
         ),
         (
             {"model": "elastic-plastic", "hardness_law": {"contact_size_m": [], "hardness_pa": []}},
-            "hardness_law: the table of hardnesses is empty",
+            "hardness_law: empty",
         ),
         (
             {"model": "elastic-plastic", "hardness_law": {"contact_size_m": [1e-9, 1.0], "hardness_pa": [1e9, 2e9]}},
-            "the hardness falls from .* it may only grow towards short wavelengths",
+            "hardness falls",
         ),
-        ({"cutoff": "1 pm"}, "cutoff is .* and leaves nothing out"),
-        ({"scales_per_decade": 0}, "scales_per_decade is 0; it must be"),
-        ({"amplitude": "eq6"}, "amplitude: .*eq6"),
+        ({"cutoff": "1 pm"}, "cutoff nothing"),
+        ({"scales_per_decade": 0}, "scales_per_decade 0;"),
+        ({"amplitude": "eq6"}, "amplitude: eq6"),
     ],
 )
 def test_wrong_input_is_told_by_its_argument(changes: dict[str, Any], told: str) -> None:
     given: dict[str, Any] = {"pressure": "1 MPa"} | changes
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.persson(ta.read_psd(UNCD), DIAMOND, **given)
 
 
 def test_what_the_material_lacks_is_told() -> None:
     uncd, elastic = ta.read_psd(UNCD), ta.Material("463 GPa", 0.2)
-    with pytest.raises(ta.InputError, match="give the material yield_strength or indentation_hardness"):
+    with refused_naming("material", "yield_strength", "indentation_hardness"):
         ta.persson(uncd, elastic, pressure="1 MPa", model="elastic-plastic")
     hard = ta.Material("463 GPa", 0.2, indentation_hardness="5.4 GPa")
-    with pytest.raises(ta.InputError, match="give the material strain_gradient_length"):
+    with refused_naming("material", "strain_gradient_length"):
         ta.persson(uncd, hard, pressure="1 MPa", model="elastic-plastic", strain_gradient=True)
 
 
 def test_what_is_no_spectrum_or_material_is_told() -> None:
     other: Any = "builtin:uncd-measured"
-    with pytest.raises(ta.InputError, match="spectrum: a Spectrum is needed, and this is of type str"):
+    with refused_naming("spectrum:", "Spectrum", "str"):
         ta.persson(other, DIAMOND, pressure=1e6)
-    with pytest.raises(ta.InputError, match="material: a Material is needed, and this is of type str"):
+    with refused_naming("material:", "Material", "str"):
         ta.persson(ta.read_psd(UNCD), other, pressure=1e6)

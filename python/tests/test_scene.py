@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import ROOT, columns_of, numbers, words
+from support import ROOT, columns_of, numbers, refused_naming, words
 
 SCENE = """# Two lines of its own.
 title = "Steel on glass"
@@ -137,7 +137,7 @@ def test_progress_is_a_line_that_goes(folder: Path, capsys: pytest.CaptureFixtur
     ta.Scene.from_toml(text, folder=folder).run(progress=True, uncertainty=False)
     line = capsys.readouterr().err
     assert "surfaces pressed" in line and line.endswith("\r") and "\n" not in line
-    with pytest.raises(TypeError, match="progress: True, False or a callable is needed, and this is of type str"):
+    with refused_naming("progress:", "True", "False", "str", by=TypeError):
         ta.Scene.from_toml(text, folder=folder).run(progress="yes")  # type: ignore[arg-type]
 
 
@@ -145,7 +145,7 @@ def test_what_an_observer_raises_ends_the_run() -> None:
     def stop(done: int, total: int | None) -> None:
         raise RuntimeError(f"enough at {done} of {total}")
 
-    with pytest.raises(RuntimeError, match="enough at"):
+    with refused_naming("enough", "at", by=RuntimeError):
         ta.Scene.template("gasket").run(progress=stop)
 
 
@@ -194,7 +194,7 @@ def test_files_are_written_all_or_none(folder: Path) -> None:
     out = folder / "new" / "out"
     assert sorted(results.write(out)) == sorted(path.name for path in out.iterdir())
     assert (out / "elastic.csv").read_bytes() == results.files["elastic.csv"]
-    with pytest.raises(OSError, match="scene.toml"):
+    with refused_naming("scene.toml", by=OSError):
         results.write(folder / "scene.toml")
     assert (folder / "scene.toml").read_text() == SCENE
 
@@ -215,56 +215,56 @@ def test_paths_and_texts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ("youngs_modulus", "young", r"unknown key `young`.* did you mean `youngs_modulus`\?(.|\n)*--> scene:8:1"),
-        ('"210 GPa"', '"210 GPA"', r"key material.youngs_modulus: '210 GPA' has the unit 'GPA'(.|\n)*scene:8:18(.|\n)*\^\^\^"),
-        ("poisson_ratio = 0.3", "poisson_ratio = 0.7", "poisson_ratio.*at most 0.5(.|\n)*scene:9"),
-        ('"1 MPa"', '"-1 MPa"', "pressures.*'-1 MPa'"),
-        ('"elastic"', '"plastic"', r"`plastic`(.|\n)*scene:16"),
-        ("[loads]", "[loads", "(.|\n)*scene:12"),
-        ("yield_strength = ", "# ", "add yield_strength or indentation_hardness in .material."),
+        ("youngs_modulus", "young", "`young` `youngs_modulus` scene:8:1 -->"),
+        ('"210 GPa"', '"210 GPA"', "material.youngs_modulus: '210 GPA' 'GPA' scene:8:18 ^^^"),
+        ("poisson_ratio = 0.3", "poisson_ratio = 0.7", "poisson_ratio scene:9 0.5"),
+        ('"1 MPa"', '"-1 MPa"', "pressures '-1 MPa'"),
+        ('"elastic"', '"plastic"', "`plastic` scene:16"),
+        ("[loads]", "[loads", "scene:12"),
+        ("yield_strength = ", "# ", "yield_strength indentation_hardness material"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_drawn_with_its_line(folder: Path, old: str, new: str, told: str) -> None:
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.Scene.from_toml(SCENE.replace(old, new), folder=folder)
 
 
 def test_missing_files_and_wrong_bytes(folder: Path) -> None:
     for missing in ("nowhere.toml", folder / "nowhere", "nowhere"):
-        with pytest.raises(FileNotFoundError, match="nowhere"):
+        with refused_naming("nowhere", by=FileNotFoundError):
             ta.Scene.from_toml(missing)
-    with pytest.raises(FileNotFoundError, match=r"spectrum.csv(.|\n)*scene:5:7"):
+    with refused_naming("spectrum.csv", "scene:5:7", by=FileNotFoundError):
         ta.Scene.from_toml(SCENE, folder=folder / "elsewhere")
     (folder / "spectrum.csv").write_text("nothing")
-    with pytest.raises(ta.InputError, match="spectrum.csv"):
+    with refused_naming("spectrum.csv"):
         ta.Scene.from_toml(folder / "scene.toml")
     (folder / "latin.toml").write_bytes(SCENE.replace("glass", "gl\xe4ss").encode("latin-1"))
-    with pytest.raises(ta.InputError, match="latin.toml, line 2: not UTF-8 text; save the scene as UTF-8"):
+    with refused_naming("latin.toml,", "line", "2:", "UTF-8"):
         ta.Scene.from_toml(folder / "latin.toml")
-    with pytest.raises(ta.InputError, match="'nothing' is none of new, uncd-measured"):
+    with refused_naming("'nothing'", "new,", "uncd-measured"):
         ta.Scene.template("nothing")
-    with pytest.raises(FileNotFoundError, match="my_psd.csv"):
+    with refused_naming("my_psd.csv", by=FileNotFoundError):
         ta.Scene.template("new")
-    with pytest.raises(TypeError, match="Scene.from_toml"):
+    with refused_naming("Scene.from_toml", by=TypeError):
         ta.Scene()
 
 
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        ({"normalisation": "none"}, "normalisation: .*'none' is none of"),
-        ({"amplitude": 5}, "amplitude: a name is needed, and this is of type int"),
-        ({"hardness": "2006"}, "hardness: '2006' is none of"),
-        ({"strength_cap": "1 H"}, "strength_cap has no bearing on scene"),
-        ({"cutoff": "1 pm"}, "cutoff is 0.000000000001 m and leaves nothing out: the shortest wavelength of spectrum.csv"),
-        ({"cutoff": -1.0}, "cutoff is -1; it must be"),
-        ({"scales_per_decade": 0}, "scales_per_decade is 0; it must be from 1 to"),
-        ({"scales_per_decade": "ten"}, "scales_per_decade: a whole number is needed, and this is of type str"),
-        ({"counterface": "glass"}, "counterface: a Material is needed, and this is of type str"),
+        ({"normalisation": "none"}, "normalisation: 'none'"),
+        ({"amplitude": 5}, "amplitude: int"),
+        ({"hardness": "2006"}, "hardness: '2006'"),
+        ({"strength_cap": "1 H"}, "strength_cap scene"),
+        ({"cutoff": "1 pm"}, "cutoff spectrum.csv 0.000000000001"),
+        ({"cutoff": -1.0}, "cutoff -1;"),
+        ({"scales_per_decade": 0}, "scales_per_decade 0; 1"),
+        ({"scales_per_decade": "ten"}, "scales_per_decade: str"),
+        ({"counterface": "glass"}, "counterface: Material str"),
     ],
 )  # fmt: skip
 def test_arguments_that_cannot_be_used(folder: Path, arguments: dict[str, object], told: str) -> None:
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.Scene.from_toml(SCENE, folder=folder, **arguments)  # type: ignore[arg-type]
 
 
@@ -302,16 +302,16 @@ def test_keys_are_set_anew(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"modulus": 1e9}, "modulus: a scene has no such key.* it may be psd, "),
-        ({"material.colour": 1}, "material.colour: a scene has no such key.* material.youngs_modulus"),
-        ({"off": True}, "off may be judge.off or uncertainty.off; name the one that is meant"),
-        ({"curve.2.model": "hertz"}, "curve.2.model: the scene has 2 such sections, and they are counted from 0"),
-        ({"youngs_modulus": "1 m"}, r"key material.youngs_modulus: '1 m' has the unit 'm'(.|\n)*scene.toml:8"),
-        ({"youngs_modulus": -1.0}, "key material.youngs_modulus: .*-1 Pa"),
+        ({"modulus": 1e9}, "modulus: psd"),
+        ({"material.colour": 1}, "material.colour: material.youngs_modulus"),
+        ({"off": True}, "off judge.off uncertainty.off"),
+        ({"curve.2.model": "hertz"}, "curve.2.model: 2"),
+        ({"youngs_modulus": "1 m"}, "material.youngs_modulus: '1 m' 'm' scene.toml:8"),
+        ({"youngs_modulus": -1.0}, "material.youngs_modulus: -1"),
         ({"poisson_ratio": float("nan")}, "poisson_ratio"),
-        ({"youngs_modulus": None}, "youngs_modulus: text, a number, .* is needed, and this is of type NoneType"),
+        ({"youngs_modulus": None}, "youngs_modulus: NoneType"),
     ],
 )  # fmt: skip
 def test_keys_that_cannot_be_set(folder: Path, changes: dict[str, object], told: str) -> None:
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.Scene.from_toml(folder / "scene.toml").replace(**changes)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import truearea as ta
-from support import REFERENCE, ROOT, Columns, numbers
+from support import REFERENCE, ROOT, Columns, numbers, refused_naming
 
 MEASURED = str(ROOT / "data" / "uncd_psd_measured.csv")
 
@@ -69,40 +69,40 @@ def test_resampling_and_cutoff_are_taken() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"c1d": [1.0, 2.0]}, "number of"),
-        ({"wavevectors": [1.0, -2.0, 3.0]}, "wavevectors: -2.0 is one of them; they must be finite and greater than 0"),
+        ({"c1d": [1.0, 2.0]}, "number"),
+        ({"wavevectors": [1.0, -2.0, 3.0]}, "wavevectors: -2.0"),
         ({"wavevectors": [1.0, np.nan, 3.0]}, "wavevectors: nan"),
         ({"c1d": [1.0, 0.0, 3.0]}, "row 2"),
-        ({"c1d": [[1.0, 2.0, 3.0]]}, "c1d: an array of one axis is needed, and this has 2"),
-        ({"c1d": ["1", "2", "3"]}, "c1d: numbers are needed"),
-        ({"c1d": []}, "number of"),
+        ({"c1d": [[1.0, 2.0, 3.0]]}, "c1d: 2"),
+        ({"c1d": ["1", "2", "3"]}, "c1d: numbers"),
+        ({"c1d": []}, "number"),
         ({"wavevectors": [1.0, 1.0, 3.0]}, "wavelength"),
         ({"c1d_se": [0.1, -0.1, 0.1]}, "error"),
-        ({"convention": "c2d"}, "convention: reading the convention: 'c2d' is none of c1d"),
+        ({"convention": "c2d"}, "convention: 'c2d' c1d"),
     ],
 )
 def test_bad_samples_are_refused(given: dict[str, Any], told: str) -> None:
     good: dict[str, Any] = {"wavevectors": [1.0, 2.0, 3.0], "c1d": [3.0, 2.0, 1.0]}
-    with pytest.raises(ta.InputError, match=told):
+    with refused_naming(*told.split()):
         ta.Spectrum(**{**good, **given})
 
 
 def test_files_are_read_or_refused_with_what_mends_them(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="none.csv"):
+    with refused_naming("none.csv", by=FileNotFoundError):
         ta.read_psd(tmp_path / "none.csv")
-    with pytest.raises(ta.InputError, match="builtin:none: there is no such spectrum; the built-in ones are builtin:uncd"):
+    with refused_naming("builtin:none:", "builtin:uncd"):
         ta.read_psd("builtin:none")
     bad = tmp_path / "bad.csv"
     bad.write_text("wavelength_m,C1D_m3\n1e-6,1e-20\n1e-7,-3\n")
-    with pytest.raises(ta.InputError, match=r"bad.csv.*line 3.*-3"):
+    with refused_naming("bad.csv", "line", "3", "-3"):
         ta.read_psd(bad)
     empty = tmp_path / "empty.csv"
     empty.write_bytes(b"")
-    with pytest.raises(ta.InputError, match="empty.csv"):
+    with refused_naming("empty.csv"):
         ta.read_psd(empty)
     nameless = tmp_path / "nameless.csv"
     nameless.write_text("q (1/m),PSD (m^4)\n1e6,1e-30\n1e7,1e-34\n1e8,1e-38\n1e9,1e-42\n")
-    with pytest.raises(ta.InputError, match="convention"):
+    with refused_naming("convention"):
         ta.read_psd(nameless)
     assert len(ta.read_psd(nameless, convention="ciso")) > 0
 

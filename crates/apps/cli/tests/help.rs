@@ -35,7 +35,7 @@ fn every_command_shows_an_example() {
 
 #[test]
 fn a_command_that_does_not_exist_is_bad_input() {
-    assert!(Bench::new().run(&["stack"]).refused().contains("unrecognized subcommand 'stack'"));
+    Bench::new().run(&["stack"]).refused_naming(&["'stack'"]);
 }
 
 #[cfg(unix)]
@@ -87,7 +87,7 @@ fn every_shell_completes_every_command() {
         bench.run(&["completions", shell, "--output", "script"]).ok();
         assert_eq!(bench.read("script"), script);
     }
-    assert!(bench.run(&["completions", "tcsh"]).refused().contains("possible values: bash, elvish"));
+    bench.run(&["completions", "tcsh"]).refused_naming(&["bash, elvish"]);
 }
 
 #[cfg(unix)]

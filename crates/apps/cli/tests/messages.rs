@@ -1,133 +1,157 @@
-//! What the program says where something is wrong or to be remarked: one snapshot of all of it.
+//! Messages of the program for wrong calls and doubtful results, all in one snapshot.
 
+#[path = "../../../surface/scans/tests/support/nanoscope.rs"]
+#[allow(dead_code, reason = "written for the tests of the reader")]
+mod nanoscope;
 mod support;
 
 use std::fmt::Write;
 
+use nanoscope::{Image, NanoscopeFile};
 use support::Bench;
 
 const PSD: &str = "wavelength_m,C1D_m3\n1e-5,1e-20\n1e-6,1e-23\n1e-7,1e-26\n";
-const SCENE: &str = "title = \"t\"\n[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"1 GPa\"\n\
-                     poisson_ratio = 0.3\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n\
-                     [[curve]]\nmodel = \"hertz\"\n";
 
 /// A call a line, as in a shell without quotes.
-const CALLS: &str = "\
-stack psd.csv
-moments psd.csv --hardness cosine
-moments psd.csv --cutof 1um
-moments psd.csv --cutoff 1nm
-moments psd.csv --cutoff 1m
-moments psd.csv --format json --provenance
-moments psd.csv --figure m.gif
-moments psd.csv --figure m.svg --output m.svg
-moments psd.csv --output psd.csv
-moments psd.csv --output folder
-moments bare.txt
-moments areas.csv
-moments several.csv
-moments series.csv
-moments psd.csv --x-unit furlong
-moments psd.csv --x-unit um
-moments map.001
-moments map.nc
-moments absent.csv
-amplitude psd.csv --normalisation as-printed
-fit psd.csv --amplitude parseval
-fit psd.csv
-asperity sphere --strength-cap 1GPa
---normalisation parseval stacked psd.csv --model elastic --pressure 1MPa
-stacked psd.csv --model elastic --pressure 1MPa
-stacked psd.csv --model elastic --pressure 1MPa --youngs-modulus 1GPa
-stacked psd.csv --model elastic --pressure 1H --youngs-modulus 1GPa --poisson-ratio 0.3
-stacked psd.csv --model elastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --strength-cap 1GPa
-stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --yield-strength 1MPa --strength-cap 1GPa
-stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3
-stacked psd.csv --model elastic-plastic --pressure 1H --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 3MPa
-stacked psd.csv --model elastic --pressure 1H --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 3MPa
-stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 3MPa --yield-strength 2MPa
-stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --indentation-hardness 1H
-statistical --input rows.csv --indentation-hardness 300HV --yield-strength 2MPa
-asperity sphere --input spheres.csv --indentation-hardness 300HV
-asperity sphere --input hard.csv
-asperity sphere --input empty.csv
-stacked psd.csv --model elastic --pressures 1kPa:1MPa:100 --youngs-modulus 1GPa --poisson-ratio 0.3 --figure many.svg
-stacked psd.csv --model elastic --pressure 1MPa --counterface-youngs-modulus 1GPa
-statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --hardness cosine
-statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --interference-law bem
-statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 --strength-cap 1GPa
-statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 210GPa+-5GPa --poisson-ratio 0.3
-statistical psd.csv --model hertz --pressure 1MPa --youngs-modulus 210GPa --poisson-ratio 0.3+-0.02
-statistical --input rows.csv --cutoff 1um
-statistical --input rows.csv --column C1D_m3
-statistical --input rows.csv --output folder
-psd line.txt --unit nm --cutoff 1um
-psd line.txt --unit nm --out a.csv --output b.csv
-psd line.txt --unit nm --areal --average log
-psd line.txt --unit nm --figure line.txt
-psd line.txt --unit nm --figure absent/figure.svg
-run absent.toml
-run scene.toml --out psd.csv
-run scene.toml --output scene.toml
-run scene.toml --output psd.csv
-run scene.toml --hardness cosine
-run scene.toml --strength-cap 1GPa
-run scene.toml --cutoff 1nm
-run hard.toml
-run in-hardnesses.toml
-run scene.toml --explain --no-report
-run of-scan.toml
-run bare.toml
-run series.toml
-run furlong.toml
-man --out psd.csv
-completions bash --output folder
-";
+const CALLS: &str = include_str!("messages/calls.txt");
+
+/// Texts below their names, and texts made from others above them by replacements.
+const FILES: &str = include_str!("messages/files.txt");
+
+/// Words of [`CALLS`] that stand for several.
+const SHORTHAND: [(&str, &str); 6] = [
+    ("$SOFT", "--youngs-modulus 1GPa --poisson-ratio 0.3"),
+    ("$RIGID", "--youngs-modulus 1GPa --poisson-ratio 0"),
+    ("$UNIT", "--youngs-modulus 1Pa --poisson-ratio 0"),
+    ("$PLASTIC", "--model elastic-plastic $DIAMOND --indentation-hardness 5.4GPa"),
+    ("$STEEL", "$DIAMOND --yield-strength 1.8GPa"),
+    ("$DIAMOND", "--youngs-modulus 463GPa --poisson-ratio 0.2"),
+];
+
+fn write_texts(bench: &Bench) {
+    for file in FILES.split("=== ").skip(1) {
+        let (heading, lines) = file.split_once('\n').unwrap();
+        let Some((name, base)) = heading.split_once(" from ") else {
+            bench.write(heading, lines);
+            continue;
+        };
+        let text = lines.lines().fold(bench.read(base), |text, line| {
+            let (from, to) = line.split_once(" =>").unwrap();
+            let [from, to] = [from, to.trim_start()].map(|words| words.replace("\\n", "\n"));
+            assert!(text.contains(&from), "{heading}: {from}");
+            text.replacen(&from, &to, 1)
+        });
+        bench.write(name, text);
+    }
+}
+
+/// Lines of text, one for each index.
+fn lines(indices: std::ops::Range<usize>, line: impl Fn(usize) -> String) -> String {
+    indices.map(|at| line(at) + "\n").collect()
+}
+
+/// Rough heights in nm along a line.
+fn profile(spacing_nm: f64, scale: f64) -> String {
+    lines(0..512, |at| format!("{:.3} {:.6}", spacing_nm * at as f64, scale * ((at * 7919) % 101) as f64))
+}
+
+/// A map of rough rows, shifted up or down by as much as `offset`, with so many points without height.
+fn map(missing: usize, offset: f64) -> String {
+    let height = |x: usize, y: usize| {
+        let shift = offset * ((y * 6007) % 97) as f64 / 97.0;
+        match y < missing && x == (y * 37) % 64 {
+            true => "nan".to_owned(),
+            false => format!("{:.6}", ((x * 7919 + y * 104_729) % 1009) as f64 / 1009.0 + shift),
+        }
+    };
+    let row = |y| (0..64).map(|x| height(x, y)).collect::<Vec<_>>().join("\t");
+    format!("# Channel: Topo\n# Width: 64 nm\n# Height: 48 nm\n# Value units: nm\n{}", lines(0..48, row))
+}
+
+/// A spectrum that falls as a power of the wavevector above 1 um and faster below.
+fn settling(rows: usize, decades: f64, errors: bool) -> String {
+    let row = |at: usize| {
+        let wavelength_m = 1e-3 * 10f64.powf(-decades * at as f64 / (rows - 1) as f64);
+        let q = std::f64::consts::TAU / wavelength_m;
+        let c1d_m3 = 1e-4 * q.powf(-2.2) / (1.0 + (q / 6e6).powi(2));
+        let error = if errors { format!(",{:e}", 0.1 * c1d_m3) } else { String::new() };
+        format!("{wavelength_m:e},{c1d_m3:e}{error}")
+    };
+    let error = if errors { ",C1D_se_m3" } else { "" };
+    format!("wavelength_m,C1D_m3{error}\n{}", lines(0..rows, row))
+}
+
+fn write_surfaces(bench: &Bench) {
+    for (name, spacing_nm, scale) in
+        [("line.txt", 1.0, 0.1), ("fine.txt", 5.0, 0.1), ("copy.txt", 5.0, 0.1), ("coarse.txt", 20.0, 0.1)]
+    {
+        bench.write(name, profile(spacing_nm, scale));
+    }
+    bench.write("rough.txt", profile(200.0, 0.1)).write("apart.txt", profile(20.0, 10.0));
+    let whole = profile(5.0, 0.1);
+    bench.write(
+        "cut.txt",
+        whole.lines().take(100).chain(whole.lines().skip(160)).collect::<Vec<_>>().join("\n"),
+    );
+    bench.write("map.txt", map(20, 0.0)).write("areal.txt", map(0, 0.0)).write("offset.txt", map(0, 4.0));
+    bench.write("map.001", "\\*File list\r\n\\Version: 0x05120000\r\n").write("map.nc", "CDF\x01\0\0\0\0");
+    let values: Vec<f64> = (0..32).map(|point| f64::from(point * 7 % 32) * 1e-9).collect();
+    let images = ["Phase", "Height"].map(|name| Image { name, direction: "Trace", heights_m: &values });
+    let file = NanoscopeFile { images: images.into(), ..NanoscopeFile::new(8, 4, &values) };
+    bench.write("scan.001", file.to_bytes());
+    let wave = |at: usize| format!("{:e}", 0.1 * (std::f64::consts::TAU * at as f64 / 32.0).cos());
+    let waves = lines(0..8, |_| (0..32).map(wave).collect::<Vec<_>>().join(" "));
+    bench.write("missing.txt", waves.replacen("1e-1", "nan", 1)).write("waves.txt", waves);
+    let power = |exponent: f64, scale: f64| {
+        move |q: f64| format!("{:e},{:e}\n", std::f64::consts::TAU / q, scale * q.powf(exponent))
+    };
+    let (c1d, ciso) = (power(-2.6, 2.274e-4), power(-3.6, 7.5e-7));
+    bench.write("power.csv", format!("lambda_m,C1D_m3\n{}{}", c1d(1e4), c1d(1e6)));
+    bench.write("ciso.csv", format!("wavelength_m,Ciso_m4\n{}{}{}", ciso(20.0), ciso(50.0), ciso(110.0)));
+    for (name, rows, decades, errors) in [
+        ("settling.csv", 61, 6.0, false),
+        ("ending.csv", 25, 2.4, false),
+        ("four.csv", 4, 3.0, false),
+        ("short-band.csv", 20, 0.9, false),
+        ("errors.csv", 31, 3.0, true),
+    ] {
+        bench.write(name, settling(rows, decades, errors));
+    }
+    bench.write("utf-16.csv", b"\xff\xfe\0b").write("latin-1.toml", b"title = \"\xb5m\"");
+    bench.write("blank.toml", bench.run(&["scene", "new"]).ok());
+    for folder in ["folder", "sub"] {
+        std::fs::create_dir(bench.path(folder)).unwrap();
+    }
+    let meta = "surfaces:\n- topographies:\n  - {name: my line, datafile: {original: line.txt}, unit: nm}\n";
+    bench.write("sub/line.txt", profile(1.0, 0.1)).write("sub/meta.yml", meta);
+}
 
 #[test]
-fn all_messages() {
+fn messages_are_those_of_the_snapshot() {
     let bench = Bench::new();
-    let height = |i: usize| ((i * 7919) % 1009) as f64 / 100.0;
-    let line: String = (0..512).map(|i| format!("{i} {}\n", height(i))).collect();
-    bench.write("psd.csv", PSD).write("scene.toml", SCENE).write("line.txt", line);
-    bench.write("map.001", "\\*File list\r\n\\Version: 0x05120000\r\n").write("map.nc", "CDF\x01\0\0\0\0");
-    bench.write("rows.csv", "model\nhertz\n").write("of-scan.toml", SCENE.replace("psd.csv", "map.001"));
-    bench.write("bare.txt", "1e-5 1e-20\n1e-6 1e-23\n").write("areas.csv", "q,psd_m4\n1,2\n2,3\n");
-    bench.write("several.csv", "lambda_m,psd_m3,Ciso_m4\n1,2,3\n2,3,4\n");
-    bench.write(
-        "series.csv",
-        "Subject,Series,Wavevector (1/m),PSD (m\u{b3})\na,x,1,2\na,x,2,1\nb,y,1,2\nb,y,2,1\n",
-    );
-    for (name, psd) in [("bare", "bare.txt"), ("series", "series.csv")] {
-        bench.write(&format!("{name}.toml"), SCENE.replace("psd.csv", psd));
-    }
-    bench.write("furlong.toml", SCENE.replace("[material]", "x_unit = \"furlong\"\n[material]"));
-    let spheres = "youngs_modulus_pa,poisson_ratio,radius_m,interference_m\n1e11,0.3,1e-6,1e-9\n";
-    let strengths = |cells: &str| {
-        let [header, row] = ["yield_strength_pa,indentation_hardness_pa,", cells].map(str::to_owned);
-        spheres.replacen('y', &format!("{header}y"), 1).replace("1e11", &format!("{row}1e11"))
-    };
-    bench.write("spheres.csv", spheres).write("hard.csv", strengths("1e9,4e9,"));
-    bench.write("empty.csv", strengths(",,"));
-    let hard = "yield_strength = \"1 GPa\"\nindentation_hardness = \"300 HV\"\n[loads]";
-    bench.write("hard.toml", SCENE.replace("[loads]", hard));
-    bench.write("in-hardnesses.toml", SCENE.replace("1 MPa", "1 H"));
-    std::fs::create_dir(bench.path("folder")).unwrap();
-    let files = bench.files();
+    write_texts(&bench);
+    write_surfaces(&bench);
     // Every platform has its own words for it.
     let not_found = std::fs::read(bench.path("absent")).unwrap_err().to_string();
     let mut said = String::new();
     for call in CALLS.lines() {
-        let ran = bench.run(&call.split(' ').collect::<Vec<_>>());
-        let _ = writeln!(
-            said,
-            "$ truearea {call}\n[{}]\n{}",
-            ran.status,
-            ran.stderr.replace(&not_found, "NOT FOUND")
-        );
-        assert_eq!(bench.files(), files, "{call}");
+        let call = SHORTHAND.iter().fold(call.to_owned(), |call, (word, words)| call.replace(word, words));
+        let files = bench.files();
+        let ran = match call.split_once(" < ") {
+            Some((call, input)) => {
+                bench.run_with_input(&call.split(' ').collect::<Vec<_>>(), &bench.read(input))
+            }
+            None => bench.run(&call.split(' ').collect::<Vec<_>>()),
+        };
+        assert!(ran.status == 0 || bench.files() == files, "{call}: {:?}", bench.files());
+        // A scene is answered in words.
+        let words = if call.starts_with("run ") { ran.stdout.as_str() } else { "" };
+        let stderr = ran.stderr.replace(&not_found, "NOT FOUND");
+        let _ = writeln!(said, "$ truearea {call}\n[{}]\n{stderr}{words}", ran.status);
     }
-    insta::assert_snapshot!(said);
+    insta::with_settings!({ prepend_module_to_snapshot => false }, {
+        insta::assert_snapshot!("messages", said);
+    });
 }
 
 #[test]

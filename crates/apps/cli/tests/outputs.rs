@@ -36,7 +36,7 @@ fn no_output_replaces_an_input() {
     ];
     for call in calls {
         let message = bench.run(&call).refused();
-        assert!(message.contains(" would replace it; choose another file"), "{call:?}: {message}");
+        assert!(message.contains(" would replace "), "{call:?}: {message}");
         for (name, content) in &before {
             assert_eq!(bench.read(name), *content, "{call:?}");
         }
@@ -128,7 +128,7 @@ fn a_picture_is_what_its_name_says() {
         assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 1200);
     }
     let call = [contact("stacked", "elastic"), vec!["--figure", "x.pdf", "--output", "x.csv"]].concat();
-    assert!(bench.run(&call).refused().contains("'x.pdf' must end in .svg or .png"));
+    bench.run(&call).refused_naming(&["--figure", "'x.pdf'", ".svg", ".png"]);
     assert!(!bench.path("x.csv").exists());
 }
 

@@ -40,7 +40,7 @@ fn normalisation_as_printed_is_larger_by_pi() {
 #[test]
 fn a_surface_that_is_not_gaussian_is_warned_of_on_stderr_alone() {
     let ran = Bench::new().run(&["moments", "builtin:uncd-measured"]);
-    assert!(ran.stderr.starts_with("note: nayak_alpha lies below 1.5 "), "{}", ran.stderr);
+    assert_eq!(ran.remarks(&["note: nayak_alpha ", "1.5 "]).len(), 1, "{}", ran.stderr);
     assert!(!ran.stdout.contains("note"));
 }
 
@@ -53,11 +53,9 @@ fn a_cutoff_ends_moments_between_samples_and_drops_scales() {
     let cut = bench.run(&["amplitude", "builtin:uncd-reconstructed", "--cutoff", "10nm"]).ok();
     assert!(numbers(&cut, "wavelength_m").into_iter().all(|wavelength_m| wavelength_m >= 10e-9));
     assert!(whole.starts_with(&cut));
-    let message = bench.run(&["amplitude", "builtin:uncd-measured", "--cutoff", "1m"]).refused();
-    assert_eq!(
-        message,
-        "error: the cutoff 1 m leaves no scale: the longest wavelength is 149 µm; choose a shorter one\n"
-    );
+    bench
+        .run(&["amplitude", "builtin:uncd-measured", "--cutoff", "1m"])
+        .refused_naming(&["cutoff 1 m ", "149 µm"]);
 }
 
 #[test]
@@ -130,16 +128,10 @@ fn an_elastic_counterface_softens_the_contact() {
     };
     let soft = area(&["--counterface-youngs-modulus", "210GPa", "--counterface-poisson-ratio", "0.3"]);
     assert!(soft > area(&[]));
-    let message = bench
-        .run(
-            &[
-                &["stacked", "builtin:uncd-measured", "--model", "elastic", "--pressure", "1MPa"][..],
-                &["--counterface-youngs-modulus", "210GPa"],
-            ]
-            .concat(),
-        )
-        .refused();
-    assert!(message.contains("--counterface-poisson-ratio"), "{message}");
+    let half = ["--pressure", "1MPa", "--counterface-youngs-modulus", "210GPa"];
+    bench
+        .run(&[&["stacked", "builtin:uncd-measured", "--model", "elastic"], &half[..]].concat())
+        .refused_naming(&["--counterface-poisson-ratio"]);
 }
 
 #[test]
@@ -153,12 +145,10 @@ fn the_fit_is_one_row_and_tells_when_there_is_no_rolloff() {
     );
     assert_eq!(column(&table, "points"), ["46"]);
     let band = bench.run(&["fit", "builtin:uncd-reconstructed", "--from", "10nm", "--to", "1um"]);
-    assert_eq!(
-        band.stderr,
-        "note: this spectrum is a reconstruction, not the published one\n\
-         note: no roll-off can be identified: the fit is a pure power law\n\
-         note: doubtful: the rms slope of the surface is 1.03, above 1: check the units of the spectrum\n"
-    );
+    assert_eq!(band.stderr.lines().count(), 3, "{}", band.stderr);
+    for words in ["reconstruction", "roll-off", "1.03"] {
+        assert_eq!(band.remarks(&["note: ", words]).len(), 1, "{}", band.stderr);
+    }
     assert_eq!(column(&band.stdout, "rolloff_wavelength_m"), [""]);
     assert_eq!(column(&band.stdout, "points"), ["20"]);
 }
@@ -175,45 +165,37 @@ fn a_spectrum_comes_from_standard_input_without_header_too() {
 #[test]
 fn a_spectrum_that_cannot_be_used_is_refused_with_file_and_line() {
     let bench = Bench::new();
-    let refused = |content: &[u8]| {
-        let message =
-            bench.write("psd.csv", content).run(&["moments", "psd.csv", "--output", "out.csv"]).refused();
+    for (content, names) in [
+        (&b"wavelength_m,PSD_m3\n1e-3,1e-22\n1e-4,-1\n"[..], &["psd.csv: line 3", "'PSD_m3'", "'-1'"][..]),
+        (b"\xff\xfe\0b", &["psd.csv: line 1: "]),
+        (b"wavelength_m,PSD_m3\n1e-3,1e-22\n", &["psd.csv: "]),
+        (b"lambda_m,q_rad_per_m,C1D_m3\n1e-3,1e3,1e-22\n1e-4,1e4,1e-23\n", &["psd.csv: ", "2 pi"]),
+    ] {
+        bench
+            .write("psd.csv", content)
+            .run(&["moments", "psd.csv", "--output", "out.csv"])
+            .refused_naming(names);
         assert_eq!(bench.files(), ["psd.csv"]);
-        message
-    };
-    assert_eq!(
-        refused(b"wavelength_m,PSD_m3\n1e-3,1e-22\n1e-4,-1\n"),
-        "error: psd.csv: line 3: column 'PSD_m3' is '-1'; it must be finite and above 0: correct it or remove the row\n"
-    );
-    assert!(refused(b"\xff\xfe\0b").starts_with("error: psd.csv: line 1: "));
-    assert!(refused(b"wavelength_m,PSD_m3\n1e-3,1e-22\n").starts_with("error: psd.csv: "));
-    assert!(refused(b"lambda_m,q_rad_per_m,C1D_m3\n1e-3,1e3,1e-22\n1e-4,1e4,1e-23\n").contains("2 pi"));
+    }
 }
 
 #[test]
 fn quantities_need_units_and_good_values() {
     let bench = Bench::new();
-    let refused = |flag: &str, value: &str| {
-        let mut args =
-            vec!["stacked", "builtin:uncd-measured", "--model", "elastic-plastic", "--pressure", "1MPa"];
-        let mut material = DIAMOND.to_vec();
-        material.retain(|word| *word != flag);
-        args.extend(DIAMOND.chunks(2).filter(|pair| pair[0] != flag).flatten());
-        args.extend([flag, value]);
-        bench.run(&args).refused()
-    };
-    assert!(refused("--youngs-modulus", "463e9").contains("'463e9' has no unit; a modulus needs one of Pa"));
-    assert!(refused("--youngs-modulus", "463 nm").contains("'463 nm' has the unit 'nm'"));
-    assert!(refused("--youngs-modulus", "3 H").contains("'3 H' has the unit 'H'; a modulus needs one of Pa"));
-    assert!(refused("--yield-strength", "-1GPa").contains("'-1GPa' is out of range"));
-    assert!(refused("--yield-strength", "1 H").contains("the yield strength cannot be given in H"));
-    assert_eq!(
-        refused("--poisson-ratio", "0.51"),
-        "error: --poisson-ratio: Poisson's ratio is 0.51; it must be greater than -1 and at most 0.5\n"
-    );
-    let cap = ["--strength-cap", "1GPa", "--strain-gradient-length", "5um"];
     let args = ["stacked", "builtin:uncd-measured", "--model", "elastic-plastic", "--pressure", "1MPa"];
-    let message = bench.run(&[&args[..], &DIAMOND, &cap].concat()).refused();
-    assert!(message.contains("must be finite and at least 1.8e9"), "{message}");
-    assert!(refused("--strain-gradient-length", "5").contains("'5' has no unit; a length needs one of m"));
+    for (flag, value, names) in [
+        ("--youngs-modulus", "463e9", &["'463e9'", "Pa"][..]),
+        ("--youngs-modulus", "463 nm", &["'463 nm'", "'nm'"]),
+        ("--youngs-modulus", "3 H", &["'3 H'", "Pa"]),
+        ("--yield-strength", "-1GPa", &["'-1GPa'"]),
+        ("--yield-strength", "1 H", &["yield strength", " H"]),
+        ("--poisson-ratio", "0.51", &["--poisson-ratio", "is 0.51;", "-1", "0.5\n"]),
+        ("--strain-gradient-length", "5", &["'5'"]),
+    ] {
+        let others = DIAMOND.chunks(2).filter(|pair| pair[0] != flag).flatten().copied();
+        let call: Vec<&str> = args.into_iter().chain(others).chain([flag, value]).collect();
+        bench.run(&call).refused_naming(names);
+    }
+    let cap = ["--strength-cap", "1GPa", "--strain-gradient-length", "5um"];
+    bench.run(&[&args[..], &DIAMOND, &cap].concat()).refused_naming(&["1.8e9"]);
 }

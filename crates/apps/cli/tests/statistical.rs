@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Bench, DIAMOND, column, numbers};
+use support::{Bench, DIAMOND, assert_names, column, lines_with, numbers};
 
 const HEADER: &str = "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,strain_gradient_length_m,radius_m,\
                       density_per_m2,sigma_s_m,separation_m,pressure_pa,area_fraction";
@@ -39,16 +39,13 @@ fn a_filled_table_is_recomputed_from_the_column_that_is_named() {
     let by_pressure = ran("pressure");
     assert_eq!(column(&by_pressure, "pressure_pa"), ["1e5"]);
     assert!(numbers(&by_pressure, "separation_m")[0] > 5.02477e-8);
-    let message = bench.run_with_input(&["statistical", "--input", "-"], &table(&[&filled])).refused();
-    assert_eq!(
-        message,
-        "error: standard input, line 2, columns separation_m and pressure_pa are both filled; say with --given which one \
-         counts\n"
-    );
+    bench
+        .run_with_input(&["statistical", "--input", "-"], &table(&[&filled]))
+        .refused_naming(&["standard input, line 2, columns separation_m and pressure_pa", "--given"]);
 }
 
 #[test]
-fn details_tell_how_a_state_was_found() {
+fn details_hold_error_evaluations_and_logarithms() {
     let bench = Bench::new();
     let far = SPHERES.replace("5.02477e-08", "1.2e-6");
     let out =
@@ -85,39 +82,27 @@ fn a_pressure_beyond_complete_contact_is_an_answer() {
     let bench = Bench::new();
     let row = "ep-sine,1.03947e+12,0.3348,5.14497e+09,,5.44878e-07,8.96886e+11,1.41043e-08,,1e13,";
     let ran = bench.run_with_input(&["statistical", "--input", "-"], &table(&[row]));
-    assert!(ran.stderr.contains("line 2: 10000000000000 Pa is beyond complete contact"), "{}", ran.stderr);
-    assert!(ran.stderr.contains("every pressure below "), "{}", ran.stderr);
-    let out = ran.ok();
+    let out = ran.ok_remarking(&["line 2: 10000000000000 Pa"]);
     assert_eq!((column(&out, "separation_m"), column(&out, "area_fraction")), (vec![""], vec!["1"]));
 }
 
 #[test]
 fn a_malformed_row_is_refused_and_nothing_is_written() {
     let bench = Bench::new();
-    let refused = |from: &str, to: &str| {
+    for (from, to, names) in [
+        ("2.11632e-08", "0", ["line 3, column sigma_s_m: ", "0 must"]),
+        ("5.02477e-08", "", ["line 3, columns separation_m and pressure_pa", "empty"]),
+        ("5.02477e-08,,", ",-1,", ["line 3, column pressure_pa: ", "-1 must"]),
+        ("ep-sphere", "sphere", ["line 3, column model: ", "'sphere'"]),
+        ("1.8e9", "", ["line 3, column yield_strength_pa: ", "empty"]),
+    ] {
         assert!(SPHERES.contains(from));
         let input = table(&[SPHERES, &SPHERES.replacen(from, to, 1)]);
-        let message =
-            bench.run_with_input(&["statistical", "--input", "-", "--output", "out.csv"], &input).refused();
+        bench
+            .run_with_input(&["statistical", "--input", "-", "--output", "out.csv"], &input)
+            .refused_naming(&names);
         assert!(bench.files().is_empty());
-        message
-    };
-    assert_eq!(
-        refused("2.11632e-08", "0"),
-        "error: standard input, line 3, column sigma_s_m: 0 must be finite and greater than 0\n"
-    );
-    assert_eq!(
-        refused("5.02477e-08", ""),
-        "error: standard input, line 3, columns separation_m and pressure_pa are both empty; fill one\n"
-    );
-    assert!(
-        refused("5.02477e-08,,", ",-1,").contains("column pressure_pa: -1 must be finite and greater than 0")
-    );
-    assert!(
-        refused("ep-sphere", "sphere")
-            .contains("line 3, column model: reading the statistical model: 'sphere' is none of hertz")
-    );
-    assert!(refused("1.8e9", "").contains("line 3, column yield_strength_pa: the cell is empty"));
+    }
 }
 
 #[test]
@@ -147,8 +132,7 @@ fn a_spectrum_gives_a_row_per_cutoff_and_blocks_in_the_order_given() {
     args.extend(DIAMOND);
     args.extend(["--pressure", "1e-3 H", "--pressure", "1MPa", "--separation", "-2nm"]);
     let ran = bench.run(&args);
-    assert!(ran.stderr.contains("note: the longest wavelength has no asperities yet: its row is empty\n"));
-    let out = ran.ok();
+    let out = ran.ok_remarking(&["note: ", "longest wavelength"]);
     assert_eq!(
         out.lines().next().unwrap(),
         "wavelength_m,radius_m,density_per_m2,sigma_s_m,separation_m,pressure_pa,area_fraction"
@@ -163,18 +147,17 @@ fn a_spectrum_gives_a_row_per_cutoff_and_blocks_in_the_order_given() {
 }
 
 #[test]
-fn what_a_spectrum_needs_is_asked_for() {
+fn a_missing_option_is_named() {
     let bench = Bench::new();
-    let message = bench
-        .run(&["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressure", "1MPa"])
-        .refused();
-    assert_eq!(message, "error: --youngs-modulus is needed: every model is at least elastic\n");
-    let mut args = vec!["statistical", "builtin:uncd-measured", "--model", "ep-sine", "--pressure", "1MPa"];
-    args.extend(&DIAMOND[..4]);
-    assert!(bench.run(&args).refused().contains("an elastic-plastic model needs the yield strength"));
-    assert!(bench.run(&["statistical"]).refused().contains("<PSD|--input <PATH>>"));
-    let message = bench.run(&["statistical", "--input", "x", "--tolerance", "0.5"]).refused();
-    assert!(message.contains("tolerance is 0.5; it must be greater than 0 and at most 0.01"), "{message}");
+    let spectrum = ["statistical", "builtin:uncd-measured", "--pressure", "1MPa", "--model"];
+    for (call, names) in [
+        ([&spectrum[..], &["hertz"]].concat(), &["--youngs-modulus"][..]),
+        ([&spectrum[..], &["ep-sine"], &DIAMOND[..4]].concat(), &["--yield-strength"]),
+        (vec!["statistical"], &["<PSD|--input <PATH>>"]),
+        (vec!["statistical", "--input", "x", "--tolerance", "0.5"], &["is 0.5;", "0.01"]),
+    ] {
+        bench.run(&call).refused_naming(names);
+    }
 }
 
 #[test]
@@ -193,12 +176,7 @@ fn a_table_of_many_blocks_is_read_and_written_in_its_order() {
     let input = format!("# made up\n{}# at its end\n", table(&rows));
     bench.write("in.csv", &input);
     let ran = bench.run(&["statistical", "--input", "in.csv", "--output", "out.csv", "--provenance"]);
-    assert!(
-        ran.stderr.starts_with("note: in.csv, line 10002: 10000000000000 Pa is beyond"),
-        "{}",
-        ran.stderr
-    );
-    ran.ok();
+    ran.ok_remarking(&["note: in.csv, line 10002: 10000000000000 Pa"]);
     let out = bench.read("out.csv");
     let comments = "# truearea 0.1.0: statistical --input in.csv --output out.csv --provenance\n# made up\n# at its end\n";
     assert!(out.starts_with(&format!("{comments}{HEADER}\n")), "{}", &out[..300]);
@@ -215,7 +193,7 @@ fn a_table_of_many_blocks_is_read_and_written_in_its_order() {
 }
 
 #[test]
-fn what_is_wrong_far_down_a_table_is_found_before_anything_is_written() {
+fn errors_far_down_a_table_are_found_before_anything_is_written() {
     let bench = Bench::new();
     let mut rows = vec![SPHERES; 9_000];
     let [strange, short] = [SPHERES.replace("463e9", "x"), SPHERES.replace("2.11632e-08", "-1")];
@@ -224,13 +202,11 @@ fn what_is_wrong_far_down_a_table_is_found_before_anything_is_written() {
     let ran = bench.run_with_input(&["statistical", "--input", "-"], &table(&rows));
     let message = ran.refused();
     assert!(
-        message.starts_with(
-            "error: standard input, line 5002, column youngs_modulus_pa: \"x\" is not a number\n"
-        ),
+        message.starts_with("error: standard input, line 5002, column youngs_modulus_pa: \"x\" "),
         "{message}"
     );
-    assert!(message.contains("standard input, line 9002, column sigma_s_m: -1 must be"), "{message}");
-    assert!(message.ends_with("\n       and 3 more\n"), "{message}");
+    assert_names(&message, &["standard input, line 9002, column sigma_s_m: -1 "]);
+    assert!(message.lines().last().unwrap().contains(" 3 "), "{message}");
 }
 
 #[test]
@@ -265,15 +241,14 @@ fn a_range_of_pressures_is_as_many_loads() {
         many.lines().skip(1 + 1000 * 46).collect::<Vec<_>>(),
         alone.lines().skip(1).collect::<Vec<_>>()
     );
-    let refused = |pressures: &str| {
-        bench.run(&[&statistical[..], &["psd.csv", "--pressures", pressures]].concat()).refused()
-    };
-    assert!(refused("1kPa:1GPa").contains("one reads FROM:TO:COUNT, as in '1kPa:1GPa:1000'"));
-    assert!(refused("1kPa:1GPa:1").contains("'1' must be a whole number from 2 to 10000000"));
-    let mut in_hardnesses =
-        vec!["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressures", "1H:2H:2"];
-    in_hardnesses.extend(&DIAMOND[..4]);
-    assert!(bench.run(&in_hardnesses).refused().contains("--pressures: "));
+    for (pressures, names) in [
+        ("1kPa:1GPa", ["--pressures", "FROM:TO:COUNT"]),
+        ("1kPa:1GPa:1", ["'1'", "from 2 to 10000000"]),
+        ("1H:2H:2", ["--pressures", "--yield-strength"]),
+    ] {
+        let call = ["builtin:uncd-measured", "--pressures", pressures];
+        bench.run(&[&statistical, &call[..], &DIAMOND[..4]].concat()).refused_naming(&names);
+    }
 }
 
 #[test]
@@ -318,11 +293,7 @@ fn moments_chain_into_statistical_with_the_constants_given_once() {
     let bench = Bench::new();
     let moments = bench.run(&["moments", "builtin:uncd-measured"]).ok();
     let ran = with_constants(&bench, &moments);
-    assert_eq!(
-        ran.stderr.matches("note: 1 of 46 rows have no asperities: their results are empty\n").count(),
-        1
-    );
-    let chained = ran.ok();
+    let chained = ran.ok_remarking(&["note: 1 of 46 rows"]);
     let mut args = vec!["statistical", "builtin:uncd-measured"];
     args.extend(CONSTANTS);
     let at_once = bench.run(&args).ok();
@@ -337,30 +308,20 @@ fn moments_chain_into_statistical_with_the_constants_given_once() {
 }
 
 #[test]
-fn f_a_11_loads_beyond_what_the_models_take_are_refused_by_every_command() {
+fn loads_beyond_what_the_models_take_are_refused_by_every_command() {
     let bench = Bench::new();
     let models: [[&str; 4]; 2] = [
         ["stacked", "builtin:uncd-measured", "--model", "elastic-plastic"],
         ["statistical", "builtin:uncd-measured", "--model", "hertz"],
     ];
     for command in models {
-        let refused =
-            |load: [&str; 2]| bench.run(&[&command[..], &support::DIAMOND[..], &load[..]].concat()).refused();
-        let message = refused(["--pressure", "1e308H"]);
-        assert!(
-            message.contains("nominal pressure in Pa is inf; it must be finite and greater than 0"),
-            "{message}"
-        );
-        let message = refused(["--pressure", "1e70Pa"]);
-        assert!(
-            message.contains("nominal pressure in Pa is 1e70; it must be from 1e-30 to 1e30"),
-            "{message}"
-        );
-        let message = refused(["--pressures", "1e-200Pa:1e200Pa:4"]);
-        assert!(
-            message.contains("nominal pressure in Pa is 1e-200; it must be from 1e-30 to 1e30"),
-            "{message}"
-        );
+        for (load, names) in [
+            (["--pressure", "1e308H"], ["is inf;", "greater than 0"]),
+            (["--pressure", "1e70Pa"], ["is 1e70;", "1e-30 to 1e30"]),
+            (["--pressures", "1e-200Pa:1e200Pa:4"], ["is 1e-200;", "1e-30 to 1e30"]),
+        ] {
+            bench.run(&[&command[..], &DIAMOND, &load].concat()).refused_naming(&names);
+        }
     }
 }
 
@@ -377,64 +338,56 @@ fn constants_and_columns_give_the_same_digits() {
         CONSTANTS.iter().map(|arg| if *arg == "1MPa" { "1e-3H" } else { arg }).collect();
     let args = [&["statistical", "--input", "-"][..], &in_hardnesses].concat();
     assert_eq!(column(&bench.run_with_input(&args, MOMENTS).ok(), "pressure_pa"), ["", "5400000"]);
-    let message = bench.run_with_input(&[&args[..7], &args[7..11]].concat(), MOMENTS).refused();
-    assert!(message.contains("--pressure 1e-3H: a pressure in H") && message.contains("--yield-strength"));
+    bench.run_with_input(&args[..11], MOMENTS).refused_naming(&["--pressure 1e-3H", "--yield-strength"]);
 }
 
 #[test]
 fn an_option_and_a_column_of_one_name_are_refused_and_both_named() {
     let bench = Bench::new();
-    let message = with_constants(&bench, &table(&[SPHERES])).refused();
-    assert_eq!(
-        message,
-        "error: standard input: column model is in the table and is also given for all rows; keep one: leave \
-         --model out, or the column\n"
-    );
+    with_constants(&bench, &table(&[SPHERES])).refused_naming(&["column model ", "--model"]);
     let both = ["statistical", "--input", "-", "--pressure", "1MPa", "--separation", "1nm"];
-    let message = bench.run_with_input(&both, MOMENTS).refused();
-    assert!(message.contains("one --pressure or one --separation"), "{message}");
+    bench.run_with_input(&both, MOMENTS).refused_naming(&["--pressure", "--separation"]);
     // A population that is known in part is a mistake, not the absence of asperities.
-    let message = with_constants(&bench, &MOMENTS.replace("1e-4,,,", "1e-4,1e-6,,")).refused();
-    assert!(message.contains("line 2, column density_per_m2: the cell is empty"), "{message}");
+    with_constants(&bench, &MOMENTS.replace("1e-4,,,", "1e-4,1e-6,,"))
+        .refused_naming(&["line 2, column density_per_m2: "]);
 }
 
 #[test]
 fn every_bound_of_the_computation_is_held_before_anything_is_written() {
     let bench = Bench::new();
-    let refused = |from: &str, to: &str| {
+    for (from, to, column, value, bounds) in [
+        ("463e9", "1e31", "youngs_modulus_pa", "1e31", "from 1e-30 to 1e30\n"),
+        ("1.8e9", "1e-31", "yield_strength_pa", "1e-31", "from 1e-30 to 1e30\n"),
+        ("1.8e9,,", "1.8e9,1e40,", "strain_gradient_length_m", "1e40", "from 1e-30 to 1e30\n"),
+        ("1.80165e+11", "1e45", "density_per_m2", "1e45", "from 1e-30 to 1e30\n"),
+        ("5.02477e-08", "1e31", "separation_m", "1e31", "from -1e30 to 1e30\n"),
+        ("5.02477e-08,,", ",1e61,", "pressure_pa", "1e61", "from 1e-30 to 1e30\n"),
+    ] {
         let strange = SPHERES.replacen(from, to, 1);
         assert_ne!(strange, SPHERES);
         let mut rows = vec![SPHERES; 5_000];
         rows.push(&strange);
         let args = ["statistical", "--input", "-", "--output", "out.csv"];
-        let message = bench.run_with_input(&args, &table(&rows)).refused();
+        bench
+            .run_with_input(&args, &table(&rows))
+            .refused_naming(&[&format!("line 5002, column {column}: {value} "), bounds]);
         assert!(bench.files().is_empty());
-        message.strip_prefix("error: standard input, line 5002, ").map(str::to_owned).unwrap_or(message)
-    };
-    assert_eq!(refused("463e9", "1e31"), "column youngs_modulus_pa: 1e31 must be from 1e-30 to 1e30\n");
-    assert_eq!(refused("1.8e9", "1e-31"), "column yield_strength_pa: 1e-31 must be from 1e-30 to 1e30\n");
-    assert_eq!(
-        refused("1.8e9,,", "1.8e9,1e40,"),
-        "column strain_gradient_length_m: 1e40 must be from 1e-30 to 1e30\n"
-    );
-    assert_eq!(refused("1.80165e+11", "1e45"), "column density_per_m2: 1e45 must be from 1e-30 to 1e30\n");
-    assert_eq!(refused("5.02477e-08", "1e31"), "column separation_m: 1e31 must be from -1e30 to 1e30\n");
-    assert_eq!(refused("5.02477e-08,,", ",1e61,"), "column pressure_pa: 1e61 must be from 1e-30 to 1e30\n");
+    }
 }
 
 #[test]
-fn f_a_13_and_19_a_tolerance_that_cannot_be_had_and_doubts_are_told() {
+fn a_tolerance_that_cannot_be_had_and_doubts_are_told() {
     let bench = Bench::new();
     let command = ["statistical", "builtin:uncd-measured", "--model", "hertz", "--pressure", "2H"];
     let ran = bench.run(&[&command[..], &support::DIAMOND[..], &["--tolerance", "1e-300"]].concat());
-    for told in [
-        "note: --tolerance 1e-300 is finer than double precision reaches: 1e-13 is used\n",
-        "note: doubtful: the load 2H is 2 times the hardness H = 5.4 GPa: the body yields as a whole\n",
-        "note: doubtful: hertz at 10.8 GPa has a real pressure of ",
+    for words in [
+        &["note: --tolerance 1e-300", "1e-13"][..],
+        &["note: doubtful: ", "2H is 2 times", "H = 5.4 GPa"],
+        &["note: doubtful: hertz at 10.8 GPa", "69.5 H"],
     ] {
-        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+        assert_eq!(ran.remarks(words).len(), 1, "{words:?} in {}", ran.stderr);
     }
-    assert_eq!(ran.status, 0);
+    ran.ok();
 }
 
 const SUMMITS_HEADER: &str =
@@ -457,14 +410,12 @@ fn rows_of_bgt_take_moments_and_are_computed_either_way() {
     assert!((numbers(&back, "separation_m")[0] / 2e-8 - 1.0).abs() < 1e-12);
     // A table of spheres and summits has the columns of both.
     let mixed = format!("{SUMMITS_HEADER}\n{SUMMITS}\nhertz,1e11,0,,,,2e-8,\n");
-    let message = bench.run_with_input(&["statistical", "--input", "-"], &mixed).refused();
-    assert!(message.contains("radius_m"), "{message}");
     let spheres = "hertz,1e11,0,1e-6,1e12,1e-8,2e-8,";
     let asperities = SUMMITS_HEADER.replace("m0_m2,m2,m4_per_m2", "radius_m,density_per_m2,sigma_s_m");
-    let message = bench
-        .run_with_input(&["statistical", "--input", "-"], &format!("{asperities}\n{spheres}\n{SUMMITS}\n"))
-        .refused();
-    assert!(message.contains("m0_m2"), "{message}");
+    let other = format!("{asperities}\n{spheres}\n{SUMMITS}\n");
+    for (input, missing) in [(mixed, "radius_m"), (other, "m0_m2")] {
+        bench.run_with_input(&["statistical", "--input", "-"], &input).refused_naming(&[missing]);
+    }
 }
 
 #[test]
@@ -474,12 +425,14 @@ fn rows_without_summits_stay_empty_and_are_noted_once() {
     let with_m4 = |m4: &str| SUMMITS.replace("1.6e14", m4);
     let rows = ["1.6e14", "2.3e13", "1.7e13", "2.4e13"].map(with_m4).join("\n") + "\nbgt,1e11,0,,,,2e-8,";
     let ran = bench.run_with_input(&["statistical", "--input", "-"], &format!("{SUMMITS_HEADER}\n{rows}\n"));
-    let note = "note: 2 of 5 rows: alpha = m0 m4/m2^2 is 1.062 to 1.437, below the 1.5 that every surface reaches: no summits, \
-                no result\n";
-    assert_eq!(ran.stderr.matches("alpha").count(), 1, "{}", ran.stderr);
-    assert!(ran.stderr.contains(note), "{}", ran.stderr);
-    assert!(ran.stderr.contains("note: 1 of 5 rows have no asperities: their results are empty\n"));
-    let out = ran.ok();
+    assert_eq!(ran.remarks(&["alpha"]).len(), 1, "{}", ran.stderr);
+    assert_eq!(
+        ran.remarks(&["note: 2 of 5 rows: alpha = ", "1.062 to 1.437", "1.5"]).len(),
+        1,
+        "{}",
+        ran.stderr
+    );
+    let out = ran.ok_remarking(&["note: 1 of 5 rows"]);
     let areas = column(&out, "area_fraction");
     assert!(areas[0].starts_with("0.008269") && areas[3].starts_with("0.010"), "{areas:?}");
     assert_eq!([areas[1], areas[2], areas[4]], [""; 3]);
@@ -492,12 +445,7 @@ fn over_cutoffs_bgt_has_the_states_of_the_moments() {
     let bench = Bench::new();
     let args = ["statistical", "builtin:uncd-measured", "--model", "bgt", "--pressure", "1MPa"];
     let ran = bench.run(&[&args, &DIAMOND[..4]].concat());
-    assert!(
-        ran.stderr.contains("note: 6 of 45 rows: alpha = m0 m4/m2^2 is 1.048 to 1.467, below the 1.5"),
-        "{}",
-        ran.stderr
-    );
-    let over_cutoffs = ran.ok();
+    let over_cutoffs = ran.ok_remarking(&["note: 6 of 45 rows: alpha = ", "1.048 to 1.467", "1.5"]);
     let moments = bench.run(&["moments", "builtin:uncd-measured"]).ok();
     let args = ["statistical", "--input", "-", "--model", "bgt", "--pressure", "1MPa"];
     let row_by_row = bench.run_with_input(&[&args, &DIAMOND[..4]].concat(), &moments).ok();
@@ -525,10 +473,8 @@ fn elastic_areas_of_a_scene_have_the_linear_laws_beside_them() {
     );
     let summary = bench.run(&["run", "scene.toml"]).ok();
     // kappa p/(E* h'), E* = 482.29 GPa and h' = sqrt(2 m2) = 0.55028 at the last cutoff.
-    assert_eq!(summary.matches("linear laws").count(), 1, "{summary}");
-    assert!(summary.contains("h' = 0.55: 6.01e-6 to 9.44e-6 at 1 MPa"), "{summary}");
+    assert_eq!(lines_with(&summary, &["h' = 0.55", "6.01e-6 to 9.44e-6", "1 MPa"]).len(), 1, "{summary}");
     let report = bench.read("scene-results/report.html");
-    assert!(report.contains("Beside the elastic areas: linear laws"));
     assert!(report.matches("linear laws</text>").count() >= 1);
     assert!(!bench.read("scene-results/bgt.csv").contains("linear"));
     assert!(!bench.read("scene-results/area-fraction.csv").contains("linear"));

@@ -111,41 +111,33 @@ fn bom_crlf_quotes_and_blank_lines_are_read() {
 #[test]
 fn a_bad_table_is_refused_with_line_column_value_and_bound_and_nothing_is_written() {
     let bench = Bench::new();
-    let refused = |input: &str| {
-        let message = bench.run_with_input(&["asperity", "sphere", "--output", "out.csv"], input).refused();
+    let three = SPHERES.replace("0.2799", "0.9").replace("5.3113e-07", "-1").replace("7.7157e+08", "much");
+    for (input, names) in [
+        (
+            three,
+            &[
+                "line 2, column poisson_ratio: 0.9 ",
+                "-1",
+                "0.5\n",
+                "line 2, column yield_strength_pa: \"much\" ",
+            ][..],
+        ),
+        (SPHERES.replace("5.3113e-07", "nan"), &["line 2, column radius_m: nan "]),
+        (SPHERES.replace("7.09842e-08", ""), &["line 3, column interference_m: "]),
+        (
+            SPHERES.replace("radius_m", "r"),
+            &["column radius_m ", "poisson_ratio, yield_strength_pa, r, interference_m"],
+        ),
+        (SPHERES.replace("radius_m", "poisson_ratio"), &["column \"poisson_ratio\" "]),
+        (SPHERES.replace(",4.43628e-11", ""), &["line 2: 4 fields", "5"]),
+        (String::new(), &["header"]),
+        ("[{\"a\":1},3]".to_owned(), &["error: standard input: "]),
+    ] {
+        bench
+            .run_with_input(&["asperity", "sphere", "--output", "out.csv"], &input)
+            .refused_naming(&[names, &["error: standard input"]].concat());
         assert!(!bench.path("out.csv").exists());
-        message
-    };
-    assert_eq!(
-        refused(&SPHERES.replace("0.2799", "0.9").replace("5.3113e-07", "-1").replace("7.7157e+08", "much")),
-        "error: standard input, line 2, column poisson_ratio: 0.9 must be greater than -1 and at most 0.5\n       \
-         standard input, line 2, column yield_strength_pa: \"much\" is not a number\n"
-    );
-    assert_eq!(
-        refused(&SPHERES.replace("5.3113e-07", "nan")),
-        "error: standard input, line 2, column radius_m: nan must be finite and greater than 0\n"
-    );
-    assert_eq!(
-        refused(&SPHERES.replace("7.09842e-08", "")),
-        "error: standard input, line 3, column interference_m: the cell is empty; enter a number\n"
-    );
-    assert_eq!(
-        refused(&SPHERES.replace("radius_m", "r")),
-        "error: standard input: column radius_m is missing; the columns are youngs_modulus_pa, poisson_ratio, \
-         yield_strength_pa, r, interference_m\n"
-    );
-    assert_eq!(
-        refused(&SPHERES.replace("radius_m", "poisson_ratio")),
-        "error: standard input: column \"poisson_ratio\" appears twice; keep one\n"
-    );
-    assert_eq!(
-        refused(&SPHERES.replace(",4.43628e-11", "")),
-        "error: standard input, line 2: 4 fields, but the header has 5\n"
-    );
-    assert_eq!(refused(""), "error: standard input: no header row; the first line must name the columns\n");
-    assert!(
-        refused("[{\"a\":1},3]").starts_with("error: standard input: expected a JSON array of row objects: ")
-    );
+    }
 }
 
 #[test]
@@ -155,7 +147,7 @@ fn at_most_ten_bad_cells_are_listed() {
     let input = format!("{}\n{rows}", SPHERES.lines().next().unwrap());
     let message = bench.run_with_input(&["asperity", "sphere"], &input).refused();
     assert_eq!(message.lines().count(), 11);
-    assert!(message.ends_with("\n       and 3 more\n"), "{message}");
+    assert!(message.lines().last().unwrap().contains(" 3 "), "{message}");
 }
 
 #[test]
@@ -178,13 +170,8 @@ fn constants_stand_for_columns_that_are_not_there() {
     for name in ["hertz_force_n", "jackson_green_area_m2"] {
         assert_eq!(support::column(&by_constants, name)[0], support::column(&by_columns, name)[0]);
     }
-    let message = bench.run_with_input(&args, SPHERES).refused();
-    assert!(
-        message.contains("column youngs_modulus_pa is in the table") && message.contains("--youngs-modulus"),
-        "{message}"
-    );
-    let message = bench.run_with_input(&args[..6], input).refused();
-    assert!(message.contains("column yield_strength_pa is missing"), "{message}");
+    bench.run_with_input(&args, SPHERES).refused_naming(&["column youngs_modulus_pa ", "--youngs-modulus"]);
+    bench.run_with_input(&args[..6], input).refused_naming(&["column yield_strength_pa "]);
 }
 
 #[test]
@@ -196,9 +183,8 @@ fn a_third_of_the_hardness_stands_for_the_strength_and_that_is_said() {
     let lines: Vec<&str> = third.lines().collect();
     let table = [lines[0], lines[1]].join("\n");
     let ran = bench.run_with_input(&["asperity", "sphere"], &table);
-    let note = "note: 1 of 1 rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3\n";
-    assert_eq!(ran.stderr, note);
-    let by_hardness = ran.ok();
+    assert_eq!(ran.stderr.lines().count(), 1, "{}", ran.stderr);
+    let by_hardness = ran.ok_remarking(&["note: 1 of 1 rows", "S0 = H/3"]);
     let by_strength = bench.run_with_input(&["asperity", "sphere"], SPHERES).ok();
     for name in ["hertz_force_n", "jackson_green_force_n", "jackson_green_area_m2"] {
         let [found, expected] =
@@ -214,10 +200,8 @@ fn a_material_that_no_law_takes_is_refused_with_its_line_before_anything_is_writ
     let rows = format!("{row}\n").repeat(5_000);
     let input =
         format!("{}\n{rows}{}\n", SPHERES.lines().next().unwrap(), row.replace("2.47149e+10", "1e31"));
-    let ran = bench.run_with_input(&["asperity", "sphere", "--output", "out.csv"], &input);
-    assert_eq!(
-        ran.refused(),
-        "error: standard input, line 5002, column youngs_modulus_pa: 1e31 must be from 1e-30 to 1e30\n"
-    );
+    bench
+        .run_with_input(&["asperity", "sphere", "--output", "out.csv"], &input)
+        .refused_naming(&["line 5002, column youngs_modulus_pa: 1e31 ", "1e-30 to 1e30"]);
     assert!(bench.files().is_empty());
 }

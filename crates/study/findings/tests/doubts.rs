@@ -35,7 +35,7 @@ fn doubts(sections: &str) -> Vec<Doubt> {
 }
 
 #[test]
-fn f_a_19_pressures_above_what_the_body_bears_are_doubted_with_their_places() {
+fn pressures_above_what_the_body_bears_are_doubted_with_their_places() {
     let found = doubts("[loads]\npressures = [\"1 MPa\", \"2 H\", \"4 H\"]\n[[curve]]\nmodel = \"hertz\"\n");
     let [Doubt::NominalAboveHardness { load, others: 1, .. }, Doubt::RealAboveHardness { highest, .. }, ..] =
         &found[..]
@@ -49,7 +49,7 @@ fn f_a_19_pressures_above_what_the_body_bears_are_doubted_with_their_places() {
 }
 
 #[test]
-fn f_a_19_a_spectrum_in_the_wrong_unit_and_a_body_too_strong_are_doubted() {
+fn a_spectrum_in_the_wrong_unit_and_a_body_too_strong_are_doubted() {
     let file = "wavelength_m,C1D_m3\n1e-4,1e-7\n1e-5,1e-9\n1e-6,1e-11\n";
     let files = std::collections::BTreeMap::from([("psd.csv".to_owned(), file.as_bytes().to_vec())]);
     let text = "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
@@ -63,7 +63,7 @@ fn f_a_19_a_spectrum_in_the_wrong_unit_and_a_body_too_strong_are_doubted() {
 }
 
 #[test]
-fn f_a_19_nothing_is_doubted_where_physics_has_nothing_against_it() {
+fn nothing_is_doubted_where_physics_has_nothing_against_it() {
     assert_eq!(
         doubts(
             "[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic-plastic\"\n\

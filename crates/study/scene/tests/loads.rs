@@ -13,7 +13,7 @@ fn parsed(sections: &str) -> Result<Scene, String> {
 }
 
 #[test]
-fn f_a_11_loads_beyond_what_the_models_take_are_refused_with_value_and_bound() {
+fn loads_beyond_what_the_models_take_are_refused_with_value_and_bound() {
     let refused =
         |loads: &str| parsed(&format!("[loads]\n{loads}\n[[curve]]\nmodel = \"hertz\"\n")).unwrap_err();
     assert_eq!(
@@ -38,7 +38,7 @@ fn f_a_11_loads_beyond_what_the_models_take_are_refused_with_value_and_bound() {
 }
 
 #[test]
-fn f_a_17_scales_loads_and_curves_are_bounded_together() {
+fn scales_loads_and_curves_are_bounded_together() {
     let curves = "[[curve]]\nmodel = \"hertz\"\n[[curve]]\nmodel = \"elastic\"\n";
     let scene =
         parsed(&format!("[loads]\npressures = [\"1 MPa\"]\n{curves}[options]\nscales_per_decade = 400000\n"));
@@ -49,7 +49,7 @@ fn f_a_17_scales_loads_and_curves_are_bounded_together() {
 }
 
 #[test]
-fn f_a_17_a_range_of_loads_streams_like_loads_with_names() {
+fn a_range_of_loads_streams_like_loads_with_names() {
     let scene =
         parsed("[loads]\npressures = [\"1 kPa\", \"1 MPa\", \"1 GPa\"]\n[[curve]]\nmodel = \"elastic\"\n");
     let scene = scene.unwrap();

@@ -28,7 +28,7 @@ fn against_load(multiples: &str, more: &str) -> (Results, FigureData) {
 }
 
 #[test]
-fn f_a_8_a_line_is_labelled_with_the_cutoff_whose_values_it_draws() {
+fn a_line_is_labelled_with_the_cutoff_whose_values_it_draws() {
     let (results, figure) = against_load("[1]", "[cutoffs]\nshortest_wavelength = \"10.2 nm\"\n");
     assert_eq!(figure.series[0].condition, "10.2 nm");
     assert_eq!(results.sweeps[0].cutoff_m, 10.2e-9);
@@ -39,7 +39,7 @@ fn f_a_8_a_line_is_labelled_with_the_cutoff_whose_values_it_draws() {
 }
 
 #[test]
-fn f_a_9_cutoffs_that_read_the_same_have_columns_of_their_own() {
+fn cutoffs_that_read_the_same_have_columns_of_their_own() {
     let (_, figure) = against_load("[10, 10.001, 20, 10]", "");
     let table = figure.table();
     let columns: Vec<&str> = table.columns().map(|(name, _)| name).collect();

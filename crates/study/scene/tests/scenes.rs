@@ -23,7 +23,7 @@ fn notes(sections: &str) -> Vec<(String, usize, Idle)> {
 }
 
 #[test]
-fn f_a_18_keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
+fn keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
     let idle = "[[curve]]\nmodel = \"hertz\"\nstrain_gradient = true\ninterference_law = \"bem\"\n";
     assert_eq!(
         notes(idle),
@@ -40,7 +40,7 @@ fn f_a_18_keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
 }
 
 #[test]
-fn f_a_18_keys_of_figures_that_have_no_effect_are_noted() {
+fn keys_of_figures_that_have_no_effect_are_noted() {
     let figure = "[[figure]]\nname = \"f\"\nshows = \"psd\"\ncurves = [\"hertz\"]\ncutoff_multiples = [1, 2]\n\
                   loads = { from = \"1 Pa\", to = \"1 MPa\", points = 3 }\n";
     let found = notes(&format!("{HERTZ}{figure}"));
@@ -52,7 +52,7 @@ fn f_a_18_keys_of_figures_that_have_no_effect_are_noted() {
 }
 
 #[test]
-fn f_a_18_options_and_cutoffs_that_have_no_effect_are_noted() {
+fn options_and_cutoffs_that_have_no_effect_are_noted() {
     let options = "[cutoffs]\nshortest_wavelength = \"1 nm\"\n[options]\nhardness = \"cosine\"\nstrength_cap = \"9 GPa\"\n\
                    interference_law = \"bem\"\namplitude = \"parseval\"\nnormalisation = \"as-printed\"\n";
     let keys = |curve: &str| -> Vec<String> {
@@ -74,7 +74,7 @@ fn f_a_18_options_and_cutoffs_that_have_no_effect_are_noted() {
 }
 
 #[test]
-fn f_a_13_a_tolerance_that_cannot_be_had_is_noted_and_the_used_one_reported() {
+fn a_tolerance_that_cannot_be_had_is_noted_and_the_used_one_reported() {
     let sections = format!("{HERTZ}[options]\ntolerance = 1e-300\n");
     assert_eq!(notes(&sections), [("options.tolerance".to_owned(), 13, Idle::ToleranceHeld { used: 1e-13 })]);
     let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
@@ -90,7 +90,7 @@ fn scenes_that_come_with_the_program_have_no_idle_keys() {
 }
 
 #[test]
-fn f_a_10_names_whose_files_would_replace_others_are_refused() {
+fn names_whose_files_would_replace_others_are_refused() {
     let taken = |sections: &str, name: &str, by: &str| {
         let error = refused(sections);
         let SceneProblem::FileNameTaken { name: found, by: other } = &error.problem else {
@@ -112,7 +112,7 @@ fn f_a_10_names_whose_files_would_replace_others_are_refused() {
 }
 
 #[test]
-fn f_c_5_unknown_keys_and_values_are_told_with_what_was_meant() {
+fn unknown_keys_and_values_are_told_with_what_was_meant() {
     let error = refused("[[curve]]\nmodle = \"hertz\"\n");
     assert_eq!((error.key(), error.line(STEEL)), (Some("modle"), None));
     assert!(error.to_string().starts_with("unknown key `modle`, did you mean `model`? "), "{error}");
@@ -135,7 +135,7 @@ fn f_c_5_unknown_keys_and_values_are_told_with_what_was_meant() {
 }
 
 #[test]
-fn f_c_5_values_of_another_kind_are_told_in_the_words_of_a_scene() {
+fn values_of_another_kind_are_told_in_the_words_of_a_scene() {
     let told = |text: &str| parsed(text).unwrap_err().to_string();
     assert_eq!(
         told(
@@ -154,7 +154,7 @@ fn f_c_5_values_of_another_kind_are_told_in_the_words_of_a_scene() {
 }
 
 #[test]
-fn f_c_5_a_scan_may_be_given_by_its_file_alone() {
+fn a_scan_may_be_given_by_its_file_alone() {
     let heights = "0 0\n1e-6 1e-9\n2e-6 -1e-9\n3e-6 2e-9\n4e-6 0\n5e-6 1e-9\n6e-6 0\n7e-6 1e-9\n";
     let files = std::collections::BTreeMap::from([("a.txt".to_owned(), heights.as_bytes().to_vec())]);
     let scene = |scan: &str| {

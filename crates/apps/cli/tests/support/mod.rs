@@ -16,7 +16,7 @@ pub struct Bench {
     folder: TempDir,
 }
 
-/// What a command printed, and how it ended.
+/// The output and the exit status of a command.
 #[derive(Debug)]
 pub struct Ran {
     pub status: i32,
@@ -86,16 +86,51 @@ impl Bench {
 
 impl Ran {
     /// Asserts success, and yields stdout.
+    #[track_caller]
     pub fn ok(self) -> String {
         assert_eq!(self.status, 0, "{}", self.stderr);
         self.stdout
     }
 
     /// Asserts that bad input was refused and nothing printed, and yields the message.
+    #[track_caller]
     pub fn refused(self) -> String {
         assert_eq!((self.status, self.stdout.as_str()), (2, ""), "{}", self.stderr);
         self.stderr
     }
+
+    /// Asserts that bad input was refused, nothing printed, and these flags, files and values named.
+    ///
+    /// Whole messages are in the snapshot of `messages.rs`.
+    #[track_caller]
+    pub fn refused_naming(self, names: &[&str]) {
+        assert_names(&self.refused(), names);
+    }
+
+    /// The lines on stderr that have all of these words.
+    pub fn remarks(&self, words: &[&str]) -> Vec<&str> {
+        lines_with(&self.stderr, words)
+    }
+
+    /// Asserts success and one remark with these words, and yields stdout.
+    #[track_caller]
+    pub fn ok_remarking(self, words: &[&str]) -> String {
+        assert_eq!(self.remarks(words).len(), 1, "{words:?} in {}", self.stderr);
+        self.ok()
+    }
+}
+
+/// Asserts that a text has all of these words.
+#[track_caller]
+pub fn assert_names(text: &str, words: &[&str]) {
+    for word in words {
+        assert!(text.contains(word), "{word} is not in {text}");
+    }
+}
+
+/// The lines of a text that have all of these words.
+pub fn lines_with<'t>(text: &'t str, words: &[&str]) -> Vec<&'t str> {
+    text.lines().filter(|line| words.iter().all(|word| line.contains(word))).collect()
 }
 
 /// The cells of a CSV column.
@@ -105,7 +140,7 @@ pub fn column<'t>(table: &'t str, name: &str) -> Vec<&'t str> {
     lines.map(|line| line.split(',').nth(at).unwrap()).collect()
 }
 
-/// The same as numbers.
+/// The numbers in a CSV column.
 pub fn numbers(table: &str, name: &str) -> Vec<f64> {
     column(table, name).iter().map(|cell| cell.parse().unwrap()).collect()
 }

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn f_a_2_a_decade_that_lies_mostly_in_a_hole_was_not_measured() {
+    fn a_decade_that_lies_mostly_in_a_hole_was_not_measured() {
         let holes = [Hole { longest_m: 2.27e-6, shortest_m: 114e-9 }];
         let shares = decade_shares(&[(5e-6, 0.5), (2.27e-6, 0.4), (114e-9, 0.2), (2e-8, 0.1)]);
         let measured = shares.into_iter().map(|share| share.of_spectrum_with(&holes).measured);

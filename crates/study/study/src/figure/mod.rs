@@ -230,7 +230,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn f_a_2_no_line_crosses_a_hole() {
+    fn no_line_crosses_a_hole() {
         let points = vec![(1.0, 0.1), (2.0, 0.2), (4.0, 0.3), (8.0, 0.4), (9.0, 0.5)];
         let tau = std::f64::consts::TAU;
         let hole = Hole { longest_m: tau / 2.0, shortest_m: tau / 8.0 };

@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn f_a_11_a_nominal_pressure_is_refused_with_its_value_and_bound() {
+    fn a_nominal_pressure_is_refused_with_its_value_and_bound() {
         let told = |pressure_pa| NominalPressure::new(pressure_pa).map_err(|error| error.to_string());
         assert_eq!(told(1e30).map(NominalPressure::pa), Ok(1e30));
         assert_eq!(told(1e31).unwrap_err(), "nominal pressure in Pa is 1e31; it must be from 1e-30 to 1e30");

@@ -48,7 +48,7 @@ mod tests {
     use super::Tolerance;
 
     #[test]
-    fn f_a_13_a_tolerance_beyond_double_precision_is_held_within_it_and_known_to_be() {
+    fn a_tolerance_beyond_double_precision_is_held_within_it_and_known_to_be() {
         let tolerance = Tolerance::new(1e-300).unwrap();
         assert_eq!((tolerance.value(), tolerance.asked_finer()), (1e-13, Some(1e-300)));
         assert_eq!(Tolerance::new(1e-13).unwrap().asked_finer(), None);
