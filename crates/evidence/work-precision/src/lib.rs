@@ -3,8 +3,8 @@
 //! ```
 //! let table = work_precision::reference::committed()?;
 //! let hertz = &table[0];
-//! let answer = work_precision::ours::answer(hertz, &hertz.states[1], work_precision::point::Given::Pressure, 1e-10);
-//! assert!(work_precision::point::Given::Pressure.error(&answer, &hertz.states[1]) < 1e-9);
+//! let answer = work_precision::ours::answer(hertz, &hertz.states[1], work_precision::point::GivenQuantity::Pressure, 1e-10);
+//! assert!(work_precision::point::GivenQuantity::Pressure.error(&answer, &hertz.states[1]) < 1e-9);
 //! # Ok::<(), String>(())
 //! ```
 //!
