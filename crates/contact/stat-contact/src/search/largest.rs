@@ -16,7 +16,7 @@ impl Search<'_, '_> {
     /// doubt.
     pub fn largest(&mut self, neighbour: Option<Neighbour>) -> Option<Answer> {
         if self.frames.are_one() {
-            // The same start every time, a few steps off, makes the digits the same every time.
+            // A fixed start, a few steps off, makes the digits reproducible.
             let mut bracket = Bracket::EVERYTHING.on_fine_quadratures();
             let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
             return Some(CellSolution { cell: Cell::ANY, u }.into());
