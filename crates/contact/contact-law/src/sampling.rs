@@ -27,7 +27,7 @@ impl ContactLaw {
     /// # Errors
     /// [`SamplingError`] for an invalid range or tolerance, for a law that has no gap within the range or does not
     /// close, and if `at` fails.
-    pub fn sampled<E>(
+    pub fn sample<E>(
         [from_pa, to_pa]: [f64; 2],
         tolerance: f64,
         at: impl FnMut(f64) -> Result<Option<LawPoint>, E>,

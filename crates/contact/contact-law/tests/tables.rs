@@ -183,7 +183,7 @@ fn laws_that_are_none_are_refused() {
             let point = |mean_gap_m| LawPoint { pressure_pa, mean_gap_m, area_fraction: 0.1 };
             Ok::<_, Infallible>(gap(pressure_pa).map(point))
         };
-        ContactLaw::sampled(range_pa, tolerance, at).unwrap_err()
+        ContactLaw::sample(range_pa, tolerance, at).unwrap_err()
     };
     let falling = |pressure_pa: f64| Some(-pressure_pa.ln());
     assert!(matches!(with([1e6, 1e3], 0.01, falling), SamplingError::EmptyRange { .. }));
@@ -199,8 +199,8 @@ fn laws_that_are_none_are_refused() {
         let mean_gap_m = -pressure_pa.ln() - if pressure_pa > 77.0 { 1.0 } else { 0.0 };
         Ok::<_, Infallible>(Some(LawPoint { pressure_pa, mean_gap_m, area_fraction: 0.1 }))
     };
-    let law = ContactLaw::sampled([1.0, 1e3], 1e-3, step).unwrap();
+    let law = ContactLaw::sample([1.0, 1e3], 1e-3, step).unwrap();
     assert!((law.pressure_pa(law.overclosure_m(-77f64.ln() - 0.5)) / 77.0 - 1.0).abs() < 1e-3);
-    let fails = ContactLaw::sampled([1.0, 1e3], 0.01, |_| Err::<Option<LawPoint>, _>("gone"));
+    let fails = ContactLaw::sample([1.0, 1e3], 0.01, |_| Err::<Option<LawPoint>, _>("gone"));
     assert_eq!(fails, Err(SamplingError::Source("gone")));
 }

@@ -77,7 +77,7 @@ enum Form {
 
 /// Flattened variance at which the contact has come down to a share A.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Flattened {
+pub(crate) struct FlattenedVariance {
     /// V/p^2.
     pub(crate) variance_over_square_pressure: f64,
     /// Derivative of V/p^2 by A, below 0.
@@ -87,18 +87,18 @@ pub(crate) struct Flattened {
 }
 
 /// Flattened variance at which A = erf(`argument`), argument > 0, by the theory or by a corrected form.
-pub(crate) fn flattened(correction: Option<Correction>, argument: f64, alpha: f64) -> Flattened {
+pub(crate) fn flattened(correction: Option<Correction>, argument: f64, alpha: f64) -> FlattenedVariance {
     let area = libm::erf(argument);
     // V_e/p^2 = 1/(2 x^2), and dA = (2/sqrt(pi)) exp(-x^2) dx.
     let effective = 0.5 / (argument * argument);
     let effective_per_area = -0.5 * PI.sqrt() * (argument * argument).exp() / argument.powi(3);
     match correction.map(Correction::form) {
-        None => Flattened {
+        None => FlattenedVariance {
             variance_over_square_pressure: effective,
             per_area: effective_per_area,
             per_ln_alpha: 0.0,
         },
-        Some(Form::Differential(slowness)) => Flattened {
+        Some(Form::Differential(slowness)) => FlattenedVariance {
             variance_over_square_pressure: variance_of(&rule(), 0.0, effective, slowness),
             per_area: effective_per_area / slowness(area),
             per_ln_alpha: 0.0,
@@ -107,7 +107,7 @@ pub(crate) fn flattened(correction: Option<Correction>, argument: f64, alpha: f6
             let [g, g_per_ln_alpha] = factor(alpha);
             let slowing = g + (1.0 - g) * area;
             let variance = effective / slowing;
-            Flattened {
+            FlattenedVariance {
                 variance_over_square_pressure: variance,
                 per_area: (effective_per_area - variance * (1.0 - g)) / slowing,
                 per_ln_alpha: -variance * libm::erfc(argument) / slowing * g_per_ln_alpha,

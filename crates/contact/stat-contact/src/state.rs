@@ -4,7 +4,7 @@ use approx::{AbsDiffEq, RelativeEq};
 
 use crate::asperities::answers::Response;
 use crate::gaussian::density::{log_reference_density, reference_density};
-use crate::quadrature::frame::Here;
+use crate::quadrature::frame::FrameState;
 
 /// State of a population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -52,8 +52,8 @@ impl ContactState {
 
     /// State on a frame at the separation u + rounding, in units of sigma_s. The caller fills in the separation in
     /// metres and the evaluations.
-    pub(crate) fn on_frame(here: &Here<'_, '_>, rounding: f64, sigma_s_m: f64) -> Self {
-        let &Here { u, sums, .. } = here;
+    pub(crate) fn on_frame(here: &FrameState<'_, '_>, rounding: f64, sigma_s_m: f64) -> Self {
+        let &FrameState { u, sums, .. } = here;
         let correction = sums.log_pressure_slope() * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);

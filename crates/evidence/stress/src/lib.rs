@@ -38,4 +38,4 @@ pub use run::{Scope, run};
 pub use stack_case::{StackCase, try_stack};
 pub use statistical::{Kind, Question, StatisticalCase};
 pub use statistical_trial::{Sample, try_state};
-pub use tally::{Record, Spread, Tally, Trial, Worst};
+pub use tally::{Record, Spread, Tally, Trial, WorstCase};

@@ -14,7 +14,7 @@ type Key = (&'static str, &'static str);
 
 /// State that came closest to breaking a promise, or broke it most.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Worst {
+pub struct WorstCase {
     /// Measured value over the allowed one; above 1 the promise is broken.
     pub over_allowance: f64,
     /// Measured value.
@@ -35,9 +35,9 @@ pub struct Record {
     /// Number of failures.
     pub broken: u64,
     /// Worst state.
-    pub worst: Worst,
+    pub worst: WorstCase,
     /// First states that broke it.
-    pub examples: Vec<Worst>,
+    pub examples: Vec<WorstCase>,
 }
 
 /// Histogram of values, even in the logarithm: fine enough for a median.
@@ -145,8 +145,8 @@ impl Record {
     }
 }
 
-impl Worst {
-    fn is_worse_than(&self, other: &Worst) -> bool {
+impl WorstCase {
+    fn is_worse_than(&self, other: &WorstCase) -> bool {
         let order = self.over_allowance.total_cmp(&other.over_allowance);
         order.is_gt() || (order.is_eq() && self.index < other.index)
     }
@@ -194,7 +194,7 @@ impl<'a, C: Debug> Trial<'a, C> {
         };
         let broken = over_allowance > 1.0;
         let (index, reach) = (self.index, self.reach);
-        let worst = |case: &C| Worst { over_allowance, value, index, reach, case: format!("{case:?}") };
+        let worst = |case: &C| WorstCase { over_allowance, value, index, reach, case: format!("{case:?}") };
         let record = self.tally.records.entry((self.family, promise)).or_insert_with(|| Record {
             tested: 0,
             broken: 0,

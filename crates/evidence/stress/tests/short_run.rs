@@ -15,7 +15,7 @@ fn seven_thousand_states_break_nothing() {
         .records
         .iter()
         .flat_map(|((family, promise), record)| {
-            let line = move |example: &stress::Worst| format!("{family}: {promise}: {example:?}");
+            let line = move |example: &stress::WorstCase| format!("{family}: {promise}: {example:?}");
             record.examples.iter().map(line)
         })
         .collect();

@@ -2,12 +2,12 @@
 
 use crate::kernels::KernelCost;
 use crate::machine::Fact;
-use crate::point::{Given, Outcome, Point};
+use crate::point::{GivenQuantity, Outcome, Point};
 use crate::scaling::Scaling;
 use crate::stack::StackCost;
 
 /// Name of a law in names of files.
-pub fn stem(law: &str, given: Given) -> String {
+pub fn stem(law: &str, given: GivenQuantity) -> String {
     format!("{}-by-{}", law.replace(", ", "-").replace(' ', "-"), given.name())
 }
 
@@ -91,7 +91,7 @@ mod tests {
         let point = Point {
             population: "steel".to_owned(),
             law: "ep-sine, strain gradient".to_owned(),
-            given: Given::Pressure,
+            given: GivenQuantity::Pressure,
             separation_over_sigma: -3.0,
             engine: Engine::GridBatch,
             setting: 1000.0,

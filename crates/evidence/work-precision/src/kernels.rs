@@ -10,7 +10,7 @@ use asperity::{
 };
 
 use crate::clock::seconds_per_call;
-use crate::competitors::{At, Question, Row, Setting, Worker};
+use crate::competitors::{Question, Row, Setting, States, Worker};
 use crate::reference::{Case, repository};
 
 const OUR_BUDGET_S: f64 = 0.05;
@@ -163,7 +163,7 @@ fn theirs(
     worker: &mut Worker,
 ) -> (Option<Cost>, Option<Cost>) {
     let answers = rows.iter().map(|row| {
-        let (case, at) = (case(model, row), At::One(row["interference_m"]));
+        let (case, at) = (case(model, row), States::One(row["interference_m"]));
         let (setting, seconds) = (Setting::Nodes(0), THEIR_BUDGET_S);
         worker.ask(&Question { engine: "kernel", setting, by_pressure: false, case: &case, at, seconds })
     });

@@ -1,10 +1,12 @@
 //! Run time against error: this program beside scipy, `ContactMechanics` and fixed grids, in one run on one machine.
 //!
 //! ```
+//! use work_precision::point::GivenQuantity;
+//!
 //! let table = work_precision::reference::committed()?;
 //! let hertz = &table[0];
-//! let answer = work_precision::ours::answer(hertz, &hertz.states[1], work_precision::point::Given::Pressure, 1e-10);
-//! assert!(work_precision::point::Given::Pressure.error(&answer, &hertz.states[1]) < 1e-9);
+//! let answer = work_precision::ours::answer(hertz, &hertz.states[1], GivenQuantity::Pressure, 1e-10);
+//! assert!(GivenQuantity::Pressure.error(&answer, &hertz.states[1]) < 1e-9);
 //! # Ok::<(), String>(())
 //! ```
 //!

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use work_precision::competitors::{Environment, Missing, Worker};
+use work_precision::competitors::{Environment, MissingPackage, Worker};
 use work_precision::machine;
-use work_precision::point::{Given, Outcome, Point};
+use work_precision::point::{GivenQuantity, Outcome, Point};
 use work_precision::reference::{self, repository};
 use work_precision::sections::Measured;
 use work_precision::verdicts::FOUR_LAWS;
@@ -49,15 +49,15 @@ fn run() -> Result<(), String> {
 }
 
 /// Starts the competitors' process, and reports the missing ones.
-fn started(environment: &Environment, missing: &mut Vec<Missing>) -> Option<Worker> {
+fn started(environment: &Environment, missing: &mut Vec<MissingPackage>) -> Option<Worker> {
     let worker = Worker::start(environment).map_err(|reason| {
         if missing.is_empty() {
-            missing.push(Missing { package: "Python".to_owned(), reason });
+            missing.push(MissingPackage { package: "Python".to_owned(), reason });
         }
     });
     let worker = worker.ok();
     missing.extend(worker.iter().flat_map(|worker| worker.missing.clone()));
-    for Missing { package, reason } in &*missing {
+    for MissingPackage { package, reason } in &*missing {
         println!("{package} is missing: {reason}");
     }
     worker
@@ -79,7 +79,7 @@ fn gate(points: &[Point]) -> Result<(), String> {
 fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
     let Measured { facts, points, kernels, stack, scaling, .. } = measured;
     for law in sections::laws(points) {
-        for given in Given::ALL {
+        for given in GivenQuantity::ALL {
             let here: Vec<&Point> = points.iter().filter(|p| p.law == law && p.given == given).collect();
             let file = |extension: &str| folder.join(format!("{}.{extension}", files::stem(law, given)));
             write(&file("csv"), &files::points_csv(&here, facts))?;

@@ -4,7 +4,7 @@ use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
 use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, StatisticalContact};
 
 use crate::clock::seconds_per_call;
-use crate::point::{Answer, Given};
+use crate::point::{Answer, GivenQuantity};
 use crate::reference::{Case, Group, State};
 
 /// Number of states in a batch, as in the competitors' (`engines.py`).
@@ -46,21 +46,21 @@ impl Parts {
         StatisticalContact::new(&self.pair, &self.population, &self.law)
     }
 
-    fn answer(&self, state: &State, given: Given, tolerance: f64) -> Answer {
+    fn answer(&self, state: &State, given: GivenQuantity, tolerance: f64) -> Answer {
         let found = match given {
-            Given::Separation => self.contact().at_separation(state.separation_m, tolerance),
-            Given::Pressure => self.contact().at_pressure(state.pressure_pa, tolerance, None),
+            GivenQuantity::Separation => self.contact().at_separation(state.separation_m, tolerance),
+            GivenQuantity::Pressure => self.contact().at_pressure(state.pressure_pa, tolerance, None),
         };
         self.as_answer(&found.expect("a state of the table"))
     }
 
     /// States at many separations \[m\] or pressures \[Pa\] of one contact, in one sweep.
-    fn answers(&self, asked: &[f64], given: Given, tolerance: f64) -> Vec<ContactState> {
+    fn answers(&self, asked: &[f64], given: GivenQuantity, tolerance: f64) -> Vec<ContactState> {
         let contact = self.contact();
         let mut sweep = contact.sweep(tolerance);
         let state = |&value: &f64| match given {
-            Given::Separation => sweep.at_separation(value),
-            Given::Pressure => sweep.at_pressure(value),
+            GivenQuantity::Separation => sweep.at_separation(value),
+            GivenQuantity::Pressure => sweep.at_pressure(value),
         };
         let states = asked.iter().map(state).collect::<Result<_, _>>();
         states.expect("states between those of the table")
@@ -76,7 +76,7 @@ impl Parts {
 }
 
 /// State computed anew, with nothing carried over.
-pub fn answer(group: &Group, state: &State, given: Given, tolerance: f64) -> Answer {
+pub fn answer(group: &Group, state: &State, given: GivenQuantity, tolerance: f64) -> Answer {
     parts(&group.case).answer(state, given, tolerance)
 }
 
@@ -84,7 +84,7 @@ pub fn answer(group: &Group, state: &State, given: Given, tolerance: f64) -> Ans
 pub fn timed_answer(
     group: &Group,
     state: &State,
-    given: Given,
+    given: GivenQuantity,
     tolerance: f64,
     budget_s: f64,
 ) -> (Answer, f64) {
@@ -94,7 +94,7 @@ pub fn timed_answer(
 }
 
 /// States of a group, with as many others between them as make a batch, and the seconds per state.
-pub fn timed_batch(group: &Group, given: Given, tolerance: f64, budget_s: f64) -> (Vec<Answer>, f64) {
+pub fn timed_batch(group: &Group, given: GivenQuantity, tolerance: f64, budget_s: f64) -> (Vec<Answer>, f64) {
     let parts = parts(&group.case);
     let asked = batch(group, given);
     let seconds =
@@ -105,10 +105,10 @@ pub fn timed_batch(group: &Group, given: Given, tolerance: f64, budget_s: f64) -
 }
 
 /// Separations or pressures of a group, with others evenly spaced in separation or in ln p over the same range.
-fn batch(group: &Group, given: Given) -> Vec<f64> {
+fn batch(group: &Group, given: GivenQuantity) -> Vec<f64> {
     let own = group.states.iter().map(|state| match given {
-        Given::Separation => state.separation_m,
-        Given::Pressure => state.pressure_pa.ln(),
+        GivenQuantity::Separation => state.separation_m,
+        GivenQuantity::Pressure => state.pressure_pa.ln(),
     });
     let own: Vec<f64> = own.collect();
     let least = own.iter().copied().fold(f64::INFINITY, f64::min);
@@ -116,12 +116,12 @@ fn batch(group: &Group, given: Given) -> Vec<f64> {
     let others = BATCH - own.len();
     let step = (most - least) / (others - 1) as f64;
     let others = (0..others).map(|i| match given {
-        Given::Separation => least + step * i as f64,
-        Given::Pressure => (least + step * i as f64).exp(),
+        GivenQuantity::Separation => least + step * i as f64,
+        GivenQuantity::Pressure => (least + step * i as f64).exp(),
     });
     let exact = group.states.iter().map(|state| match given {
-        Given::Separation => state.separation_m,
-        Given::Pressure => state.pressure_pa,
+        GivenQuantity::Separation => state.separation_m,
+        GivenQuantity::Pressure => state.pressure_pa,
     });
     exact.chain(others).collect()
 }
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn a_batch_begins_with_the_states_of_the_table() {
         let group = &crate::reference::committed().unwrap()[1];
-        for given in Given::ALL {
+        for given in GivenQuantity::ALL {
             let (answers, _) = timed_batch(group, given, 1e-10, 0.0);
             assert_eq!(answers.len(), group.states.len());
             for (answer, state) in answers.iter().zip(&group.states) {
@@ -147,7 +147,7 @@ mod tests {
     fn every_state_of_the_table_is_right_at_every_tolerance() {
         for group in &crate::reference::committed().unwrap() {
             for state in &group.states {
-                for given in Given::ALL {
+                for given in GivenQuantity::ALL {
                     let error = |tolerance| given.error(&answer(group, state, given, tolerance), state);
                     let place = format!("{} {} {state:?} {given:?}", group.population, group.case.law());
                     assert!(error(1e-3) <= 1e-2, "{place}: {:e}", error(1e-3));

@@ -5,7 +5,7 @@ use study::figure::{Axis, FigureData, Series, Shows};
 
 use crate::files::stem;
 use crate::machine::Fact;
-use crate::point::{Engine, Given, Point};
+use crate::point::{Engine, GivenQuantity, Point};
 use crate::scaling::Scaling;
 
 /// Error at which smaller ones are drawn: logarithmic axes have no zero, and doubles no more digits.
@@ -18,7 +18,7 @@ pub fn work_precision(
     points: &[&Point],
     population: &str,
     law: &str,
-    given: Given,
+    given: GivenQuantity,
     facts: &[Fact],
 ) -> String {
     let mut series = Vec::new();

@@ -7,30 +7,30 @@ pub const WRONG_FROM: f64 = 1e-2;
 
 /// Given quantity of a question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Given {
+pub enum GivenQuantity {
     /// The separation: pressure and area are wanted.
     Separation,
     /// The pressure: separation and area are wanted.
     Pressure,
 }
 
-impl Given {
+impl GivenQuantity {
     /// Both questions.
-    pub const ALL: [Given; 2] = [Given::Separation, Given::Pressure];
+    pub const ALL: [GivenQuantity; 2] = [GivenQuantity::Separation, GivenQuantity::Pressure];
 
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
-            Given::Separation => "separation",
-            Given::Pressure => "pressure",
+            GivenQuantity::Separation => "separation",
+            GivenQuantity::Pressure => "pressure",
         }
     }
 
     /// Question in formula notation.
     pub fn question(self) -> &'static str {
         match self {
-            Given::Separation => "p(d)",
-            Given::Pressure => "d(p)",
+            GivenQuantity::Separation => "p(d)",
+            GivenQuantity::Pressure => "d(p)",
         }
     }
 
@@ -39,8 +39,8 @@ impl Given {
     pub fn error(self, answer: &Answer, exact: &State) -> f64 {
         let area = (answer.area_fraction / exact.area_fraction - 1.0).abs();
         let other = match self {
-            Given::Separation => (answer.pressure_pa / exact.pressure_pa - 1.0).abs(),
-            Given::Pressure => (answer.separation_over_sigma - exact.separation_over_sigma).abs(),
+            GivenQuantity::Separation => (answer.pressure_pa / exact.pressure_pa - 1.0).abs(),
+            GivenQuantity::Pressure => (answer.separation_over_sigma - exact.separation_over_sigma).abs(),
         };
         if area.is_nan() || other.is_nan() { f64::INFINITY } else { area.max(other) }
     }
@@ -147,7 +147,7 @@ pub enum Outcome {
 
 impl Outcome {
     /// Compares an answer with its reference.
-    pub fn new(given: Given, answer: &Answer, exact: &State) -> Self {
+    pub fn new(given: GivenQuantity, answer: &Answer, exact: &State) -> Self {
         match given.error(answer, exact) {
             error if error <= WRONG_FROM => Outcome::Right(error),
             error => Outcome::Wrong(error),
@@ -163,7 +163,7 @@ pub struct Point {
     /// Name of the law, with strain gradient if it has one.
     pub law: String,
     /// Given quantity.
-    pub given: Given,
+    pub given: GivenQuantity,
     /// Separation in sigma, of the reference.
     pub separation_over_sigma: f64,
     /// Engine that answered.
@@ -204,11 +204,11 @@ mod tests {
     #[test]
     fn the_worse_of_two_errors_counts_and_nothing_undefined_is_right() {
         let answer = Answer { separation_over_sigma: 2.001, pressure_pa: 1e6, area_fraction: 0.1 * 1.00001 };
-        assert!((Given::Pressure.error(&answer, &EXACT) - 1e-3).abs() < 1e-12);
-        assert!((Given::Separation.error(&answer, &EXACT) - 1e-5).abs() < 1e-12);
+        assert!((GivenQuantity::Pressure.error(&answer, &EXACT) - 1e-3).abs() < 1e-12);
+        assert!((GivenQuantity::Separation.error(&answer, &EXACT) - 1e-5).abs() < 1e-12);
         let undefined = Answer { area_fraction: f64::NAN, ..answer };
-        assert_eq!(Outcome::new(Given::Pressure, &undefined, &EXACT), Outcome::Wrong(f64::INFINITY));
+        assert_eq!(Outcome::new(GivenQuantity::Pressure, &undefined, &EXACT), Outcome::Wrong(f64::INFINITY));
         let zero = Answer { pressure_pa: 0.0, area_fraction: 0.0, ..answer };
-        assert_eq!(Outcome::new(Given::Separation, &zero, &EXACT), Outcome::Wrong(1.0));
+        assert_eq!(Outcome::new(GivenQuantity::Separation, &zero, &EXACT), Outcome::Wrong(1.0));
     }
 }

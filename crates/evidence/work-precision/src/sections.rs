@@ -1,10 +1,10 @@
 //! Tables of `docs/develop/performance.md`, from the measurements.
 
-use crate::competitors::Missing;
+use crate::competitors::MissingPackage;
 use crate::kernels::{Cost, KernelCost};
 use crate::machine::Fact;
 use crate::page::{error, table, three_digits, time};
-use crate::point::{Engine, Given, Point};
+use crate::point::{Engine, GivenQuantity, Point};
 use crate::scaling::Scaling;
 use crate::stack::{BARRED_LAW, StackCost};
 use crate::verdicts::{FOUR_LAWS, mean_of_four, mean_seconds, standing, worst_error};
@@ -29,7 +29,7 @@ pub struct Measured {
     /// Machine and versions.
     pub facts: Vec<Fact>,
     /// Competitors that were missing.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingPackage>,
     /// Answers of all engines.
     pub points: Vec<Point>,
     /// Costs of single asperities.
@@ -49,8 +49,8 @@ pub fn all(measured: &Measured) -> [(&'static str, String); 10] {
         ("standings", standings(points)),
         ("where-ahead", where_ahead(points)),
         ("ratios", ratios(points)),
-        ("states-by-separation", state_costs(points, Given::Separation)),
-        ("states-by-pressure", state_costs(points, Given::Pressure)),
+        ("states-by-separation", state_costs(points, GivenQuantity::Separation)),
+        ("states-by-pressure", state_costs(points, GivenQuantity::Pressure)),
         ("kernels", kernel_costs(kernels)),
         ("stack", stack_costs(stack)),
         ("scaling", scaling.as_ref().map_or_else(|reason| format!("Not measured: {reason}."), growths)),
@@ -69,7 +69,7 @@ pub fn laws(points: &[Point]) -> Vec<&str> {
 }
 
 /// Table of the machine, and of missing competitors.
-fn machine_table(facts: &[Fact], missing: &[Missing]) -> String {
+fn machine_table(facts: &[Fact], missing: &[MissingPackage]) -> String {
     let mut rows: Vec<Vec<String>> =
         facts.iter().map(|(name, value)| vec![name.clone(), value.clone()]).collect();
     rows.extend(missing.iter().map(|m| vec![m.package.clone(), format!("**missing**: {}", m.reason)]));
@@ -120,13 +120,13 @@ fn ratio_row(what: &str, bar: f64, ours: Option<f64>, theirs: Option<f64>, name:
 }
 
 fn state_bar(points: &[Point], scipy: Engine) -> Vec<String> {
-    let mean = |engine| mean_of_four(points, engine, STATE_TOLERANCE, Given::Pressure);
+    let mean = |engine| mean_of_four(points, engine, STATE_TOLERANCE, GivenQuantity::Pressure);
     let what = format!("a state at a given load, 10⁻¹⁰, mean of four laws, against {}", scipy.name());
     ratio_row(&what, STATE_BAR, mean(Engine::Ours), mean(scipy), scipy.name())
 }
 
 fn pair_bar(points: &[Point]) -> Vec<String> {
-    let mean = |engine, setting| mean_seconds(points, engine, setting, "hertz", Given::Separation);
+    let mean = |engine, setting| mean_seconds(points, engine, setting, "hertz", GivenQuantity::Separation);
     let ours = mean(Engine::Ours, PAIR_TOLERANCE);
     let theirs = mean(Engine::Fn, Engine::Fn.settings()[0]);
     let what = "Hertz, area and load at a separation, 10⁻¹², against ContactMechanics' Fn";
@@ -192,7 +192,7 @@ fn where_ahead(points: &[Point]) -> String {
 }
 
 /// Table of the cost of a state by law and tolerance, with the worst error.
-fn state_costs(points: &[Point], given: Given) -> String {
+fn state_costs(points: &[Point], given: GivenQuantity) -> String {
     let columns: Vec<String> =
         std::iter::once("law".to_owned()).chain(SHOWN_TOLERANCES.iter().map(|t| format!("{t:e}"))).collect();
     let rows = laws(points).into_iter().map(|law| {
@@ -213,7 +213,7 @@ fn state_costs(points: &[Point], given: Given) -> String {
 fn ratios(points: &[Point]) -> String {
     let mut rows = Vec::new();
     for law in laws(points) {
-        for given in Given::ALL {
+        for given in GivenQuantity::ALL {
             let ours = mean_seconds(points, Engine::Ours, STATE_TOLERANCE, law, given);
             let scipy = mean_seconds(points, Engine::Quad, STATE_TOLERANCE, law, given);
             let contact_mechanics = mean_seconds(points, Engine::Fn, Engine::Fn.settings()[0], law, given);
@@ -302,7 +302,7 @@ mod tests {
         Point {
             population: "steel".to_owned(),
             law: law.to_owned(),
-            given: Given::Pressure,
+            given: GivenQuantity::Pressure,
             separation_over_sigma: 0.0,
             engine,
             setting,

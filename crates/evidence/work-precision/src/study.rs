@@ -1,8 +1,8 @@
 //! The study: every question to every engine.
 
-use crate::competitors::{At, Missing, Question, Row, Setting, Worker, package};
+use crate::competitors::{MissingPackage, Question, Row, Setting, States, Worker, package};
 use crate::ours;
-use crate::point::{Answer, Engine, Given, Outcome, Point};
+use crate::point::{Answer, Engine, GivenQuantity, Outcome, Point};
 use crate::reference::Group;
 
 /// Seconds for the repetitions of one of our states, before the competitors' and again after them.
@@ -12,10 +12,10 @@ const THEIR_BUDGET_S: f64 = 0.03;
 
 /// Returns every answer to the states of a group. Ours are measured before and after theirs, so that a machine that
 /// slows down or speeds up favours nobody.
-pub fn points(group: &Group, worker: Option<&mut Worker>, missing: &[Missing]) -> Vec<Point> {
+pub fn points(group: &Group, worker: Option<&mut Worker>, missing: &[MissingPackage]) -> Vec<Point> {
     let mut worker = worker;
     let mut points = Vec::new();
-    for given in Given::ALL {
+    for given in GivenQuantity::ALL {
         let before = our_points(group, given);
         for engine in Engine::ALL.into_iter().filter(|engine| engine.knows(&group.case.model)) {
             let there = package(engine).is_some_and(|package| missing.iter().all(|m| m.package != package));
@@ -31,7 +31,7 @@ pub fn points(group: &Group, worker: Option<&mut Worker>, missing: &[Missing]) -
     points
 }
 
-fn our_points(group: &Group, given: Given) -> Vec<Point> {
+fn our_points(group: &Group, given: GivenQuantity) -> Vec<Point> {
     let mut points = Vec::new();
     for &tolerance in Engine::Ours.settings() {
         for at in 0..group.states.len() {
@@ -44,7 +44,7 @@ fn our_points(group: &Group, given: Given) -> Vec<Point> {
     points
 }
 
-fn our_batches(group: &Group, given: Given) -> Vec<Point> {
+fn our_batches(group: &Group, given: GivenQuantity) -> Vec<Point> {
     let mut points = Vec::new();
     for &tolerance in Engine::OursBatch.settings() {
         let (answers, seconds) = ours::timed_batch(group, given, tolerance, OUR_BUDGET_S);
@@ -58,21 +58,21 @@ fn our_batches(group: &Group, given: Given) -> Vec<Point> {
 
 fn their_points(
     group: &Group,
-    given: Given,
+    given: GivenQuantity,
     engine: Engine,
     setting: f64,
     worker: &mut Worker,
 ) -> Vec<Point> {
     let at = group.states.iter().map(|state| match given {
-        Given::Separation => state.separation_over_sigma,
-        Given::Pressure => state.pressure_pa.ln(),
+        GivenQuantity::Separation => state.separation_over_sigma,
+        GivenQuantity::Pressure => state.pressure_pa.ln(),
     });
     let asked = Question {
         engine: worker_name(engine),
         setting: Setting::from_number(setting),
-        by_pressure: given == Given::Pressure,
+        by_pressure: given == GivenQuantity::Pressure,
         case: &group.case,
-        at: At::Many(at.collect()),
+        at: States::Many(at.collect()),
         seconds: THEIR_BUDGET_S,
     };
     let rows = worker.ask(&asked);
@@ -111,7 +111,7 @@ fn answer(row: &Row) -> Answer {
 fn point(
     group: &Group,
     at: usize,
-    given: Given,
+    given: GivenQuantity,
     engine: Engine,
     setting: f64,
     seconds: f64,

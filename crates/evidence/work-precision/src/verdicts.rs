@@ -1,6 +1,6 @@
 //! Competitors that are both faster and more accurate than we are, if any, and our lead where all are right.
 
-use crate::point::{Engine, Given, Point};
+use crate::point::{Engine, GivenQuantity, Point};
 
 /// Laws on the work-precision plots.
 pub const FOUR_LAWS: [&str; 4] = ["hertz", "ep-sphere", "elastic-sine", "ep-sine"];
@@ -71,17 +71,29 @@ fn rounding(separation_over_sigma: f64) -> f64 {
 }
 
 /// Mean seconds of an engine over the right answers to a question about a law; `None` without any.
-pub fn mean_seconds(points: &[Point], engine: Engine, setting: f64, law: &str, given: Given) -> Option<f64> {
+pub fn mean_seconds(
+    points: &[Point],
+    engine: Engine,
+    setting: f64,
+    law: &str,
+    given: GivenQuantity,
+) -> Option<f64> {
     mean(selected(points, engine, setting, law, given).filter(|p| p.error().is_some()).map(|p| p.seconds))
 }
 
 /// Worst error of an engine over the right answers to a question about a law; `None` without any.
-pub fn worst_error(points: &[Point], engine: Engine, setting: f64, law: &str, given: Given) -> Option<f64> {
+pub fn worst_error(
+    points: &[Point],
+    engine: Engine,
+    setting: f64,
+    law: &str,
+    given: GivenQuantity,
+) -> Option<f64> {
     selected(points, engine, setting, law, given).filter_map(Point::error).reduce(f64::max)
 }
 
 /// Mean seconds over the four laws with equal weight; `None` if one of them is missing.
-pub fn mean_of_four(points: &[Point], engine: Engine, setting: f64, given: Given) -> Option<f64> {
+pub fn mean_of_four(points: &[Point], engine: Engine, setting: f64, given: GivenQuantity) -> Option<f64> {
     let means = FOUR_LAWS.map(|law| mean_seconds(points, engine, setting, law, given));
     means.into_iter().sum::<Option<f64>>().map(|sum| sum / FOUR_LAWS.len() as f64)
 }
@@ -91,7 +103,7 @@ fn selected<'a>(
     engine: Engine,
     setting: f64,
     law: &'a str,
-    given: Given,
+    given: GivenQuantity,
 ) -> impl Iterator<Item = &'a Point> {
     points.iter().filter(move |point| {
         point.engine == engine && point.setting == setting && point.law == law && point.given == given
@@ -112,7 +124,7 @@ mod tests {
         Point {
             population: "steel".to_owned(),
             law: "hertz".to_owned(),
-            given: Given::Separation,
+            given: GivenQuantity::Separation,
             separation_over_sigma: 0.0,
             engine,
             setting: 1e-8,
@@ -168,7 +180,7 @@ mod tests {
             .iter()
             .map(|law| Point { law: (*law).to_owned(), ..point(Engine::Quad, 2e-3, 0.0) })
             .collect();
-        let mean = |points: &[Point]| mean_of_four(points, Engine::Quad, 1e-8, Given::Separation);
+        let mean = |points: &[Point]| mean_of_four(points, Engine::Quad, 1e-8, GivenQuantity::Separation);
         assert_eq!(mean(&points), Some(2e-3));
         assert_eq!(mean(&points[..3]), None);
     }

@@ -171,9 +171,9 @@ impl GapLaw {
     /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure.
     ///
     /// # Errors
-    /// [`SamplingError`] as [`ContactLaw::sampled`] has it.
+    /// [`SamplingError`] as [`ContactLaw::sample`] has it.
     pub fn sampled(&self, range_pa: [f64; 2], tolerance: f64) -> Result<ContactLaw, SamplingError<GapError>> {
-        ContactLaw::sampled(range_pa, tolerance, |pressure_pa| {
+        ContactLaw::sample(range_pa, tolerance, |pressure_pa| {
             let GapState { area_fraction, mean_gap_m, .. } = self.at(pressure_pa)?;
             Ok(mean_gap_m.map(|mean_gap_m| LawPoint { pressure_pa, mean_gap_m, area_fraction }))
         })

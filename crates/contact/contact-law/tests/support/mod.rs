@@ -27,5 +27,5 @@ pub fn sampled(range_pa: [f64; 2], tolerance: f64) -> ContactLaw {
         let mean_gap_m = separation.whole(pressure_pa).mean_gap_m;
         Ok::<_, Infallible>(Some(LawPoint { pressure_pa, mean_gap_m, area_fraction: pressure_pa / 2e10 }))
     };
-    ContactLaw::sampled(range_pa, tolerance, at).unwrap()
+    ContactLaw::sample(range_pa, tolerance, at).unwrap()
 }

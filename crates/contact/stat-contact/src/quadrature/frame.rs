@@ -149,20 +149,20 @@ impl<'a> Frame<'a> {
     }
 
     /// Moves the frame to a separation near the centre, for further questions there.
-    pub fn at(&mut self, u: f64) -> Here<'_, 'a> {
+    pub fn at(&mut self, u: f64) -> FrameState<'_, 'a> {
         let sums = self.sums_at(u);
-        Here { frame: self, u, sums }
+        FrameState { frame: self, u, sums }
     }
 }
 
 /// A frame at a separation near its centre.
-pub(crate) struct Here<'f, 'a> {
+pub(crate) struct FrameState<'f, 'a> {
     frame: &'f Frame<'a>,
     pub u: f64,
     pub sums: Sums,
 }
 
-impl Here<'_, '_> {
+impl FrameState<'_, '_> {
     /// Estimate of the larger relative error of the two integrals.
     pub fn relative_error(&self) -> f64 {
         let Frame { window, integrals, .. } = self.frame;

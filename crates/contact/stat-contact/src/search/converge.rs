@@ -1,7 +1,7 @@
 //! Searches that step towards the solution from a start: first on rough quadratures, then on those of the cells.
 
 use super::bracket::Bracket;
-use super::problem::{Found, Search};
+use super::problem::{CellSolution, Search};
 use crate::quadrature::cell::Cell;
 
 /// Steps after which a search ends in any case; each halves a bracket or better.
@@ -11,7 +11,7 @@ const MOST_ROUGH_STEPS: usize = 12;
 
 /// End of a search.
 struct SearchEnd {
-    found: Found,
+    found: CellSolution,
     /// True if it came from another cell.
     moved: bool,
 }
@@ -47,7 +47,7 @@ impl Search<'_, '_> {
     /// From any start it ends on the same quadrature with the same digits: it solves from the centre of the last cell
     /// even if it came from another one, and of two cells that both place the solution in themselves it takes the
     /// nearer.
-    pub fn settle(&mut self, near: f64, bracket: Bracket) -> Option<Found> {
+    pub fn settle(&mut self, near: f64, bracket: Bracket) -> Option<CellSolution> {
         let whole = bracket.on_fine_quadratures();
         let SearchEnd { found, moved } = self.move_to_cell(near, whole)?;
         let found = if moved { self.solve_again(found.cell, whole).unwrap_or(found) } else { found };
@@ -71,7 +71,7 @@ impl Search<'_, '_> {
             // Two neighbouring cells may each place the solution just beyond their common edge; the nearer one has it.
             let undecided = from == Some(next) && next.is_beside(cell);
             if next == cell || (undecided && cell.is_nearer_than(next)) || steps == MOST_STEPS {
-                return Some(SearchEnd { found: Found { cell, u }, moved: steps > 0 });
+                return Some(SearchEnd { found: CellSolution { cell, u }, moved: steps > 0 });
             }
             from = Some(cell);
             cell = next;
@@ -81,9 +81,10 @@ impl Search<'_, '_> {
 
     /// Solves again from the centre of the cell. The solution differs by rounding, or by what the bracket has cut off
     /// where two cells disagree. `None` if that leads away.
-    fn solve_again(&mut self, cell: Cell, mut bracket: Bracket) -> Option<Found> {
+    fn solve_again(&mut self, cell: Cell, mut bracket: Bracket) -> Option<CellSolution> {
         let u = self.solve_on(cell, bracket.inside(cell), &mut bracket)?;
-        (Cell::containing(u) == cell || Cell::containing(u).is_beside(cell)).then_some(Found { cell, u })
+        (Cell::containing(u) == cell || Cell::containing(u).is_beside(cell))
+            .then_some(CellSolution { cell, u })
     }
 
     /// Solves on the quadrature of a cell, or returns a separation that needs another one; `None` above the highest
@@ -107,12 +108,12 @@ impl Search<'_, '_> {
 
     /// Returns true if a search has converged. Near a maximum, and between several, its parabolas may not lead to the
     /// load.
-    pub fn is_carried_by(&mut self, found: Found) -> bool {
+    pub fn is_carried_by(&mut self, found: CellSolution) -> bool {
         self.missed_by(found) == 0.0
     }
 
     /// Relative residual of the pressure ([`Answer`](super::problem::Answer)).
-    pub fn missed_by(&mut self, Found { cell, u }: Found) -> f64 {
+    pub fn missed_by(&mut self, CellSolution { cell, u }: CellSolution) -> f64 {
         const CLOSE: f64 = 1e-11;
         let sums = self.frames.frame(cell).sums_at(u);
         let missing = self.missing(u, &sums).abs();
@@ -121,7 +122,7 @@ impl Search<'_, '_> {
     }
 
     /// Possible displacement of the solution by the quadratures; `None` if it is no small part of a cell.
-    pub fn leeway(&mut self, Found { cell, u }: Found) -> Option<f64> {
+    pub fn leeway(&mut self, CellSolution { cell, u }: CellSolution) -> Option<f64> {
         // Few quadratures err by more than four times their tolerance.
         const CAUTION: f64 = 4.0;
         // Share of a cell from which on the quadratures do not determine the cell of the solution.

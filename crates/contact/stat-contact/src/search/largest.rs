@@ -2,7 +2,7 @@
 
 use super::bracket::Bracket;
 use super::converge::is_near;
-use super::problem::{Answer, Found, Neighbour, Search};
+use super::problem::{Answer, CellSolution, Neighbour, Search};
 use crate::asperities::answers::Course;
 use crate::far::FAR;
 use crate::quadrature::cell::Cell;
@@ -16,10 +16,10 @@ impl Search<'_, '_> {
     /// doubt.
     pub fn largest(&mut self, neighbour: Option<Neighbour>) -> Option<Answer> {
         if self.frames.are_one() {
-            // The same start every time, a few steps off, makes the digits the same every time.
+            // A fixed start, a few steps off, makes the digits reproducible.
             let mut bracket = Bracket::EVERYTHING.on_fine_quadratures();
             let u = self.solve_on(Cell::ANY, USUAL_SEPARATION, &mut bracket)?;
-            return Some(Found { cell: Cell::ANY, u }.into());
+            return Some(CellSolution { cell: Cell::ANY, u }.into());
         }
         let near = neighbour.and_then(|neighbour| self.solution_near(neighbour)).map(Answer::from);
         let answer = near.or_else(|| self.solution_anywhere())?;
@@ -31,12 +31,12 @@ impl Search<'_, '_> {
     }
 
     /// Solution with its residual.
-    fn answer(&mut self, found: Found) -> Answer {
+    fn answer(&mut self, found: CellSolution) -> Answer {
         Answer { found, missed_by: self.missed_by(found) }
     }
 
     /// Solution near that of another pressure; `None` if it may differ from the one found without a neighbour.
-    fn solution_near(&mut self, neighbour: Neighbour) -> Option<Found> {
+    fn solution_near(&mut self, neighbour: Neighbour) -> Option<CellSolution> {
         if !matches!(self.course(), Course::Rises | Course::Peaks { certain: true }) {
             return None;
         }
@@ -77,7 +77,7 @@ impl Search<'_, '_> {
 
     /// Solution nearest to the separation that carries most: the peak of the pressure, or the depth at which searches
     /// end.
-    fn solution_beside_most_loaded(&mut self) -> Option<Found> {
+    fn solution_beside_most_loaded(&mut self) -> Option<CellSolution> {
         let peak = self.peak();
         let most_loaded = peak.unwrap_or(-FAR);
         if self.missing_at(most_loaded) <= 0.0 {
@@ -87,6 +87,6 @@ impl Search<'_, '_> {
         // the error of the quadrature.
         let falls_before_end =
             self.frames.asperities.falls_from_m().is_some_and(|at_m| at_m <= FAR * self.frames.sigma_s_m);
-        (!falls_before_end).then_some(Found { cell: Cell::containing(-FAR), u: -FAR })
+        (!falls_before_end).then_some(CellSolution { cell: Cell::containing(-FAR), u: -FAR })
     }
 }

@@ -20,7 +20,7 @@ pub(crate) struct Search<'s, 'a> {
 
 /// Separation, with the cell on whose frame it carries the pressure.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Found {
+pub(crate) struct CellSolution {
     pub cell: Cell,
     pub u: f64,
 }
@@ -29,13 +29,13 @@ pub(crate) struct Found {
 /// the quadratures if the pressures of two cells leave the load between them, at their common edge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answer {
-    pub found: Found,
+    pub found: CellSolution,
     pub missed_by: f64,
 }
 
-impl From<Found> for Answer {
+impl From<CellSolution> for Answer {
     /// Result of a search that has converged.
-    fn from(found: Found) -> Self {
+    fn from(found: CellSolution) -> Self {
         Answer { found, missed_by: 0.0 }
     }
 }

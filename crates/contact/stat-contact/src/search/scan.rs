@@ -3,7 +3,7 @@
 use numerics::zero_in_bracket;
 
 use super::bracket::Bracket;
-use super::problem::{Found, OUT_OF_SIGHT, Search};
+use super::problem::{CellSolution, OUT_OF_SIGHT, Search};
 use crate::far::FAR;
 use crate::quadrature::cell::Cell;
 
@@ -28,7 +28,7 @@ fn reaches(u: f64) -> impl Iterator<Item = f64> {
 impl Search<'_, '_> {
     /// Crossing of the load nearest to a separation, on the quadrature of its cell; `None` if the load is missing
     /// from there down to the depth at which searches end.
-    pub fn crossing_around(&mut self, u: f64) -> Option<Found> {
+    pub fn crossing_around(&mut self, u: f64) -> Option<CellSolution> {
         if self.missing_at(u) <= 0.0 {
             return Some(self.crossing_beyond(u));
         }
@@ -47,7 +47,7 @@ impl Search<'_, '_> {
     }
 
     /// Crossing at a larger separation that is nearest to one that carries the load.
-    pub fn crossing_beyond(&mut self, u: f64) -> Found {
+    pub fn crossing_beyond(&mut self, u: f64) -> CellSolution {
         let mut low = u;
         for reach in reaches(u) {
             let high = u + reach;
@@ -57,13 +57,13 @@ impl Search<'_, '_> {
             low = high;
         }
         // The last distance is past any separation whose pressure is above the smallest number.
-        Found { cell: Cell::containing(low), u: low }
+        CellSolution { cell: Cell::containing(low), u: low }
     }
 
     /// Crossing between two separations; the nearer one carries the pressure or more, the other one less.
-    fn bisect(&mut self, low: f64, high: f64) -> Found {
+    fn bisect(&mut self, low: f64, high: f64) -> CellSolution {
         let u = zero_in_bracket(low, high, |u| self.missing_at(u));
-        Found { cell: Cell::containing(u), u }
+        CellSolution { cell: Cell::containing(u), u }
     }
 
     /// Bracket of the largest solution for a force that steps down at an interference, in units of sigma_s.
@@ -78,7 +78,7 @@ impl Search<'_, '_> {
 
     /// Largest separation for a force that dips between two rises and carries some pressures three times; `None` if
     /// it is u, the one already found.
-    pub fn before_dip(&mut self, u: f64) -> Option<Found> {
+    pub fn before_dip(&mut self, u: f64) -> Option<CellSolution> {
         // Stride across a dip: at least four, and ten for each factor e of the separation.
         const SHARE_OF_DIP: f64 = 0.25;
         const SHARE_OF_DEPTH: f64 = 0.1;

@@ -8,7 +8,7 @@ const PACKAGES: [&str; 2] = ["scipy", "ContactMechanics"];
 
 /// Competitor that is missing, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Missing {
+pub struct MissingPackage {
     /// Name of the package.
     pub package: String,
     /// Reason in one line.
@@ -21,7 +21,7 @@ pub struct Environment {
     /// Path of the interpreter.
     pub python: PathBuf,
     /// Packages that could not be installed.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingPackage>,
 }
 
 impl Environment {
@@ -29,7 +29,8 @@ impl Environment {
     pub fn prepare(folder: &Path) -> Self {
         let python = folder.join("bin/python");
         if let Err(reason) = succeed(Command::new("python3").args(["-m", "venv"]).arg(folder)) {
-            let nothing = |package: &&str| Missing { package: (*package).to_owned(), reason: reason.clone() };
+            let nothing =
+                |package: &&str| MissingPackage { package: (*package).to_owned(), reason: reason.clone() };
             return Environment { python, missing: PACKAGES.iter().map(nothing).collect() };
         }
         let constraints = scripts().join("requirements.txt");
@@ -37,7 +38,7 @@ impl Environment {
             let mut pip = Command::new(&python);
             pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--constraint"]);
             let reason = succeed(pip.arg(&constraints).arg(package)).err()?;
-            Some(Missing { package: (*package).to_owned(), reason })
+            Some(MissingPackage { package: (*package).to_owned(), reason })
         });
         let missing = missing.collect();
         Environment { python, missing }

@@ -3,8 +3,8 @@
 mod environment;
 mod worker;
 
-pub use environment::{Environment, Missing};
-pub use worker::{At, Question, Row, Setting, Worker};
+pub use environment::{Environment, MissingPackage};
+pub use worker::{Question, Row, Setting, States, Worker};
 
 use crate::point::Engine;
 

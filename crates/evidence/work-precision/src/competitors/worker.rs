@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use serde::{Deserialize, Serialize};
 
-use super::environment::{Environment, Missing, scripts};
+use super::environment::{Environment, MissingPackage, scripts};
 use crate::reference::Case;
 
 /// Question to an engine.
@@ -22,7 +22,7 @@ pub struct Question<'a> {
     /// Population and law.
     pub case: &'a Case,
     /// States, by the given quantity.
-    pub at: At,
+    pub at: States,
     /// Seconds for repetitions.
     pub seconds: f64,
 }
@@ -47,7 +47,7 @@ impl Setting {
 /// One interference, or several states.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
-pub enum At {
+pub enum States {
     /// Interference over sigma.
     One(f64),
     /// Separations over sigma, or logarithms of pressures in Pa.
@@ -92,7 +92,7 @@ pub struct Worker {
     /// Versions of the packages it uses, by name.
     pub versions: BTreeMap<String, String>,
     /// Packages that could not be loaded.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingPackage>,
 }
 
 impl Worker {
@@ -113,8 +113,11 @@ impl Worker {
         let mut worker = Worker { child, questions, answers, versions, missing };
         let greeting: Greeting = parse(&worker.line()?)?;
         worker.versions = greeting.versions;
-        worker.missing =
-            greeting.missing.into_iter().map(|(package, reason)| Missing { package, reason }).collect();
+        worker.missing = greeting
+            .missing
+            .into_iter()
+            .map(|(package, reason)| MissingPackage { package, reason })
+            .collect();
         Ok(worker)
     }
 
