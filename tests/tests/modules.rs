@@ -25,26 +25,46 @@ fn no_modules_import_each_other_in_a_cycle() {
     assert!(cycles.is_empty(), "these modules import each other:\n{}", cycles.join("\n"));
 }
 
-/// What the modules below a folder import of each other. A module and one inside it are no pair: the outer one shows
-/// what the inner one makes.
-fn imports(src: &Path) -> Imports {
-    let files = rust_files(src);
-    let modules: BTreeSet<String> = files.iter().map(|file| module_of(file, src)).collect();
-    let mut imports = Imports::new();
-    for file in &files {
-        let module = module_of(file, src);
-        let text = std::fs::read_to_string(file).unwrap();
-        let mut found = Paths { module: &module, found: Vec::new() };
-        found.visit_file(
-            &syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", file.display())),
-        );
-        let inside = |outer: &str, inner: &str| outer.is_empty() || inner.starts_with(&format!("{outer}::"));
-        let named = found
-            .found
-            .iter()
-            .filter_map(|path| longest_module(path, &modules))
-            .filter(|named| *named != module && !inside(named, &module) && !inside(&module, named));
-        imports.insert(module.clone(), named.collect());
+#[test]
+fn a_cycle_of_three_modules_is_found_through_a_name_that_the_root_exports() {
+    let file = |text: &str| syn::parse_file(text).unwrap();
+    let source = Source::new([
+        (String::new(), file("mod a; mod b; mod c; pub use c::Third;")),
+        ("a".to_owned(), file("use crate::b::Second; pub struct First;")),
+        ("b".to_owned(), file("use crate::Third; pub struct Second;")),
+        ("c".to_owned(), file("pub struct Third; #[cfg(test)] mod tests { use crate::b::Second; }")),
+    ]);
+    assert!(cycles_of(&source.imports()).is_empty());
+    let source = Source::new(source.modules.into_iter().map(|(name, module)| {
+        let closes = name == "c";
+        (name, if closes { file("pub struct Third; fn f(_: &crate::a::First) {}") } else { module })
+    }));
+    assert_eq!(cycles_of(&source.imports()), [["a", "b", "c", "a"]]);
+}
+
+/// The folders of all crates: those of every floor, `xtask` and `tests`.
+fn crate_folders() -> Vec<PathBuf> {
+    let inside = |folder: PathBuf| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let floors = inside(committed_file("crates")).filter(|path| path.is_dir());
+    let crates = floors.flat_map(inside).filter(|path| path.is_dir());
+    crates.chain(["xtask", "tests"].map(committed_file)).collect()
+}
+
+/// The modules of a crate by their paths, `plan::states` for `src/plan/states.rs` and nothing for the root.
+struct Source {
+    modules: BTreeMap<String, syn::File>,
+    /// Names that a module has by `use`, each with its full path.
+    used: BTreeMap<String, BTreeMap<String, Segments>>,
+}
+
+impl Source {
+    fn read(src: &Path) -> Self {
+        let parse = |file: PathBuf| {
+            let text = std::fs::read_to_string(&file).unwrap();
+            let parsed = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            (module_of(&file, src), parsed)
+        };
+        Self::new(rust_files(src).into_iter().map(parse))
     }
 
     fn new(modules: impl IntoIterator<Item = (String, syn::File)>) -> Self {
@@ -173,26 +193,11 @@ struct Paths {
     used: Vec<(String, Segments)>,
 }
 
-/// The paths in a file that begin at the crate or a module above, from the crate's root; those of its tests are left
-/// out.
-struct Paths<'m> {
-    module: &'m str,
-    found: Vec<Vec<String>>,
-}
-
-impl Paths<'_> {
-    fn note(&mut self, path: &[String]) {
-        let mut base: Vec<String> = match path.first().map(String::as_str) {
-            Some("crate") => Vec::new(),
-            Some("super") => {
-                self.module.split("::").filter(|part| !part.is_empty()).map(str::to_owned).collect()
-            }
-            _ => return,
-        };
-        let ups = path.iter().take_while(|part| *part == "super").count();
-        base.truncate(base.len().saturating_sub(ups));
-        base.extend(path.iter().skip(ups.max(1)).cloned());
-        self.found.push(base);
+impl Paths {
+    fn of(file: &syn::File) -> Self {
+        let mut paths = Self::default();
+        paths.visit_file(file);
+        paths
     }
 
     fn note_tree(&mut self, before: &[String], tree: &syn::UseTree) {

@@ -55,7 +55,7 @@ pub fn press(trial: &Trial) -> Result<Vec<LoadResult>, TrialError> {
 /// # Errors
 /// The error of making or pressing the surface.
 pub fn contact(band: &WaveBand, grid: usize, number: u64, load: &TrialLoad) -> Result<Contact, TrialError> {
-    press(&mut elements(&surface(&band.spectrum()?, grid, number)?)?, load)
+    press_elements(&mut elements(&surface(&band.spectrum()?, grid, number)?)?, load)
 }
 
 /// Areas of one surface under one load.
@@ -72,10 +72,12 @@ fn one_surface(trial: &Trial, number: u64) -> Result<Vec<Areas>, TrialError> {
     let mut coarse = coarse.as_ref().map(elements).transpose()?;
     let mut fine = elements(&fine)?;
     let of_load = |load: &TrialLoad| {
-        let contact = press(&mut fine, load)?;
+        let contact = press_elements(&mut fine, load)?;
         let corrected = contact.area_fraction_corrected;
         let extrapolated = match &mut coarse {
-            Some(coarse) => extrapolated_area(corrected, press(coarse, load)?.area_fraction_corrected),
+            Some(coarse) => {
+                extrapolated_area(corrected, press_elements(coarse, load)?.area_fraction_corrected)
+            }
             None => corrected,
         };
         Ok(Areas { extrapolated, corrected, plastic: contact.plastic_area_fraction })
@@ -96,7 +98,7 @@ fn elements(surface: &Surface) -> Result<Elements, TrialError> {
     Ok(Elements::periodic(grid, surface.heights_m())?)
 }
 
-fn press(elements: &mut Elements, load: &TrialLoad) -> Result<Contact, TrialError> {
+fn press_elements(elements: &mut Elements, load: &TrialLoad) -> Result<Contact, TrialError> {
     let loading = Loading {
         contact_modulus_pa: CONTACT_MODULUS_PA,
         nominal_pressure_pa: load.nominal_pressure_pa(),

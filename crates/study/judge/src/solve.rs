@@ -1,7 +1,7 @@
 //! Surfaces pressed by boundary elements, window by window.
 
 use gaussian_surfaces::{Phases, Synthesis};
-use half_space::{Grid, Loading, PeriodicElements};
+use half_space::{Elements, Grid, Loading};
 use parallel::{NestedProgress, Progress};
 
 use crate::JudgeError;

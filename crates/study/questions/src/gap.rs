@@ -277,7 +277,7 @@ impl Note {
             notes.push(Note::WavesOfProfiles);
         }
         let light_loads = |up_to_pa| Note::LightLoads { up_to_pa, share: LIGHT_LOADS_SHARE };
-        notes.extend(law.light_loads_hold_up_to_pa(LIGHT_LOADS_SHARE).map(light_loads));
+        notes.extend(law.light_load_limit_pa(LIGHT_LOADS_SHARE).map(light_loads));
         notes
     }
 }
