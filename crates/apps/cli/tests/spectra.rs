@@ -183,7 +183,7 @@ fn a_spectrum_that_cannot_be_used_is_refused_with_file_and_line() {
     };
     assert_eq!(
         refused(b"wavelength_m,PSD_m3\n1e-3,1e-22\n1e-4,-1\n"),
-        "error: psd.csv: line 3: column 'PSD_m3' is '-1', it must be finite and above 0; correct it or remove the row\n"
+        "error: psd.csv: line 3: column 'PSD_m3' is '-1'; it must be finite and above 0: correct it or remove the row\n"
     );
     assert!(refused(b"\xff\xfe\0b").starts_with("error: psd.csv: line 1: "));
     assert!(refused(b"wavelength_m,PSD_m3\n1e-3,1e-22\n").starts_with("error: psd.csv: "));

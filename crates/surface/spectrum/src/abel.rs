@@ -4,10 +4,10 @@
 //! Ciso(q) = -2 Int_q^inf C1D'(p) (p^2 - q^2)^(-1/2) dp
 //!
 //! (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, for the first; the second is its inverse
-//! for sigma^2 = (1/pi) Int C1D dq = (1/2 pi) Int q Ciso dq.) Both are evaluated on the spectrum as all else in this
-//! crate sees it: a power law between neighbouring samples and zero outside them. A C1D that ends with a value above
-//! zero falls there in a step, whose derivative adds 2 C1D(q_max) (q_max^2 - q^2)^(-1/2) to Ciso; with it the variance
-//! of the band is the same in both spectra.
+//! for sigma^2 = (1/pi) Int C1D dq = (1/2 pi) Int q Ciso dq.) As everywhere in this crate, a spectrum is a power law
+//! between neighbouring samples and zero outside them. A C1D that ends above zero falls there in a step, whose
+//! derivative adds 2 C1D(q_max) (q_max^2 - q^2)^(-1/2) to Ciso; with it the variance of the band is the same in both
+//! spectra.
 //!
 //! At the last sample C1D is zero and Ciso infinite, so the results end one sample earlier.
 
@@ -20,7 +20,7 @@ use std::f64::consts::{PI, TAU};
 use crate::interval::ln_ratio;
 use crate::power_law::PowerLaw;
 
-/// C1D in m^3 at all wavelengths but the last, from Ciso in m^4; wavelengths in m, from long to short.
+/// Computes C1D \[m^3\] at all wavelengths but the last from Ciso \[m^4\]; wavelengths \[m\] from long to short.
 ///
 /// Relative error below 1e-12 for the piecewise power law. The work grows as the square of the number of samples.
 pub(crate) fn profile_of_area(wavelengths_m: &[f64], ciso_m4: &[f64]) -> Vec<f64> {
@@ -28,10 +28,10 @@ pub(crate) fn profile_of_area(wavelengths_m: &[f64], ciso_m4: &[f64]) -> Vec<f64
     starts(wavelengths_m).map(|q| panels.iter().map(|panel| panel.integral(q)).sum()).collect()
 }
 
-/// Ciso in m^4 at all wavelengths but the last, from C1D in m^3; wavelengths in m, from long to short.
+/// Computes Ciso \[m^4\] at all wavelengths but the last from C1D \[m^3\]; wavelengths \[m\] from long to short.
 ///
-/// Not positive where C1D rises too steeply to be a profile of an isotropic surface. Accuracy and work as for
-/// [`profile_of_area`], where no rise of C1D cancels a fall.
+/// Values are not positive where C1D rises too steeply for a profile of an isotropic surface. Accuracy and work are
+/// those of [`profile_of_area`] unless a rise of C1D cancels a fall.
 pub(crate) fn area_of_profile(wavelengths_m: &[f64], c1d_m3: &[f64]) -> Vec<f64> {
     let panels =
         panels(wavelengths_m, c1d_m3, |c1d, q, exponent| (-2.0 * exponent * c1d / q, exponent - 1.0));
@@ -43,8 +43,8 @@ pub(crate) fn area_of_profile(wavelengths_m: &[f64], c1d_m3: &[f64]) -> Vec<f64>
         .collect()
 }
 
-/// Int_q^inf f(p) (p^2 - q^2)^(-1/2) dp of a function f that is a power law of the wavevector on each of its pieces and
-/// zero elsewhere: the integral of which both spectra of an isotropic surface are made.
+/// The Abel integral Int_q^inf f(p) (p^2 - q^2)^(-1/2) dp of a function f that is a power law of the wavevector on each
+/// of its pieces and zero elsewhere.
 ///
 /// With f = p Ciso/pi it is C1D(q), with f = -2 C1D' it is Ciso(q) (Jacobs, Junge & Pastewka 2017, Surf. Topogr.:
 /// Metrol. Prop. 5:013001, and its inverse). Relative error below 1e-12 where no piece cancels another.
@@ -54,7 +54,7 @@ pub struct AbelIntegral {
 }
 
 impl AbelIntegral {
-    /// The integral of a function given by its pieces, in any order.
+    /// Prepares the integral of a function given by its pieces, in any order.
     #[must_use]
     pub fn of(pieces: impl IntoIterator<Item = PowerLaw>) -> Self {
         let cut = |piece: PowerLaw| {
@@ -64,20 +64,20 @@ impl AbelIntegral {
         Self { panels: pieces.into_iter().flat_map(cut).collect() }
     }
 
-    /// The integral from a wavevector above 0 \[rad/m\] up. The work grows with the number of pieces.
+    /// Integrates from a wavevector above 0 \[rad/m\] to infinity. The work grows with the number of pieces.
     #[must_use]
     pub fn from(&self, q_rad_per_m: f64) -> f64 {
         self.panels.iter().map(|panel| panel.integral(q_rad_per_m)).sum()
     }
 }
 
-/// The wavevectors of all samples but the last.
+/// Yields the wavevectors of all samples but the last.
 fn starts(wavelengths_m: &[f64]) -> impl Iterator<Item = f64> {
     wavelengths_m[..wavelengths_m.len() - 1].iter().map(|wavelength_m| TAU / wavelength_m)
 }
 
-/// The spectrum cut into panels, with `integrand` giving the factor of (p^2 - q^2)^(-1/2) at the start of an interval
-/// and its exponent there, from the value, the wavevector and the exponent of the spectrum.
+/// Cuts the spectrum into panels. From value, wavevector and exponent of the spectrum at the start of an interval,
+/// `integrand` computes the factor of (p^2 - q^2)^(-1/2) and its exponent.
 fn panels(
     wavelengths_m: &[f64],
     values: &[f64],
@@ -94,22 +94,22 @@ fn panels(
     panels
 }
 
-/// A piece of an integrand f(p) (p^2 - q^2)^(-1/2) in which f = f_0 (p/p_0)^b changes by no more than a factor of
-/// e^4 and p by no more than e.
+/// A piece of an integrand f(p) (p^2 - q^2)^(-1/2) in which f = f_0 (p/p_0)^b changes by at most a factor of e^4 and p
+/// by at most e.
 #[derive(Debug, Clone)]
 struct Panel {
     start: f64,
     end: f64,
     at_start: f64,
     exponent: f64,
-    /// From a q below this, the panel is no wider in ln p than its distance.
+    /// For q below this, the panel is no wider in ln p than its distance from q.
     nearest_far: f64,
-    /// p and f(p) dp of the Gauss rule in ln p, for every q that far below the panel.
+    /// Nodes p and weights f(p) dp of the Gauss rule in ln p, valid for every q below `nearest_far`.
     nodes: [(f64, f64); NODES],
 }
 
 impl Panel {
-    /// Equal panels in ln p from `start` to `end`.
+    /// Cuts an interval into panels of equal width in ln p.
     fn cut(start: f64, end: f64, ln_ratio: f64, at_start: f64, exponent: f64) -> impl Iterator<Item = Self> {
         let count = (ln_ratio * (1.0 + exponent.abs() / 4.0)).ceil().max(1.0);
         let width = ln_ratio / count;
@@ -126,7 +126,7 @@ impl Panel {
         Self { start, end, at_start, exponent, nearest_far: start * (start / end), nodes }
     }
 
-    /// Int f(p) (p^2 - q^2)^(-1/2) dp over the part of the panel above q.
+    /// Integrates f(p) (p^2 - q^2)^(-1/2) over the part of the panel above q.
     fn integral(&self, q: f64) -> f64 {
         if self.end <= q {
             0.0
@@ -137,7 +137,7 @@ impl Panel {
         }
     }
 
-    /// The substitution p = q cosh t removes the singularity: Int f(q cosh t) dt.
+    /// Integrates near the singularity, which the substitution p = q cosh t removes: Int f(q cosh t) dt.
     fn integral_close_to(&self, q: f64) -> f64 {
         // cosh t - 1 = 2 sinh^2(t/2) keeps the digits of a small p - q.
         let t_at = |p: f64| 2.0 * ((p - q) / (2.0 * q)).sqrt().asinh();
@@ -153,12 +153,12 @@ impl Panel {
     }
 }
 
-/// Nodes of the rule on a panel: no more than 16 are needed for the twelve digits that tests hold.
+/// Nodes per panel; 16 suffice for the twelve digits that the tests check.
 const NODES: usize = 16;
 
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(NODES));
 
-/// The nodes and weights of the rule between two bounds.
+/// Returns nodes and weights of the rule between two bounds.
 fn gauss_nodes(from: f64, to: f64) -> [(f64, f64); NODES] {
     let mut nodes = RULE.over(from, to);
     std::array::from_fn(|_| nodes.next().expect("the rule has as many nodes"))

@@ -10,21 +10,21 @@ use crate::profile::ProfilePsd;
 /// Equivalent noise bandwidth of the Hann window, in bins.
 const HANN_NOISE_BANDWIDTH: f64 = 1.5;
 
-/// How a spectrum becomes one amplitude for each sampled wavelength.
+/// Definition of the amplitude of each sampled wavelength of a spectrum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum AmplitudeDefinition {
-    /// sqrt(C1D/(1.5 lambda)): Jackson & Jacobs, Eq. (5), whatever the spacing of the samples.
+    /// sqrt(C1D/(1.5 lambda)): Jackson & Jacobs, Eq. (5), independent of the spacing of the samples.
     #[default]
     Eq5,
-    /// sqrt((2/pi) Int C1D dq) over the band between the geometric midpoints to the neighbouring samples (the
-    /// first and last bands end at their sample): the squares add up to twice the variance of the heights.
+    /// sqrt((2/pi) Int C1D dq) over the band between the geometric midpoints to the neighbouring samples; the first and
+    /// last bands end at their sample. The squares add up to twice the variance of the heights.
     Parseval,
 }
 
 named!(AmplitudeDefinition, "amplitude definition", { Eq5 => "eq5", Parseval => "parseval" });
 
-/// The scales of a spectrum, one for each sample, from long to short.
+/// Computes the scales of a spectrum, one per sample, from long to short wavelengths.
 ///
 /// [`AmplitudeDefinition::Parseval`] gives a spectrum of a single sample the amplitude 0: its band is empty.
 pub fn amplitudes(psd: &ProfilePsd, definition: AmplitudeDefinition) -> Vec<Scale> {

@@ -2,8 +2,7 @@
 
 /// Implements `AbsDiffEq` and `RelativeEq` for a struct of `f64` fields.
 ///
-/// The default absolute tolerance is zero: the fields are SI values of nanometre surfaces, next to which any
-/// fixed tolerance is enormous.
+/// The default absolute tolerance is zero: next to SI values of nanometre surfaces any fixed tolerance is enormous.
 macro_rules! approximate {
     ($type:ident { $($field:ident),+ }) => {
         impl approx::AbsDiffEq for $type {

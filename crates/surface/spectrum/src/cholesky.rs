@@ -1,13 +1,13 @@
-//! The Cholesky factor of a matrix of three rows, all that a fit of three parameters needs of linear algebra.
+//! The Cholesky factor of a 3 x 3 matrix, which suffices for a fit of three parameters.
 
-/// L with L L^T the matrix, below 0 nowhere on its diagonal.
+/// Lower triangular matrix L with a positive diagonal such that L L^T is the matrix.
 pub(crate) struct Cholesky {
     lower: [[f64; 3]; 3],
 }
 
 impl Cholesky {
-    /// The factor of a symmetric matrix; none where it is not positive definite, or not finite.
-    pub(crate) fn of(matrix: [[f64; 3]; 3]) -> Option<Self> {
+    /// Factorises a symmetric matrix; `None` if it is not positive definite or not finite.
+    pub(crate) fn new(matrix: [[f64; 3]; 3]) -> Option<Self> {
         let mut lower = [[0.0; 3]; 3];
         for row in 0..3 {
             for column in 0..=row {
@@ -27,7 +27,7 @@ impl Cholesky {
         (0..3).map(|i| self.lower[i][i]).fold(f64::INFINITY, f64::min)
     }
 
-    /// The inverse of the matrix, column by column by two substitutions.
+    /// Computes the inverse of the matrix, column by column by two substitutions.
     pub(crate) fn inverse(&self) -> [[f64; 3]; 3] {
         let lower = &self.lower;
         std::array::from_fn(|column| {
@@ -52,14 +52,14 @@ mod tests {
     #[test]
     fn the_inverse_undoes_the_matrix() {
         let matrix = [[4.0, 2.0, -1.0], [2.0, 5.0, 0.5], [-1.0, 0.5, 3.0]];
-        let inverse = Cholesky::of(matrix).unwrap().inverse();
+        let inverse = Cholesky::new(matrix).unwrap().inverse();
         for (i, row) in matrix.iter().enumerate() {
             let product: [f64; 3] =
                 std::array::from_fn(|j| row.iter().zip(&inverse).map(|(a, column)| a * column[j]).sum());
             let unit: [f64; 3] = std::array::from_fn(|j| f64::from(u8::from(i == j)));
             assert!(product.iter().zip(unit).all(|(found, unit)| (found - unit).abs() < 1e-15));
         }
-        assert!(Cholesky::of([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_none());
-        assert!(Cholesky::of([[f64::NAN; 3]; 3]).is_none());
+        assert!(Cholesky::new([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_none());
+        assert!(Cholesky::new([[f64::NAN; 3]; 3]).is_none());
     }
 }

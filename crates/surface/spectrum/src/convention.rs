@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use units::named;
 
-/// What the values of a power spectrum mean, stated through the variance sigma^2 of the heights.
+/// Convention of the values of a power spectrum, stated through the variance sigma^2 of the heights.
 ///
 /// q = 2 pi/lambda is the angular wavevector in rad/m and f = 1/lambda the spatial frequency in 1/m. The
 /// first three describe profiles and differ by constant factors; so do the last two, which describe areas.
@@ -34,14 +34,14 @@ named!(Convention, "convention", {
     C1D => "c1d", W1 => "w1", Frequency => "frequency", Ciso => "ciso", Persson => "persson",
 });
 
-/// A conversion that fails.
+/// Errors of converting a spectrum to another convention.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ConversionError {
-    /// Between line and area spectra, where no pointwise factor exists.
+    /// No pointwise factor exists between line and area spectra.
     #[error(
-        "converting values of a spectrum from {from} (m^{}) to {to} (m^{}): no factor does this; convert the whole \
-         spectrum, by the Abel integral over its samples",
+        "no factor converts values of a spectrum from {from} (m^{}) to {to} (m^{}); convert the whole spectrum by the \
+         Abel integral",
         from.metre_power(), to.metre_power()
     )]
     NoFactor {
@@ -52,9 +52,8 @@ pub enum ConversionError {
     },
     /// Fewer than three samples for the Abel integral, which drops the last.
     #[error(
-        "converting a spectrum from {from} (m^{}) to {to} (m^{}): the number of samples is {samples}, it must be at \
-         least 3, as the Abel integral between line and area spectra ends one sample earlier; give more of the \
-         spectrum",
+        "converting a spectrum from {from} (m^{}) to {to} (m^{}): {samples} samples; give at least 3 (the Abel integral \
+         drops the last)",
         from.metre_power(), to.metre_power()
     )]
     TooFewSamples {
@@ -65,13 +64,12 @@ pub enum ConversionError {
         /// Number of samples.
         samples: usize,
     },
-    /// An Abel integral that is no spectrum: a C1D that rises with the wavevector belongs to no isotropic surface,
-    /// and numbers near the limits of doubles overflow.
+    /// The Abel integral is not positive or not finite: no isotropic surface has a C1D that rises so steeply with the
+    /// wavevector, and numbers near the limits of doubles overflow.
     #[error(
-        "converting a spectrum from {from} (m^{}) to {to} (m^{}): at the wavelength {} the Abel \
-         integral is {}, it must be finite and above 0; smooth the spectrum, or cut it where it stops falling \
-         with the wavevector",
-        from.metre_power(), to.metre_power(), length(*.wavelength_m), three_digits(*.value)
+        "converting a spectrum from {from} (m^{}) to {to} (m^{}): the Abel integral is {} at {}; smooth the spectrum, \
+         or cut it where it stops falling with the wavevector",
+        from.metre_power(), to.metre_power(), three_digits(*.value), length(*.wavelength_m)
     )]
     NotPositive {
         /// The convention of the data.
@@ -86,7 +84,7 @@ pub enum ConversionError {
 }
 
 impl Convention {
-    /// The power of metres in the unit of the values: 3 for profiles, 4 for areas.
+    /// Power of metres in the unit of the values: 3 for profiles, 4 for areas.
     pub const fn metre_power(self) -> i32 {
         match self {
             Self::C1D | Self::W1 | Self::Frequency => 3,
@@ -94,7 +92,7 @@ impl Convention {
         }
     }
 
-    /// The dimensionless factor that turns values of this convention into values of `to`.
+    /// Returns the dimensionless factor that converts values of this convention to `to`.
     ///
     /// # Errors
     /// [`ConversionError::NoFactor`] between a profile and an area convention; [`crate::Psd::to`] converts those.
@@ -108,7 +106,7 @@ impl Convention {
         }
     }
 
-    /// The value in this convention where the reference convention of its group (C1D or Ciso) has 1.
+    /// Value in this convention per unit of the reference convention of its group (C1D or Ciso).
     fn per_reference(self) -> f64 {
         match self {
             Self::C1D | Self::Ciso => 1.0,
@@ -143,8 +141,8 @@ mod tests {
         let error = Convention::Ciso.factor_to(Convention::C1D).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "converting values of a spectrum from ciso (m^4) to c1d (m^3): no factor does this; convert the whole \
-             spectrum, by the Abel integral over its samples"
+            "no factor converts values of a spectrum from ciso (m^4) to c1d (m^3); convert the whole spectrum by the \
+             Abel integral"
         );
         for &from in Convention::ALL {
             for &to in Convention::ALL {

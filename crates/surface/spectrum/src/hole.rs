@@ -1,23 +1,24 @@
-//! Wavelengths that a spectrum skips.
+//! Holes in a spectrum: wavelengths that were not measured.
 
 use serde::Serialize;
 
 use crate::ProfilePsd;
 
-/// Neighbouring wavelengths this factor apart or more leave a hole between them: what lies there was not measured.
+/// Smallest ratio of neighbouring wavelengths that leaves a hole in the spectrum between them.
 pub const HOLE_FACTOR: f64 = 2.5;
 
-/// The wavelengths between two neighbouring samples that lie far apart.
+/// A hole in a spectrum: the wavelengths between two neighbouring samples that lie far apart.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Hole {
-    /// The sample at its long end \[m\].
+    /// Wavelength of the sample at the long end \[m\].
     pub longest_m: f64,
-    /// The sample at its short end \[m\].
+    /// Wavelength of the sample at the short end \[m\].
     pub shortest_m: f64,
 }
 
 impl ProfilePsd {
-    /// Where neighbouring wavelengths are a factor of [`HOLE_FACTOR`] or more apart, from long to short ones.
+    /// Lists the holes of the spectrum, from long to short wavelengths: neighbours a factor of [`HOLE_FACTOR`] or more
+    /// apart.
     #[must_use]
     pub fn holes(&self) -> Vec<Hole> {
         let pairs = self.wavelengths_m().windows(2);
@@ -29,7 +30,7 @@ impl ProfilePsd {
 }
 
 impl Hole {
-    /// How much of the wavelengths between two \[m\] lies in the hole, on a logarithmic scale: from 0 to 1.
+    /// Fraction of a band \[m\] that lies in the hole, on a logarithmic scale; 0 to 1.
     #[must_use]
     pub fn share_of(&self, longest_m: f64, shortest_m: f64) -> f64 {
         let within = self.longest_m.min(longest_m) / self.shortest_m.max(shortest_m);

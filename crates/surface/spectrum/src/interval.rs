@@ -1,11 +1,11 @@
-//! One interval between neighbouring samples, on which the spectrum is a power law of the wavevector.
+//! Intervals between neighbouring samples, on which the spectrum is a power law of the wavevector.
 
 use std::f64::consts::TAU;
 
 /// C1D = C_0 (q/q_0)^alpha between two neighbouring samples: a straight line in log-log axes.
 ///
-/// The logarithms of both ratios are kept because dense samples make them tiny: recomputed from rounded
-/// quotients they would lose as many digits as the samples are close.
+/// Both log ratios are stored: dense samples make them tiny, and recomputing them from rounded quotients would lose
+/// digits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval {
     start: Sample,
@@ -22,7 +22,7 @@ pub(crate) struct Sample {
 }
 
 impl Interval {
-    /// The interval from a sample to the next one at a shorter wavelength.
+    /// Makes the interval from a sample to the next one at a shorter wavelength.
     pub(crate) fn new(start: Sample, end: Sample) -> Self {
         let ln_q_ratio = ln_ratio(start.wavelength_m, end.wavelength_m);
         let ln_c_ratio = ln_ratio(end.c1d_m3, start.c1d_m3);
@@ -33,7 +33,7 @@ impl Interval {
         self.end.wavelength_m
     }
 
-    /// Int q^k C dq over the interval, in m^(2-k).
+    /// Integrates q^k C over the interval, in m^(2-k).
     ///
     /// With z = (k+1) ln(q_1/q_0) + ln(C_1/C_0) the integral is C q^(k+1) ln(q_1/q_0) (1 - e^-|z|)/|z|, taken
     /// at the end where C q^(k+1) is larger: no cancellation and no overflow of the exponential.
@@ -44,7 +44,7 @@ impl Interval {
         larger.c1d_m3 * q_rad_per_m.powi(k + 1) * self.ln_q_ratio * mean_decay(z.abs())
     }
 
-    /// C1D in m^3 at a wavelength of the interval.
+    /// Returns C1D \[m^3\] at a wavelength of the interval.
     pub(crate) fn value_at(&self, wavelength_m: f64) -> f64 {
         if wavelength_m == self.end.wavelength_m {
             return self.end.c1d_m3;
@@ -53,7 +53,7 @@ impl Interval {
         self.start.c1d_m3 * (fraction * self.ln_c_ratio).exp()
     }
 
-    /// The part of the interval at wavelengths from the cutoff up, if there is any.
+    /// Cuts the interval to wavelengths from the cutoff up; `None` if nothing is left.
     pub(crate) fn down_to(self, cutoff_wavelength_m: f64) -> Option<Self> {
         if self.end.wavelength_m >= cutoff_wavelength_m {
             Some(self)
@@ -65,7 +65,7 @@ impl Interval {
         }
     }
 
-    /// The two parts on either side of the geometric midpoint.
+    /// Splits the interval at its geometric midpoint.
     pub(crate) fn halves(&self) -> (Self, Self) {
         let middle = Sample {
             wavelength_m: self.start.wavelength_m.sqrt() * self.end.wavelength_m.sqrt(),
@@ -79,7 +79,7 @@ impl Interval {
     }
 }
 
-/// ln(a/b) of two positive numbers, to full relative precision also where they nearly agree.
+/// Computes ln(a/b) of two positive numbers, to full relative precision even if they nearly agree.
 pub(crate) fn ln_ratio(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if (0.5..=2.0).contains(&ratio) {
@@ -91,7 +91,7 @@ pub(crate) fn ln_ratio(a: f64, b: f64) -> f64 {
     }
 }
 
-/// (1 - e^-z)/z, the mean of e^-t over 0 <= t <= z, for z >= 0.
+/// Computes (1 - e^-z)/z, the mean of e^-t over 0 <= t <= z, for z >= 0.
 pub(crate) fn mean_decay(z: f64) -> f64 {
     if z == 0.0 { 1.0 } else { -(-z).exp_m1() / z }
 }
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn exponents_next_to_the_logarithmic_one_join_it_smoothly() {
+    fn integrals_are_continuous_at_the_logarithmic_exponent() {
         let at = |c: f64| interval([TAU, TAU / 2.0], [1.0, c]).integral(0) / 2f64.ln() - 1.0;
         assert_relative_eq!(at(0.5 * (1.0 + 1e-9)), 0.5e-9, max_relative = 1e-6);
         assert_relative_eq!(at(0.5 * (1.0 - 1e-9)), -0.5e-9, max_relative = 1e-6);

@@ -1,4 +1,5 @@
-//! Power spectra of rough surfaces: their conventions, their files, and what contact models need from them.
+//! Power spectra of rough surfaces: reads their files, converts their conventions, and computes the inputs of contact
+//! models.
 //!
 //! ```
 //! use spectrum::{AsperityParameters, Normalisation, Psd, ReadOptions, cumulative_moments, read_psd};
@@ -21,14 +22,13 @@
 //! * [`Scale`]: one wavelength with its amplitude, for models that stack sinusoids;
 //! * [`SelfAffineFit`]: Hurst exponent and roll-off;
 //! * [`SelfAffineProfile`]: the spectrum that has given [`RoughnessParameters`];
-//! * [`Superposition`]: the spectrum of the gap between two rough surfaces;
-//! * [`PowerLaw`] and [`AbelIntegral`]: pieces of a function of the wavevector, and the integral that joins line and area
-//!   spectra;
+//! * [`Superposition`]: the composite spectrum of two rough surfaces;
+//! * [`PowerLaw`] and [`AbelIntegral`]: pieces of a function of the wavevector, and the integral that joins line and
+//!   area spectra;
 //! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
-//! What it does not do: it opens no paths, prints nothing, and runs on one thread. It knows no heights: the crate `scans`
-//! reads them, and `topography` makes spectra of them. Between one- and two-dimensional spectra it converts by the Abel integral over the samples, which knows
-//! nothing of the surface beyond them.
+//! Not here: paths, printing, threads. The crate `scans` reads heights and `topography` computes their spectra.
+//! Conversions between one- and two-dimensional spectra use the Abel integral over the samples and nothing beyond them.
 
 mod abel;
 mod amplitude;
@@ -70,7 +70,7 @@ pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
 pub use superpose::{Superposition, superpose};
 pub use units::{Scale, UnknownName};
 
-/// The example of the page runs.
+/// Runs the example of the README as a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

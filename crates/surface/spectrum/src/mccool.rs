@@ -10,11 +10,11 @@ use serde::Serialize;
 use crate::approximate::approximate;
 use crate::moments::Moments;
 
-/// What the variance of the heights loses from surface to summits, in units of 1/(eta R)^2: 0.8968 m0/alpha.
+/// Difference of the variances of surface and summit heights, in units of 1/(eta R)^2: 0.8968 m0/alpha.
 const SUMMIT_VARIANCE_LOSS: f64 = 3.717e-4;
 /// Height of the mean asperity summit above the mean plane, in units of 1/(eta R).
 const SUMMIT_MEAN_HEIGHT: f64 = 0.045944;
-/// Nayak's parameter of a Gaussian isotropic surface is never below this.
+/// Smallest Nayak parameter of a Gaussian isotropic surface.
 const NAYAK_LOWEST: f64 = 1.5;
 
 /// The asperities of a surface whose spectrum ends at a cutoff.
@@ -35,9 +35,9 @@ pub struct AsperityParameters {
 approximate!(AsperityParameters { radius_m, density_per_m2, sigma_s_m, offset_m, nayak_alpha });
 
 impl AsperityParameters {
-    /// The parameters of the surface with these moments.
+    /// Computes the parameters of the surface with these moments.
     ///
-    /// `None` where a parameter is no finite number above 0, which needs moments that are zero, underflow or overflow:
+    /// `None` if a parameter is not finite and above 0. Only moments that are zero, underflow or overflow cause this:
     /// sigma_s^2 = m0 (1 - 0.8968/alpha), and alpha is at least 1 for every spectrum.
     pub fn from_moments(moments: &Moments) -> Option<Self> {
         let &Moments { m0_m2, m2, m4_per_m2, .. } = moments;
@@ -55,8 +55,8 @@ impl AsperityParameters {
         parameters.all_positive().then_some(parameters)
     }
 
-    /// Whether a Gaussian isotropic surface can have this bandwidth: alpha >= 1.5. Below, the parameters
-    /// stand for no such surface and deserve a warning.
+    /// Returns true if a Gaussian isotropic surface can have this bandwidth: alpha >= 1.5. Below, the parameters
+    /// describe no such surface and deserve a warning.
     pub fn is_gaussian_isotropic(&self) -> bool {
         self.nayak_alpha >= NAYAK_LOWEST
     }

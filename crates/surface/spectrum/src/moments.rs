@@ -13,17 +13,17 @@ use units::named;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Normalisation {
-    /// 1/pi, with which m0 is the variance of the heights (Parseval's theorem for C1D).
+    /// 1/pi; m0 is then the variance of the heights (Parseval's theorem for C1D).
     #[default]
     Parseval,
-    /// 1, as Jackson & Jacobs, Eq. (1), is printed: rms height and slope come out sqrt(pi) times too large.
+    /// 1, as printed in Jackson & Jacobs, Eq. (1): rms height and slope come out sqrt(pi) times too large.
     AsPrinted,
 }
 
 named!(Normalisation, "normalisation", { Parseval => "parseval", AsPrinted => "as-printed" });
 
 impl Normalisation {
-    /// The dimensionless factor.
+    /// Returns the dimensionless factor.
     pub const fn factor(self) -> f64 {
         match self {
             Self::Parseval => 1.0 / PI,
@@ -64,19 +64,17 @@ impl Moments {
     }
 }
 
-/// The moments for every cutoff, from the second sampled wavelength on: one entry fewer than there are
-/// samples.
+/// Computes the moments for every cutoff from the second sampled wavelength on, one entry fewer than samples.
 ///
 /// Jackson & Jacobs, Eq. (1), exact for a spectrum that is a power law between its samples.
 pub fn cumulative_moments(psd: &ProfilePsd, normalisation: Normalisation) -> Vec<Moments> {
     accumulate(psd.intervals(), normalisation)
 }
 
-/// The moments for every sampled cutoff above `cutoff_wavelength_m` (in m) and, last, for that cutoff itself.
+/// Computes the moments for every sampled cutoff above `cutoff_wavelength_m` \[m\] and, last, for that cutoff itself.
 ///
-/// The interval in which the cutoff lies ends there. Empty where the cutoff is not below the longest
-/// wavelength; with a cutoff below the shortest wavelength the last entry is the shortest wavelength's, since
-/// the spectrum says nothing beyond it.
+/// Empty if the cutoff is not below the longest wavelength. A cutoff below the shortest wavelength ends at the
+/// shortest, because the spectrum holds nothing beyond it.
 pub fn cumulative_moments_to(
     psd: &ProfilePsd,
     normalisation: Normalisation,
@@ -97,7 +95,7 @@ fn accumulate(intervals: impl Iterator<Item = Interval>, normalisation: Normalis
         .collect()
 }
 
-/// Neumaier's sum, whose error does not grow with the number of terms.
+/// Neumaier's compensated sum; its error does not grow with the number of terms.
 #[derive(Clone, Copy, Default)]
 struct CompensatedSum {
     sum: f64,

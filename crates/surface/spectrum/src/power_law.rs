@@ -1,36 +1,36 @@
-//! A piece of a function of the wavevector that is a power law.
+//! Pieces of a function of the wavevector that are power laws.
 
 use crate::interval::{ln_ratio, mean_decay};
 
-/// f(q) = f_0 (q/q_0)^b from q_0 to q_1, a straight line in log-log axes.
+/// The power law f(q) = f_0 (q/q_0)^b from q_0 to q_1, a straight line in log-log axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerLaw {
-    /// Where it begins, q_0 > 0 \[rad/m\].
+    /// Start q_0 > 0 \[rad/m\].
     pub start_rad_per_m: f64,
-    /// Where it ends, q_1 > q_0 \[rad/m\].
+    /// End q_1 > q_0 \[rad/m\].
     pub end_rad_per_m: f64,
-    /// Its value f_0 at the beginning, in the unit of the function.
+    /// Value f_0 at the start, in the unit of the function.
     pub at_start: f64,
-    /// The exponent b.
+    /// Exponent b.
     pub exponent: f64,
 }
 
 impl PowerLaw {
-    /// The power law through two points (wavevector \[rad/m\], value), both coordinates above 0 and the wavevectors rising.
+    /// Makes the power law through two points (wavevector \[rad/m\], value), all positive and the wavevectors rising.
     #[must_use]
     pub fn through(start: (f64, f64), end: (f64, f64)) -> Self {
         let exponent = ln_ratio(end.1, start.1) / ln_ratio(end.0, start.0);
         Self { start_rad_per_m: start.0, end_rad_per_m: end.0, at_start: start.1, exponent }
     }
 
-    /// Its value at a wavevector \[rad/m\], wherever that lies.
+    /// Returns the value at a wavevector \[rad/m\], also outside the piece.
     #[must_use]
     #[inline]
     pub fn value_at(&self, q_rad_per_m: f64) -> f64 {
         self.at_start * (q_rad_per_m / self.start_rad_per_m).powf(self.exponent)
     }
 
-    /// Int q^k f dq over the piece, exactly.
+    /// Integrates q^k f over the piece, exactly.
     ///
     /// With z = (b + k + 1) ln(q_1/q_0) the integral is q^(k+1) f ln(q_1/q_0) (1 - e^-|z|)/|z|, taken at the end where
     /// q^(k+1) f is larger: no cancellation at z = 0 and no overflow of the exponential.
@@ -42,7 +42,7 @@ impl PowerLaw {
         self.value_at(q_rad_per_m) * q_rad_per_m.powi(k + 1) * ln_q_ratio * mean_decay(z.abs())
     }
 
-    /// The part of it between two wavevectors \[rad/m\], if any of it lies there.
+    /// Cuts the piece to the range between two wavevectors \[rad/m\]; `None` if nothing is left.
     #[must_use]
     pub fn between(&self, least_rad_per_m: f64, largest_rad_per_m: f64) -> Option<Self> {
         let start_rad_per_m = self.start_rad_per_m.max(least_rad_per_m);

@@ -1,4 +1,4 @@
-//! The spectrum of line profiles on which moments, amplitudes and fits are computed.
+//! The spectrum of line profiles, the input of moments, amplitudes and fits.
 
 use std::num::NonZeroU32;
 
@@ -10,8 +10,8 @@ use crate::samples::{PsdError, check_samples};
 /// A sampled one-dimensional power spectrum C1D in m^3, sigma^2 = (1/pi) Int_0^inf C1D dq, which is a power
 /// law of the wavevector between neighbouring samples (a straight line in log-log axes).
 ///
-/// At least one sample; wavelengths strictly from long to short; every number finite and above 0. The standard errors
-/// of the values are kept where the source has them.
+/// Holds at least one sample, wavelengths strictly from long to short, and numbers that are finite and above 0.
+/// Standard errors of the values are kept if the source has them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProfilePsd {
     wavelengths_m: Vec<f64>,
@@ -21,10 +21,10 @@ pub struct ProfilePsd {
 }
 
 impl ProfilePsd {
-    /// A spectrum from its samples: wavelengths in m, strictly from long to short, and C1D in m^3.
+    /// Makes a spectrum from wavelengths \[m\], strictly from long to short, and values of C1D \[m^3\].
     ///
     /// # Errors
-    /// [`PsdError`] for columns of different lengths or without a row, a wavelength or value that is not finite and
+    /// [`PsdError`] for columns of different lengths or without rows, a wavelength or value that is not finite and
     /// above 0, or wavelengths out of order.
     pub fn new(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Result<Self, PsdError> {
         check_samples(&wavelengths_m, &c1d_m3, 1)?;
@@ -34,12 +34,12 @@ impl ProfilePsd {
         }
     }
 
-    /// Samples that already are what the type promises.
+    /// Makes a spectrum from samples that are valid already.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Self {
         Self { wavelengths_m, c1d_m3, standard_errors_m3: None }
     }
 
-    /// The same spectrum with standard errors that already are one for each value.
+    /// Replaces the standard errors, one per value.
     pub(crate) fn with_standard_errors(self, standard_errors_m3: Option<Vec<Option<f64>>>) -> Self {
         Self { standard_errors_m3, ..self }
     }
@@ -54,8 +54,7 @@ impl ProfilePsd {
         &self.c1d_m3
     }
 
-    /// Standard errors of C1D in m^3, one for each value, `None` where one is unknown; none at all where no value has
-    /// one.
+    /// Standard errors of C1D in m^3, one per value, with `None` for unknown ones; `None` if no value has one.
     pub fn standard_errors_m3(&self) -> Option<&[Option<f64>]> {
         self.standard_errors_m3.as_deref()
     }
@@ -87,12 +86,10 @@ impl ProfilePsd {
         }
     }
 
-    /// The same piecewise power law sampled at round(`scales_per_decade` x decades) + 1 geometric points, at
-    /// least 2.
+    /// Samples the piecewise power law at round(`scales_per_decade` x decades) + 1 geometric points, at least 2.
     ///
-    /// Both ends are kept exactly. Kinks of the piecewise power law between the new points are lost, so
-    /// moments of the result differ from those of the original; standard errors, which belong to the samples, are
-    /// dropped. A spectrum of one sample is returned as it is.
+    /// Both ends are kept exactly. Kinks between the new points are lost, so the moments differ from those of the
+    /// original. Standard errors belong to the samples and are dropped. A spectrum of one sample is returned unchanged.
     pub fn resampled(&self, scales_per_decade: NonZeroU32) -> Self {
         let (longest_m, shortest_m) = (self.longest_wavelength_m(), self.shortest_wavelength_m());
         if self.len() == 1 {
@@ -116,8 +113,7 @@ impl ProfilePsd {
         Self::from_samples(wavelengths_m, c1d_m3)
     }
 
-    /// The samples at wavelengths from the cutoff (in m) up; `None` where the cutoff lies above all of them
-    /// or is NaN.
+    /// Keeps the samples at wavelengths from the cutoff \[m\] up; `None` if none are left or the cutoff is NaN.
     pub fn truncated_at(&self, cutoff_wavelength_m: f64) -> Option<Self> {
         let kept = self.wavelengths_m.partition_point(|&sampled| sampled >= cutoff_wavelength_m);
         (kept > 0).then(|| Self {
@@ -175,8 +171,8 @@ mod tests {
         let message = |wavelengths_m: &[f64], c1d_m3: &[f64]| {
             ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3.to_vec()).unwrap_err().to_string()
         };
-        assert!(message(&[], &[]).contains("the number of rows is 0, it must be at least 1"));
-        assert!(message(&[2.0], &[1.0, 1.0]).contains("the number of wavelengths is 1"));
+        assert!(message(&[], &[]).contains("0 rows; give at least 1"));
+        assert!(message(&[2.0], &[1.0, 1.0]).contains("1 wavelength and 2 values"));
         assert!(message(&[2.0, 1.0], &[1.0, f64::INFINITY]).contains("the density in row 2 is inf"));
         let order = "the wavelength in row 2 is 2 m; they must fall from row to row";
         assert!(message(&[2.0, 2.0], &[1.0, 1.0]).contains(order));

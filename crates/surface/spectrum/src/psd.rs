@@ -7,9 +7,8 @@ use crate::convention::{Convention, ConversionError};
 use crate::profile::ProfilePsd;
 use crate::samples::{PsdError, check_samples, is_positive};
 
-/// A sampled power spectrum: at least two wavelengths, finite and above 0, from long to short without
-/// repeats, and as many finite values above 0 in the stated convention; perhaps the standard errors of the
-/// values.
+/// A sampled power spectrum in a stated convention: at least two wavelengths from long to short without repeats, and as
+/// many values, all finite and above 0. Standard errors of the values are optional.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Psd {
     wavelengths_m: Vec<f64>,
@@ -21,9 +20,8 @@ pub struct Psd {
 }
 
 impl Psd {
-    /// A spectrum from its samples, in any order.
-    ///
-    /// `wavelengths_m` in m; `values` in m^3 or m^4, whichever `convention` says.
+    /// Makes a spectrum from samples in any order, `wavelengths_m` in m and `values` in the unit of `convention` (m^3
+    /// or m^4).
     ///
     /// # Errors
     /// [`PsdError`] for columns of different lengths, fewer than two rows, a wavelength or value that is not
@@ -39,13 +37,13 @@ impl Psd {
         Ok(Self::from_samples(wavelengths_m, values, convention))
     }
 
-    /// Samples that already are what the type promises.
+    /// Makes a spectrum from samples that are valid already.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, values: Vec<f64>, convention: Convention) -> Self {
         Self { wavelengths_m, values, convention, standard_errors: None }
     }
 
-    /// The same spectrum with the standard errors of its values, in their unit: one for each sample, in the order
-    /// of [`Psd::wavelengths_m`], `None` where it is unknown.
+    /// Sets the standard errors of the values in their unit, one per sample in the order of [`Psd::wavelengths_m`];
+    /// `None` is an unknown one.
     ///
     /// # Errors
     /// [`PsdError::StandardErrorCount`], and [`PsdError::BadStandardError`] for one that is not finite or below 0.
@@ -60,22 +58,22 @@ impl Psd {
         Ok(self.with_checked_standard_errors(errors))
     }
 
-    /// The same spectrum with standard errors that already are one for each value, finite and not below 0.
+    /// Sets standard errors that are valid already: one per value, finite and not below 0.
     pub(crate) fn with_checked_standard_errors(self, errors: Vec<Option<f64>>) -> Self {
         Self { standard_errors: errors.iter().any(Option::is_some).then_some(errors), ..self }
     }
 
-    /// The same spectrum in another convention.
+    /// Converts the spectrum to another convention.
     ///
-    /// Among profile conventions, and among area conventions, values and standard errors take a factor. From one to
-    /// the other goes the Abel integral over the piecewise power law between the samples, zero outside them: it ends
-    /// one sample earlier, its last values tell of the end of the band as much as of the surface, and standard errors
-    /// are lost, because those of neighbouring samples are correlated in a way that no file tells. The surface is
-    /// taken to be isotropic.
+    /// Among profile conventions, and among area conventions, values and standard errors are multiplied by a factor.
+    /// Between the two, the Abel integral over the piecewise power law is used, zero outside the samples and for an
+    /// isotropic surface. It ends one sample earlier, and its last values depend on the end of the band as much as on
+    /// the surface. Standard errors are lost, because files do not state how those of neighbouring samples are
+    /// correlated.
     ///
     /// # Errors
     /// From a profile to an area convention or back: [`ConversionError::TooFewSamples`] for 2 samples,
-    /// [`ConversionError::NotPositive`] where a C1D rises so steeply that no isotropic surface has it.
+    /// [`ConversionError::NotPositive`] if C1D rises so steeply that no isotropic surface has it.
     pub fn to(&self, convention: Convention) -> Result<Self, ConversionError> {
         if self.convention.metre_power() != convention.metre_power() {
             return self.transformed()?.to(convention);
@@ -87,7 +85,7 @@ impl Psd {
         Ok(Self { wavelengths_m: self.wavelengths_m.clone(), values, convention, standard_errors })
     }
 
-    /// The Abel transform: Ciso of a profile, C1D of an area.
+    /// Applies the Abel transform: profiles become Ciso, areas C1D.
     fn transformed(&self) -> Result<Self, ConversionError> {
         let (reference, other) = match self.convention.metre_power() {
             4 => (Convention::Ciso, Convention::C1D),
@@ -108,7 +106,7 @@ impl Psd {
         Ok(Self::from_samples(wavelengths_m, values, other))
     }
 
-    /// The spectrum as C1D, on which everything else is computed.
+    /// Converts the spectrum to C1D, the input of all other computations.
     ///
     /// # Errors
     /// [`ConversionError`] for an area convention, as in [`Psd::to`].
@@ -122,18 +120,18 @@ impl Psd {
         &self.wavelengths_m
     }
 
-    /// Values in m^3 or m^4, whichever the convention says, one for each wavelength.
+    /// Values in the unit of the convention (m^3 or m^4), one per wavelength.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// Standard errors of the values, in their unit and one for each, `None` where one is unknown; none at all where
-    /// no value has one.
+    /// Standard errors of the values in their unit, one per value, with `None` for unknown ones; `None` if no value has
+    /// one.
     pub fn standard_errors(&self) -> Option<&[Option<f64>]> {
         self.standard_errors.as_deref()
     }
 
-    /// What the values mean.
+    /// Convention of the values.
     pub fn convention(&self) -> Convention {
         self.convention
     }
@@ -175,12 +173,9 @@ mod tests {
     fn samples_that_make_no_spectrum_are_refused() {
         assert_eq!(
             error(&[1.0, 0.5], &[1.0]),
-            "building a spectrum: the number of wavelengths is 2, that of values 1; give one value for each wavelength"
+            "building a spectrum: 2 wavelengths and 1 value; give one value for each wavelength"
         );
-        assert_eq!(
-            error(&[1.0], &[1.0]),
-            "building a spectrum: the number of rows is 1, it must be at least 2"
-        );
+        assert_eq!(error(&[1.0], &[1.0]), "building a spectrum: 1 row; give at least 2");
         assert_eq!(
             error(&[1.0, -0.5], &[1.0, 1.0]),
             "building a spectrum: the wavelength in row 2 is -500 mm, it must be finite and above 0"
@@ -191,7 +186,7 @@ mod tests {
         );
         assert_eq!(
             error(&[1.0, 0.5, 1.0], &[1.0, 1.0, 2.0]),
-            "building a spectrum: the wavelength 1 m stands in it twice; keep one value for each"
+            "building a spectrum: the wavelength 1 m appears twice; keep one value for it"
         );
     }
 
@@ -207,8 +202,8 @@ mod tests {
         assert_eq!(area.to(Convention::Ciso).unwrap().values(), [12.0 * PI * PI, 16.0 * PI * PI]);
         assert_eq!(
             ProfilePsd::try_from(&area).unwrap_err().to_string(),
-            "converting a spectrum from persson (m^4) to c1d (m^3): the number of samples is 2, it must be at least 3, \
-             as the Abel integral between line and area spectra ends one sample earlier; give more of the spectrum"
+            "converting a spectrum from persson (m^4) to c1d (m^3): 2 samples; give at least 3 (the Abel integral drops \
+             the last)"
         );
     }
 
@@ -225,7 +220,7 @@ mod tests {
         assert_eq!(with(&[None, None]).unwrap().standard_errors(), None);
         assert_eq!(
             with(&[None]).unwrap_err().to_string(),
-            "building a spectrum: the number of standard errors is 1, that of values 2; give one, or none, for each value"
+            "building a spectrum: 1 standard error for 2 values; give one, or none, for each value"
         );
         assert_eq!(
             with(&[None, Some(-1.0)]).unwrap_err().to_string(),

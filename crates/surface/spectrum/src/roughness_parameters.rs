@@ -1,17 +1,19 @@
-//! The self-affine spectrum that has given roughness parameters of a profile.
+//! The self-affine spectrum with given roughness parameters of a profile.
 //!
-//! Engineers' drawings and profilometers give a surface by a few numbers of ISO 21920-2 (formerly ISO 4287): Rq, the rms height, Rdq,
-//! the rms slope, both of a profile, and RSm, the mean width of profile elements. They fix a spectrum only with a form assumed:
-//! here C1D is level down to the roll-off wavelength and falls as q^-(1 + 2 H) from there to the shortest (Persson, Albohr,
-//! Tartaglino, Volokitin & Tosatti 2005, J. Phys.: Condens. Matter 17:R1, section 2). The level gives Rq and the shortest
-//! wavelength Rdq, both exactly.
+//! Engineers' drawings and profilometers describe a surface by a few numbers of ISO 21920-2 (formerly ISO 4287): Rq,
+//! the rms height, and Rdq, the rms slope, both of a profile, and RSm, the mean width of profile elements. They fix a
+//! spectrum only if its form is assumed: here C1D is level down to the roll-off wavelength and falls as q^-(1 + 2 H)
+//! from there to the shortest (Persson, Albohr, Tartaglino, Volokitin & Tosatti 2005, J. Phys.: Condens. Matter 17:R1,
+//! section 2). The level gives Rq and the shortest wavelength Rdq, both exactly.
 //!
-//! Of an isotropic surface these are those of any of its profiles: Sq of ISO 25178-2 is Rq, and Sdq is sqrt(2) Rdq.
+//! For an isotropic surface, the parameters are those of any of its profiles: Sq of ISO 25178-2 is Rq, and Sdq is
+//! sqrt(2) Rdq.
 //!
-//! **RSm is taken for the roll-off wavelength.** Every crossing of the mean line counted, RSm of a Gaussian profile were
-//! 2 pi Rq/Rdq, whatever its spectrum (Rice 1944), and would tell nothing new beside both. But the standard counts an element only
-//! where it rises and falls by a tenth of Rz, which leaves the waves near the roll-off: of simulated Gaussian profiles with H from
-//! 0.6 to 0.95 and one to three decades below the roll-off it was 0.8 to 1.3 of the roll-off wavelength, at H = 0.8 1.05 to 1.2 of it.
+//! **RSm is used as the roll-off wavelength.** If every crossing of the mean line counted, RSm of a Gaussian profile
+//! would be 2 pi Rq/Rdq for any spectrum (Rice 1944) and add nothing. But the standard counts an element only if it
+//! rises and falls by a tenth of Rz, which leaves the waves near the roll-off: for simulated Gaussian profiles with H
+//! from 0.6 to 0.95 and one to three decades below the roll-off, RSm was 0.8 to 1.3 times the roll-off wavelength, and
+//! 1.05 to 1.2 times at H = 0.8.
 
 use std::f64::consts::{PI, TAU};
 
@@ -25,7 +27,7 @@ use crate::convention::Convention;
 use crate::power_law::PowerLaw;
 use crate::psd::Psd;
 
-/// Roughness parameters of a profile, and the form of its spectrum.
+/// Roughness parameters of a profile and the form of its spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RoughnessParameters {
     /// Rq, the rms height \[m\].
@@ -38,43 +40,43 @@ pub struct RoughnessParameters {
     pub hurst_exponent: f64,
 }
 
-/// The spectrum of a profile: level from ten times the roll-off wavelength to it, then a power law.
+/// The spectrum of a profile: level from ten times the roll-off wavelength to the roll-off, then a power law.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SelfAffineProfile {
     parameters: RoughnessParameters,
-    /// C1D of the level \[m^3\].
+    /// C1D of the level part \[m^3\].
     level_m3: f64,
-    /// ln(q_s/q_r) of the shortest wavelength.
+    /// ln(q_s/q_r) for the wavevectors q_s of the shortest and q_r of the roll-off wavelength.
     ln_q_ratio: f64,
 }
 
-/// Parameters that no such spectrum has.
+/// Errors of roughness parameters that no such spectrum has.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RoughnessError {
-    /// A number beyond its bound.
+    /// A parameter outside its bound.
     #[error(transparent)]
     OutOfBounds(#[from] OutOfBounds),
-    /// Heights that waves of the roll-off wavelength and above already make steeper.
+    /// A slope smaller than that of the waves from the roll-off wavelength up.
     #[error(
-        "an rms slope of {} is too small for an rms height of {} with a roll-off wavelength of {}: the waves from there on alone \
-         have a slope of {}; give a longer roll-off wavelength or mean width, or a larger slope (a number: 0.1 is 5.7 degrees)",
+        "the rms slope {} is too small for an rms height of {} and a roll-off wavelength of {}: waves from there up alone have \
+         {}; give a longer roll-off wavelength or mean width, or a larger slope (dimensionless: 0.1 is 5.7 degrees)",
         three_digits(parameters.rms_slope),
         length(parameters.rms_height_m),
         length(parameters.rolloff_m),
         three_digits(*least)
     )]
     SlopeTooSmall {
-        /// What was asked for.
+        /// The parameters.
         parameters: RoughnessParameters,
         /// The smallest slope that such a spectrum has.
         least: f64,
     },
-    /// A slope that waves down to the distance of atoms do not make.
+    /// A slope larger than waves down to atomic distances can make.
     #[error(
-        "an rms slope of {} is too large for an rms height of {} with a roll-off wavelength of {} and a Hurst exponent of {}: \
-         with waves down to {} the slope is {}; give a shorter roll-off wavelength or mean width, a smaller Hurst exponent, or a \
-         smaller slope (a number: 0.1 is 5.7 degrees)",
+        "the rms slope {} is too large for an rms height of {}, a roll-off wavelength of {} and a Hurst exponent of {}: waves \
+         down to {} make {}; give a shorter roll-off wavelength or mean width, a smaller Hurst exponent, or a smaller slope \
+         (dimensionless: 0.1 is 5.7 degrees)",
         three_digits(parameters.rms_slope),
         length(parameters.rms_height_m),
         length(parameters.rolloff_m),
@@ -83,28 +85,28 @@ pub enum RoughnessError {
         three_digits(*largest)
     )]
     SlopeTooLarge {
-        /// What was asked for.
+        /// The parameters.
         parameters: RoughnessParameters,
         /// The largest slope that such a spectrum has.
         largest: f64,
     },
 }
 
-/// The longest wavelength over that of the roll-off: profiles are evaluated over some ten of their widest features.
+/// Ratio of the longest to the roll-off wavelength: profiles are evaluated over about ten of their widest features.
 pub const LONGEST_OVER_ROLLOFF: f64 = 10.0;
 
-/// No spectrum goes on below this \[m\]: atoms are farther apart.
+/// Shortest wavelength of any spectrum \[m\]: atoms are farther apart.
 const SHORTEST_M: f64 = 1e-10;
 
 const SAMPLES_PER_DECADE: f64 = 20.0;
 
-/// One standard uncertainty of the Hurst exponent and of the logarithm of the roll-off wavelength, which no drawing tells: measured
-/// surfaces have H from 0.7 to 0.9 mostly, and a roll-off that is read off RSm or off a drawing is known to a factor of 2.
+/// Standard uncertainty of the Hurst exponent, which drawings do not state; measured surfaces mostly have H from 0.7 to
+/// 0.9.
 pub const HURST_UNCERTAINTY: f64 = 0.1;
-/// See [`HURST_UNCERTAINTY`].
+/// Standard uncertainty, as a factor, of a roll-off wavelength read off RSm or a drawing.
 pub const ROLLOFF_UNCERTAINTY_FACTOR: f64 = 2.0;
 
-/// The least Hurst exponent that a variation goes down to.
+/// Smallest Hurst exponent of a variation.
 const LEAST_HURST: f64 = 0.01;
 
 impl RoughnessParameters {
@@ -117,7 +119,7 @@ impl RoughnessParameters {
         Ok(self)
     }
 
-    /// The square of the slope over that of heights 1/q_r, which q_s/q_r has to give.
+    /// Mean square slope over mean square height in units of q_r^2, which determines q_s/q_r.
     fn mean_square_ratio(&self) -> f64 {
         (self.rms_slope * self.rolloff_m / (TAU * self.rms_height_m)).powi(2)
     }
@@ -126,13 +128,13 @@ impl RoughnessParameters {
         mean_square_ratio.sqrt() * TAU * self.rms_height_m / self.rolloff_m
     }
 
-    /// ln(q_s/q_r) where the spectrum would go on to [`SHORTEST_M`].
+    /// ln(q_s/q_r) of a spectrum down to [`SHORTEST_M`].
     fn largest_ln_q_ratio(&self) -> f64 {
         (self.rolloff_m / SHORTEST_M).ln()
     }
 }
 
-/// Int x^k C dx of the spectrum with level 1 over x = q/q_r.
+/// Integrates x^k C over x = q/q_r for the spectrum with level 1.
 fn integral(hurst_exponent: f64, ln_q_ratio: f64, k: i32) -> f64 {
     let level = PowerLaw {
         start_rad_per_m: 1.0 / LONGEST_OVER_ROLLOFF,
@@ -146,16 +148,17 @@ fn integral(hurst_exponent: f64, ln_q_ratio: f64, k: i32) -> f64 {
 }
 
 impl SelfAffineProfile {
-    /// The spectrum with these parameters.
+    /// Finds the spectrum with these parameters.
     ///
     /// # Errors
-    /// [`RoughnessError`] for parameters out of bounds, and for a slope that no such spectrum has beside the other parameters.
+    /// [`RoughnessError`] for parameters out of bounds, and for a slope that no such spectrum has with the other
+    /// parameters.
     pub fn new(parameters: RoughnessParameters) -> Result<Self, RoughnessError> {
         parameters.check()?;
         let wanted = parameters.mean_square_ratio();
         let [least, largest] = [0.0, parameters.largest_ln_q_ratio()]
             .map(|ln_q_ratio| mean_square_ratio(parameters.hurst_exponent, ln_q_ratio));
-        // The spectrum that ends at its roll-off is admitted in spite of rounding.
+        // Rounding must not refuse the spectrum that ends at its roll-off.
         if wanted < least * (1.0 - 1e-12) {
             return Err(RoughnessError::SlopeTooSmall { parameters, least: parameters.slope_of(least) });
         }
@@ -165,7 +168,7 @@ impl SelfAffineProfile {
         Ok(Self::nearest(parameters))
     }
 
-    /// The spectrum with these parameters, or with as much of the slope as it can have.
+    /// Finds the spectrum with these parameters, its slope limited to what it can have.
     fn nearest(parameters: RoughnessParameters) -> Self {
         let RoughnessParameters { rms_height_m, rolloff_m, hurst_exponent, .. } = parameters;
         let wanted = parameters.mean_square_ratio();
@@ -183,7 +186,7 @@ impl SelfAffineProfile {
         SelfAffineProfile { parameters, level_m3: rms_height_m * rms_height_m / of_level_1, ln_q_ratio }
     }
 
-    /// What it was made from.
+    /// The roughness parameters of the spectrum.
     #[must_use]
     pub fn parameters(&self) -> RoughnessParameters {
         self.parameters
@@ -195,7 +198,7 @@ impl SelfAffineProfile {
         LONGEST_OVER_ROLLOFF * self.parameters.rolloff_m
     }
 
-    /// The shortest wavelength \[m\], with which the slope is that of the parameters.
+    /// The shortest wavelength \[m\], which follows from the slope.
     #[must_use]
     pub fn shortest_m(&self) -> f64 {
         self.parameters.rolloff_m * (-self.ln_q_ratio).exp()
@@ -207,14 +210,16 @@ impl SelfAffineProfile {
         self.level_m3.ln() - (1.0 + 2.0 * self.parameters.hurst_exponent) * ln_q_ratio.max(0.0)
     }
 
-    /// The spectrum at 20 samples per decade, the roll-off among them, so that its moments are those of the parameters, with
-    /// standard errors of what was assumed: H to 0.1 and the roll-off wavelength to a factor of 2, each varied with height and slope
-    /// kept.
+    /// Samples the spectrum at 20 points per decade, including the roll-off, so that its moments are those of the
+    /// parameters.
+    ///
+    /// Standard errors come from the assumed form: H within 0.1 and the roll-off wavelength within a factor of 2, each
+    /// varied at constant height and slope.
     #[must_use]
     pub fn psd(&self) -> Psd {
         let rolloff_m = self.parameters.rolloff_m;
         let decades = self.ln_q_ratio / 10f64.ln();
-        // A fall of less than rounding has no samples of its own.
+        // A fall shorter than rounding gets no samples.
         let falling =
             if self.ln_q_ratio > 1e-12 { (SAMPLES_PER_DECADE * decades).ceil().max(1.0) } else { 0.0 };
         let level = SAMPLES_PER_DECADE * LONGEST_OVER_ROLLOFF.log10();
@@ -239,7 +244,7 @@ impl SelfAffineProfile {
         Psd::from_samples(wavelengths_m, values_m3, Convention::C1D).with_checked_standard_errors(errors)
     }
 
-    /// What was assumed, varied by one standard uncertainty either way.
+    /// The spectra with H and the roll-off varied by one standard uncertainty either way.
     fn varied(&self) -> [[Self; 2]; 2] {
         let hurst = |off: f64| RoughnessParameters {
             hurst_exponent: (self.parameters.hurst_exponent + off).clamp(LEAST_HURST, 1.0),
@@ -257,7 +262,7 @@ impl SelfAffineProfile {
     }
 }
 
-/// The mean square slope over the mean square height, in units of q_r^2; rises with the ratio.
+/// Computes the mean square slope over the mean square height in units of q_r^2; rises with `ln_q_ratio`.
 fn mean_square_ratio(hurst_exponent: f64, ln_q_ratio: f64) -> f64 {
     integral(hurst_exponent, ln_q_ratio, 2) / integral(hurst_exponent, ln_q_ratio, 0)
 }

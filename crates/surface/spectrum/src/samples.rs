@@ -1,14 +1,15 @@
-//! What samples of a spectrum must be.
+//! Validation of the samples of a spectrum.
 
 use thiserror::Error;
-use units::display::length;
+use units::display::{counted, length};
 
-/// Samples that make no power spectrum. Rows are counted from 1 in the order given.
+/// Errors of samples that are not a power spectrum. Rows are counted from 1 in the order given.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PsdError {
     /// The two columns differ in length.
     #[error(
-        "building a spectrum: the number of wavelengths is {wavelengths}, that of values {values}; give one value for each wavelength"
+        "building a spectrum: {} and {}; give one value for each wavelength",
+        counted(*.wavelengths, "wavelength"), counted(*.values, "value")
     )]
     LengthMismatch {
         /// Number of wavelengths.
@@ -16,15 +17,15 @@ pub enum PsdError {
         /// Number of values.
         values: usize,
     },
-    /// Fewer rows than make one.
-    #[error("building a spectrum: the number of rows is {rows}, it must be at least {least}")]
+    /// Too few rows.
+    #[error("building a spectrum: {}; give at least {least}", counted(*.rows, "row"))]
     TooFewRows {
         /// Number of rows.
         rows: usize,
-        /// How many there must be.
+        /// Smallest number of rows.
         least: usize,
     },
-    /// A wavelength that does not lie below the one before it.
+    /// A wavelength not below the one before it.
     #[error(
         "building a spectrum: the wavelength in row {row} is {}; they must fall from row to row",
         length(*.wavelength_m)
@@ -35,7 +36,7 @@ pub enum PsdError {
         /// Wavelength in m.
         wavelength_m: f64,
     },
-    /// A wavelength that is no finite number above 0.
+    /// A wavelength that is not finite and above 0.
     #[error("building a spectrum: the wavelength in row {row} is {}, it must be finite and above 0", length(*.value))]
     BadWavelength {
         /// Row.
@@ -43,7 +44,7 @@ pub enum PsdError {
         /// Wavelength in m.
         value: f64,
     },
-    /// A value that is no finite number above 0.
+    /// A value that is not finite and above 0.
     #[error("building a spectrum: the density in row {row} is {value}, it must be finite and above 0")]
     BadDensity {
         /// Row.
@@ -51,19 +52,19 @@ pub enum PsdError {
         /// Value in the unit of the convention.
         value: f64,
     },
-    /// The same wavelength twice.
+    /// A repeated wavelength.
     #[error(
-        "building a spectrum: the wavelength {} stands in it twice; keep one value for each",
+        "building a spectrum: the wavelength {} appears twice; keep one value for it",
         length(*.wavelength_m)
     )]
     RepeatedWavelength {
         /// The wavelength in m.
         wavelength_m: f64,
     },
-    /// Not one standard error for each value.
+    /// Another number of standard errors than of values.
     #[error(
-        "building a spectrum: the number of standard errors is {errors}, that of values {values}; give one, or none, \
-         for each value"
+        "building a spectrum: {} for {}; give one, or none, for each value",
+        counted(*.errors, "standard error"), counted(*.values, "value")
     )]
     StandardErrorCount {
         /// Number of standard errors.
@@ -71,7 +72,7 @@ pub enum PsdError {
         /// Number of values.
         values: usize,
     },
-    /// A standard error that is no finite number from 0 up.
+    /// A standard error that is not finite and at least 0.
     #[error(
         "building a spectrum: the standard error in row {row} is {value}, it must be finite and at least 0"
     )]
@@ -83,7 +84,7 @@ pub enum PsdError {
     },
 }
 
-/// Refuses columns of different lengths, fewer than `least` rows, and what is not finite and above 0.
+/// Refuses columns of different lengths, fewer than `least` rows, and numbers that are not finite and above 0.
 pub(crate) fn check_samples(wavelengths_m: &[f64], values: &[f64], least: usize) -> Result<(), PsdError> {
     if wavelengths_m.len() != values.len() {
         return Err(PsdError::LengthMismatch { wavelengths: wavelengths_m.len(), values: values.len() });
@@ -100,7 +101,7 @@ pub(crate) fn check_samples(wavelengths_m: &[f64], values: &[f64], least: usize)
     Ok(())
 }
 
-/// Whether a number is finite and above 0.
+/// Returns true if a number is finite and above 0.
 pub(crate) fn is_positive(value: f64) -> bool {
     value.is_finite() && value > 0.0
 }

@@ -4,37 +4,38 @@ use std::ops::RangeBounds;
 
 use serde::Serialize;
 use thiserror::Error;
+use units::display::counted;
 
 use crate::cholesky::Cholesky;
 use crate::interval::ln_ratio;
 use crate::profile::ProfilePsd;
 
-/// Roll-offs tried first, spread evenly over the logarithm of the band.
+/// Number of trial roll-offs at the start, evenly spaced in the logarithm of the band.
 const STARTS: usize = 24;
-/// Width in ln q_r, relative to the band, at which the search ends: its minimum is flat to half the digits.
+/// Width in ln q_r, relative to the band, at which the search ends; the minimum is flat to half the digits.
 const SEARCH_WIDTH: f64 = 1e-8;
-/// Deviations in ln C1D below this are rounding, whatever the statistics say.
+/// Deviations in ln C1D below this count as rounding.
 const ROUNDING: f64 = 1e-12;
 /// Advantage in the Bayesian information criterion that counts as strong evidence: Kass & Raftery (1995), J.
 /// Am. Stat. Assoc. 90:773.
 const STRONG_EVIDENCE: f64 = 6.0;
-/// Steps in ln C_0, H and ln q_r longer than this are the iteration's business, not the last polish's.
+/// Longest step in ln C_0, H and ln q_r that the final Gauss-Newton steps accept.
 const LARGEST_POLISH: f64 = 1e-5;
-/// Smallest pivot of the correlation matrix at which its inverse still has digits.
+/// Smallest pivot of the correlation matrix with which its inverse still has digits.
 const SMALLEST_PIVOT: f64 = 1e-7;
 
 /// A self-affine spectrum fitted with equal weights to ln C1D: with a roll-off
 /// ln C1D = ln C_0 - (H + 1/2) ln(1 + (q/q_r)^2), without one ln C1D = const - (2 H + 1) ln q.
 ///
-/// Standard errors are s^2 (J^T J)^-1 carried over to the quantities here to first order; they are absent
-/// where there are as many parameters as samples.
+/// Standard errors follow from s^2 (J^T J)^-1 to first order; they are absent if there are as many parameters as
+/// samples.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SelfAffineFit {
     /// Hurst exponent H; 0 to 1 for a self-affine surface, but reported as fitted.
     pub hurst_exponent: f64,
     /// Standard error of the Hurst exponent.
     pub hurst_exponent_se: Option<f64>,
-    /// The roll-off, where the samples show one.
+    /// The roll-off, if the samples show one.
     pub rolloff: Option<RollOff>,
     /// Root mean square deviation of log10 C1D from the fit.
     pub rms_log10_residual: f64,
@@ -42,7 +43,7 @@ pub struct SelfAffineFit {
     pub points: usize,
 }
 
-/// Where a self-affine spectrum levels off towards long wavelengths.
+/// The roll-off of a self-affine spectrum, where it levels off towards long wavelengths.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RollOff {
     /// Roll-off wavelength lambda_r = 2 pi/q_r in m, inside the fitted band.
@@ -55,12 +56,12 @@ pub struct RollOff {
     pub plateau_se_m3: Option<f64>,
 }
 
-/// A spectrum to which no power law can be fitted.
+/// Errors of fitting a self-affine spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum FitError {
     /// Fewer than two samples in the band.
     #[error(
-        "fitting a self-affine spectrum: the number of samples in the band is {points}, it must be at least 2; widen the band"
+        "fitting a self-affine spectrum: {}; widen the band to hold at least 2", counted(*.points, "sample")
     )]
     TooFewSamples {
         /// Number of samples in the band.
@@ -70,11 +71,10 @@ pub enum FitError {
 
 /// Fits a self-affine spectrum to the samples whose wavelength in m lies in `band`; `..` takes them all.
 ///
-/// A roll-off is reported only where it is identifiable: with three samples or more, q_r inside the sampled
-/// band, a regular normal matrix, and a Bayesian information criterion more than 6 below that of the pure
-/// power law, n ln(RSS_2/RSS_3) > ln n + 6 (strong evidence after Kass & Raftery, 1995). Sums of squares
-/// below those of deviations of 1e-12 count as rounding, so data that follow a power law exactly have no
-/// roll-off. Otherwise the pure power law is the answer.
+/// A roll-off is reported only if it is identifiable: three samples or more, q_r inside the sampled band, a regular
+/// normal matrix, and a Bayesian information criterion more than 6 below that of the pure power law, n ln(RSS_2/RSS_3)
+/// > ln n + 6 (strong evidence after Kass & Raftery, 1995). Sums of squares below those of deviations of 1e-12 count as
+/// rounding, so exact power laws have no roll-off. Otherwise the pure power law is returned.
 ///
 /// # Errors
 /// [`FitError::TooFewSamples`] with fewer than two samples in the band.
@@ -161,7 +161,7 @@ impl LogSamples {
         self.ln_q[self.len() - 1]
     }
 
-    /// Variance s^2 of ln C1D about a fit; none where no sample is left to judge it by.
+    /// Variance s^2 of ln C1D about a fit; `None` without degrees of freedom.
     fn variance(&self, sum_of_squares: f64, parameters: usize) -> Option<f64> {
         let freedom = self.len().checked_sub(parameters).filter(|&freedom| freedom > 0)?;
         Some(sum_of_squares / freedom as f64)
@@ -171,7 +171,7 @@ impl LogSamples {
         (sum_of_squares / self.len() as f64).sqrt() / 10f64.ln()
     }
 
-    /// Whether the Bayesian information criterion speaks strongly for one parameter more.
+    /// Returns true if the Bayesian information criterion strongly favours one more parameter.
     fn prefers(&self, larger_model: f64, smaller_model: f64) -> bool {
         let points = self.len() as f64;
         let rounding = points * ROUNDING * ROUNDING;
@@ -211,13 +211,14 @@ struct RollOffFit<'s> {
 }
 
 impl<'s> RollOffFit<'s> {
-    /// The least-squares fit, to half its digits; none where the sum of squares falls on well beyond an end of the band.
+    /// Finds the least-squares fit to half its digits; `None` if the sum of squares still falls beyond an end of the
+    /// band.
     ///
-    /// For a given roll-off the other two parameters follow from a straight line, so that the search is one of a single
-    /// variable (variable projection: Golub & Pereyra (1973), SIAM J. Numer. Anal. 10:413).
+    /// For a given roll-off the other two parameters follow from a straight line, so the search has a single variable
+    /// (variable projection: Golub & Pereyra (1973), SIAM J. Numer. Anal. 10:413).
     fn nearest(samples: &'s LogSamples) -> Option<Self> {
         let at = |start: usize| (start as f64 - 1.5) / STARTS as f64 * samples.extent();
-        // Two on either side lie outside the band, so that a minimum right inside its end has neighbours.
+        // Two points on either side lie outside the band, so that a minimum just inside an end has neighbours.
         let sums: Vec<f64> =
             (0..STARTS + 4).map(|start| Self::at(samples, at(start)).sum_of_squares()).collect();
         let least = (0..sums.len()).min_by(|&a, &b| sums[a].total_cmp(&sums[b]))?;
@@ -230,14 +231,14 @@ impl<'s> RollOffFit<'s> {
         Some(Self::at(samples, ln_q_r))
     }
 
-    /// The best fit with a given roll-off.
+    /// Fits the other parameters for a given roll-off.
     fn at(samples: &'s LogSamples, ln_q_r: f64) -> Self {
         let fall: Vec<f64> = samples.ln_q.iter().map(|ln_q| fall(ln_q - ln_q_r)).collect();
         let line = Line::through(&fall, &samples.ln_c);
         Self { samples, parameters: [line.intercept, -line.slope, ln_q_r] }
     }
 
-    /// Each sample's residual and the derivatives of it by the parameters.
+    /// Yields the residual of each sample and its derivatives with respect to the parameters.
     fn rows(&self) -> impl Iterator<Item = (f64, [f64; 3])> {
         let [ln_plateau, exponent, ln_q_r] = self.parameters;
         self.samples.ln_q.iter().zip(&self.samples.ln_c).map(move |(ln_q, ln_c)| {
@@ -247,7 +248,7 @@ impl<'s> RollOffFit<'s> {
         })
     }
 
-    /// Sum of the squared residuals; infinite where it is no number.
+    /// Sum of the squared residuals; infinite if it overflows or is NaN.
     fn sum_of_squares(&self) -> f64 {
         let sum: f64 = self.rows().map(|(residual, _)| residual * residual).sum();
         if sum.is_finite() { sum } else { f64::INFINITY }
@@ -257,8 +258,8 @@ impl<'s> RollOffFit<'s> {
         (0.0..=self.samples.extent()).contains(&self.parameters[2])
     }
 
-    /// Gauss-Newton steps as long as each halves the last: they settle the digits for which the sum of
-    /// squares is too flat, half of them all.
+    /// Refines the fit by Gauss-Newton steps while each is at most half as long as the last. They settle the lower half
+    /// of the digits, for which the sum of squares is too flat.
     fn polished(mut self) -> Self {
         let mut longest = LARGEST_POLISH;
         let norm = |step: &[f64; 3]| step.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -278,7 +279,7 @@ impl<'s> RollOffFit<'s> {
         Some(inverse.map(|row| row.iter().zip(gradient).map(|(a, b)| a * b).sum()))
     }
 
-    /// (J^T J)^-1; none where the matrix is singular to working precision.
+    /// Computes (J^T J)^-1; `None` if the matrix is singular to working precision.
     fn inverse_normal(&self) -> Option<[[f64; 3]; 3]> {
         let mut normal = [[0.0; 3]; 3];
         for (_, derivatives) in self.rows() {
@@ -289,12 +290,12 @@ impl<'s> RollOffFit<'s> {
             std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / (norms[i] * norms[j])))
         };
         let factor =
-            Cholesky::of(scaled(normal)).filter(|factor| factor.smallest_pivot() >= SMALLEST_PIVOT)?;
+            Cholesky::new(scaled(normal)).filter(|factor| factor.smallest_pivot() >= SMALLEST_PIVOT)?;
         Some(scaled(factor.inverse()))
     }
 }
 
-/// Where a function is least between two arguments around its minimum, by golden sections of their interval down to `width`.
+/// Finds the minimum of a function between two arguments by golden-section search down to an interval of `width`.
 fn least_between(mut from: f64, mut to: f64, width: f64, function: impl Fn(f64) -> f64) -> f64 {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut left, mut right) = (to - golden * (to - from), from + golden * (to - from));
@@ -313,7 +314,7 @@ fn least_between(mut from: f64, mut to: f64, width: f64, function: impl Fn(f64) 
     0.5 * (from + to)
 }
 
-/// ln(1 + (q/q_r)^2) from ln(q/q_r), without overflow.
+/// Computes ln(1 + (q/q_r)^2) from ln(q/q_r) without overflow.
 fn fall(ln_q_over_q_r: f64) -> f64 {
     2.0 * ln_q_over_q_r.max(0.0) + (-2.0 * ln_q_over_q_r.abs()).exp().ln_1p()
 }

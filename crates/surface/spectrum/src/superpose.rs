@@ -4,19 +4,19 @@ use serde::Serialize;
 
 use crate::profile::ProfilePsd;
 
-/// The spectrum of the sum, or the gap, of two surfaces that know nothing of each other.
+/// The spectrum of the sum, or the difference, of two uncorrelated surfaces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superposition {
-    /// The spectrum on the wavelengths of both.
+    /// The spectrum at the wavelengths of both.
     pub psd: ProfilePsd,
-    /// Longest and shortest wavelength in m that both cover; `None` where they share none.
+    /// Longest and shortest wavelength \[m\] that both cover; `None` if they share none.
     pub shared_m: Option<[f64; 2]>,
 }
 
-/// The spectra of two uncorrelated surfaces add: C = C_a + C_b, where both stand; elsewhere the one that does.
+/// Adds the spectra of two uncorrelated surfaces: C = C_a + C_b where both are measured, elsewhere the one that is.
 ///
-/// Sampled at the wavelengths of either; between samples each is its own power law. Where one of them ends inside the band
-/// of the other, the sum falls to the other's value between two neighbouring samples.
+/// The sum is sampled at the wavelengths of either, each spectrum being a power law between its own samples. If one
+/// ends inside the band of the other, the sum falls to the other's value between two neighbouring samples.
 pub fn superpose(a: &ProfilePsd, b: &ProfilePsd) -> Superposition {
     let mut wavelengths_m = [a.wavelengths_m(), b.wavelengths_m()].concat();
     wavelengths_m.sort_by(|a, b| b.total_cmp(a));
@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spectra_add_where_both_stand() {
+    fn spectra_add_where_both_are_measured() {
         let a = ProfilePsd::from_samples(vec![8.0, 2.0], vec![3.0, 3.0]);
         let b = ProfilePsd::from_samples(vec![4.0, 1.0], vec![5.0, 5.0]);
         let sum = superpose(&a, &b);
@@ -48,7 +48,7 @@ mod tests {
     }
 
     #[test]
-    fn spectra_without_a_common_band_stand_side_by_side() {
+    fn spectra_without_a_common_band_are_concatenated() {
         let a = ProfilePsd::from_samples(vec![8.0, 4.0], vec![3.0, 3.0]);
         let b = ProfilePsd::from_samples(vec![2.0, 1.0], vec![5.0, 5.0]);
         let sum = superpose(&a, &b);

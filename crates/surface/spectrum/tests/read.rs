@@ -150,7 +150,7 @@ fn assumptions_are_noted() {
         [
             "column 'frequency' states no unit and is read in SI units",
             "column 'psd' states no unit and is read in SI units",
-            "column 'psd' stands against frequency and is read as the one-sided spectrum S of frequency, sigma^2 = Int \
+            "column 'psd' is given against frequency and is read as the one-sided spectrum S of frequency, sigma^2 = Int \
              S df"
         ]
     );

@@ -26,22 +26,15 @@ fn column(name: &str) -> ReadOptions {
 fn files_without_rows_are_refused() {
     for text in ["", "\n \n", "# only a comment\n", "\u{feff}"] {
         let error = error_of(text, &ReadOptions::default());
-        assert_eq!(
-            error.to_string(),
-            "reading the spectrum: the file holds no rows, it must hold at least 2"
-        );
+        assert_eq!(error.to_string(), "reading the spectrum: the file holds no rows; give at least 2");
         assert_eq!(error.line(), None);
     }
     assert_refused(
         "# comment\nlambda_m,C1D_m3\n1e-6,1e-22\n",
         3,
-        "line 3: the number of rows in the file is 1, it must be at least 2",
+        "line 3: the file holds 1 row; give at least 2",
     );
-    assert_refused(
-        "lambda_m,C1D_m3\n",
-        1,
-        "line 1: the number of rows in the file is 0, it must be at least 2",
-    );
+    assert_refused("lambda_m,C1D_m3\n", 1, "line 1: the file holds 0 rows; give at least 2");
 }
 
 #[test]
@@ -60,7 +53,7 @@ fn files_that_are_no_utf8_text_are_refused() {
     assert_refused(
         b"CDF\x02\0\0",
         1,
-        "line 1: byte 5 of the file is 0x00, which is binary, perhaps a scan, and no spectrum as text; save the spectrum as \
+        "line 1: byte 5 of the file is 0x00, which is binary data, perhaps a scan; save the spectrum as \
          CSV or text in UTF-8",
     );
 }
@@ -197,14 +190,13 @@ fn spectra_of_unknown_convention_are_refused() {
         &column("Ciso_approx_m4"),
         "lambda_m,Ciso_approx_m4\n1,2\n2,3\n",
         1,
-        "line 1: the name of column 'Ciso_approx_m4' does not say what its values mean",
+        "line 1: column 'Ciso_approx_m4' does not state its convention",
     );
 }
 
 #[test]
 fn numbers_without_a_header_are_refused_unless_the_caller_knows_them() {
-    let message =
-        "line 2: the file begins with numbers and has no header that says what its two columns hold";
+    let message = "line 2: the file has no header that names its two columns";
     assert_refused("# comment\n1e-6 1e-22\n2e-6 1e-22\n", 2, message);
     let only_x = ReadOptions { x: Some(Abscissa::Wavelength), ..ReadOptions::default() };
     assert_refused_with(&only_x, "# comment\n1e-6 1e-22\n2e-6 1e-22\n", 2, message);
@@ -213,7 +205,7 @@ fn numbers_without_a_header_are_refused_unless_the_caller_knows_them() {
         &both,
         "1e-6 1e-22 1e-24\n2e-6 1e-22 1e-24\n",
         1,
-        "line 1: a file without a header needs 2 columns, found 3; name them in a first row",
+        "line 1: a file without a header needs 2 columns but has 3; name them in a first row",
     );
     assert_refused_with(
         &ReadOptions { column: Some("C1D".into()), ..both },
@@ -229,25 +221,25 @@ fn fields_that_are_no_positive_finite_numbers_are_refused() {
         let text = format!("# comment\n\nlambda_nm;C1D_m3\n1;2\r\n# comment\n\n2;{field}\n3;4\n");
         assert_refused(text, 7, &format!("line 7: column 'C1D_m3' {complaint}"));
     };
-    refuse("", "is empty, it must be a number above 0; fill it or remove the row");
-    refuse("two", "is 'two', which is no number; write it like 1.5e-9, with a point, or remove the row");
-    refuse("1,5", "is '1,5', which is no number; write it like 1.5e-9, with a point, or remove the row");
+    refuse("", "is empty; enter a number above 0 or remove the row");
+    refuse("two", "is 'two', not a number; write it like 1.5e-9, with a point, or remove the row");
+    refuse("1,5", "is '1,5', not a number; write it like 1.5e-9, with a point, or remove the row");
     for field in ["NaN", "nan", "inf", "-inf", "1e400", "0", "-0", "-1e-22", "1e-400"] {
-        refuse(field, &format!("is '{field}', it must be finite and above 0; correct it or remove the row"));
+        refuse(field, &format!("is '{field}'; it must be finite and above 0: correct it or remove the row"));
     }
     for field in ["0", "-5", "1e-400", "inf"] {
         assert_refused(
             format!("lambda_nm,C1D_m3\n1,2\n{field},3\n"),
             3,
             &format!(
-                "line 3: column 'lambda_nm' is '{field}', it must be finite and above 0; correct it or remove the row"
+                "line 3: column 'lambda_nm' is '{field}'; it must be finite and above 0: correct it or remove the row"
             ),
         );
     }
     assert_refused(
         "q,C1D\n1,2\n1e-310,3\n",
         3,
-        "line 3: column 'q' is '1e-310', it must be finite and above 0; correct it or remove the row",
+        "line 3: column 'q' is '1e-310'; it must be finite and above 0: correct it or remove the row",
     );
 }
 
@@ -256,17 +248,17 @@ fn ragged_rows_are_refused() {
     assert_refused(
         "lambda_m,C1D_m3\n1,2\n2,3,4\n",
         3,
-        "line 3: the number of fields is 3, in line 1 it is 2; give every row the same columns",
+        "line 3: 3 fields, but 2 in line 1; give every row the same columns",
     );
     assert_refused(
         "# c\nlambda_m  C1D_m3\n2 2\n1\n",
         4,
-        "line 4: the number of fields is 1, in line 2 it is 2; give every row the same columns",
+        "line 4: 1 field, but 2 in line 2; give every row the same columns",
     );
     assert_refused(
         "# Columns: Wavevector (1/m), PSD (m³)\n\n1 2 3\n2 3 4\n",
         3,
-        "line 3: the number of fields is 3, in line 1 it is 2; give every row the same columns",
+        "line 3: 3 fields, but 2 in line 1; give every row the same columns",
     );
 }
 
@@ -275,7 +267,7 @@ fn repeated_wavelengths_are_refused_with_both_lines() {
     assert_refused(
         "lambda_nm,C1D_m3\n5,2\n2,3\n# comment\n5.0,4\n2,3\n",
         5,
-        "line 5: the wavelength 5 nm stands in line 2 already; keep one row for each wavelength, and one series (such \
+        "line 5: the wavelength 5 nm is already in line 2; keep one row for each wavelength, and one series (such \
          as '1D PSD along x') in a file",
     );
 }

@@ -66,14 +66,14 @@ fn slopes_that_do_not_go_with_the_heights_are_refused_with_the_bound_and_the_men
     assert!((least / (0.4e-6 * TAU / 80e-6 * (1.11f64 / 3.0).sqrt()) - 1.0).abs() < 1e-12);
     assert_eq!(
         small.to_string(),
-        "an rms slope of 0.001 is too small for an rms height of 400 nm with a roll-off wavelength of 80 µm: the waves from there \
-         on alone have a slope of 0.0191; give a longer roll-off wavelength or mean width, or a larger slope (a number: 0.1 is \
-         5.7 degrees)"
+        "the rms slope 0.001 is too small for an rms height of 400 nm and a roll-off wavelength of 80 µm: waves \
+         from there up alone have 0.0191; give a longer roll-off wavelength or mean width, or a larger slope (dimensionless: \
+         0.1 is 5.7 degrees)"
     );
     assert!(SelfAffineProfile::new(RoughnessParameters { rms_slope: least, ..GROUND }).is_ok());
     let large = told(RoughnessParameters { rms_slope: 1.0, hurst_exponent: 1.0, ..GROUND });
     assert!(matches!(large, RoughnessError::SlopeTooLarge { largest, .. } if largest < 0.5), "{large}");
-    assert!(large.to_string().contains("with waves down to 100 pm"), "{large}");
+    assert!(large.to_string().contains("waves down to 100 pm"), "{large}");
     for (parameters, word) in [
         (RoughnessParameters { rms_height_m: 0.0, ..GROUND }, "the rms height in m is 0"),
         (RoughnessParameters { rms_slope: -0.1, ..GROUND }, "the rms slope is -0.1"),

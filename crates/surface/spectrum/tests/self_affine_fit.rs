@@ -200,7 +200,7 @@ fn a_band_with_fewer_than_two_samples_is_refused() {
     assert_eq!(error, FitError::TooFewSamples { points: 1 });
     assert_eq!(
         error.to_string(),
-        "fitting a self-affine spectrum: the number of samples in the band is 1, it must be at least 2; widen the band"
+        "fitting a self-affine spectrum: 1 sample; widen the band to hold at least 2"
     );
     assert_eq!(fit_self_affine(&psd, f64::NAN..), Err(FitError::TooFewSamples { points: 0 }));
 }

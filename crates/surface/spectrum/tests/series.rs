@@ -113,7 +113,7 @@ fn the_first_generation_is_read_in_its_own_unit() {
     assert_eq!(
         file.notes,
         [
-            "of the 2 series in the file '1D PSD along x' is read; another is chosen by its series or its subject",
+            "the file holds 2 series; '1D PSD along x' is read; choose another by its series or subject",
             "column 'PSD (µm³)' states no convention and is read as C1D, sigma^2 = (1/pi) Int C dq",
             "1 row without a value is left out",
         ]
@@ -176,15 +176,15 @@ fn standard_errors_are_kept_where_there_are_any() {
     assert_eq!(bare.psd.standard_errors(), Some(&[None, Some(0.5e-27)][..]));
     let other = default("lambda_m,C1D_m3,C1D_se_m4\n1,5,0.5\n2,6,\n");
     assert_eq!(other.psd.standard_errors(), None);
-    assert_eq!(other.notes, ["column 'C1D_se_m4' is not looked at: its unit is none of its quantity's"]);
+    assert_eq!(other.notes, ["column 'C1D_se_m4' is ignored: its unit does not fit its quantity"]);
     for (field, complaint) in [
-        ("-1", "it must be finite and at least 0; correct it, or leave it empty"),
-        ("inf", "it must be finite and at least 0; correct it, or leave it empty"),
-        ("a", "which is no number; write it like 1.5e-9, with a point, or remove the row"),
+        ("-1", "; it must be finite and at least 0: correct it, or leave it empty"),
+        ("inf", "; it must be finite and at least 0: correct it, or leave it empty"),
+        ("a", ", not a number; write it like 1.5e-9, with a point, or remove the row"),
     ] {
         assert_eq!(
             refusal(&format!("lambda_m,C1D_m3,C1D_se_m3\n1,5,{field}\n2,6,0\n"), &ReadOptions::default()),
-            format!("line 2: column 'C1D_se_m3' is '{field}', {complaint}")
+            format!("line 2: column 'C1D_se_m3' is '{field}'{complaint}")
         );
     }
 }
@@ -208,21 +208,21 @@ fn the_third_generation_is_read_and_its_text_names_subjects_in_the_titles() {
 fn names_that_are_not_there_are_refused_with_those_that_are() {
     assert_eq!(
         refusal(GENERATION_C_CSV, &series("1D PSD along z")),
-        "choosing a series: there is no series '1D PSD along z'; the subjects are 'scan 1'; the series are '1D PSD \
+        "there is no series '1D PSD along z'; the subjects are 'scan 1'; the series are '1D PSD \
          along x', '1D PSD along y'"
     );
     assert_eq!(
         refusal(GENERATION_A, &series("x")),
-        "choosing a series: there is no series 'x'; the series are '1D PSD along x', 'q/π × 2D PSD'"
+        "there is no series 'x'; the series are '1D PSD along x', 'q/π × 2D PSD'"
     );
     assert_eq!(
         refusal(GENERATION_B_CSV, &of("scan 3", "1D PSD along x")),
-        "choosing a series: there is no subject 'scan 3'; the subjects are 'scan 1' (measurement), 'scan 2' \
+        "there is no subject 'scan 3'; the subjects are 'scan 1' (measurement), 'scan 2' \
          (measurement), 'the dataset' (surface); the series are '1D PSD along x', 'q/π × 2D PSD'"
     );
     assert_eq!(
         refusal("lambda_m,C1D_m3\n1,2\n2,3\n", &series("x")),
-        "choosing a series: there is no series 'x'; the series of this file have no names"
+        "there is no series 'x'; the series of this file have no names"
     );
     let error = read_psd(GENERATION_A.as_bytes(), &series("x")).unwrap_err();
     assert!(matches!(error, ReadError::Series(_)));
@@ -237,30 +237,30 @@ fn several_subjects_without_an_average_are_refused() {
     assert_eq!(
         refusal(&text, &ReadOptions::default()),
         format!(
-            "choosing a series: 4 series come into question; \
+            "the file holds 4 series to choose from; \
              {offer}, 'q/π × 2D PSD'"
         )
     );
     assert_eq!(
         refusal(&text, &series("1D PSD along x")),
-        format!("choosing a series: 3 series come into question; {offer}")
+        format!("the file holds 3 series to choose from; {offer}")
     );
     let unusual = GENERATION_C_CSV.replace("along x", "along z");
     assert_eq!(
         refusal(&unusual, &ReadOptions::default()),
-        "choosing a series: 2 series come into question; the subjects are 'scan 1'; the \
+        "the file holds 2 series to choose from; the subjects are 'scan 1'; the \
          series are '1D PSD along z', '1D PSD along y'"
     );
     let twice = format!("{GENERATION_A}\n{GENERATION_A}");
     assert_eq!(
         refusal(&twice, &ReadOptions::default()),
-        "choosing a series: 2 series of the file are called '1D PSD along x'; keep the rows of one, or name them apart"
+        "2 series of the file are called '1D PSD along x'; keep the rows of one, or rename them"
     );
     let nameless =
         "# Columns: Wavevector (1/m), PSD (m³)\n1 2\n2 3\n\n# Columns: Wavevector (1/m), PSD (m³)\n1 2\n";
     assert_eq!(
         refusal(nameless, &ReadOptions::default()),
-        "choosing a series: 2 series of the file have no name; keep the rows of one, or name them apart"
+        "2 series of the file have no name; keep the rows of one, or rename them"
     );
 }
 
@@ -268,15 +268,15 @@ fn several_subjects_without_an_average_are_refused() {
 fn values_of_zero_and_missing_abscissae_are_refused_in_exports_too() {
     assert_eq!(
         refusal(&GENERATION_A.replace("nan", "0"), &ReadOptions::default()),
-        "line 8: column 'PSD (µm³)' is '0', it must be finite and above 0; correct it or remove the row"
+        "line 8: column 'PSD (µm³)' is '0'; it must be finite and above 0: correct it or remove the row"
     );
     assert_eq!(
         refusal(&GENERATION_C_CSV.replace("x,2,", "x,,"), &ReadOptions::default()),
-        "line 3: column 'Wavevector (µm⁻¹)' is empty, it must be a number above 0; fill it or remove the row"
+        "line 3: column 'Wavevector (µm⁻¹)' is empty; enter a number above 0 or remove the row"
     );
     assert_eq!(
         refusal(&GENERATION_C_CSV.replace("x,2,0.004", "x,2"), &ReadOptions::default()),
-        "line 3: the number of fields is 3, in line 1 it is 4; give every row the same columns"
+        "line 3: 3 fields, but 4 in line 1; give every row the same columns"
     );
 }
 
@@ -294,14 +294,14 @@ fn graphs_of_gwyddion_are_w1_in_the_unit_of_their_second_line() {
     assert_eq!(
         file.notes,
         [
-            "of the 2 series in the file 'PSDF' is read; another is chosen by its series or its subject",
+            "the file holds 2 series; 'PSDF' is read; choose another by its series or subject",
             "line 4, the wavevector 0, is left out"
         ]
     );
     assert_eq!(read(plain, &series("fit")).psd.values(), [6e-21, 4.5e-21]);
     assert_eq!(
         refusal(plain, &ReadOptions::default()),
-        "choosing a series: 2 series come into question; the series are 'PSDF', 'Fit'"
+        "the file holds 2 series to choose from; the series are 'PSDF', 'Fit'"
     );
 
     let single = "k       W<sub>1</sub>           \n[m^-1]     [m^3]         \n1e6  4e-21            \n2e6  1e-21            \n";
@@ -333,11 +333,11 @@ fn graphs_of_gwyddion_are_w1_in_the_unit_of_their_second_line() {
     );
     assert_eq!(
         refusal(&single.replace("2e6  1e-21", "2e6"), &ReadOptions::default()),
-        "line 4: the number of fields is 1, in line 2 it is 2; give every row the same columns"
+        "line 4: 1 field, but 2 in line 2; give every row the same columns"
     );
     assert_eq!(
         refusal(&plain.replace("3  1e-3            -          -", "3  1e-3"), &series("fit")),
-        "line 6: the number of fields is 2, in line 3 it is 4; give every row the same columns"
+        "line 6: 2 fields, but 4 in line 3; give every row the same columns"
     );
     assert_eq!(
         refusal(&single.replace("W<sub>1</sub>", "W<sub>r</sub>"), &ReadOptions::default()),
@@ -361,14 +361,15 @@ fn tables_of_persson_tell_their_convention() {
             file.notes,
             [
                 "column 'C (m^4)' is read as Persson's C, sigma^2 = 2 pi Int q C dq",
-                "the spectrum is one of areas (persson); as C1D it is the Abel integral over its samples, of an \
-                 isotropic surface without anything beyond them: it ends one sample earlier, and its last values are low"
+                "the spectrum is that of an area (persson); the Abel integral over its samples converts it to C1D \
+                 for an isotropic surface without roughness beyond them: it ends one sample earlier, and its last \
+                 values are low"
             ]
         );
         assert_eq!(file.psd.profile().unwrap().len(), 2);
     }
     let with_errors = default("q_per_m,Ciso_m4,Ciso_se_m4\n1,2,1\n2,3,1\n4,5,1\n");
     assert_eq!(with_errors.psd.standard_errors(), Some(&[Some(1.0); 3][..]));
-    assert!(with_errors.notes[0].ends_with("its last values are low; standard errors are lost on the way"));
+    assert!(with_errors.notes[0].ends_with("its last values are low; standard errors are lost"));
     assert_eq!(with_errors.psd.profile().unwrap().standard_errors_m3(), None);
 }

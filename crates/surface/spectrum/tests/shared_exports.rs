@@ -60,10 +60,7 @@ fn every_export_holds_the_same_series_in_the_same_unit() {
         let usual = read_psd(&bytes[..], &ReadOptions::default()).unwrap();
         let first = [6.283185307179586e5, 6.610473859781669e-21];
         assert_close(&usual, first, [3.769911184307752e7, 2.80212622418777e-53], 21);
-        assert!(
-            usual.notes[0]
-                .contains("1D PSD along x' is read; another is chosen by its series or its subject")
-        );
+        assert!(usual.notes[0].contains("1D PSD along x' is read; choose another by its series or subject"));
         assert_eq!(read_psd(&bytes[..], &series(X)).unwrap().psd, usual.psd);
 
         let y = read_psd(&bytes[..], &series("1d psd along Y")).unwrap();
@@ -93,5 +90,5 @@ fn the_series_of_json_takes_the_units_given() {
     let first = [6.283185307179586e5, 6.610473859781669e-21];
     assert_close(&file, first, [3.769911184307752e7, 2.80212622418777e-53], 21);
     let refusal = read_psd(&bytes[..], &ReadOptions::default()).unwrap_err().to_string();
-    assert!(refusal.contains("states no units, and both of them are needed"), "{refusal}");
+    assert!(refusal.contains("states no units, and both are needed"), "{refusal}");
 }

@@ -80,7 +80,7 @@ fn what_is_not_given_is_in_si_and_noted() {
         BARE,
         &units("1/um", ""),
         Some(1),
-        "line 1: the file begins with numbers and has no header that says what its two columns hold",
+        "line 1: the file has no header that names its two columns",
     );
 }
 
@@ -111,13 +111,13 @@ fn units_of_a_header_are_not_overruled() {
         text,
         &units("1/nm", ""),
         Some(1),
-        "line 1: column 'Wavevector (µm⁻¹)' is in '1/um', and '1/nm' is given for it; mend the file where it is wrong",
+        "line 1: column 'Wavevector (µm⁻¹)' is in '1/um', but '1/nm' is given for it; correct the file",
     );
     assert_refused(
         text,
         &units("1/um", "m^3"),
         Some(1),
-        "line 1: column 'PSD (µm³)' is in 'um^3', and 'm^3' is given for it; mend the file where it is wrong",
+        "line 1: column 'PSD (µm³)' is in 'um^3', but 'm^3' is given for it; correct the file",
     );
 }
 
@@ -128,28 +128,28 @@ fn units_that_are_none_are_refused_whatever_the_file() {
             text,
             &units("furlong", "um^3"),
             None,
-            "reading the unit of the abscissa: 'furlong' is none; give one like m, um or nm of a wavelength, \
-             1/m, 1/um or 1/nm of a wavevector",
+            "'furlong' is not a unit of the abscissa; give one such as m, um or nm for a wavelength, 1/m, 1/um or \
+             1/nm for a wavevector",
         );
         assert_refused(
             text,
             &units("1/um", "um^2"),
             None,
-            "reading the unit of the spectrum: 'um^2' is none; give one like m^3, um^3 or nm^3 of a \
-             profile, m^4, um^4 or nm^4 of an area",
+            "'um^2' is not a unit of the spectrum; give one such as m^3, um^3 or nm^3 for a profile, m^4, um^4 or \
+             nm^4 for an area",
         );
     }
     assert_refused(
         BARE,
         &ReadOptions { x: Some(Abscissa::Wavelength), ..units("1/um", "um^3") },
         None,
-        "reading the unit of the wavelength: '1/um' is none; give one like m, um or nm",
+        "'1/um' is not a unit of the wavelength; give one such as m, um or nm",
     );
     assert_refused(
         BARE,
         &ReadOptions { convention: Some(Convention::Ciso), ..units("1/um", "um^3") },
         None,
-        "reading the unit of the spectrum (ciso): 'um^3' is none; give one like m^4, um^4 or nm^4",
+        "'um^3' is not a unit of the spectrum (ciso); give one such as m^4, um^4 or nm^4",
     );
 }
 
@@ -172,7 +172,7 @@ fn a_json_series_needs_both_units() {
             JSON,
             &options,
             Some(2),
-            "line 2: the series of a JSON file states no units, and both of them are needed",
+            "line 2: the JSON series states no units, and both are needed",
         );
     }
 }
@@ -220,7 +220,7 @@ fn json_that_is_no_series_is_refused() {
         "[]",
         &given,
         None,
-        "reading a series from JSON: the array of series is empty, it must hold at least 1",
+        "reading a series from JSON: the array of series is empty; give at least 1",
     );
     assert_refused(
         &JSON.replace("null, 4e-3", "NaN, 4e-3"),
@@ -238,13 +238,13 @@ fn json_that_is_no_series_is_refused() {
         &JSON.replace("null, 4e-3", "0, 4e-3"),
         &given,
         Some(2),
-        "line 2: column 'y[1]' is '0', it must be finite and above 0; correct it or remove the row",
+        "line 2: column 'y[1]' is '0'; it must be finite and above 0: correct it or remove the row",
     );
     assert_refused(
         &JSON.replace("[1, 2, 4]", "[1, 2, \"b\"]"),
         &given,
         Some(2),
-        "line 2: column 'x[2]' is 'b', which is no number; write it like 1.5e-9, with a point, or remove the row",
+        "line 2: column 'x[2]' is 'b', not a number; write it like 1.5e-9, with a point, or remove the row",
     );
 }
 
@@ -262,13 +262,13 @@ fn json_holds_rows_as_well() {
         &ROWS.replace("\"lambda_nm\": 1,", "\"lambda_nm\": null,"),
         &usual,
         Some(3),
-        "line 3: column 'lambda_nm' is empty, it must be a number above 0; fill it or remove the row",
+        "line 3: column 'lambda_nm' is empty; enter a number above 0 or remove the row",
     );
     assert_refused(
         &ROWS.replace("3e-28", "-3e-28"),
         &usual,
         Some(2),
-        "line 2: column 'C1D_m3' is '-3e-28', it must be finite and above 0; correct it or remove the row",
+        "line 2: column 'C1D_m3' is '-3e-28'; it must be finite and above 0: correct it or remove the row",
     );
     assert!(
         read_psd(ROWS.replace("lambda_nm", "width").as_bytes(), &usual)

@@ -143,13 +143,13 @@ fn what_is_wrong_in_a_sheet_is_told_with_sheet_and_row() {
         read_psd(&workbook(&[sheet("mine", &about, 7, &table)])[..], &ReadOptions::default()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "sheet 'mine', line 8: column 'PSD (m³)' is '0', it must be finite and above 0; correct it or remove the row"
+        "sheet 'mine', line 8: column 'PSD (m³)' is '0'; it must be finite and above 0: correct it or remove the row"
     );
     assert_eq!(error.line(), Some(8));
     let own = [["Wavevector (1/m)", "PSD (m³)", ""], ["1e6", "", ""], ["2e6", "1e-21", ""]];
     assert_eq!(
         refusal(&workbook(&[sheet("mine", &[], 1, &own)])),
-        "sheet 'mine', line 2: column 'PSD (m³)' is empty, it must be a number above 0; fill it or remove the row"
+        "sheet 'mine', line 2: column 'PSD (m³)' is empty; enter a number above 0 or remove the row"
     );
 }
 
@@ -183,8 +183,7 @@ fn a_workbook_that_swells_is_refused_before_it_is_parsed() {
     assert!(bytes.len() < 1 << 20);
     assert_eq!(
         refusal(&bytes),
-        "reading the workbook: unpacked, it is larger than 128 MiB, the most that is read; export the series as CSV, which \
-         has no limit"
+        "reading the workbook: unpacked, it exceeds 128 MiB; export the series as CSV, which has no limit"
     );
 }
 

@@ -1,4 +1,4 @@
-//! Exports of contact.engineering as text: blocks under `# Columns:` lines, and CSV with columns that name the series.
+//! Text exports of contact.engineering: blocks under `# Columns:` lines, and CSV with columns that name the series.
 
 use std::collections::HashMap;
 
@@ -6,15 +6,15 @@ use crate::read::error::ReadError;
 use crate::read::lines::comment;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
-/// The series under lines `# Columns: ...`, of which the text holds at least one.
+/// Splits the rows into the series under lines `# Columns: ...`; the text has at least one such line.
 ///
-/// A comment underlined with `=` as `type: name` begins a subject; one underlined with `-`, or right above the line, is
-/// the title of a series. Where no subject was begun, this may be `subject - series`.
+/// A comment `type: name` underlined with `=` begins a subject. A comment underlined with `-`, or right above the line,
+/// is the title of a series; without a subject it may read `subject - series`.
 pub(crate) fn blocks(text: &str, mut rows: Vec<Row>) -> Vec<Series> {
     let mut found = headings(text);
     let mut series = Vec::new();
     while let Some((name, columns)) = found.pop() {
-        // Rows above the first heading are its rows: the file has no others.
+        // The first heading also takes the rows above it; the file has no others.
         let start = if found.is_empty() { 0 } else { rows.partition_point(|row| row.line < columns.line) };
         let mut block = Series::new(name, columns, rows.split_off(start));
         block.may_miss_values = true;
@@ -24,7 +24,7 @@ pub(crate) fn blocks(text: &str, mut rows: Vec<Row>) -> Vec<Series> {
     series
 }
 
-/// Whether some line says `# Columns: ...`.
+/// Returns true if a line reads `# Columns: ...`.
 pub(crate) fn has_columns_comment(text: &str) -> bool {
     text.lines().filter_map(comment).any(|text| text.starts_with(COLUMNS))
 }
@@ -58,7 +58,7 @@ fn is_underline(text: &str, of: char) -> bool {
     text.len() > 2 && text.chars().all(|character| character == of)
 }
 
-/// `topography: sample 1`; a title such as `Power spectral density` is no subject.
+/// Splits `topography: sample 1`; `None` for a title such as `Power spectral density`, which is not a subject.
 fn split_subject(title: &str) -> Option<(String, String)> {
     let (subject_type, subject) = title.split_once(": ")?;
     let is_word = !subject_type.is_empty() && !subject_type.contains(char::is_whitespace);
@@ -85,7 +85,7 @@ fn series_name(subject: Option<&(String, String)>, title: Option<&str>) -> Serie
     }
 }
 
-/// The columns of a table that name the series of each row.
+/// Columns of a table that name the series of each row.
 #[derive(Clone, Copy, Default)]
 struct NameColumns {
     subject_type: Option<usize>,
@@ -94,7 +94,7 @@ struct NameColumns {
 }
 
 impl NameColumns {
-    fn of(names: &[String]) -> Self {
+    fn find(names: &[String]) -> Self {
         let find = |accepted: &[&str]| {
             names.iter().position(|name| accepted.iter().any(|one| name.eq_ignore_ascii_case(one)))
         };
@@ -118,12 +118,13 @@ impl NameColumns {
     }
 }
 
-/// The rows of a table with a header, apart by the series they name, in the order in which these begin.
+/// Groups the rows of a table with a header by the series they name, in the order of their first rows.
 ///
 /// # Errors
-/// [`ReadError::Ragged`] for rows of another length in a table of series, whose names could be read askew.
+/// [`ReadError::Ragged`] for a row of another length in a table of series, where names could come from the wrong
+/// column.
 pub(crate) fn grouped(names: Vec<String>, line: usize, rows: Vec<Row>) -> Result<Vec<Series>, ReadError> {
-    let name_columns = NameColumns::of(&names);
+    let name_columns = NameColumns::find(&names);
     let columns = || Columns { names: names.clone(), line, kind: ColumnKind::Named };
     if rows.is_empty() || name_columns.subject.is_none() && name_columns.series.is_none() {
         return Ok(vec![Series::new(SeriesName::default(), columns(), rows)]);

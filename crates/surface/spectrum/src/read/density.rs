@@ -1,4 +1,4 @@
-//! Which column of a table is the spectrum, in which unit and convention, and which holds its standard errors.
+//! Choice of the columns of the spectrum and its standard errors, with unit and convention.
 
 use crate::convention::Convention;
 use crate::read::error::{ReadError, SPECTRUM};
@@ -14,7 +14,7 @@ pub(crate) struct Candidate {
 }
 
 impl Header<'_> {
-    /// The column of the spectrum: the one asked for, else the only one, else C1D.
+    /// Chooses the column of the spectrum: the requested one, else the only one, else C1D.
     pub(crate) fn density(&self, abscissa: Abscissa) -> Result<Candidate, ReadError> {
         if let Some(column) = &self.options.column {
             return self.density_named(column, abscissa);
@@ -51,7 +51,7 @@ impl Header<'_> {
         }
     }
 
-    /// The column of exactly this name, or else of this name in any case.
+    /// Finds the column of exactly this name, else of this name in any case.
     fn density_named(&self, column: &str, abscissa: Abscissa) -> Result<Candidate, ReadError> {
         let matching = |is_match: fn(&str, &str) -> bool| -> Vec<usize> {
             (0..self.names.len()).filter(|&index| is_match(&self.names[index], column)).collect()
@@ -124,7 +124,7 @@ impl Header<'_> {
         Ok(Candidate { name: None, column: DensityColumn { index, scale, convention } })
     }
 
-    /// The standard errors of the spectrum of this name: in a unit of its dimension, or without one in its own.
+    /// Finds the standard errors of the spectrum; without a unit they are in that of the spectrum.
     pub(crate) fn standard_error(
         &self,
         name: DensityName,
@@ -140,14 +140,14 @@ impl Header<'_> {
         let fitting = Unit::parse(text).filter(|unit| unit.metre_power == density.convention.metre_power());
         if fitting.is_none() {
             notes.push(format!(
-                "column '{}' is not looked at: its unit is none of its quantity's",
+                "column '{}' is ignored: its unit does not fit its quantity",
                 self.names[index]
             ));
         }
         Some(ErrorColumn { index, scale: fitting?.scale() })
     }
 
-    /// What a name does not say by itself.
+    /// Describes the convention that was assumed for a name that does not state it.
     pub(crate) fn convention_note(
         &self,
         name: DensityName,
@@ -157,7 +157,7 @@ impl Header<'_> {
         let column = &self.names[density.index];
         match (name, density.convention) {
             (DensityName::Psd, Convention::Frequency) => Some(format!(
-                "column '{column}' stands against {abscissa} and is read as the one-sided spectrum S of frequency, \
+                "column '{column}' is given against {abscissa} and is read as the one-sided spectrum S of frequency, \
                  sigma^2 = Int S df"
             )),
             (DensityName::Psd, _) => Some(format!(

@@ -1,8 +1,8 @@
-//! What can be wrong with a file.
+//! Errors of reading the file of a spectrum.
 
 use thiserror::Error;
 use units::LengthUnit;
-use units::display::length;
+use units::display::{counted, length};
 
 use crate::convention::Convention;
 use crate::read::header::Abscissa;
@@ -12,23 +12,23 @@ use crate::read::options::UnitError;
 use crate::read::select::SeriesError;
 use crate::read::workbook::WorkbookError;
 
-/// The quantity of a column whose name the caller may give.
+/// Name of the quantity for which the caller may name the column.
 pub(crate) const SPECTRUM: &str = "spectrum";
 
-/// What bytes are that are no text in UTF-8.
+/// Probable encoding of bytes that are not UTF-8 text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Encoding {
-    /// They begin like UTF-16.
+    /// UTF-16, by its first bytes.
     Utf16,
-    /// Control characters stand among the first of them: a binary file, such as instruments write.
+    /// Binary, such as files of instruments: control characters among the first bytes.
     Binary,
-    /// Text in one of the older encodings.
+    /// Text in another encoding.
     Unknown,
 }
 
 impl Encoding {
-    pub(crate) fn of(bytes: &[u8]) -> Self {
+    pub(crate) fn guess(bytes: &[u8]) -> Self {
         if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
             return Self::Utf16;
         }
@@ -41,23 +41,23 @@ impl std::fmt::Display for Encoding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Utf16 => "the start of UTF-16, not UTF-8",
-            Self::Binary => "binary, perhaps a scan, and no spectrum as text",
+            Self::Binary => "binary data, perhaps a scan",
             Self::Unknown => "not UTF-8 text",
         })
     }
 }
 
-/// A file that holds no power spectrum, or more than one, or does not say what its numbers mean.
+/// Errors of reading a power spectrum.
 ///
-/// Lines are counted from 1, comments and empty lines included; columns go by their names, or by their number
-/// where the file has no header.
+/// Lines are counted from 1, comments and empty lines included. Columns are given by name, or by number if the file has
+/// no header.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReadError {
-    /// The input failed.
+    /// The input cannot be read.
     #[error("reading the spectrum: {0}")]
     Io(#[from] std::io::Error),
-    /// Not text in UTF-8.
+    /// The file is not UTF-8 text.
     #[error(
         "line {line}: byte {offset} of the file is 0x{byte:02x}, which is {encoding}; save the spectrum as CSV or text in UTF-8"
     )]
@@ -68,23 +68,21 @@ pub enum ReadError {
         offset: usize,
         /// The byte.
         byte: u8,
-        /// What it is instead.
+        /// The probable encoding.
         encoding: Encoding,
     },
-    /// Nothing but comments and empty lines.
-    #[error("reading the spectrum: the file holds no rows, it must hold at least 2")]
+    /// The file has only comments and empty lines.
+    #[error("reading the spectrum: the file holds no rows; give at least 2")]
     Empty,
     /// Numbers without a header.
-    #[error(
-        "line {line}: the file begins with numbers and has no header that says what its two columns hold"
-    )]
+    #[error("line {line}: the file has no header that names its two columns")]
     NoHeader {
         /// Line of the first row.
         line: usize,
     },
-    /// Numbers without a header in other than two columns.
+    /// Numbers without a header, but not in two columns.
     #[error(
-        "line {line}: a file without a header needs 2 columns, found {columns}; name them in a first row"
+        "line {line}: a file without a header needs 2 columns but has {columns}; name them in a first row"
     )]
     HeaderlessColumns {
         /// Line of the first row.
@@ -92,24 +90,24 @@ pub enum ReadError {
         /// Number of columns.
         columns: usize,
     },
-    /// A choice of series that the file does not offer, or that has to be made.
+    /// The choice of the series fails or is missing.
     #[error(transparent)]
     Series(#[from] SeriesError),
-    /// A unit given by the caller that does not do.
+    /// A unit given by the caller is invalid.
     #[error(transparent)]
     Unit(#[from] UnitError),
-    /// JSON that holds no series.
+    /// The JSON holds no series.
     #[error(transparent)]
     Json(#[from] JsonError),
-    /// A workbook that cannot be read.
+    /// The workbook cannot be read.
     #[error(transparent)]
     Workbook(#[from] WorkbookError),
-    /// Any of the others in a sheet of a workbook, whose rows are its lines.
+    /// Another error in a sheet of a workbook, with rows of the sheet as lines.
     #[error("sheet '{sheet}', {error}")]
     InSheet {
         /// Name of the sheet.
         sheet: String,
-        /// What is wrong there.
+        /// The error in the sheet.
         error: Box<ReadError>,
     },
     /// No column for a quantity.
@@ -117,19 +115,19 @@ pub enum ReadError {
     MissingColumn {
         /// Line of the header.
         line: usize,
-        /// What is missing.
+        /// The missing quantity.
         quantity: &'static str,
-        /// The names it goes by.
+        /// Accepted names.
         accepted: &'static str,
         /// The columns there are.
         found: Vec<String>,
     },
-    /// No column of the name asked for.
+    /// No column of the requested name.
     #[error("line {line}: there is no column '{column}'; the columns are {}", list(.found))]
     UnknownColumn {
         /// Line of the header.
         line: usize,
-        /// The name asked for.
+        /// The requested name.
         column: String,
         /// The columns there are.
         found: Vec<String>,
@@ -146,7 +144,7 @@ pub enum ReadError {
         /// The other.
         second: String,
     },
-    /// Several spectra, none of which has precedence.
+    /// Several spectra, none with precedence.
     #[error("line {line}: several columns hold a spectrum: {}", list(.found))]
     SeveralDensities {
         /// Line of the header.
@@ -163,11 +161,11 @@ pub enum ReadError {
         line: usize,
         /// Column.
         column: String,
-        /// What stands in the place of the unit.
+        /// The text in the place of the unit.
         unit: String,
         /// The quantity.
         quantity: String,
-        /// The units accepted.
+        /// Accepted units.
         accepted: String,
     },
     /// A spectrum in m^4, which two conventions share.
@@ -178,8 +176,8 @@ pub enum ReadError {
         /// Column.
         column: String,
     },
-    /// A column whose name does not tell its convention.
-    #[error("line {line}: the name of column '{column}' does not say what its values mean")]
+    /// A column whose name does not state a convention.
+    #[error("line {line}: column '{column}' does not state its convention")]
     NoConvention {
         /// Line of the header.
         line: usize,
@@ -188,7 +186,8 @@ pub enum ReadError {
     },
     /// A row of another length than the header or the first row.
     #[error(
-        "line {line}: the number of fields is {found}, in line {first_line} it is {expected}; give every row the same columns"
+        "line {line}: {}, but {expected} in line {first_line}; give every row the same columns",
+        counted(*.found, "field")
     )]
     Ragged {
         /// Line.
@@ -201,18 +200,16 @@ pub enum ReadError {
         expected: usize,
     },
     /// An empty field.
-    #[error(
-        "line {line}: column '{column}' is empty, it must be a number above 0; fill it or remove the row"
-    )]
+    #[error("line {line}: column '{column}' is empty; enter a number above 0 or remove the row")]
     EmptyField {
         /// Line.
         line: usize,
         /// Column.
         column: String,
     },
-    /// A field that is no number.
+    /// A field that is not a number.
     #[error(
-        "line {line}: column '{column}' is '{text}', which is no number; write it like 1.5e-9, with a point, or \
+        "line {line}: column '{column}' is '{text}', not a number; write it like 1.5e-9, with a point, or \
          remove the row"
     )]
     NotANumber {
@@ -225,7 +222,7 @@ pub enum ReadError {
     },
     /// A number that is NaN, infinite, zero or negative.
     #[error(
-        "line {line}: column '{column}' is '{text}', it must be finite and above 0; correct it or remove the row"
+        "line {line}: column '{column}' is '{text}'; it must be finite and above 0: correct it or remove the row"
     )]
     OutOfRange {
         /// Line.
@@ -237,7 +234,7 @@ pub enum ReadError {
     },
     /// A standard error that is infinite or negative.
     #[error(
-        "line {line}: column '{column}' is '{text}', it must be finite and at least 0; correct it, or leave it empty"
+        "line {line}: column '{column}' is '{text}'; it must be finite and at least 0: correct it, or leave it empty"
     )]
     BadStandardError {
         /// Line.
@@ -255,19 +252,18 @@ pub enum ReadError {
     Inconsistent {
         /// Line.
         line: usize,
-        /// The field that counts.
+        /// The field with precedence.
         first: Box<Field>,
         /// The field that contradicts it.
         second: Box<Field>,
         /// The wavelength of the first over that of the second, to six digits.
         ratio: f64,
-        /// What a factor of 2 pi tells.
+        /// Explanation of a factor of 2 pi, or empty.
         hint: &'static str,
     },
-    /// The same wavelength twice.
+    /// A repeated wavelength.
     #[error(
-        "line {line}: the wavelength {} stands in line {first_line} already; keep one row for each \
-         wavelength, and one series (such as '1D PSD along x') in a file",
+        "line {line}: the wavelength {} is already in line {first_line}; keep one row for each wavelength, and one series (such as '1D PSD along x') in a file",
         length(*.wavelength_m)
     )]
     RepeatedWavelength {
@@ -279,7 +275,7 @@ pub enum ReadError {
         wavelength_m: f64,
     },
     /// Fewer than two rows.
-    #[error("line {line}: the number of rows in the file is {rows}, it must be at least 2")]
+    #[error("line {line}: the file holds {}; give at least 2", counted(*.rows, "row"))]
     TooFewRows {
         /// Last line read.
         line: usize,
@@ -293,7 +289,7 @@ pub enum ReadError {
 pub struct Field {
     /// Column.
     pub column: String,
-    /// What stands in it.
+    /// Text of the field.
     pub text: String,
 }
 
@@ -304,7 +300,7 @@ impl std::fmt::Display for Field {
 }
 
 impl ReadError {
-    /// The line to look at, counted from 1; `None` where the whole file is at fault.
+    /// The line at fault, counted from 1; `None` if the whole file is.
     pub fn line(&self) -> Option<usize> {
         match *self {
             Self::Io(_) | Self::Empty | Self::Series(_) | Self::Workbook(_) => None,
@@ -332,7 +328,7 @@ impl ReadError {
         }
     }
 
-    /// What the caller can do about it with an option, where that is all there is to it.
+    /// The option that fixes the error, if one does.
     #[must_use]
     pub fn mend(&self) -> Option<ReadMend> {
         let convention = || ReadOption::Convention.one_of(Convention::ALL);
@@ -354,7 +350,7 @@ impl ReadError {
         }
     }
 
-    /// A unit that does not measure the density of a convention.
+    /// Makes the error of a unit that does not fit the spectrum of a convention.
     pub(crate) fn bad_density_unit(line: usize, column: &str, unit: &str, convention: Convention) -> Self {
         let power = convention.metre_power();
         Self::BadUnit {

@@ -1,8 +1,8 @@
 //! Graphs exported as text by Gwyddion: plain, for gnuplot, or separated by semicolons.
 //!
-//! Names and units stand in two lines, `k  W<sub>1</sub>` and `[m^-1]  [m^3]`, perhaps below a line of descriptions;
-//! for gnuplot they are comments, and each curve has its own. Several curves stand side by side, each with its
-//! abscissa or all with that of the first column; a dash or nothing fills the rows beyond the end of a curve.
+//! Two lines hold names and units, `k  W<sub>1</sub>` and `[m^-1]  [m^3]`, optionally below a line of descriptions. For
+//! gnuplot they are comments, one pair per curve. Several curves are in columns side by side, each with its own
+//! abscissa or all with that of the first column; a dash or an empty field fills the rows beyond the end of a curve.
 
 use csv::StringRecord;
 
@@ -10,10 +10,10 @@ use crate::read::error::ReadError;
 use crate::read::lines::is_number;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
-/// The curves of an export; `None` for a file that does not begin like one.
+/// Reads the curves of an export; `None` for a file that does not begin like one.
 ///
 /// # Errors
-/// [`ReadError::Ragged`] for a row of another length than the units: which curve its numbers belong to is lost.
+/// [`ReadError::Ragged`] for a row of another length than the units, whose numbers cannot be assigned to curves.
 pub(crate) fn series(text: &str) -> Result<Option<Vec<Series>>, ReadError> {
     let mut blocks: Vec<Block> = Vec::new();
     let mut heading: Vec<String> = Vec::new();
@@ -27,7 +27,7 @@ pub(crate) fn series(text: &str) -> Result<Option<Vec<Series>>, ReadError> {
         }
         if is_comment || !begins_with_a_number(content) {
             heading.push(without_markup(content));
-            // At most descriptions, names and units: a longer heading is another kind of file's.
+            // A heading has at most descriptions, names and units; a longer one belongs to another kind of file.
             unnumbered += usize::from(!is_comment);
             if unnumbered > 3 {
                 return Ok(None);
@@ -44,7 +44,7 @@ pub(crate) fn series(text: &str) -> Result<Option<Vec<Series>>, ReadError> {
             heading.clear();
             unnumbered = 0;
         }
-        // Numbers that no such heading announces are another kind of file's.
+        // Numbers without such a heading belong to another kind of file.
         let Some(block) = blocks.last_mut() else { return Ok(None) };
         block.push(i + 1, content)?;
     }
@@ -63,12 +63,12 @@ struct Block {
     /// Number of columns, and the line of their units.
     columns: usize,
     line: usize,
-    /// Whether the first column is the abscissa of every curve.
+    /// True if the first column is the abscissa of every curve.
     is_merged: bool,
 }
 
 impl Block {
-    /// The curves that these lines announce, the last of which is `line`.
+    /// Parses a heading that ends in `line` into empty curves.
     fn under(heading: &[String], line: usize) -> Option<Self> {
         let [above @ .., names, units] = heading else { return None };
         let units = bracketed(units)?;
@@ -129,7 +129,7 @@ fn places(is_merged: bool, curve: usize) -> (usize, usize) {
     if is_merged { (0, curve + 1) } else { (2 * curve, 2 * curve + 1) }
 }
 
-/// What stands in brackets, where nothing stands outside them.
+/// Splits a line of bracketed units; `None` if there is text outside the brackets.
 fn bracketed(line: &str) -> Option<Vec<&str>> {
     let mut units = Vec::new();
     let mut rest = line.trim();
@@ -141,7 +141,7 @@ fn bracketed(line: &str) -> Option<Vec<&str>> {
     Some(units)
 }
 
-/// The cells of a heading: as many as there must be.
+/// Splits a line of a heading into `count` cells; `None` for another number.
 fn cells(line: &str, has_semicolons: bool, count: usize) -> Option<Vec<String>> {
     let cells: Vec<&str> = if has_semicolons {
         line.trim().trim_end_matches(';').split(';').map(str::trim).collect()
@@ -158,7 +158,7 @@ fn cells(line: &str, has_semicolons: bool, count: usize) -> Option<Vec<String>> 
     (cells.len() == count).then(|| cells.into_iter().map(str::to_owned).collect())
 }
 
-/// The text without tags, as of `W<sub>1</sub>`.
+/// Removes tags, as in `W<sub>1</sub>`.
 fn without_markup(text: &str) -> String {
     let mut plain = String::new();
     let mut rest = text;

@@ -1,4 +1,4 @@
-//! Column names: a recognised quantity and, perhaps, its unit.
+//! Column names: a recognised quantity and an optional unit.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::read::unit::Unit;
 use units::named;
 
-/// What the rows of a spectrum are labelled with.
+/// Quantity of the abscissa of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Abscissa {
@@ -22,7 +22,7 @@ pub enum Abscissa {
 named!(Abscissa, "abscissa", { Wavelength => "wavelength", Wavevector => "wavevector", Frequency => "frequency" });
 
 impl Abscissa {
-    /// The wavelength in m that a value in SI units stands for.
+    /// Converts a value in SI units to a wavelength \[m\].
     pub(crate) fn wavelength_m(self, value: f64) -> f64 {
         match self {
             Self::Wavelength => value,
@@ -31,7 +31,7 @@ impl Abscissa {
         }
     }
 
-    /// Whether a unit measures this quantity.
+    /// Returns true if a unit measures this quantity.
     pub(crate) fn fits(self, unit: Unit) -> bool {
         match self {
             Self::Wavelength => unit.metre_power == 1,
@@ -48,7 +48,7 @@ impl Abscissa {
     }
 }
 
-/// The names a spectrum goes by.
+/// Names of columns with a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DensityName {
     C1d,
@@ -56,9 +56,9 @@ pub(crate) enum DensityName {
     Ciso,
     /// `C`, only in m^4: Persson's.
     C,
-    /// Whatever its abscissa and its unit say.
+    /// A spectrum whose convention follows from its abscissa and unit.
     Psd,
-    /// Gwyddion's word.
+    /// Gwyddion's name.
     Psdf,
 }
 
@@ -71,7 +71,7 @@ pub(crate) enum Quantity {
     StandardError(DensityName),
 }
 
-/// Names that begin like another one stand before it.
+/// Known names; a name that contains another as its beginning comes before it.
 const NAMES: [(&str, Quantity); 19] = [
     ("standard error of psd", Quantity::StandardError(DensityName::Psd)),
     ("psd_se", Quantity::StandardError(DensityName::Psd)),
@@ -98,15 +98,14 @@ const NAMES: [(&str, Quantity); 19] = [
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Heading<'h> {
     pub(crate) quantity: Quantity,
-    /// What stands where a unit is written; not necessarily a unit.
+    /// Text in the place of the unit, not necessarily a unit.
     pub(crate) unit: Option<&'h str>,
 }
 
 impl<'h> Heading<'h> {
-    /// Recognises a name whatever its case, alone or with a unit: `q`, `Lambda_nm`, `PSD (µm³)`, `f [1/mm]`,
-    /// `λ / nm`.
+    /// Recognises a name in any case, alone or with a unit: `q`, `Lambda_nm`, `PSD (µm³)`, `f [1/mm]`, `λ / nm`.
     ///
-    /// A name that goes on in words, such as `PSD_error_m3` or `Ciso_approx_m4`, is another quantity's.
+    /// A name that continues in words, such as `PSD_error_m3` or `Ciso_approx_m4`, is another quantity.
     pub(crate) fn parse(name: &'h str) -> Option<Self> {
         NAMES.iter().find_map(|&(base, quantity)| {
             let (start, rest) = name.split_at_checked(base.len())?;
@@ -116,7 +115,7 @@ impl<'h> Heading<'h> {
     }
 }
 
-/// Whether a name of one letter that stands for many other things has the unit that tells.
+/// Returns false for an ambiguous one-letter name without the unit of its quantity.
 fn is_meant(quantity: Quantity, base: &str, unit: Option<&str>) -> bool {
     let power = unit.map(|unit| Unit::parse(unit).map(|unit| unit.metre_power));
     match (quantity, base) {
@@ -126,13 +125,13 @@ fn is_meant(quantity: Quantity, base: &str, unit: Option<&str>) -> bool {
     }
 }
 
-/// The unit at the end of any name, recognised or not: in brackets, after a slash or after an underscore.
+/// Parses the unit at the end of any name: in brackets, after a slash or after an underscore.
 pub(crate) fn trailing_unit(name: &str) -> Option<Unit> {
     name.match_indices(['(', '[', '/', '_', ' '])
         .find_map(|(at, _)| unit_suffix(&name[at..]).flatten().and_then(Unit::parse))
 }
 
-/// The text in the place of a unit; `Some(None)` for a bare name, `None` where the name goes on.
+/// Returns the text in the place of a unit; `Some(None)` for a bare name, `None` if the name continues.
 fn unit_suffix(rest: &str) -> Option<Option<&str>> {
     let trimmed = rest.trim();
     if trimmed.is_empty() {
@@ -147,7 +146,7 @@ fn unit_suffix(rest: &str) -> Option<Option<&str>> {
     Some(Some(unit.trim()))
 }
 
-/// One word is taken for a unit, known or not; several only where they are one.
+/// Returns true for one word, known as a unit or not, and for several words that are a unit.
 fn is_unit_like(text: &str) -> bool {
     let is_rate = ["rad_per_", "per_"].iter().any(|start| text.to_ascii_lowercase().starts_with(start));
     is_rate || !text.contains(['_', ' ']) || Unit::parse(text).is_some()
@@ -162,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_recognised_whatever_their_case_and_unit() {
+    fn names_are_recognised_in_any_case_and_with_any_unit() {
         assert_eq!(Heading::parse("wavelength"), wavelength(None));
         assert_eq!(Heading::parse("LAMBDA_NM"), wavelength(Some("NM")));
         assert_eq!(Heading::parse("λ / nm"), wavelength(Some("nm")));
@@ -205,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_go_on_are_other_names() {
+    fn names_that_continue_are_other_names() {
         for name in [
             "PSD_error_m3",
             "Ciso_approx_m4",

@@ -1,5 +1,5 @@
-//! Spectra as JSON: series `{name, x, y, std_err_y}` of contact.engineering, one or an array of them, or the whole analysis
-//! with its units; and tables, an array with an object for each row.
+//! Spectra as JSON: series `{name, x, y, std_err_y}` of contact.engineering, one or an array of them; a whole analysis
+//! with its units; or a table, an array with an object for each row.
 
 use csv::StringRecord;
 use indexmap::{IndexMap, IndexSet};
@@ -9,27 +9,27 @@ use thiserror::Error;
 
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
-/// A JSON file that holds no series.
+/// Errors of reading a series from JSON.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum JsonError {
-    /// No JSON, or values of other kinds than a series has.
+    /// The text is not JSON, or has values of other types than a series.
     #[error("line {line}, column {column}: reading a series from JSON: {message}")]
     Syntax {
         /// Line.
         line: usize,
         /// Character in the line.
         column: usize,
-        /// What is wrong.
+        /// The JSON reader's message.
         message: String,
     },
-    /// No array x or y.
+    /// The array x or y is missing.
     #[error(
         "reading a series from JSON: {place} has no array '{missing}'; a series is {{\"name\": ..., \"x\": [...], \
          \"y\": [...], \"std_err_y\": [...]}}, the last of which may be missing"
     )]
     NoArray {
-        /// Which object.
+        /// The object at fault.
         place: String,
         /// The array it lacks.
         missing: &'static str,
@@ -39,22 +39,22 @@ pub enum JsonError {
         "reading a series from JSON: {place} has {x} numbers in 'x' and {other} in '{array}'; give one for each"
     )]
     UnequalLengths {
-        /// Which object.
+        /// The object at fault.
         place: String,
         /// Length of x.
         x: usize,
         /// The other array.
         array: &'static str,
-        /// Its length.
+        /// Length of the other array.
         other: usize,
     },
-    /// No series at all.
-    #[error("reading a series from JSON: the array of series is empty, it must hold at least 1")]
+    /// The file holds no series.
+    #[error("reading a series from JSON: the array of series is empty; give at least 1")]
     Empty,
 }
 
 impl JsonError {
-    /// The line to look at, where there is one.
+    /// The line at fault, if there is one.
     pub(crate) fn line(&self) -> Option<usize> {
         match *self {
             Self::Syntax { line, .. } => Some(line),
@@ -66,7 +66,7 @@ impl JsonError {
 impl From<serde_json::Error> for JsonError {
     fn from(error: serde_json::Error) -> Self {
         let (line, column) = (error.line(), error.column());
-        // serde_json ends its messages with the place, which is told first here.
+        // serde_json ends its messages with the place; here it comes first.
         let mut message = error.to_string().replace(&format!(" at line {line} column {column}"), "");
         if message == "expected value" {
             message.push_str("; a missing number is null, not NaN");
@@ -75,7 +75,7 @@ impl From<serde_json::Error> for JsonError {
     }
 }
 
-/// The numbers stay text: their unit moves the decimal point before they are rounded.
+/// Numbers as text: the unit moves the decimal point before they are rounded.
 type Numbers<'d> = Vec<Option<&'d RawValue>>;
 
 #[derive(Deserialize)]
@@ -89,7 +89,7 @@ struct JsonSeries<'d> {
     std_err_y: Option<Numbers<'d>>,
 }
 
-/// An analysis: its series, and what its axes hold.
+/// An analysis: its series with labels and units of the axes.
 #[derive(Deserialize)]
 struct Analysis<'d> {
     #[serde(borrow)]
@@ -100,24 +100,24 @@ struct Analysis<'d> {
     yunit: Option<String>,
 }
 
-/// Whether an object of JSON is an analysis.
+/// The key that marks a JSON object as an analysis.
 #[derive(Deserialize)]
 struct Probe<'d> {
     #[serde(borrow)]
     series: Option<&'d RawValue>,
 }
 
-/// Whether a text is a JSON object or array.
+/// Returns true if a text is a JSON object or array.
 pub(crate) fn is_json(text: &str) -> bool {
     let text = text.trim_start();
     text.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']))
         || text.strip_prefix('[').is_some_and(|rest| rest.trim_start().starts_with(['{', ']']))
 }
 
-/// A row of a table: its names and what stands beside each.
+/// A row of a table: names with values.
 type JsonRow<'d> = IndexMap<String, &'d RawValue>;
 
-/// The series of a JSON text.
+/// Reads the series of a JSON text.
 pub(crate) fn series(text: &str) -> Result<Vec<Series>, JsonError> {
     if let Some(table) = table(text) {
         return Ok(vec![table]);
@@ -144,7 +144,7 @@ pub(crate) fn series(text: &str) -> Result<Vec<Series>, JsonError> {
     analysis.series.iter().enumerate().map(one).collect()
 }
 
-/// The table of a text that is an array of objects, the first of which holds no array; that would make it a series.
+/// Reads a table, an array of objects; `None` if the first object holds an array, which makes it a series.
 fn table(text: &str) -> Option<Series> {
     let rows: Vec<JsonRow<'_>> = serde_json::from_str(text).ok()?;
     if rows.first()?.values().any(|value| value.get().starts_with('[')) {
@@ -172,7 +172,7 @@ fn bare(series: Vec<JsonSeries<'_>>) -> Analysis<'_> {
     Analysis { series, xlabel: None, ylabel: None, xunit: None, yunit: None }
 }
 
-/// What the arrays are called in messages, and whether that tells quantity and unit.
+/// Names of the arrays in messages; `named` is true if they state quantity and unit.
 struct Names {
     x: String,
     y: String,
@@ -230,13 +230,13 @@ impl JsonSeries<'_> {
     }
 }
 
-/// A number as it stands, or the text of a string.
+/// Returns a number as text, or the text of a string.
 fn number_text(raw: &RawValue) -> &str {
     let text = raw.get();
     text.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(text)
 }
 
-/// A line in the text, found by going forward.
+/// Line counter that moves forward through the text.
 struct Place<'t> {
     text: &'t str,
     byte: usize,
@@ -244,7 +244,7 @@ struct Place<'t> {
 }
 
 impl Place<'_> {
-    /// To a part of the text itself, at or after the last.
+    /// Moves to `part`, a slice of the text at or after the last one.
     fn advance_to(&mut self, part: &str) {
         let byte = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize);
         if (self.byte..self.text.len()).contains(&byte) {

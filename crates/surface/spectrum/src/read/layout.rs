@@ -1,16 +1,16 @@
-//! Which column of a series holds what, and in which unit.
+//! Assignment of the columns of a series to quantities and units.
 
 use units::UnitScale;
 
 use crate::convention::Convention;
 use crate::read::header::Abscissa;
 
-/// How the rows of a series are to be read.
+/// Columns of a series with their quantities and units.
 #[derive(Debug)]
 pub(crate) struct Layout {
-    /// The column the wavelengths come from.
+    /// Column of the wavelengths.
     pub(crate) abscissa: AbscissaColumn,
-    /// Columns that must agree with it.
+    /// Further abscissae, which must agree with the first.
     pub(crate) checks: Vec<AbscissaColumn>,
     pub(crate) density: DensityColumn,
     pub(crate) standard_error: Option<ErrorColumn>,

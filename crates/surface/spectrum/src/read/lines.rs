@@ -1,9 +1,9 @@
-//! Text and its lines.
+//! Decoding of text and classification of its lines.
 
 use crate::read::error::{Encoding, ReadError};
 
-/// The text of a file: checks that it is UTF-8 without zero bytes, the mark of binary files, and takes its byte order
-/// mark off.
+/// Decodes a file: checks that it is UTF-8 without zero bytes, which mark binary files, and removes its byte-order
+/// mark.
 pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
     let (text, end) = match std::str::from_utf8(bytes) {
         Ok(text) => (text, text.find('\0')),
@@ -14,22 +14,22 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
         line: 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count(),
         offset: end + 1,
         byte: bytes[end],
-        encoding: Encoding::of(bytes),
+        encoding: Encoding::guess(bytes),
     })
 }
 
-/// The text of a comment line, without `#` and surrounding blanks.
+/// Returns the text of a comment line, without `#` and surrounding blanks.
 pub(crate) fn comment(line: &str) -> Option<&str> {
     line.trim_start().strip_prefix('#').map(|rest| rest.trim_start_matches('#').trim())
 }
 
-/// Whether a line holds no row.
+/// Returns true if a line holds no row.
 pub(crate) fn is_blank_or_comment(line: &str) -> bool {
     let line = line.trim_start();
     line.is_empty() || line.starts_with('#')
 }
 
-/// Whether a field holds a number.
+/// Returns true if a field holds a number.
 pub(crate) fn is_number(field: Option<&str>) -> bool {
     field.is_some_and(|field| field.parse::<f64>().is_ok())
 }

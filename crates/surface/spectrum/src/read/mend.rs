@@ -1,51 +1,52 @@
-//! What a caller can do about an error with an option.
+//! Options with which a caller can fix an error.
 
-/// A way out of an error; front ends know what the options are called there, and have words for all of these.
+/// A fix for an error by an option. Deliberately not `#[non_exhaustive]`: every front end must word every variant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReadMend {
-    /// Give what the file does not tell: all of these, at least one.
+    /// Give all of these options, at least one, for what the file does not state.
     Give(Vec<Wanted>),
-    /// Give it as another text.
+    /// Give the option another value.
     Correct(ReadOption),
-    /// Leave out what the file tells itself.
+    /// Leave out the option, because the file states it.
     LeaveOut(ReadOption),
 }
 
-/// An option to give, and what may be given.
+/// An option to give, with suitable values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wanted {
     /// The option.
     pub option: ReadOption,
-    /// Values that would do, of units not all of them; none where it is a name that stands in the file.
+    /// Suitable values (for units only examples); empty if the value is a name in the file.
     pub values: Vec<String>,
 }
 
-/// A field of [`ReadOptions`](crate::ReadOptions). Whoever has names has one for each: a match on them is whole.
+/// A field of [`ReadOptions`](crate::ReadOptions). Deliberately not `#[non_exhaustive]`: every front end must name
+/// every field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadOption {
-    /// Which column is the spectrum.
+    /// Name of the column of the spectrum.
     Column,
-    /// The convention of the spectrum.
+    /// Convention of the spectrum.
     Convention,
-    /// What the first column holds.
+    /// Quantity of the first column.
     X,
-    /// Which series is read.
+    /// Name of the series.
     Series,
-    /// Whose series is read.
+    /// Name of the subject of the series.
     Subject,
-    /// The unit of the abscissa.
+    /// Unit of the abscissa.
     XUnit,
-    /// The unit of the spectrum.
+    /// Unit of the spectrum.
     PsdUnit,
 }
 
 impl ReadOption {
-    /// The option as one to give a name to that stands in the file.
+    /// Asks for this option with a name from the file.
     pub(crate) fn name_in_file(self) -> Wanted {
         Wanted { option: self, values: Vec::new() }
     }
 
-    /// The option as one to give one of these values.
+    /// Asks for this option with one of these values.
     pub(crate) fn one_of(self, values: impl IntoIterator<Item = impl ToString>) -> Wanted {
         Wanted { option: self, values: values.into_iter().map(|value| value.to_string()).collect() }
     }

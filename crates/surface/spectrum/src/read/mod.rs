@@ -44,37 +44,37 @@ use select::select;
 use series::{ColumnKind, Columns, Series};
 use table::Table;
 
-/// A power spectrum with what its file says about it.
+/// A power spectrum with the comments of its file and the assumptions made.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PsdFile {
     /// The spectrum.
     pub psd: Psd,
-    /// The comment lines before the first row, without `#` and surrounding blanks; of a workbook, the names and values
-    /// above the table.
+    /// Comment lines before the first row, without `#` and surrounding blanks; for a workbook, names and values above
+    /// the table.
     pub comments: Vec<String>,
-    /// Choices and assumptions made where the file is silent, a sentence each.
+    /// Choices and assumptions where the file states nothing, one sentence each.
     pub notes: Vec<String>,
 }
 
-/// Reads a power spectrum from text in UTF-8 (CSV with `,`, `;` or tab, or blanks between the columns), JSON or, with
-/// the feature `xlsx`, a workbook; which one is told by the content.
+/// Reads a power spectrum from UTF-8 text (CSV with `,`, `;` or tab, or columns separated by blanks), JSON or, with the
+/// feature `xlsx`, a workbook. The content determines the format.
 ///
-/// The columns go by their names, in any order and case: `wavelength` or `lambda`, `wavevector` or `q`,
-/// `frequency` or `f`, and `c1d`, `w1`, `psd` or `ciso`, each with its unit (`lambda_nm`, `q_rad_per_m`, `PSD (µm³)`)
-/// or without in SI; Gwyddion's `k (1/m)` and Persson's `C (m^4)` go by name and unit together. Others are ignored,
-/// but for standard errors (`standard error of PSD (m³)`, `C1D_se_m3`). Wavelength counts before wavevector before
-/// frequency, and the others must agree with it to 0.001; C1D counts before other spectra. Lines that begin with `#`
-/// are comments.
+/// Columns are recognised by name, in any order and case: `wavelength` or `lambda`, `wavevector` or `q`, `frequency` or
+/// `f`, and `c1d`, `w1`, `psd` or `ciso`, each with its unit (`lambda_nm`, `q_rad_per_m`, `PSD (µm³)`) or in SI units;
+/// Gwyddion's `k (1/m)` and Persson's `C (m^4)` need their unit. Standard errors are read as well
+/// (`standard error of PSD (m³)`, `C1D_se_m3`); other columns are ignored. Wavelength has precedence over wavevector
+/// over frequency, and the others must agree with it to 0.001. C1D has precedence over other spectra. Lines that begin
+/// with `#` are comments.
 ///
-/// As JSON the rows are an array of objects with these names, `[{"lambda_m": 1e-6, "C1D_m3": 1e-22}, ...]`.
+/// In JSON the rows are an array of objects with these names, `[{"lambda_m": 1e-6, "C1D_m3": 1e-22}, ...]`.
 ///
-/// Exports of contact.engineering (TXT, CSV, XLSX, JSON) and Gwyddion's graphs as text may hold several series, of
-/// which [`ReadOptions::series`] and [`ReadOptions::subject`] choose one. Without them that is the only one, or
-/// `1D PSD along x` of the average over the dataset or of the only subject. In these exports, rows without a value of
-/// the spectrum are left out, with a note.
+/// Exports of contact.engineering (TXT, CSV, XLSX, JSON) and text exports of Gwyddion's graphs may hold several series.
+/// [`ReadOptions::series`] and [`ReadOptions::subject`] choose one; the default is the only one, else `1D PSD along x`
+/// of the average over the dataset or of the only subject. In these exports, rows without a value of the spectrum are
+/// left out, with a note.
 ///
 /// # Errors
-/// [`ReadError`], with line, column, value and bound, for the first thing that is wrong with the file.
+/// [`ReadError`] for the first error in the file, with line, column, value and bound.
 pub fn read_psd(input: impl Read, options: &ReadOptions) -> Result<PsdFile, ReadError> {
     let units = options.units()?;
     let Content { mut comments, series } = Content::read(input)?;
@@ -86,23 +86,24 @@ pub fn read_psd(input: impl Read, options: &ReadOptions) -> Result<PsdFile, Read
     };
     let (psd, mut notes) = read_series(&series, options, &units).map_err(in_sheet)?;
     comments.extend(series.comments);
-    // The comments of a file of several series name them all.
+    // Comments of a file with several series name all of them.
     let commented = if is_only { &comments[..] } else { &[] };
     notes.extend(area_series_note(commented.iter().chain(&[series.name.to_string()])));
     notes.extend(area_note(&psd));
     Ok(PsdFile { psd, comments, notes })
 }
 
-/// The names of the spectra in a file that [`read_psd`] reads, in their order.
+/// Lists the names of the spectra in a file that [`read_psd`] reads, in their order.
 ///
 /// # Errors
-/// [`ReadError`] for a file that cannot be taken apart; its numbers are not looked at.
+/// [`ReadError`] for a file that cannot be split into series; its numbers are not checked.
 pub fn series_names(input: impl Read) -> Result<Vec<SeriesName>, ReadError> {
     Ok(Content::read(input)?.series.into_iter().map(|series| series.name).collect())
 }
 
-/// Whether a file holds a power spectrum, for callers who must tell it from other files: names of columns, or a series as
-/// JSON, say so. Its numbers are not looked at, so that [`read_psd`] may still refuse it; bare columns of numbers do not.
+/// Returns true if a file holds a power spectrum, by the names of its columns or as a JSON series.
+///
+/// Bare columns of numbers do not count. The numbers are not checked, so [`read_psd`] may still refuse the file.
 pub fn is_psd(input: impl Read) -> bool {
     let options = ReadOptions::default();
     let Ok(units) = options.units() else { return false };
@@ -114,7 +115,7 @@ pub fn is_psd(input: impl Read) -> bool {
     Content::read(input).is_ok_and(|content| content.series.iter().any(is_one))
 }
 
-/// A file taken apart into its series.
+/// A file split into its series.
 struct Content {
     comments: Vec<String>,
     series: Vec<Series>,
@@ -136,7 +137,7 @@ impl Content {
     }
 }
 
-/// Finds the columns of a series, and notes what had to be assumed.
+/// Assigns the columns of a series and notes assumptions.
 fn layout(
     columns: &Columns,
     options: &ReadOptions,
@@ -153,7 +154,7 @@ fn layout(
     }
 }
 
-/// The spectrum of a series, and what was chosen, left out and assumed.
+/// Reads the spectrum of a series, with notes on choices, omissions and assumptions.
 fn read_series(
     series: &Series,
     options: &ReadOptions,
@@ -177,7 +178,7 @@ fn read_series(
     Ok((psd.with_checked_standard_errors(errors), notes))
 }
 
-/// contact.engineering's series 'q/π × 2D PSD' comes in the unit of C1D but is another quantity.
+/// Warns of contact.engineering's series 'q/π × 2D PSD', which has the unit of C1D but is another quantity.
 fn area_series_note<'n>(mut names: impl Iterator<Item = &'n String>) -> Option<String> {
     let series = names.find(|name| name.contains("q/π × 2D PSD"))?;
     Some(format!(
@@ -186,15 +187,14 @@ fn area_series_note<'n>(mut names: impl Iterator<Item = &'n String>) -> Option<S
     ))
 }
 
-/// What becomes of an area spectrum on the way to C1D.
+/// Notes the conversion of an area spectrum to C1D.
 fn area_note(psd: &Psd) -> Option<String> {
     let convention = psd.convention();
     (convention.metre_power() == 4).then(|| {
         format!(
-            "the spectrum is one of areas ({convention}); as C1D it is the Abel integral over its samples, of an \
-             isotropic surface without anything beyond them: it ends one sample earlier, and its last values are \
-             low{}",
-            if psd.standard_errors().is_some() { "; standard errors are lost on the way" } else { "" }
+            "the spectrum is that of an area ({convention}); the Abel integral over its samples converts it to C1D for an \
+             isotropic surface without roughness beyond them: it ends one sample earlier, and its last values are low{}",
+            if psd.standard_errors().is_some() { "; standard errors are lost" } else { "" }
         )
     })
 }

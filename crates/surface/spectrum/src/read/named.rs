@@ -1,4 +1,4 @@
-//! Columns with names: which of them is the abscissa, in which unit, and what must agree with it.
+//! Named columns: choice of the abscissa, its unit, and the columns that must agree with it.
 
 use units::LengthUnit;
 
@@ -10,7 +10,7 @@ use crate::read::names::Header;
 use crate::read::unit::Unit;
 
 impl Header<'_> {
-    /// Finds the columns, and notes what had to be assumed.
+    /// Assigns the columns and notes assumptions.
     pub(crate) fn layout(&self, notes: &mut Vec<String>) -> Result<Layout, ReadError> {
         let mut abscissae = self.abscissae(notes)?;
         let chosen = match self.options.x {
@@ -32,7 +32,7 @@ impl Header<'_> {
         Ok(Layout { abscissa, checks: abscissae, density, standard_error })
     }
 
-    /// The columns of wavelength, wavevector and frequency, in this order; at least one.
+    /// Finds the columns of wavelength, wavevector and frequency, in this order; at least one.
     fn abscissae(&self, notes: &mut Vec<String>) -> Result<Vec<AbscissaColumn>, ReadError> {
         let mut columns: Vec<AbscissaColumn> = Vec::new();
         let mut unfit = None;
@@ -54,7 +54,7 @@ impl Header<'_> {
         }
         if let Some((index, _)) = unfit {
             notes.push(format!(
-                "column '{}' is not looked at: its unit is none of its quantity's",
+                "column '{}' is ignored: its unit does not fit its quantity",
                 self.names[index]
             ));
         }

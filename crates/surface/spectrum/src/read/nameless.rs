@@ -1,4 +1,4 @@
-//! Columns without names: what the caller says about them, and what follows from their units.
+//! Columns without names, assigned by the caller's options and units.
 
 use crate::convention::Convention;
 use crate::read::error::ReadError;
@@ -8,9 +8,9 @@ use crate::read::options::{GivenUnit, GivenUnits, ReadOptions, UnitError};
 use crate::read::series::{ColumnKind, Columns};
 use units::UnitScale;
 
-/// The layout of an abscissa, a spectrum and, in JSON, its standard errors.
+/// Assigns an abscissa, a spectrum and, in JSON, its standard errors.
 ///
-/// Quantities not given follow from the units given, and units not given are those of SI; notes say so.
+/// Missing quantities follow from the given units; missing units default to SI. Notes state both.
 pub(crate) fn nameless(
     columns: &Columns,
     options: &ReadOptions,
@@ -25,11 +25,12 @@ pub(crate) fn nameless(
     if is_json && (units.x.is_none() || units.psd.is_none()) {
         return Err(UnitError::Missing { line }.into());
     }
-    let mut told = Vec::new();
-    let quantity =
-        options.x.or_else(|| units.x.map(|given| abscissa_in(given.unit.metre_power, given.text, &mut told)));
+    let mut assumed = Vec::new();
+    let quantity = options
+        .x
+        .or_else(|| units.x.map(|given| abscissa_in(given.unit.metre_power, given.text, &mut assumed)));
     let convention = options.convention.or_else(|| {
-        units.psd.map(|given| convention_in(given.unit.metre_power, given.text, quantity, &mut told))
+        units.psd.map(|given| convention_in(given.unit.metre_power, given.text, quantity, &mut assumed))
     });
     let (Some(quantity), Some(convention)) = (quantity, convention) else {
         return Err(ReadError::NoHeader { line });
@@ -37,7 +38,7 @@ pub(crate) fn nameless(
     if count != 2 && !is_json {
         return Err(ReadError::HeaderlessColumns { line, columns: count });
     }
-    notes.append(&mut told);
+    notes.append(&mut assumed);
     match (units.x, units.psd) {
         (Some(_), Some(_)) => {}
         (None, None) => notes.push("the file states no units; its columns are read in SI units".to_owned()),
@@ -73,7 +74,7 @@ fn convention_in(
     let (convention, meaning) = match (metre_power, abscissa) {
         (3, Some(Abscissa::Frequency)) => (
             Convention::Frequency,
-            "stands against frequency and is read as the one-sided spectrum S of frequency, sigma^2 = Int S df",
+            "is given against frequency and is read as the one-sided spectrum S of frequency, sigma^2 = Int S df",
         ),
         (3, _) => (Convention::C1D, "is read as C1D, sigma^2 = (1/pi) Int C dq"),
         _ => (Convention::Ciso, "is read as Ciso, sigma^2 = (1/2 pi) Int q C dq"),

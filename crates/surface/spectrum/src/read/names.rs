@@ -5,7 +5,7 @@ use crate::read::header::{Heading, trailing_unit};
 use crate::read::options::{GivenUnits, ReadOptions};
 use crate::read::unit::Unit;
 
-/// The names of a file's columns and what the caller says about them.
+/// The names of a file's columns with the caller's options.
 pub(crate) struct Header<'h> {
     pub(crate) line: usize,
     pub(crate) names: &'h [String],
@@ -18,7 +18,7 @@ impl Header<'_> {
         self.names.iter().enumerate().filter_map(|(index, name)| Some((index, Heading::parse(name)?)))
     }
 
-    /// The unit in the name of a column.
+    /// Parses the unit in the name of a column.
     pub(crate) fn stated_unit(&self, index: usize) -> Option<Unit> {
         let name = &self.names[index];
         match Heading::parse(name) {

@@ -1,4 +1,4 @@
-//! What a caller may say about a file.
+//! Options for reading a file.
 
 use thiserror::Error;
 
@@ -7,46 +7,45 @@ use crate::read::header::Abscissa;
 use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::unit::Unit;
 
-/// What the caller knows about a file that the file does not say, and which of its spectra is meant.
+/// Options for reading a file: facts that it does not state, and the choice of the spectrum.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReadOptions {
-    /// Name of the column that holds the spectrum, exact or in another case.
+    /// Name of the column of the spectrum, exact or in another case.
     pub column: Option<String>,
-    /// Convention of the spectrum, whatever the name of its column says.
+    /// Convention of the spectrum; overrides the name of its column.
     pub convention: Option<Convention>,
-    /// What the first column of a file without a header holds; with a header, which of several columns
-    /// counts.
+    /// Quantity of the first column of a file without a header; with a header, the abscissa with precedence.
     pub x: Option<Abscissa>,
-    /// Name of the series to read from a file of several, such as `1D PSD along y`, in any case; `q/pi x 2D PSD` stands
-    /// for `q/π × 2D PSD`. `subject - series` names both.
+    /// Name of the series to read from a file of several, such as `1D PSD along y`, in any case. `q/pi x 2D PSD`
+    /// matches `q/π × 2D PSD`; `subject - series` names both.
     pub series: Option<String>,
     /// Name of the subject whose series is read from a file of several, such as a measurement's, in any case.
     pub subject: Option<String>,
-    /// Unit of the abscissa where the file states none: `m`, `nm`, `1/um`, `rad/m` and the like.
+    /// Unit of the abscissa if the file states none: `m`, `nm`, `1/um`, `rad/m` and the like.
     pub x_unit: Option<String>,
-    /// Unit of the spectrum where the file states none: `um^3`, `m^4` and the like.
+    /// Unit of the spectrum if the file states none: `um^3`, `m^4` and the like.
     pub psd_unit: Option<String>,
 }
 
-/// A unit given by the caller that does not do.
+/// Errors of a unit given by the caller.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum UnitError {
-    /// No unit of the quantity.
-    #[error("reading the unit of the {quantity}: '{given}' is none; give one like {accepted}")]
+    /// The text is not a unit of the quantity.
+    #[error("'{given}' is not a unit of the {quantity}; give one such as {accepted}")]
     NotAUnit {
-        /// The option that gives it.
+        /// The option.
         option: ReadOption,
-        /// The text given.
+        /// The given text.
         given: String,
         /// The quantity.
         quantity: String,
-        /// Units that would do.
+        /// Suitable units.
         accepted: &'static str,
     },
-    /// Another unit than the file's.
+    /// The unit differs from that of the file.
     #[error(
-        "line {line}: column '{column}' is in '{stated}', and '{given}' is given for it; mend the file where it is wrong"
+        "line {line}: column '{column}' is in '{stated}', but '{given}' is given for it; correct the file"
     )]
     Contradiction {
         /// Line of the header.
@@ -55,15 +54,15 @@ pub enum UnitError {
         column: String,
         /// The unit in the header.
         stated: String,
-        /// The option that gives it.
+        /// The option.
         option: ReadOption,
-        /// The unit given.
+        /// The given unit.
         given: String,
     },
-    /// A series of JSON, which never tells its units.
-    #[error("line {line}: the series of a JSON file states no units, and both of them are needed")]
+    /// A JSON series, which never states its units.
+    #[error("line {line}: the JSON series states no units, and both are needed")]
     Missing {
-        /// Line in which the numbers begin.
+        /// First line of the numbers.
         line: usize,
     },
 }
@@ -76,7 +75,7 @@ impl UnitError {
         }
     }
 
-    /// What the caller can do about it with an option.
+    /// The option that fixes the error.
     pub(crate) fn mend(&self) -> ReadMend {
         match *self {
             Self::NotAUnit { option, .. } => ReadMend::Correct(option),
@@ -89,7 +88,7 @@ impl UnitError {
     }
 }
 
-/// A unit that the caller gives.
+/// A unit given by the caller.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GivenUnit<'o> {
     option: ReadOption,
@@ -97,7 +96,7 @@ pub(crate) struct GivenUnit<'o> {
     pub(crate) unit: Unit,
 }
 
-/// The units that the caller gives.
+/// The units given by the caller.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GivenUnits<'o> {
     pub(crate) x: Option<GivenUnit<'o>>,
@@ -105,7 +104,7 @@ pub(crate) struct GivenUnits<'o> {
 }
 
 impl ReadOptions {
-    /// The units given, each of which must measure an abscissa or a spectrum, and that of the quantity given with it.
+    /// Parses the given units; each must fit its axis, and the quantity or convention if that is given too.
     pub(crate) fn units(&self) -> Result<GivenUnits<'_>, UnitError> {
         let x = self.x_unit.as_deref().map(|text| {
             let fits = |unit: &Unit| match self.x {
@@ -121,7 +120,7 @@ impl ReadOptions {
                     Some(Abscissa::Wavelength) => "m, um or nm",
                     Some(Abscissa::Wavevector) => "1/m, 1/um, 1/nm or rad/m",
                     Some(Abscissa::Frequency) => "1/m, 1/mm, 1/um or 1/nm",
-                    None => "m, um or nm of a wavelength, 1/m, 1/um or 1/nm of a wavevector",
+                    None => "m, um or nm for a wavelength, 1/m, 1/um or 1/nm for a wavevector",
                 },
             })
         });
@@ -140,7 +139,7 @@ impl ReadOptions {
                 accepted: match of {
                     Some((_, 3)) => "m^3, um^3 or nm^3",
                     Some(_) => "m^4, um^4 or nm^4",
-                    None => "m^3, um^3 or nm^3 of a profile, m^4, um^4 or nm^4 of an area",
+                    None => "m^3, um^3 or nm^3 for a profile, m^4, um^4 or nm^4 for an area",
                 },
             })
         });
@@ -149,7 +148,7 @@ impl ReadOptions {
 }
 
 impl GivenUnit<'_> {
-    /// Refuses another unit than the one a column states.
+    /// Refuses a unit that differs from the one a column states.
     pub(crate) fn refuse_other(
         self,
         stated: Option<Unit>,

@@ -8,7 +8,7 @@ use crate::read::layout::{AbscissaColumn, Layout};
 use crate::read::series::{ColumnKind, Row, Series};
 use units::UnitScale;
 
-/// How far the wavelengths of two columns may differ.
+/// Largest relative difference of the wavelengths of two columns.
 const AGREEMENT: f64 = 1e-3;
 
 /// A sample with the line it comes from.
@@ -19,7 +19,7 @@ pub(crate) struct Sample {
     pub(crate) standard_error: Option<f64>,
 }
 
-/// The samples of a series from long to short wavelengths, and how many rows have no value.
+/// Reads the samples of a series from long to short wavelengths, and counts rows without a value.
 pub(crate) fn samples(series: &Series, layout: &Layout) -> Result<(Vec<Sample>, usize), ReadError> {
     let mut samples = Vec::new();
     let mut missing = 0;
@@ -39,7 +39,7 @@ pub(crate) fn samples(series: &Series, layout: &Layout) -> Result<(Vec<Sample>, 
     Ok((samples, missing))
 }
 
-/// Sorts the rows from long to short wavelengths.
+/// Sorts the rows from long to short wavelengths and refuses repeated ones.
 fn refuse_repeated_wavelengths(rows: &mut [Sample]) -> Result<(), ReadError> {
     // A stable sort: repetitions keep the order of their lines.
     rows.sort_by(|a, b| b.wavelength_m.total_cmp(&a.wavelength_m));
@@ -56,7 +56,7 @@ fn refuse_repeated_wavelengths(rows: &mut [Sample]) -> Result<(), ReadError> {
 
 /// One row of a file.
 struct Fields<'f> {
-    /// Its place in the series, from 0.
+    /// Index in the series, from 0.
     at: usize,
     row: &'f Row,
     series: &'f Series,
@@ -74,7 +74,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Whether a field is empty or NaN.
+    /// Returns true if a field is empty or NaN.
     fn is_missing(&self, index: usize) -> bool {
         let text = self.text(index);
         text.is_empty() || text.parse().is_ok_and(f64::is_nan)
@@ -95,7 +95,7 @@ impl Fields<'_> {
         Ok(Sample { line: self.row.line, wavelength_m, value, standard_error })
     }
 
-    /// The standard error of the value; none where its field is empty or NaN.
+    /// Reads the standard error of the value; `None` if its field is empty or NaN.
     fn standard_error(&self) -> Result<Option<f64>, ReadError> {
         let Some(column) = self.layout.standard_error.filter(|column| !self.is_missing(column.index)) else {
             return Ok(None);
@@ -120,7 +120,7 @@ impl Fields<'_> {
         self.in_range(index, self.number(index, scale)?)
     }
 
-    /// The number in a column, in SI units.
+    /// Reads the number in a column, in SI units.
     fn number(&self, index: usize, scale: UnitScale) -> Result<f64, ReadError> {
         let text = self.text(index);
         match scale.read(text) {
@@ -171,7 +171,7 @@ impl Fields<'_> {
     }
 }
 
-/// A factor of 2 pi tells which quantity a mislabelled second column really holds.
+/// Names the quantity that a mislabelled second column probably holds, by a factor of 2 pi.
 fn two_pi_hint(second: Abscissa, ratio: f64) -> &'static str {
     let is_one = |factor: f64| (factor - 1.0).abs() <= AGREEMENT;
     match second {

@@ -1,4 +1,4 @@
-//! Which series of a file is meant.
+//! Choice of one series of a file.
 
 use thiserror::Error;
 
@@ -6,58 +6,57 @@ use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::options::ReadOptions;
 use crate::read::series::{Series, SeriesName};
 
-/// The series that stands for a subject where none is asked for.
+/// Default series of a subject.
 const USUAL: &str = "1D PSD along x";
 
-/// The subject type of contact.engineering's average over a dataset.
+/// Subject type of contact.engineering's average over a dataset.
 const DATASET: &str = "surface";
 
-/// A choice of series that a file does not offer, or a choice that has to be made.
+/// Errors of choosing a series: an unknown choice, or a missing one.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SeriesError {
-    /// No series of the name asked for.
-    #[error("choosing a series: there is no series '{asked}'; {}", offer(.found))]
+    /// No series of the requested name.
+    #[error("there is no series '{asked}'; {}", offer(.found))]
     UnknownSeries {
         /// The name asked for.
         asked: String,
         /// The series there are.
         found: Vec<SeriesName>,
     },
-    /// No subject of the name asked for.
-    #[error("choosing a series: there is no subject '{asked}'; {}", offer(.found))]
+    /// No subject of the requested name.
+    #[error("there is no subject '{asked}'; {}", offer(.found))]
     UnknownSubject {
         /// The name asked for.
         asked: String,
         /// The series there are.
         found: Vec<SeriesName>,
     },
-    /// Several series of which none has precedence.
+    /// Several series, none with precedence.
     #[error(
-        "choosing a series: {} series come into question; {}",
+        "the file holds {} series to choose from; {}",
         .found.len(), offer(.found)
     )]
     SeveralSeries {
-        /// The series that come into question.
+        /// The series to choose from.
         found: Vec<SeriesName>,
     },
-    /// A name that several series bear.
+    /// A name that several series have.
     #[error(
-        "choosing a series: {count} series of the file {}; keep the rows of one, or name them apart",
+        "{count} series of the file {}; keep the rows of one, or rename them",
         if *.name == SeriesName::default() { "have no name".to_owned() } else { format!("are called '{name}'") }
     )]
     RepeatedSeries {
         /// The name.
         name: SeriesName,
-        /// How often it stands in the file.
+        /// Number of series with this name.
         count: usize,
     },
 }
 
-/// The series asked for, with a note about those it stood beside.
+/// Selects the requested series, with a note if the file holds others.
 ///
-/// Without a choice: the only series; the usual series of the average over a dataset; the usual series of the only
-/// subject.
+/// The default is the only series, else the default series of the average over a dataset or of the only subject.
 pub(crate) fn select(mut series: Vec<Series>, options: &ReadOptions) -> Result<Series, SeriesError> {
     let count = series.len();
     let at = {
@@ -69,7 +68,7 @@ pub(crate) fn select(mut series: Vec<Series>, options: &ReadOptions) -> Result<S
         let average = if chosen.name.is_average() { ", the average over a dataset," } else { "" };
         let name = &chosen.name;
         let note = format!(
-            "of the {count} series in the file '{name}'{average} is read; another is chosen by its series or its subject"
+            "the file holds {count} series; '{name}'{average} is read; choose another by its series or subject"
         );
         chosen.notes.insert(0, note);
     }
@@ -79,14 +78,14 @@ pub(crate) fn select(mut series: Vec<Series>, options: &ReadOptions) -> Result<S
 fn position(names: &[&SeriesName], options: &ReadOptions) -> Result<usize, SeriesError> {
     let mut left: Vec<usize> = (0..names.len()).collect();
     if let Some(asked) = &options.subject {
-        let found = in_question(names, &left);
+        let found = names_at(names, &left);
         left.retain(|&at| names[at].subject.as_ref().is_some_and(|subject| is_same(subject, asked)));
         if left.is_empty() {
             return Err(SeriesError::UnknownSubject { asked: asked.clone(), found });
         }
     }
     if let Some(asked) = &options.series {
-        let found = in_question(names, &left);
+        let found = names_at(names, &left);
         let is_asked = |name: &SeriesName| {
             is_same(&name.to_string(), asked)
                 || name.series.as_ref().is_some_and(|series| is_same(series, asked))
@@ -105,15 +104,15 @@ fn position(names: &[&SeriesName], options: &ReadOptions) -> Result<usize, Serie
             Err(SeriesError::RepeatedSeries { name: names[left[0]].clone(), count: left.len() })
         }
         _ if options.series.is_none() => {
-            // Not only the usual ones: any of the file may be chosen.
+            // Offer all series of the file, not only the default ones.
             let all: Vec<usize> = (0..names.len()).collect();
-            Err(SeriesError::SeveralSeries { found: in_question(names, &all) })
+            Err(SeriesError::SeveralSeries { found: names_at(names, &all) })
         }
-        _ => Err(SeriesError::SeveralSeries { found: in_question(names, &left) }),
+        _ => Err(SeriesError::SeveralSeries { found: names_at(names, &left) }),
     }
 }
 
-/// Keeps those of which something is true, if it is true of any.
+/// Keeps the matching indices if any match.
 fn narrow(left: &mut Vec<usize>, is_meant: impl Fn(usize) -> bool) {
     if left.iter().any(|&at| is_meant(at)) {
         left.retain(|&at| is_meant(at));
@@ -126,11 +125,11 @@ impl SeriesName {
     }
 }
 
-fn in_question(names: &[&SeriesName], at: &[usize]) -> Vec<SeriesName> {
+fn names_at(names: &[&SeriesName], at: &[usize]) -> Vec<SeriesName> {
     at.iter().map(|&at| names[at].clone()).collect()
 }
 
-/// Whether two names agree but for case, blanks and the signs that keyboards lack.
+/// Returns true if two names agree up to case, blanks and signs that keyboards lack.
 fn is_same(one: &str, other: &str) -> bool {
     let plain = |name: &str| {
         let name = name.to_lowercase().replace('π', "pi").replace('×', "x");
@@ -139,7 +138,7 @@ fn is_same(one: &str, other: &str) -> bool {
     plain(one) == plain(other)
 }
 
-/// The subjects and the series, each once.
+/// Lists the subjects and the series, each once.
 fn offer(names: &[SeriesName]) -> String {
     let once = |of: fn(&SeriesName) -> Option<String>| {
         let mut texts: Vec<String> = Vec::new();
@@ -165,11 +164,11 @@ fn offer(names: &[SeriesName]) -> String {
 }
 
 impl SeriesError {
-    /// What the caller can do about it with an option, where that is all there is to it.
+    /// The option that fixes the error, if one does.
     pub(crate) fn mend(&self) -> Option<ReadMend> {
         match self {
             Self::SeveralSeries { found } => {
-                let options = telling_apart(found);
+                let options = distinguishing_options(found);
                 Some(ReadMend::Give(options.iter().map(|option| option.name_in_file()).collect()))
             }
             Self::UnknownSeries { .. } | Self::UnknownSubject { .. } | Self::RepeatedSeries { .. } => None,
@@ -177,8 +176,8 @@ impl SeriesError {
     }
 }
 
-/// The options that tell these series apart.
-fn telling_apart(names: &[SeriesName]) -> &'static [ReadOption] {
+/// Returns the options that distinguish these series.
+fn distinguishing_options(names: &[SeriesName]) -> &'static [ReadOption] {
     let differ = |of: fn(&SeriesName) -> &Option<String>| names.iter().any(|name| of(name) != of(&names[0]));
     match (differ(|name| &name.subject), differ(|name| &name.series)) {
         (true, true) => &[ReadOption::Subject, ReadOption::Series],

@@ -1,33 +1,31 @@
-//! The series of a file, before it is known what their columns hold.
+//! The series of a file as text, before their columns are assigned.
 
 use csv::StringRecord;
 
-/// What a file calls one of its spectra.
-///
-/// Files of a single spectrum mostly call it nothing.
+/// Name of a spectrum in a file; empty in most files of a single spectrum.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct SeriesName {
-    /// What the subject is, such as `measurement`, or `surface` for the average over a dataset.
+    /// Type of the subject, such as `measurement`, or `surface` for the average over a dataset.
     pub subject_type: Option<String>,
-    /// What was measured, such as the name of a measurement.
+    /// Subject, such as the name of a measurement.
     pub subject: Option<String>,
-    /// Which of its spectra this is, such as `1D PSD along x (incl. unreliable data)`.
+    /// Spectrum of the subject, such as `1D PSD along x (incl. unreliable data)`.
     pub series: Option<String>,
 }
 
-/// What contact.engineering appends to the name of a series that goes beyond the resolution of the instrument.
+/// Suffix of contact.engineering for series beyond the resolution of the instrument.
 const UNRELIABLE: &str = "(incl. unreliable data)";
 
 impl SeriesName {
-    /// Whether the file does not say that the series includes unreliable data.
+    /// Returns true unless the name says that the series includes unreliable data.
     pub fn is_reliable(&self) -> bool {
         !self.series.as_ref().is_some_and(|series| series.contains(UNRELIABLE))
     }
 }
 
 impl std::fmt::Display for SeriesName {
-    /// `subject - series`, as contact.engineering writes it, or the one of them that there is.
+    /// Writes `subject - series`, as contact.engineering does, or the one that is known.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match (&self.subject, &self.series) {
             (Some(subject), Some(series)) => write!(f, "{subject} - {series}"),
@@ -43,14 +41,13 @@ pub(crate) struct Series {
     pub(crate) name: SeriesName,
     pub(crate) columns: Columns,
     pub(crate) rows: Vec<Row>,
-    /// Whether an empty or `nan` spectrum is a value left out on purpose, as in exports of contact.engineering,
-    /// rather than a mistake.
+    /// True if an empty or `nan` value is left out on purpose, as in exports of contact.engineering, and not an error.
     pub(crate) may_miss_values: bool,
-    /// What is said about this series alone.
+    /// Comments on this series alone.
     pub(crate) comments: Vec<String>,
-    /// What was left out on the way.
+    /// Notes on omissions.
     pub(crate) notes: Vec<String>,
-    /// The sheet of a workbook in which it stands; lines are rows of the sheet then.
+    /// Sheet of a workbook; lines are then rows of the sheet.
     pub(crate) sheet: Option<String>,
 }
 
@@ -60,7 +57,7 @@ impl Series {
         Self { name, columns, rows, may_miss_values: false, comments, notes, sheet: None }
     }
 
-    /// The last line, or that of the names where there is no row.
+    /// The last line, or that of the names if there are no rows.
     pub(crate) fn last_line(&self) -> usize {
         self.rows.last().map_or(self.columns.line, |row| row.line)
     }
@@ -69,23 +66,23 @@ impl Series {
 /// The columns of a series.
 #[derive(Debug)]
 pub(crate) struct Columns {
-    /// Their names, or their numbers where they have no names.
+    /// Names, or numbers if there are no names.
     pub(crate) names: Vec<String>,
-    /// The line in which they stand, or the first row.
+    /// Line of the names, or of the first row.
     pub(crate) line: usize,
     pub(crate) kind: ColumnKind,
 }
 
-/// Where the columns come from.
+/// Origin of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ColumnKind {
-    /// The names are the file's.
+    /// Named by the file.
     Named,
-    /// The file has no names.
+    /// Numbered, because the file has no names.
     Numbered,
     /// The arrays x, y and perhaps std_err_y of a JSON series.
     Arrays {
-        /// Whether the names of the columns tell quantities and units.
+        /// True if the names of the columns state quantities and units.
         named: bool,
     },
 }

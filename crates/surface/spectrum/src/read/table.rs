@@ -13,9 +13,9 @@ use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 pub(crate) struct Table<'t> {
     /// Comment lines before the first other line, without `#` and surrounding blanks.
     pub(crate) comments: Vec<String>,
-    /// The first line that is no comment.
+    /// The first line that is not a comment.
     first_line: usize,
-    /// The names in it, or its numbers where there is no header.
+    /// Names in the first line, or its numbers if there is no header.
     first_row: Vec<String>,
     text: &'t str,
     separator: Separator,
@@ -28,7 +28,7 @@ enum Separator {
 }
 
 impl<'t> Table<'t> {
-    /// Looks at a file up to its first row.
+    /// Reads a file up to its first row.
     pub(crate) fn open(text: &'t str) -> Result<Self, ReadError> {
         let comments = leading_comments(text).map(str::to_owned).collect();
         let content = text.lines().find(|line| !is_blank_or_comment(line)).ok_or(ReadError::Empty)?;
@@ -45,7 +45,7 @@ impl<'t> Table<'t> {
         Ok(table)
     }
 
-    /// The series of the file, mostly one.
+    /// Reads the series of the file, mostly one.
     pub(crate) fn series(&self) -> Result<Vec<Series>, ReadError> {
         if let Some(curves) = gwyddion::series(self.text)? {
             return Ok(curves);
@@ -66,8 +66,8 @@ impl<'t> Table<'t> {
         Ok(vec![Series::new(SeriesName::default(), columns, rows)])
     }
 
-    /// A comment right above the numbers that names as many columns as there are, an abscissa and a spectrum among
-    /// them: `# q (1/m)  C (m^4)`.
+    /// Parses a comment right above the numbers as a header, such as `# q (1/m) C (m^4)`; it must name every column,
+    /// with an abscissa and a spectrum among them.
     fn commented_header(&self) -> Option<Columns> {
         let above = self.text.lines().enumerate().take(self.first_line - 1);
         let (i, text) = above.filter_map(|(i, line)| Some((i, comment(line)?))).last()?;
@@ -96,12 +96,12 @@ impl<'t> Table<'t> {
         Ok(rows)
     }
 
-    /// Whether the first row holds numbers rather than names.
+    /// Returns true if the first row holds numbers rather than names.
     fn is_headerless(&self) -> bool {
         is_number(self.first_row.first().map(String::as_str))
     }
 
-    /// The rows, the first row included.
+    /// Returns a reader of the rows, including the first.
     fn rows(&self) -> Rows<'t> {
         match self.separator {
             Separator::Character(delimiter) => {
@@ -132,8 +132,7 @@ impl Rows<'_> {
     }
 }
 
-/// Rows of a CSV file. The CSV reader passes over comments and empty lines silently, so lines are counted
-/// here.
+/// Rows of a CSV file with their lines, which the CSV reader does not count: it skips comments and empty lines.
 struct DelimitedRows<'t> {
     reader: csv::Reader<&'t [u8]>,
     is_tabbed: bool,
@@ -165,17 +164,17 @@ impl<'t> DelimitedRows<'t> {
         Ok(None)
     }
 
-    /// Catches what the reader takes for a row: indented comments and lines of nothing but blanks or tabs. A quoted
-    /// cell that begins with `#` is none.
+    /// Returns true for lines that the reader mistakes for rows: indented comments, and lines of blanks or tabs. A
+    /// quoted cell that begins with `#` is not a comment.
     fn is_blank_or_comment(&self, record: &StringRecord) -> bool {
         let is_comment = self.bytes[self.byte..].trim_ascii_start().first() == Some(&b'#');
         let may_be_blank = record.len() == 1 || self.is_tabbed;
         is_comment || may_be_blank && record.iter().all(|field| field.trim().is_empty())
     }
 
-    /// The line of the first row at or after a byte.
+    /// Returns the line of the first row at or after a byte.
     fn line_at(&mut self, byte: usize) -> usize {
-        // The lines skipped last time may reach beyond the row that the reader has come to, itself a blank one.
+        // Lines skipped last time may reach beyond the reader's row, if that is itself blank.
         self.advance_to(byte.max(self.byte));
         while let Some(length) = self.skipped_line() {
             self.advance_to(self.byte + length);
@@ -183,7 +182,7 @@ impl<'t> DelimitedRows<'t> {
         self.line
     }
 
-    /// Length of the comment or empty line that begins here, if one does.
+    /// Returns the length of a comment or empty line that begins here.
     fn skipped_line(&self) -> Option<usize> {
         let rest = &self.bytes[self.byte..];
         let is_comment = rest.first() == Some(&b'#');
@@ -211,7 +210,7 @@ fn leading_comments(text: &str) -> impl Iterator<Item = &str> {
     text.lines().take_while(|line| is_blank_or_comment(line)).filter_map(comment)
 }
 
-/// Names of a header separated by blanks, with units in brackets or after a slash joined to their name.
+/// Joins the words of a blank-separated header into names, with units in brackets or after a slash.
 fn join_units(words: &StringRecord) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for word in words {
@@ -226,7 +225,7 @@ fn join_units(words: &StringRecord) -> Vec<String> {
     names
 }
 
-/// Whether a name still awaits the end of its unit.
+/// Returns true if the unit of a name is not complete.
 fn is_open(name: &str) -> bool {
     let unclosed = |open, close| name.rfind(open) > name.rfind(close);
     name.ends_with('/') || unclosed('(', ')') || unclosed('[', ']')

@@ -10,28 +10,27 @@ pub(crate) struct Unit {
     /// Power of metres, such as 1, -1, 3 or 4.
     pub(crate) metre_power: i32,
     length: LengthUnit,
-    /// Whether radians are stated, as in rad/m.
+    /// True if radians are stated, as in rad/m.
     pub(crate) angular: bool,
 }
 
 impl Unit {
-    /// The unit of SI with this power of metres.
+    /// Returns the SI unit with this power of metres.
     pub(crate) const fn si(metre_power: i32) -> Self {
         Self { metre_power, length: LengthUnit::METRE, angular: false }
     }
 
-    /// How much of the SI unit it is.
+    /// Size in SI units.
     pub(crate) const fn scale(self) -> UnitScale {
         self.length.scale().to_the(self.metre_power)
     }
 
-    /// Whether one of it is as much as one of the other; radians do not count.
+    /// Returns true if both units have the same size, ignoring radians.
     pub(crate) fn is_same_size(self, other: Self) -> bool {
         (self.metre_power, self.length) == (other.metre_power, other.length)
     }
 
-    /// Reads a unit as headers write it: `nm`, `1/µm`, `µm⁻¹`, `um^-1`, `rad/m`, `rad_per_m`, `m3`, `nm^3`,
-    /// `µm³`.
+    /// Parses a unit as headers write it: `nm`, `1/µm`, `µm⁻¹`, `um^-1`, `rad/m`, `rad_per_m`, `m3`, `nm^3`, `µm³`.
     pub(crate) fn parse(text: &str) -> Option<Self> {
         let text = plain(text);
         let (text, angular) = match text.strip_prefix("rad") {
@@ -72,7 +71,7 @@ impl std::fmt::Display for Unit {
     }
 }
 
-/// The text in lower case and ASCII, without spaces.
+/// Converts a text to lower case and ASCII, without spaces.
 fn plain(text: &str) -> String {
     let mut plain = String::new();
     for character in text.chars().flat_map(char::to_lowercase) {
@@ -89,7 +88,7 @@ fn plain(text: &str) -> String {
     plain
 }
 
-/// A whole number; one that no integer holds is as large as they get, which is no power of any quantity.
+/// Parses a whole number; one too large for an integer saturates, which is not the power of any quantity.
 fn whole(digits: &str) -> Option<i32> {
     digits.parse().map_or_else(
         |error: std::num::ParseIntError| match error.kind() {
@@ -150,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_power_of_metres_is_no_unit() {
+    fn only_powers_of_metres_are_units() {
         for text in ["", "furlong", "Hz", "rad", "rad_m", "m^", "m^x", "3", "1/", "nmm", "m3m", "kg"] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }

@@ -1,35 +1,34 @@
-//! Workbooks of Excel: every sheet with a table is a series.
+//! Excel workbooks: every sheet with a table is a series.
 //!
-//! contact.engineering writes what a series is above its table, a name and a value in each row, and the header in the
-//! first row that names an abscissa and a spectrum: row 6 until mid 2023, row 10 since. Other sheets (`INDEX`,
-//! `INFORMATION`) have no such row and are passed over.
+//! contact.engineering describes a series above its table, a name and a value per row. The header is the first row that
+//! names an abscissa and a spectrum: row 6 until mid 2023, row 10 since. Other sheets (`INDEX`, `INFORMATION`) have no
+//! such row and are skipped.
 
 use thiserror::Error;
 
-/// How large a workbook may become when it is unpacked, in bytes.
+/// Largest size of an unpacked workbook in bytes.
 #[cfg(feature = "xlsx")]
 const LIMIT: u64 = 128 << 20;
 
-/// A workbook that cannot be read.
+/// Errors of reading a workbook.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum WorkbookError {
-    /// A ZIP archive that is damaged.
+    /// The ZIP archive is damaged.
     #[error("reading the workbook: {message}; save or export it again, or as CSV")]
     Damaged {
-        /// What is wrong with it.
+        /// The damage.
         message: String,
     },
-    /// Another kind of ZIP archive.
+    /// The ZIP archive is not a workbook.
     #[error(
         "reading the workbook: the file is a ZIP archive without a workbook; unpack it and give one \
          of its files"
     )]
     NotAWorkbook,
-    /// More than fits into memory.
+    /// The unpacked workbook is too large.
     #[error(
-        "reading the workbook: unpacked, it is larger than {limit_mib} MiB, the most that is read; export the series \
-         as CSV, which has no limit"
+        "reading the workbook: unpacked, it exceeds {limit_mib} MiB; export the series as CSV, which has no limit"
     )]
     TooLarge {
         /// The bound in MiB.
@@ -44,12 +43,12 @@ pub enum WorkbookError {
         /// The names of the sheets, quoted.
         sheets: Vec<String>,
     },
-    /// A build that leaves workbooks out.
+    /// This build cannot read workbooks.
     #[error("reading the workbook: this build reads no XLSX (feature `xlsx`); save the sheet as CSV")]
     NotBuiltIn,
 }
 
-/// Whether a file is a ZIP archive, as workbooks are.
+/// Returns true if a file is a ZIP archive, as workbooks are.
 pub(crate) fn is_archive(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
 }
@@ -75,17 +74,17 @@ mod sheets {
     use crate::read::header::{Heading, Quantity};
     use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
-    /// How many columns of a table are looked at.
+    /// Largest number of columns of a table that is read.
     const WIDEST: usize = 64;
 
-    /// The tables of a workbook, one series for each sheet that has one.
+    /// Reads the tables of a workbook, one series for each sheet that has one.
     pub(crate) fn series(bytes: &[u8]) -> Result<Vec<Series>, WorkbookError> {
-        refuse_what_swells(bytes)?;
+        refuse_large_archives(bytes)?;
         let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(damaged)?;
         let mut series = Vec::new();
         let mut room = LIMIT;
         for sheet in workbook.sheet_names() {
-            if let Some(cells) = Cells::of(&mut workbook, &sheet, &mut room)? {
+            if let Some(cells) = Cells::read(&mut workbook, &sheet, &mut room)? {
                 series.extend(cells.series(sheet));
             }
         }
@@ -96,9 +95,9 @@ mod sheets {
         Ok(series)
     }
 
-    /// Unpacks the archive into nothing: calamine holds whole files in memory, and the sizes that an archive states
-    /// need not be true.
-    fn refuse_what_swells(bytes: &[u8]) -> Result<(), WorkbookError> {
+    /// Refuses archives that unpack to more than the limit, by unpacking them to nothing: calamine holds whole files in
+    /// memory, and the sizes stated in an archive may be false.
+    fn refuse_large_archives(bytes: &[u8]) -> Result<(), WorkbookError> {
         let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
         if ["_rels/.rels", "xl/workbook.xml"].iter().all(|name| archive.index_for_name(name).is_none()) {
             return Err(WorkbookError::NotAWorkbook);
@@ -122,16 +121,16 @@ mod sheets {
         WorkbookError::Damaged { message: error.to_string() }
     }
 
-    /// The filled cells of a sheet by row and column, both from 0. A grid of them could be as large as the sheet's
-    /// last cell says, however few there are.
+    /// The filled cells of a sheet by row and column, both from 0. A dense grid could be huge: its size follows from
+    /// the last cell, not from the number of cells.
     struct Cells {
         rows: BTreeMap<u32, Vec<(usize, String)>>,
     }
 
     impl Cells {
-        /// `None` for what is no sheet of cells, such as a chart. Several cells may share one long text, so `room`
-        /// bounds their sum.
-        fn of(
+        /// Reads the cells of a sheet; `None` if it has none, such as a chart. Cells may share one long text, so `room`
+        /// bounds the sum of their lengths.
+        fn read(
             workbook: &mut Xlsx<Cursor<&[u8]>>,
             sheet: &str,
             room: &mut u64,
@@ -155,7 +154,7 @@ mod sheets {
             Ok(Some(Self { rows }))
         }
 
-        /// The table of the sheet, if it has one.
+        /// Finds the table of the sheet.
         fn series(&self, sheet: String) -> Option<Series> {
             let (&header_row, header) = self.rows.iter().find(|(_, cells)| is_header(cells))?;
             let first = header.first()?.0;
@@ -205,7 +204,7 @@ mod sheets {
             && quantities().any(|quantity| matches!(quantity, Quantity::Density(_)))
     }
 
-    /// Numbers with the fewest digits that read back.
+    /// Formats a cell as text, numbers with the fewest digits that read back.
     fn text_of(value: &DataRef<'_>) -> String {
         match value {
             DataRef::Empty => String::new(),
