@@ -1,4 +1,4 @@
-//! What a spectrum costs: first the answers are checked against Parseval's theorem, then CPU times are printed.
+//! CPU time of spectra: first the answers are checked against Parseval's theorem, then CPU times are printed.
 //!
 //! One thread, the best of the repetitions, and on Linux the time on the processor rather than on the wall: machines are
 //! shared.

@@ -1,5 +1,5 @@
-//! What treatments of gaps do to spectra of self-affine maps, as the table of docs/gaps.md: C1D and the rms slope of a map
-//! with gaps over those of the same map without, geometric means over seeds and over the wavelengths of a column.
+//! Bias of spectra of self-affine maps by the treatment of missing points, as the table of docs/gaps.md: C1D and the rms slope
+//! of a map with missing points over those of the whole map, geometric means over seeds and over the wavelengths of a column.
 
 #[path = "../tests/transform_support/mod.rs"]
 mod transform_support;

@@ -14,12 +14,13 @@ use crate::rows::{BLOCK_ROWS, Rows};
 use crate::sums::Spread;
 use scans::HeightMap;
 
-/// Columns transformed together: a line of the cache for each row, and the block stays in the cache.
+/// Columns transformed together: a cache line per row, and the block stays in the cache.
 const BLOCK_COLUMNS: usize = 16;
 
-/// The two-dimensional spectrum of a map, averaged over directions; with the feature `parallel` on all threads.
+/// Computes the two-dimensional spectrum of a map, averaged over directions; with the feature `parallel` on all
+/// threads.
 ///
-/// Takes as much memory as the map in addition to it.
+/// Needs as much additional memory as the map itself.
 pub fn areal_spectrum(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
     let transform = ArealTransform::new(map, preparation);
     let rows: Vec<ArealRows> = parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
@@ -28,8 +29,8 @@ pub fn areal_spectrum(map: &HeightMap, preparation: Preparation) -> ArealSpectru
     transform.spectrum(&rows, &sums)
 }
 
-/// The two steps of the transform in blocks, which may be taken in any order and on any number of threads: their sums are
-/// added in the order of the map, so every digit of the spectrum is the same.
+/// The two steps of the areal transform in blocks, for any order and any number of threads. Sums are added in the order
+/// of the map, so every digit of the spectrum is the same.
 pub struct ArealTransform<'a> {
     map: &'a HeightMap,
     preparation: Preparation,
@@ -46,7 +47,7 @@ pub struct ArealRows {
     spread: Spread,
 }
 
-/// What a block of columns adds to the rings.
+/// Contribution of a block of columns to the rings.
 #[derive(Clone, Debug)]
 pub struct ArealSums {
     rings: Vec<Ring>,
@@ -59,16 +60,16 @@ struct Ring {
     power_m2: f64,
 }
 
-/// Ring k gathers the modes at k - 1/2 <= radius < k + 1/2, in units of its width.
+/// Rings of modes: ring k holds k - 1/2 <= radius < k + 1/2, in units of the width.
 struct Rings {
     /// Steps between neighbouring modes along x and y in units of 2 pi/max(Lx, Ly).
     steps: [f64; 2],
-    /// Width in the same units: 1, unless that made more than `MAX_RINGS`.
+    /// Width in units of 2 pi/max(Lx, Ly): 1, or more to keep within `MAX_RINGS`.
     width: f64,
     count: usize,
 }
 
-/// A bound to the memory that maps take whose pixels are a thousand times longer one way than the other.
+/// Largest number of rings; bounds the memory for maps whose pixels are much longer one way than the other.
 const MAX_RINGS: f64 = 1e6;
 
 impl<'a> ArealTransform<'a> {
@@ -84,12 +85,12 @@ impl<'a> ArealTransform<'a> {
         }
     }
 
-    /// How many blocks of rows there are.
+    /// Number of blocks of rows.
     pub fn row_blocks(&self) -> usize {
         self.map.rows().div_ceil(BLOCK_ROWS)
     }
 
-    /// A block of rows, counted from 0; empty beyond the last.
+    /// Transforms a block of rows, counted from 0; empty beyond the last.
     pub fn rows(&self, block: usize) -> ArealRows {
         let mut transform = self.row_transform.clone();
         let mut rows = ArealRows { values: Vec::new(), spread: Spread::default() };
@@ -102,12 +103,12 @@ impl<'a> ArealTransform<'a> {
         rows
     }
 
-    /// How many blocks of columns there are.
+    /// Number of blocks of columns.
     pub fn column_blocks(&self) -> usize {
         self.half_columns().div_ceil(BLOCK_COLUMNS)
     }
 
-    /// The sums of a block of columns, counted from 0, of all blocks of rows in their order.
+    /// Sums a block of columns, counted from 0, over all blocks of rows in their order.
     pub fn columns(&self, rows: &[ArealRows], block: usize) -> ArealSums {
         let height = self.map.rows();
         let first = (block * BLOCK_COLUMNS).min(self.half_columns());
@@ -130,7 +131,7 @@ impl<'a> ArealTransform<'a> {
         sums
     }
 
-    /// The spectrum from all blocks of rows and the sums of all blocks of columns, both in their order.
+    /// Assembles the spectrum from all blocks of rows and the sums of all blocks of columns, both in their order.
     pub fn spectrum(&self, rows: &[ArealRows], sums: &[ArealSums]) -> ArealSpectrum {
         let map = self.map;
         let spacings_m = [map.spacing_x_m(), map.spacing_y_m()];
@@ -157,7 +158,7 @@ impl<'a> ArealTransform<'a> {
         }
     }
 
-    /// Columns kept of the transform along x: those at q_x >= 0, the others mirror them.
+    /// Number of columns kept of the transform along x: those at q_x >= 0; the others mirror them.
     fn half_columns(&self) -> usize {
         self.map.columns() / 2 + 1
     }
@@ -179,7 +180,7 @@ impl<'a> ArealTransform<'a> {
 }
 
 impl ArealSums {
-    /// Adds the transform of a column, its mirror image at -q_x, and leaves q = 0 out.
+    /// Adds the transform of a column and its mirror image at -q_x, without q = 0.
     fn add_column(&mut self, geometry: &Rings, column: usize, own_mirror: bool, values: &[Complex<f64>]) {
         let rows = values.len();
         let images = if own_mirror { 1.0 } else { 2.0 };
@@ -204,7 +205,7 @@ impl Ring {
 }
 
 impl Rings {
-    /// The ring of a mode and its radius in units of 2 pi/max(Lx, Ly).
+    /// Returns the ring of a mode and its radius in units of 2 pi/max(Lx, Ly).
     fn place(&self, column: usize, row: usize) -> (usize, f64) {
         let (x, y) = (self.steps[0] * column as f64, self.steps[1] * row as f64);
         let radius = (x * x + y * y).sqrt();

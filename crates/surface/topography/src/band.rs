@@ -1,4 +1,4 @@
-//! The band of wavelengths in which a scan shows the surface.
+//! The reliable band of wavelengths of a scan.
 
 use serde::Serialize;
 
@@ -7,34 +7,34 @@ use crate::rows::Lines;
 use crate::tip::tip_cutoff_m;
 use scans::Scan;
 
-/// What is known of the instrument besides the scan.
+/// Limits of the reliable band that the user gives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BandLimits {
-    /// Radius of the tip in m, if one touched the surface.
+    /// Radius of the tip \[m\], if one touched the surface.
     pub tip_radius_m: Option<f64>,
-    /// Shortest wavelength in m the user trusts.
+    /// Shortest reliable wavelength \[m\].
     pub shortest_m: Option<f64>,
 }
 
-/// The wavelengths that a scan resolves, with what limits them.
+/// The wavelengths that a scan resolves, with their limits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ReliableBand {
-    /// Twice the distance of neighbouring points along the scan lines in m, of uneven ones twice the mean.
+    /// Twice the (mean) distance of neighbouring points along the scan lines \[m\].
     pub sampling_m: f64,
-    /// Where the tip radius was given and the scan curves too sharply for it: the shortest wavelength in m it allows, see
-    /// [`tip_cutoff_m`].
+    /// Shortest wavelength \[m\] that a given tip radius allows, see [`tip_cutoff_m`]; `None` without a radius, or if
+    /// the scan curves nowhere too sharply for it.
     pub tip_m: Option<f64>,
-    /// The shortest wavelength the user asked for in m.
+    /// Shortest wavelength that the user gave \[m\].
     pub user_m: Option<f64>,
-    /// The largest of these in m.
+    /// Largest of these limits \[m\].
     pub shortest_m: f64,
 }
 
 impl ReliableBand {
-    /// The band of a scan.
+    /// Computes the band of a scan.
     ///
     /// # Errors
-    /// [`TransformError::BadLimit`] for a radius or wavelength that is no finite length above 0.
+    /// [`TransformError::BadLimit`] for a radius or wavelength that is not finite and above 0.
     pub fn of(scan: &Scan, limits: BandLimits) -> Result<Self, TransformError> {
         refuse_bad("tip radius", limits.tip_radius_m)?;
         refuse_bad("shortest wavelength", limits.shortest_m)?;
@@ -48,7 +48,7 @@ impl ReliableBand {
         Ok(Self { sampling_m, tip_m, user_m: limits.shortest_m, shortest_m })
     }
 
-    /// Whether the band holds a wavelength in m. A part in 10^12 is granted to the rounding of L/n against 2 dx.
+    /// Returns true if the band holds a wavelength \[m\]. A part in 10^12 allows for rounding of L/n against 2 dx.
     pub fn contains(&self, wavelength_m: f64) -> bool {
         wavelength_m * (1.0 + 1e-12) >= self.shortest_m
     }

@@ -1,4 +1,4 @@
-//! What ends the band of a scan at its short end.
+//! The limit that ends the band of a scan at its short end.
 
 use scans::{Scan, ScanFile};
 
@@ -9,14 +9,14 @@ use crate::tip_indication::TipIndication;
 use crate::tip_words::proposed_tip;
 use crate::{BandLimits, ReliableBand, TransformError};
 
-/// The band of a scan, what ends it, and what there is to say of its tip.
+/// The band of a scan, the limit that ends it, and remarks on the tip.
 pub(crate) struct FoundBand {
     pub(crate) band: ReliableBand,
     pub(crate) end: BandEnd,
     pub(crate) of_tip: Vec<ScanRemark>,
 }
 
-/// The band of a scan, and what ends it.
+/// Computes the band of a scan and the limit that ends it.
 pub(crate) fn band_of(
     file: &ScanFile<Scan>,
     given: BandLimits,
@@ -36,7 +36,7 @@ pub(crate) fn band_of(
     Ok(FoundBand { band, end, of_tip })
 }
 
-/// Where the radius of the tip comes from, and what there is to say of a tip that nobody knows.
+/// Remarks on a tip of unknown radius, and on a radius found in the text of the file.
 fn of_tip(
     file: &ScanFile<Scan>,
     given: BandLimits,

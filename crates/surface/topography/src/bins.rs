@@ -1,4 +1,4 @@
-//! Logarithmic bins of wavevectors, the same for every measurement.
+//! Logarithmic bins of wavevectors, common to all measurements.
 
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use spectrum::ProfilePsd;
 use units::named;
 
-/// How several values of a spectrum become one.
+/// Kind of mean over values of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BinMean {
@@ -23,25 +23,26 @@ named!(BinMean, "mean of spectra", { Geometric => "geometric", Arithmetic => "ar
 /// The samples of a spectrum in one bin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bin {
-    /// j of the lower edge 10^(j/N) rad/m.
+    /// Index j of the lower edge 10^(j/N) rad/m.
     pub(crate) index: i64,
-    /// Geometric mean of the wavelengths in m of the samples.
+    /// Geometric mean of the wavelengths of the samples \[m\].
     pub(crate) wavelength_m: f64,
-    /// Mean of the samples in m^3.
+    /// Mean of the samples \[m^3\].
     pub(crate) c1d_m3: f64,
 }
 
-/// The spectrum averaged in bins: the bin j of N per decade covers 10^(j/N) <= q < 10^((j + 1)/N), q in rad/m.
+/// Averages a spectrum in bins: bin j of N per decade covers 10^(j/N) <= q < 10^((j + 1)/N), q in rad/m.
 ///
-/// One sample for each bin that holds any, at the geometric mean of their wavelengths: bins of a single sample, the rule at
-/// the long end of a scan, keep it as it is, and a power law stays one. With [`BinMean::Arithmetic`] the noise of a
-/// periodogram averages out; the geometric mean of that of a single line is e^-0.577 = 0.56 of its expectation.
+/// Each bin with samples gives one, at the geometric mean of their wavelengths. Bins of a single sample, the rule at
+/// the long end of a scan, keep it unchanged, and a power law stays one. With [`BinMean::Arithmetic`] the noise of a
+/// periodogram averages out; the geometric mean of the periodogram of a single line is e^-0.577 = 0.56 of its
+/// expectation.
 pub fn log_binned(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinMean) -> ProfilePsd {
     let bins = log_bins(psd, bins_per_decade, mean);
     profile(bins.iter().map(|bin| (bin.wavelength_m, bin.c1d_m3)))
 }
 
-/// The spectrum of bins, each with its wavelength in m and its mean in m^3, from long to short wavelengths.
+/// Makes a spectrum of bins, each as (wavelength \[m\], mean \[m^3\]), from long to short wavelengths.
 pub(crate) fn profile(bins: impl Iterator<Item = (f64, f64)>) -> ProfilePsd {
     let (wavelengths_m, values_m3) = bins.unzip();
     ProfilePsd::new(wavelengths_m, values_m3).expect("means over the samples of spectra are samples of one")
@@ -64,20 +65,20 @@ pub(crate) fn log_bins(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinM
         .collect()
 }
 
-/// The bin of a wavevector.
+/// Returns the index of the bin of a wavevector.
 pub(crate) fn bin_index(q_rad_per_m: f64, bins_per_decade: NonZeroU32) -> i64 {
     (q_rad_per_m.log10() * f64::from(bins_per_decade.get())).floor() as i64
 }
 
-/// The wavelength in m of the centre of a bin, in the logarithm.
+/// Returns the wavelength \[m\] of the logarithmic centre of a bin.
 pub(crate) fn centre_m(index: i64, bins_per_decade: NonZeroU32) -> f64 {
     TAU / 10f64.powf((index as f64 + 0.5) / f64::from(bins_per_decade.get()))
 }
 
 impl BinMean {
-    /// The mean of values above 0, of which there is at least one.
+    /// Computes the mean of positive values, at least one.
     pub(crate) fn of(self, values: &[f64]) -> f64 {
-        // Relative to the first: a single value stays what it is, and no sum or product overflows.
+        // Relative to the first value: a single value stays unchanged, and no sum or product overflows.
         let ratios = values.iter().map(|value| value / values[0]);
         let count = values.len() as f64;
         values[0]
@@ -87,8 +88,8 @@ impl BinMean {
             }
     }
 
-    /// The standard error of the mean of two values or more; of the geometric one to first order, the mean times that of
-    /// the logarithms.
+    /// Computes the standard error of the mean of two values or more; for the geometric mean to first order, the mean
+    /// times the standard error of the logarithms.
     pub(crate) fn standard_error(self, values: &[f64]) -> Option<f64> {
         let mean = self.of(values);
         let deviation = |value: &f64| match self {

@@ -12,16 +12,16 @@ use crate::recipe::Average;
 use crate::scan_bins::ScanBin;
 use spectrum::ProfilePsd;
 
-/// How measurements are averaged.
+/// Options for averaging measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CompositeOptions {
-    /// N: the bins begin at 10^(j/N) rad/m.
+    /// Number N of bins per decade; bin j begins at 10^(j/N) rad/m.
     pub bins_per_decade: NonZeroU32,
-    /// The mean over the samples of a measurement inside a bin. Arithmetic by default: it estimates the spectrum, where
-    /// the geometric mean of a periodogram lies below it.
+    /// Mean over the samples of a measurement inside a bin. Arithmetic by default, which estimates the spectrum; the
+    /// geometric mean of a periodogram lies below it.
     pub inside: BinMean,
-    /// The mean over the measurements that reach a bin. Geometric by default: Jackson & Jacobs call their composite the
-    /// log-space average; contact.engineering takes the arithmetic mean.
+    /// Mean over the measurements that reach a bin. Geometric by default, which Jackson & Jacobs call the log-space
+    /// average; contact.engineering takes the arithmetic mean.
     pub across: BinMean,
 }
 
@@ -44,30 +44,30 @@ pub struct Composite {
 /// One bin of a composite, 10^(j/N) <= q < 10^((j + 1)/N) in rad/m.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CompositeBin {
-    /// Wavelength in m of the centre, q = 10^((j + 1/2)/N) rad/m.
+    /// Wavelength of the centre \[m\], q = 10^((j + 1/2)/N) rad/m.
     pub centre_m: f64,
-    /// Geometric mean of the wavelengths in m at which the measurements were sampled inside the bin.
+    /// Geometric mean of the wavelengths at which the measurements were sampled inside the bin \[m\].
     pub wavelength_m: f64,
-    /// The mean spectrum C1D in m^3.
+    /// Mean spectrum C1D \[m^3\].
     pub c1d_m3: f64,
-    /// How many measurements it is the mean of, at least 1.
+    /// Number of measurements, at least 1.
     pub measurements: usize,
-    /// Standard error of the mean in m^3 from the scatter of the measurements; `None` for a single one. The same data given
-    /// twice scatter like one measurement.
+    /// Standard error of the mean \[m^3\] from the scatter of the measurements; `None` for a single one. Repeated data
+    /// count once.
     pub standard_error_m3: Option<f64>,
-    /// How many independent squares of Gaussian numbers the measurements of the bin stand for together, the same data given
-    /// twice counted once; `None` where nothing is known of their lines.
+    /// Degrees of freedom: equivalent number of independent squared Gaussian numbers in the bin. Repeated data count
+    /// once; `None` if nothing is known of the lines.
     pub degrees_of_freedom: Option<f64>,
 }
 
-/// The composite of measurements, each limited to its reliable band beforehand ([`LineSpectrum::profile`]).
+/// Averages measurements, each already limited to its reliable band ([`LineSpectrum::profile`]).
 ///
-/// Each is averaged inside the bins, then bin by bin over those that reach it, every measurement with the same weight.
+/// Each measurement is averaged inside the bins, then each bin over the measurements that reach it, with equal weights.
 ///
 /// [`LineSpectrum::profile`]: crate::LineSpectrum::profile
 ///
 /// # Errors
-/// [`TransformError::NoMeasurements`], [`TransformError::SingleBin`] where all samples share one.
+/// [`TransformError::NoMeasurements`] without measurements, [`TransformError::SingleBin`] if all samples share a bin.
 pub fn composite(
     measurements: &[ProfilePsd],
     options: &CompositeOptions,
@@ -77,14 +77,14 @@ pub fn composite(
         bins.into_iter().map(ScanBin::from).collect()
     };
     let binned: Vec<Vec<ScanBin>> = measurements.iter().map(binned).collect();
-    of_bins(&binned, options.bins_per_decade, options.across)
+    average_bins(&binned, options.bins_per_decade, options.across)
 }
 
-/// The composite of scans in bins.
+/// Averages scans that are in bins already.
 ///
 /// # Errors
-/// Those of [`composite`].
-pub(crate) fn of_scan_bins(
+/// As [`composite`].
+pub(crate) fn average_scan_bins(
     scans: &[Vec<ScanBin>],
     bins_per_decade: NonZeroU32,
     average: Average,
@@ -93,11 +93,11 @@ pub(crate) fn of_scan_bins(
         bins.iter().map(|bin| ScanBin { c1d_m3: average.counted_m3(bin), ..bin.clone() }).collect()
     };
     let counted: Vec<Vec<ScanBin>> = scans.iter().map(counted).collect();
-    of_bins(&counted, bins_per_decade, average.across())
+    average_bins(&counted, bins_per_decade, average.across())
 }
 
 impl Average {
-    /// What a scan counts as in a bin, in m^3: for the mean of logarithms without bias, without that of its own logarithm.
+    /// Value of a scan in a bin \[m^3\]; for the unbiased mean of logarithms freed from the bias of its own logarithm.
     #[must_use]
     pub fn counted_m3(self, bin: &ScanBin) -> f64 {
         match (self, bin.degrees_of_freedom) {
@@ -107,8 +107,8 @@ impl Average {
     }
 }
 
-/// The mean of measurements in bins, each with the same weight.
-fn of_bins(
+/// Averages measurements in bins with equal weights.
+fn average_bins(
     measurements: &[Vec<ScanBin>],
     bins_per_decade: NonZeroU32,
     across: BinMean,
@@ -138,14 +138,14 @@ fn of_bins(
     }
 }
 
-/// What the measurements say of a bin.
+/// Values of all measurements in a bin.
 #[derive(Default)]
 struct Gathered {
     wavelengths_m: Vec<f64>,
     values_m3: Vec<f64>,
     /// The values without those of measurements that repeat an earlier one.
     distinct_m3: Vec<f64>,
-    /// The degrees of freedom of those.
+    /// The degrees of freedom of the distinct values.
     freedoms: Vec<Option<f64>>,
 }
 
@@ -166,7 +166,7 @@ impl Composite {
         &self.bins
     }
 
-    /// The spectrum with each bin at the wavelengths it was sampled at, not at its centre: at the long end of a scan a bin
+    /// Returns the spectrum with each bin at its sampled wavelength, not at its centre. At the long end of a scan a bin
     /// holds one sample, up to 12 % of the wavelength off the centre, where a steep spectrum differs by a third.
     pub fn profile(&self) -> ProfilePsd {
         profile(self.bins.iter().map(|bin| (bin.wavelength_m, bin.c1d_m3)))

@@ -1,46 +1,46 @@
-//! The spectra of several scans become one, with what they say of each other.
+//! The composite spectrum of several scans, and comparisons between them.
 
 use scans::Axis;
 use spectrum::{Convention, Hole, Psd};
 
-use crate::composite::of_scan_bins;
+use crate::composite::average_scan_bins;
 use crate::recipe::{Average, Recipe};
 use crate::remark::{Remark, differ};
 use crate::scan_bins::ScanBin;
 use crate::scan_spectrum::ScanSpectrum;
 use crate::{Composite, Direction, DirectionRatio, Overlap, TransformError, overlaps};
 
-/// In fewer shared bins the scatter of single lines may look as if instruments disagreed.
-const TELLING_BINS: usize = 3;
+/// Smallest number of shared bins that can show a disagreement; in fewer, single lines scatter as much.
+const LEAST_SHARED_BINS: usize = 3;
 
-/// Two instruments that do not show the same surface.
+/// Two instruments whose spectra disagree.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct InstrumentsDisagree {
     /// The names of the scans.
     pub names: [String; 2],
-    /// The spectrum of the first over that of the second, on average where they overlap.
+    /// Mean ratio of the first to the second spectrum where they overlap.
     pub ratio: f64,
-    /// The longest wavelength they share \[m\].
+    /// Longest shared wavelength \[m\].
     pub longest_m: f64,
-    /// The shortest.
+    /// Shortest shared wavelength \[m\].
     pub shortest_m: f64,
 }
 
-/// The spectra of some scans and their composite.
+/// The spectra of scans and their composite.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct CompositeSpectrum {
-    /// How they were made.
+    /// Recipe of all spectra.
     pub recipe: Recipe,
-    /// Each scan.
+    /// Spectra of the scans.
     pub scans: Vec<ScanSpectrum>,
-    /// Their spectra in the bins of the composite.
+    /// Spectra of the scans in the bins of the composite.
     pub in_bins: Vec<Vec<ScanBin>>,
-    /// Scans that are the data of an earlier one, which they repeat: both by index.
+    /// Pairs of scans with the same data, as indices (earlier, later).
     pub repeated: Vec<(usize, usize)>,
-    /// What neighbouring instruments say of the wavelengths that they share.
+    /// Comparisons of scans at shared wavelengths.
     pub overlaps: Vec<Overlap>,
-    /// The composite; data given twice count once in its standard errors.
+    /// The composite; repeated data count once in its standard errors.
     pub composite: Composite,
 }
 
@@ -48,21 +48,21 @@ impl CompositeSpectrum {
     /// Averages the spectra of scans, made by this recipe.
     ///
     /// # Errors
-    /// [`TransformError`] where there are none, or their bins are too few to be a spectrum.
+    /// [`TransformError`] without scans, or with too few bins for a spectrum.
     pub fn of(scans: Vec<ScanSpectrum>, recipe: &Recipe) -> Result<Self, TransformError> {
         let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
         let in_bins: Vec<Vec<ScanBin>> =
             scans.iter().map(|scan| scan.in_bins(recipe.bins_per_decade)).collect();
-        let composite = of_scan_bins(&in_bins, recipe.bins_per_decade, recipe.average)?;
+        let composite = average_scan_bins(&in_bins, recipe.bins_per_decade, recipe.average)?;
         let repeated = repeated(&scans);
         let overlaps = overlaps(&reliable, recipe.bins_per_decade);
         Ok(CompositeSpectrum { recipe: *recipe, scans, in_bins, repeated, overlaps, composite })
     }
 
-    /// The composite as a spectrum with standard errors.
+    /// Returns the composite as a spectrum with standard errors.
     ///
     /// # Errors
-    /// [`TransformError`] where its values are none that a spectrum may have.
+    /// [`TransformError`] if its values are not valid for a spectrum.
     pub fn psd(&self) -> Result<Psd, TransformError> {
         let bins = self.composite.bins();
         let wavelengths_m = bins.iter().map(|bin| bin.wavelength_m).collect();
@@ -71,7 +71,7 @@ impl CompositeSpectrum {
         Ok(Psd::new(wavelengths_m, values, Convention::C1D)?.with_standard_errors(errors)?)
     }
 
-    /// The names of the scans, told apart where two are the same.
+    /// Names of the scans, numbered where two are the same.
     #[must_use]
     pub fn series_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
@@ -84,21 +84,22 @@ impl CompositeSpectrum {
         names
     }
 
-    /// Wavelengths that no scan shows, from long to short.
+    /// Holes in the composite, from long to short wavelengths.
     #[must_use]
     pub fn holes(&self) -> Vec<Hole> {
         self.composite.profile().holes()
     }
 
-    /// The two instruments that are farthest apart, where that is too far for one surface in the same units: no composite of
-    /// theirs is its spectrum.
+    /// Finds the two instruments that disagree most, if by more than one surface in the same units allows; their
+    /// composite is then not a spectrum of the surface.
     #[must_use]
     pub fn instruments_disagree(&self) -> Option<InstrumentsDisagree> {
-        let telling = |overlap: &&Overlap| {
-            overlap.bins >= TELLING_BINS && differ(overlap.ratio) && !self.is_one_map(overlap)
+        let is_significant = |overlap: &&Overlap| {
+            overlap.bins >= LEAST_SHARED_BINS && differ(overlap.ratio) && !self.is_one_map(overlap)
         };
         let apart = |overlap: &&Overlap| overlap.ratio.ln().abs();
-        let worst = self.overlaps.iter().filter(telling).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        let worst =
+            self.overlaps.iter().filter(is_significant).max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
         let names = self.series_names();
         Some(InstrumentsDisagree {
             names: [worst.first, worst.second].map(|scan| names[scan].clone()),
@@ -108,7 +109,7 @@ impl CompositeSpectrum {
         })
     }
 
-    /// The two spectra of each map that has one along each axis, by index: they follow each other.
+    /// Yields the indices of the two spectra of each map that has one along each axis; they follow each other.
     fn both_directions(&self) -> impl Iterator<Item = (usize, usize)> {
         let is_pair = |&(x, y): &(usize, usize)| {
             [x, y].map(|scan| self.scans[scan].axis) == [Some(Axis::X), Some(Axis::Y)]
@@ -116,8 +117,8 @@ impl CompositeSpectrum {
         (1..self.scans.len()).map(|y| (y - 1, y)).filter(is_pair)
     }
 
-    /// The place that each scan is of, by the index of the first scan there: the two spectra of one map are of one place, and so is
-    /// the same data given twice.
+    /// Place of each scan, as the index of the first scan there. The two spectra of one map share a place, and so do
+    /// repeated data.
     #[must_use]
     pub fn places(&self) -> Vec<usize> {
         let mut places: Vec<usize> = Vec::new();
@@ -130,18 +131,18 @@ impl CompositeSpectrum {
         places
     }
 
-    /// How many places there are.
+    /// Number of places.
     #[must_use]
     pub fn place_count(&self) -> usize {
         self.places().iter().enumerate().filter(|(at, place)| at == *place).count()
     }
 
-    /// Whether the two are those of one map along both axes, which are no two instruments.
+    /// Returns true if the two spectra are those of one map along both axes, not of two instruments.
     fn is_one_map(&self, overlap: &Overlap) -> bool {
         self.both_directions().any(|pair| pair == (overlap.first, overlap.second))
     }
 
-    /// What reading took for granted, and how far each spectrum, their overlaps and the whole can be believed.
+    /// Collects remarks: assumptions of the reader, and checks of each spectrum, of overlaps and of the composite.
     #[must_use]
     pub fn remarks(&self) -> Vec<Remark> {
         let names = self.series_names();
@@ -157,10 +158,10 @@ impl CompositeSpectrum {
             let fast = self.scans[x].fast_axis.map(Direction::from);
             (!ratios.is_empty()).then(|| Remark::Directions { names: both([x, y]), ratios, fast })
         });
-        let is_told = |overlap: &&Overlap| {
+        let is_listed = |overlap: &&Overlap| {
             !self.repeated.contains(&(overlap.first, overlap.second)) && !self.is_one_map(overlap)
         };
-        let overlaps = self.overlaps.iter().filter(is_told).map(|overlap| Remark::Overlap {
+        let overlaps = self.overlaps.iter().filter(is_listed).map(|overlap| Remark::Overlap {
             names: both([overlap.first, overlap.second]),
             ratio: overlap.ratio,
             bins: overlap.bins,
@@ -171,7 +172,7 @@ impl CompositeSpectrum {
         of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
     }
 
-    /// The bias that the mean of logarithms was freed from, where it was.
+    /// Remarks on the largest bias removed from the mean of logarithms.
     fn bias(&self) -> Option<Remark> {
         let average = self.recipe.average;
         let bins = self.in_bins.iter().flatten().filter(|_| average == Average::LogUnbiased);
@@ -181,7 +182,7 @@ impl CompositeSpectrum {
     }
 }
 
-/// Scans whose data an earlier one holds already: the earlier one and the one that repeats it, by index.
+/// Finds scans with the data of an earlier one, as indices (earlier, later).
 fn repeated(scans: &[ScanSpectrum]) -> Vec<(usize, usize)> {
     let of_an_earlier = |second: usize| {
         let first = (0..second).find(|&first| scans[first].spectrum == scans[second].spectrum)?;

@@ -1,23 +1,23 @@
-//! Lines without gaps, cut out of scans with some.
+//! Lines without missing points, cut out of scans.
 
 use scans::{Axis, Measured, ParallelLines};
 
 use crate::error::TransformError;
 
-/// Fewest points of a stretch: a spectrum of one and a half decades at the least is left of them between the bins that the
-/// trend takes and the distance of two points.
+/// Smallest number of points of a stretch: wavelengths from L/2 to L/8 are left between the flagged first bin and twice
+/// the distance of two points.
 pub(crate) const LEAST_POINTS: usize = 16;
-/// Whole lines are enough where they hold this share of the points that were measured: they keep the long wavelengths.
+/// Share of the measured points in whole lines from which only these are used; they keep the long wavelengths.
 const ENOUGH: f64 = 0.5;
 
-/// What was cut out.
+/// Lines cut out of a scan.
 pub(crate) struct Cut {
     pub(crate) lines: ParallelLines,
-    /// Whether all of them are as long as the scan, along either axis.
+    /// True if all lines are as long as the scan, along either axis.
     pub(crate) is_whole: bool,
 }
 
-/// The lines along x that have no gaps and, of a map, those along y where there are any.
+/// Cuts out the lines along x without missing points and, for a map, also those along y if there are any.
 pub(crate) fn cut(scan: &Measured) -> Result<Cut, TransformError> {
     let ((columns, rows), (spacing_x_m, spacing_y_m)) = (scan.points(), scan.spacing_m());
     let of_rows = Lines { scan, axis: Axis::X, count: rows.unwrap_or(1), points: columns, columns };
@@ -29,7 +29,7 @@ pub(crate) fn cut(scan: &Measured) -> Result<Cut, TransformError> {
             lines: along_x.lines.with_across(along_y.lines),
             is_whole: along_x.is_whole && along_y.is_whole,
         },
-        Err(_) => along_x, // whoever wants lines along y is told that there are none
+        Err(_) => along_x, // a later request for lines along y is refused
     })
 }
 
@@ -96,7 +96,7 @@ impl Lines<'_> {
     }
 }
 
-/// The number of points that keeps most of them, a piece of each stretch that is as long; of several the longest.
+/// Finds the piece length in points that keeps most points; the longest of several.
 fn best_length(stretches: &[Stretch]) -> Option<usize> {
     let mut lengths: Vec<usize> = stretches.iter().map(|stretch| stretch.points).collect();
     lengths.sort_unstable_by(|a, b| b.cmp(a));

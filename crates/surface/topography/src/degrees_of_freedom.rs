@@ -1,16 +1,16 @@
-//! How many independent squares of Gaussian numbers stand behind the mean of a spectrum in a bin, and by how much its logarithm
-//! is too low for that.
+//! Degrees of freedom of the mean of a spectrum in a bin, and the bias of its logarithm.
 
 use statrs::function::gamma::digamma;
 
-use crate::window::Window;
+use crate::preparation::Window;
 
-/// Degrees of freedom n of the mean of so many Fourier bins (at least 1) over so many independent lines (at least 1): of
-/// Gaussian heights n times that mean over its expectation is about chi-squared distributed with n degrees of freedom.
+/// Computes the degrees of freedom n of the mean of `bins` >= 1 Fourier bins over `independent_lines` >= 1 lines.
 ///
-/// The first bin of each line brings two. Under a Hann window neighbouring bins share power, with a correlation of 4/9, and 1/36
-/// the ones after that, so that each further one brings 2/(1 + 2 (4/9 + 1/36)), as of many bins each does (physics2.md, D1).
-/// The bias of the logarithm that follows is within 0.008 of that of 1 to 12 neighbouring bins of a white surface, by random numbers.
+/// For Gaussian heights, n times that mean over its expectation is nearly chi-squared distributed with n degrees of
+/// freedom. The first bin of each line contributes two. Under a Hann window the powers of neighbouring bins have a
+/// correlation of 4/9, and of the next ones 1/36, so each further bin contributes 2/(1 + 2 (4/9 + 1/36)), the limit for
+/// many bins. The resulting bias of the logarithm is within 0.008 of simulations with 1 to 12 neighbouring bins of a
+/// white surface.
 pub(crate) fn degrees_of_freedom(bins: usize, independent_lines: f64, window: Window) -> f64 {
     let shared = match window {
         Window::Hann => HANN,
@@ -19,11 +19,11 @@ pub(crate) fn degrees_of_freedom(bins: usize, independent_lines: f64, window: Wi
     2.0 * independent_lines * (1.0 + bins.saturating_sub(1) as f64 / shared)
 }
 
-/// 1 + 2 (4/9 + 1/36).
+/// Bins per independent bin under a Hann window, 1 + 2 (4/9 + 1/36).
 const HANN: f64 = 35.0 / 18.0;
 
-/// The mean of the logarithm of a mean of n > 0 degrees of freedom, less the logarithm of its expectation: psi(n/2) - ln(n/2),
-/// -0.577 at n = 2 and about -1/n from 10 on.
+/// Computes the bias of the logarithm of a mean with n > 0 degrees of freedom, psi(n/2) - ln(n/2): -0.577 at n = 2,
+/// about -1/n from n = 10 on.
 pub(crate) fn bias_of_logarithm(degrees_of_freedom: f64) -> f64 {
     let half = 0.5 * degrees_of_freedom;
     digamma(half) - half.ln()

@@ -1,43 +1,44 @@
-//! Slopes and curvatures from the heights themselves, to hold against those from the spectrum.
+//! Slopes and curvatures from heights, for comparison with those from the spectrum.
 
 use crate::detrend::Detrend;
+use crate::line::RmsDerivatives;
 use crate::piecewise::fitted_slope;
-use crate::rms::RmsDerivatives;
 use crate::rows::{Lines, Rows};
 use crate::sums::{dot, sum_of};
 use scans::{NonuniformLineScan, Scan};
 
-/// Whether the heights continue at the other end of the scan.
+/// Boundary condition of the heights at the ends of a scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// They do: the last point of a line is a neighbour of the first.
+    /// The last point of a line is a neighbour of the first.
     Periodic,
-    /// They do not.
+    /// The lines end.
     Open,
 }
 
-/// Slope and curvature from differences of neighbouring heights, after detrending: of a map along its rows.
+/// Computes rms slope and curvature from differences of neighbouring heights after detrending; for a map along its
+/// rows.
 ///
-/// Evenly spaced points a apart: (h_(i+1) - h_i)/a and (h_(i+1) - 2 h_i + h_(i-1))/a^2. Unevenly spaced ones: the slopes of
-/// the straight lines between them weighted with their lengths, and the change of slope at each inner point over half the
-/// length of its two neighbours, weighted with that; `boundary` is then taken as open.
+/// Evenly spaced points a apart: (h_(i+1) - h_i)/a and (h_(i+1) - 2 h_i + h_(i-1))/a^2. Unevenly spaced points: the
+/// slopes of the straight lines between them weighted by their lengths, and the change of slope at each inner point
+/// over half the length of its two neighbours, weighted by that length; `boundary` then counts as open.
 ///
-/// To rounding this is, on periodic data and without a window, what
-/// [`LineSpectrum::rms_derivatives`](crate::LineSpectrum::rms_derivatives) gives for differences. With the Hann window the
-/// two agree as closely as the roughness is alike everywhere, since the window favours the middle of the scan, and its own
-/// slope adds (2 pi/L)^2/3 times the variance to the mean square slope. Without one, the step between the two ends of a
-/// scan that is not periodic swamps the spectral values.
+/// On periodic data without a window this equals
+/// [`LineSpectrum::rms_derivatives`](crate::LineSpectrum::rms_derivatives) for differences, to rounding. The Hann
+/// window favours the middle of the scan, so agreement then depends on how uniform the roughness is; its own slope adds
+/// (2 pi/L)^2/3 times the variance to the mean square slope. Without a window, the step between the ends of a scan that
+/// is not periodic swamps the spectral values.
 pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
     match Lines::of(scan) {
-        Lines::Even(rows) => of_rows(&rows, detrend, boundary),
-        Lines::Uneven(line) => of_uneven(line, detrend),
+        Lines::Even(rows) => even_derivatives(&rows, detrend, boundary),
+        Lines::Uneven(line) => uneven_derivatives(line, detrend),
     }
 }
 
-/// The same across the rows of a map, as if it had been scanned along y; `None` for a line.
+/// Computes rms slope and curvature across the rows of a map, as if it had been scanned along y; `None` for a line.
 ///
-/// Drift from row to row and steps between them show here and not along the rows, so that the two may differ on an isotropic
-/// surface. [`Detrend::Line`] takes a straight line off each column.
+/// Drift and steps between rows show here but not along the rows, so the two may differ on an isotropic surface.
+/// [`Detrend::Line`] subtracts a straight line from each column.
 #[must_use]
 pub fn real_space_derivatives_across(
     scan: &Scan,
@@ -52,7 +53,7 @@ pub fn real_space_derivatives_across(
     Some(real_space_derivatives(&across, detrend, boundary))
 }
 
-fn of_rows(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
+fn even_derivatives(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
     let (trend, Rows { points, spacing_m, .. }) = (lines.trend(detrend), *lines);
     let closing = usize::from(boundary == Boundary::Periodic);
     let (ones, mut rest_m) = (vec![1.0; points], vec![0.0; points]);
@@ -78,7 +79,7 @@ fn of_rows(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDerivatives
     }
 }
 
-fn of_uneven(line: &NonuniformLineScan, detrend: Detrend) -> RmsDerivatives {
+fn uneven_derivatives(line: &NonuniformLineScan, detrend: Detrend) -> RmsDerivatives {
     let lengths_m: Vec<f64> = line.positions_m().windows(2).map(|pair| pair[1] - pair[0]).collect();
     let rises_m = line.heights_m().windows(2).map(|pair| pair[1] - pair[0]);
     let slopes: Vec<f64> = rises_m.zip(&lengths_m).map(|(rise_m, length_m)| rise_m / length_m).collect();

@@ -6,23 +6,23 @@ use crate::sums::{Spread, dot, sum_of, sums_of};
 use scans::HeightMap;
 use units::named;
 
-/// What is subtracted from the heights before they are transformed, each fitted by least squares.
+/// Trend subtracted from the heights before they are transformed, fitted by least squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Detrend {
-    /// The mean: of a line, or of the whole map.
+    /// The mean of a line or of the whole map.
     Mean,
-    /// A straight line: of a map, one for each of its rows, which also takes the drift between rows away and with it
-    /// wavelengths across the rows.
+    /// A straight line; for a map one per row, which also removes drift between rows and, with it, wavelengths across
+    /// them.
     Line,
-    /// A plane through the whole map; of a line, a straight line, and so of each of the lines that were cut out of a map.
+    /// A plane through the whole map; a straight line for a line scan and for each line cut out of a map.
     #[default]
     Plane,
 }
 
 named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane" });
 
-/// The heights of a map less their trend \[m\], row by row.
+/// Subtracts the trend of a map and returns the heights \[m\] row by row.
 #[must_use]
 pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
     let trend = Trend::of_map(map, detrend);
@@ -37,16 +37,16 @@ pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
 
 /// The trend of the rows of a map, or of a line.
 pub(crate) struct Trend {
-    /// 0, 1, 2, ... along a row: a table, because conversions for each height would cost more than the arithmetic.
+    /// Table of 0, 1, 2, ... along a row: conversions for each height would cost more than the arithmetic.
     index: Vec<f64>,
-    /// The plane of all rows; where there is none, each row has its own straight line, fitted when it is read.
+    /// The plane of all rows; with `None` each row has its own straight line, fitted when it is read.
     common: Option<Plane>,
 }
 
 /// A plane in two parts, so that an offset or slope a million times the roughness costs no digits.
 ///
-/// The coarse part has slopes of so few bits that their products with an index are exact; what is left after subtracting
-/// it has the size of the roughness, and the fine part is the least-squares plane through that, about its centre.
+/// The coarse slopes have so few bits that their products with an index are exact. The remainder has the size of the
+/// roughness; the fine part is the least-squares plane through it, about its centre.
 #[derive(Clone, Copy)]
 struct Plane {
     pivot_m: f64,
@@ -61,7 +61,7 @@ impl Trend {
         Self::of_rows(map.heights_m(), map.columns(), detrend)
     }
 
-    /// Of rows of so many columns.
+    /// Fits the trend of rows of `columns` points.
     pub(crate) fn of_rows(heights_m: &[f64], columns: usize, detrend: Detrend) -> Self {
         let sloped = match detrend {
             Detrend::Mean => Some([false, false]),
@@ -81,7 +81,8 @@ impl Trend {
         Self { index, common }
     }
 
-    /// What is left of a row, each height times its factor, written into `rest_m`; all three of the length of a row.
+    /// Subtracts the trend from a row, multiplies by `factors` and writes the result to `rest_m`; all have the length
+    /// of a row.
     pub(crate) fn subtract(
         &self,
         row: usize,
@@ -103,7 +104,7 @@ impl Trend {
 }
 
 impl Plane {
-    /// The least-squares plane through rows as long as `index`, sloped along x and along y where asked for.
+    /// Fits the least-squares plane to rows as long as `index`; `sloped` allows slopes along x and y.
     fn fit(heights_m: &[f64], index: &[f64], sloped: [bool; 2]) -> Self {
         let columns = index.len();
         let rows = heights_m.len() / columns;
@@ -150,7 +151,7 @@ impl Plane {
     }
 }
 
-/// The slopes rounded so that products with indices below `points`, and sums of both, are exact.
+/// Rounds slopes so that products with indices below `points`, and their sums, are exact.
 fn with_exact_products(slopes: [f64; 2], points: [usize; 2]) -> [f64; 2] {
     let largest = slopes[0].abs() * points[0] as f64 + slopes[1].abs() * points[1] as f64;
     let unit = 2f64.powi(largest.log2().ceil().max(-900.0) as i32 - 52);
@@ -185,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_has_neither_mean_nor_slope() {
+    fn detrended_heights_have_neither_mean_nor_slope() {
         let (columns, rows) = (31, 20);
         let rest = rest(&dyadic(columns * rows), columns, Detrend::Plane);
         let moment = |weight: &dyn Fn(usize) -> f64| -> f64 {

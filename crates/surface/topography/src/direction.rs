@@ -1,4 +1,4 @@
-//! Along which axis of a map its spectrum is taken.
+//! Axis of a map along which its spectrum is taken.
 
 use scans::{Axis, Scan, ScanFile};
 use serde::{Deserialize, Serialize};
@@ -6,16 +6,16 @@ use serde::{Deserialize, Serialize};
 use crate::cut_lines::LEAST_POINTS;
 use crate::error::TransformError;
 
-/// Along which axis of a map its lines run.
+/// Axis along which the lines of a map run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Direction {
-    /// Along its rows.
+    /// Along the rows.
     #[default]
     X,
-    /// Along its columns.
+    /// Along the columns.
     Y,
-    /// Along both, each a spectrum of its own.
+    /// Along both, with a spectrum for each.
     Both,
 }
 
@@ -30,7 +30,7 @@ impl From<Axis> for Direction {
     }
 }
 
-/// Whether a scan can be taken along y as well.
+/// Returns true if a scan also has lines along y.
 pub(crate) fn has_two(scan: &Scan) -> bool {
     match scan {
         Scan::Map(_) => true,
@@ -39,11 +39,10 @@ pub(crate) fn has_two(scan: &Scan) -> bool {
     }
 }
 
-/// A map with x and y exchanged, or the lines that were cut out of it along y. Other scans know one direction and stay as
-/// they are, with a note of it.
+/// Exchanges x and y of a map, or selects the lines cut out of it along y. Line scans stay unchanged, with a note.
 ///
 /// # Errors
-/// [`TransformError::NoLines`] where gaps left no line along y.
+/// [`TransformError::NoLines`] if missing points left no line along y.
 pub(crate) fn turned(mut file: ScanFile<Scan>) -> Result<ScanFile<Scan>, TransformError> {
     file.scan = match file.scan {
         Scan::Map(map) => Scan::Map(map.turned()),
@@ -52,7 +51,7 @@ pub(crate) fn turned(mut file: ScanFile<Scan>) -> Result<ScanFile<Scan>, Transfo
         ),
         line => {
             file.notes
-                .push("a line has one direction: its spectrum is that along it, not along y".to_owned());
+                .push("a line has one direction; its spectrum is along the line, not along y".to_owned());
             line
         }
     };

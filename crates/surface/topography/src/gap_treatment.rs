@@ -1,4 +1,4 @@
-//! What is done about the points of a scan that have no height.
+//! Treatment of missing points, those without a height.
 
 use scans::{Measured, Scan, ScanFile};
 use serde::{Deserialize, Serialize};
@@ -9,36 +9,35 @@ use crate::error::TransformError;
 use crate::harmonic::harmonic_m;
 use crate::holes::{Holes, extent, points};
 
-/// What is done about the points of a scan that have no height.
+/// Treatment of missing points, those of a scan without a height.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum GapTreatment {
-    /// A scan with gaps is refused.
+    /// Refuses scans with missing points.
     Refuse,
-    /// Gaps are filled by the harmonic surface through the points around them: Laplace's equation, the points around a hole
-    /// as boundary values, flat at the edge of the map. In a line by a straight line from end to end. Up to
-    /// [`MOST_FILLED`] of the points.
+    /// Fills missing points by the harmonic surface through the points around them: Laplace's equation with the heights
+    /// around a patch as boundary values, flat at the edge of the map. In a line, a straight line from end to end.
+    /// Fills up to [`MOST_FILLED`] of the points.
     #[default]
     Harmonic,
-    /// Only lines, or stretches of lines, without gaps take part: the rows without gaps where they hold half of the measured
-    /// points or more; else stretches of one length, the one whose longest stretches hold most points.
+    /// Uses only lines, or stretches of lines, without missing points: whole rows if they hold at least half of the
+    /// measured points, else stretches of the one length that keeps most points.
     ///
-    /// Stretches know no wavelengths beyond their length. Where it is steep flanks that have no height, they lie where
-    /// the surface is flat, and the spectrum is too low.
+    /// Stretches have no wavelengths beyond their length. If points are missing on steep flanks, the stretches lie
+    /// where the surface is flat, and the spectrum is too low.
     Lines,
 }
 
 units::named!(GapTreatment, "treatment of gaps", { Refuse => "refuse", Harmonic => "harmonic", Lines => "lines" });
 
-/// The largest share of the points of a scan that is filled.
+/// Largest share of missing points that is filled.
 pub const MOST_FILLED: f64 = 0.2;
 
-/// A file whose scan is whole, with a note of what was done about its gaps.
+/// Removes missing points from the scan of a file, with a note on the treatment.
 ///
 /// # Errors
-/// [`TransformError::Gaps`] where they are refused, [`TransformError::TooManyGaps`] where there are more than are filled,
-/// [`TransformError::NoLines`] where no line without gaps is left, [`TransformError::NoHeights`] where there is nothing but
-/// gaps.
+/// [`TransformError::Gaps`] if they are refused, [`TransformError::TooManyGaps`] for more than are filled,
+/// [`TransformError::NoLines`] if no line without them is left, [`TransformError::NoHeights`] if no point has a height.
 pub fn without_gaps(file: ScanFile, treatment: GapTreatment) -> Result<ScanFile<Scan>, TransformError> {
     if file.scan.gaps().is_empty() || treatment == GapTreatment::Refuse {
         return file.try_map(|scan| Ok(scan.complete()?));
@@ -50,7 +49,7 @@ pub fn without_gaps(file: ScanFile, treatment: GapTreatment) -> Result<ScanFile<
     }
     let share = gaps as f64 / count as f64;
     match treatment {
-        GapTreatment::Lines => of_lines(file, share),
+        GapTreatment::Lines => lines_only(file, share),
         _ if share > MOST_FILLED => Err(TransformError::TooManyGaps { share, bound: MOST_FILLED }),
         _ => filled(file, share),
     }
@@ -80,7 +79,7 @@ fn filled(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> 
     Ok(file)
 }
 
-/// Heights in m for the gaps of a line: on straight lines between the points beside them, level at the ends.
+/// Interpolates the missing points of a line \[m\]: straight lines between the points beside them, level at the ends.
 fn interpolated_m(line: &Measured) -> Vec<f64> {
     let (points, _) = line.points();
     let known = |index: usize| line.height_m(index).map(|height_m| (index, height_m));
@@ -100,7 +99,7 @@ fn interpolated_m(line: &Measured) -> Vec<f64> {
                 (1.0 - share) * from_m + share * to_m
             }
             (Some((_, height_m)), None) | (None, Some((_, height_m))) => height_m,
-            (None, None) => 0.0, // a line of gaps, which was refused
+            (None, None) => 0.0, // a line without any height, refused before
         });
     }
     heights_m
@@ -116,11 +115,11 @@ fn size_of_largest(holes: &Holes, scan: &Measured) -> String {
     y_m.map_or(along_x.clone(), |y_m| format!("{along_x} x {}", length(y_m * rows.len() as f64)))
 }
 
-fn of_lines(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> {
+fn lines_only(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> {
     let Cut { lines, is_whole } = cut(&file.scan)?;
     let (whole, kept) = (if is_whole { "whole lines" } else { "stretches" }, lines.heights_m().len());
     let note = format!(
-        "{} of the points have no height: {} {whole} of {} ({} points each) without gaps take part, {} of the points",
+        "{} of the points have no height: {} {whole} of {} ({} points each) without missing points are used, {} of the points",
         percent(share),
         lines.lines(),
         length(lines.length_m()),
@@ -133,7 +132,7 @@ fn of_lines(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError
     Ok(file)
 }
 
-/// A share that is told as more than nothing where it is.
+/// Formats a share in percent; a small one is not rounded to zero.
 fn percent(share: f64) -> String {
     if share < 1e-4 { "less than 0.01 %".to_owned() } else { format!("{:.2} %", 100.0 * share) }
 }

@@ -1,27 +1,27 @@
-//! The harmonic surface through the points around the holes of a map.
+//! Harmonic filling of the holes of a map.
 
 use scans::Measured;
 
 use crate::holes::{Holes, Run, extent, points};
 use crate::multigrid::{Cells, Multigrid, NONE, Ties};
 
-/// The iteration ends where the next correction is this small, over the range of the heights around the hole: a tenth of
-/// what is promised.
+/// Correction, over the range of the heights around the hole, at which the iteration ends: a tenth of the promised
+/// error.
 const TOLERANCE: f64 = 1e-11;
-/// A correction this small is rounding, and the plane through the points around the hole stays what it is.
+/// First correction that counts as rounding; the plane through the points around the hole is then kept.
 const ROUNDING: f64 = 1e-14;
-/// Iterations after which a hole is taken as it is; a few dozen do for the largest.
+/// Largest number of iterations; a few dozen suffice for the largest holes.
 const MOST_ITERATIONS: usize = 1000;
-/// Points of a batch: enough to outweigh handing it to a thread.
+/// Points per batch, enough to outweigh handing it to a thread.
 const BATCH: usize = 1 << 14;
-/// Pixels a thousand times as long as wide count as such: their weights stay numbers.
+/// Largest aspect ratio of pixels that counts, so that their weights stay finite.
 const LARGEST_RATIO: f64 = 1e6;
 
-/// Heights in m for the gaps of a map, in their rising order; the map has one height at least.
+/// Computes heights \[m\] for the missing points of a map in ascending order of index; the map has at least one height.
 ///
-/// Laplace's equation is solved in each hole, the five-point formula with the spacings of the map. The points around the
-/// hole are the boundary values; at the edge of the map, where there are none, the surface runs flat. So no height lies
-/// beyond those around its hole, and a plane is continued exactly.
+/// Solves Laplace's equation in each hole by the five-point formula with the spacings of the map. Heights around the
+/// hole are boundary values; at the edge of the map the surface runs flat. No height then lies beyond those around its
+/// hole, and a plane is continued exactly.
 pub(crate) fn harmonic_m(map: &Measured, holes: &Holes) -> Vec<f64> {
     let grid = MapGrid::of(map);
     let batches = batches(holes);
@@ -70,18 +70,18 @@ impl<'a> MapGrid<'a> {
         Self { map, columns, rows: rows.unwrap_or(1), weight_x, weight_y }
     }
 
-    /// The height in m at a place beside a gap, where the place is on the map and no gap itself.
+    /// Height \[m\] at a place on the map; `None` at a missing point.
     fn height_m(&self, row: usize, column: usize) -> Option<f64> {
         self.map.height_m(row * self.columns + column)
     }
 }
 
-/// A point beside a gap.
+/// A point beside a missing point.
 struct Neighbour {
     row: usize,
     column: usize,
     is_along_x: bool,
-    /// Its place as seen from the gap, in rows and columns.
+    /// Offset from the missing point in rows and columns.
     step: [f64; 2],
 }
 
@@ -90,7 +90,7 @@ struct Hole<'a> {
     grid: &'a MapGrid<'a>,
 }
 
-/// The plane through the points around a hole, counted from its pivot, in heights per row and column.
+/// The plane through the points around a hole, relative to its pivot, with slopes per row and column.
 struct Plane {
     pivot_m: f64,
     lowest_m: f64,
@@ -121,7 +121,7 @@ impl Hole<'_> {
         self.runs.iter().flat_map(|run| run.columns.clone().map(|column| (run.row, column)))
     }
 
-    /// The points of the map beside a point, left, right, above, below.
+    /// Yields the points of the map beside a point: left, right, above, below.
     fn neighbours(&self, row: usize, column: usize) -> impl Iterator<Item = Neighbour> {
         let left = column.checked_sub(1).map(|column| (row, column, true, [0.0, -1.0]));
         let right = Some((row, column + 1, true, [0.0, 1.0])).filter(|_| column + 1 < self.grid.columns);
@@ -131,7 +131,7 @@ impl Hole<'_> {
         [left, right, above, below].into_iter().flatten().map(neighbour)
     }
 
-    /// The points around the hole with their heights in m, once for each gap that they lie beside.
+    /// Yields the points around the hole with their heights \[m\], once for each missing point beside them.
     fn boundary(&self) -> impl Iterator<Item = (usize, usize, f64)> {
         let beside = |(row, column)| self.neighbours(row, column);
         self.places()
@@ -143,7 +143,7 @@ impl Hole<'_> {
         if is_along_x { self.grid.weight_x } else { self.grid.weight_y }
     }
 
-    /// What the harmonic surface has beyond the plane, over the range of the heights around the hole.
+    /// Computes the harmonic surface minus the plane, over the range of the heights around the hole.
     fn corrections(&self, plane: &Plane, range_m: f64) -> Vec<f64> {
         let mut rest: Vec<f64> = self.loads_m(plane).map(|load_m| load_m / range_m).collect();
         let mut multigrid = self.multigrid();
@@ -168,7 +168,7 @@ impl Hole<'_> {
                 direction.iter().zip(&product).map(|(direction, product)| direction * product).sum();
             let length = now / bend;
             if !(length.is_finite() && length > 0.0) {
-                break; // nothing left but rounding
+                break; // only rounding is left
             }
             found.iter_mut().zip(&direction).for_each(|(found, direction)| *found += length * direction);
             rest.iter_mut().zip(&product).for_each(|(rest, product)| *rest -= length * product);
@@ -177,14 +177,14 @@ impl Hole<'_> {
         found
     }
 
-    /// By how much the plane misses Laplace's equation at each gap, times its weights, in m.
+    /// Residual of Laplace's equation for the plane at each missing point, times its weights \[m\].
     fn loads_m<'a>(&'a self, plane: &'a Plane) -> impl Iterator<Item = f64> + 'a {
         self.places().map(move |(row, column)| {
             let here_m = plane.at_m(row, column);
             let rise_m = |neighbour: Neighbour| {
                 let rise_m = match self.grid.height_m(neighbour.row, neighbour.column) {
                     Some(height_m) => (height_m - plane.pivot_m) - here_m,
-                    // Between gaps the plane rises by its slope, so that both sides cancel exactly.
+                    // Between missing points the plane rises by its slope, so that both sides cancel exactly.
                     None => neighbour.step[0] * plane.slopes_m[0] + neighbour.step[1] * plane.slopes_m[1],
                 };
                 self.weight(neighbour.is_along_x) * rise_m
@@ -193,7 +193,7 @@ impl Hole<'_> {
         })
     }
 
-    /// The sum of the weights of the neighbours of each gap.
+    /// Sums the weights of the neighbours of each missing point.
     fn diagonals(&self) -> Vec<f64> {
         let diagonal =
             |(row, column)| self.neighbours(row, column).map(|beside| self.weight(beside.is_along_x)).sum();
@@ -224,7 +224,7 @@ impl Hole<'_> {
         Multigrid::of(cells, ties)
     }
 
-    /// Laplace's operator with the sign that makes it positive, at values that are 0 outside the hole.
+    /// Applies the positive Laplace operator to values that are 0 outside the hole.
     fn multiply(&self, diagonals: &[f64], lower: &[u32], values: &[f64], product: &mut [f64]) {
         for (product, (diagonal, value)) in product.iter_mut().zip(diagonals.iter().zip(values)) {
             *product = diagonal * value;
@@ -246,7 +246,7 @@ impl Hole<'_> {
 }
 
 impl Plane {
-    /// By least squares; level where the points around the hole lie on a line.
+    /// Fits by least squares; level if the points around the hole lie on a line.
     fn of(hole: &Hole) -> Self {
         let pivot_m = hole.boundary().next().map_or(0.0, |(_, _, height_m)| height_m);
         let (rows, columns) = extent(hole.runs);
@@ -286,7 +286,7 @@ impl Plane {
         Self { pivot_m, lowest_m, highest_m, centre, level_m, slopes_m }
     }
 
-    /// Its height in m above the pivot.
+    /// Height above the pivot \[m\].
     fn at_m(&self, row: usize, column: usize) -> f64 {
         self.level_m
             + self.slopes_m[0] * (row as f64 - self.centre[0])

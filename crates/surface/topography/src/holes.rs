@@ -1,30 +1,30 @@
-//! Which points without a height hang together.
+//! Holes of a map: connected patches of missing points.
 
 use std::ops::Range;
 
-/// Neighbouring gaps of a row.
+/// Neighbouring missing points of a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Run {
     pub(crate) row: usize,
     pub(crate) columns: Range<usize>,
-    /// The number of its first point among all gaps of the map, in their rising order.
+    /// Number of its first point among all missing points of the map in ascending order of index.
     pub(crate) first: usize,
 }
 
-/// The holes of a map: gaps that are neighbours along x or y belong to one.
+/// The holes of a map: missing points that are neighbours along x or y belong together.
 #[derive(Debug)]
 pub(crate) struct Holes {
-    /// Hole after hole, each row by row.
+    /// Runs of all holes, hole by hole and row by row.
     runs: Vec<Run>,
-    /// Where the runs of each hole end.
+    /// End of the runs of each hole.
     ends: Vec<usize>,
 }
 
 impl Holes {
-    /// Of gaps by their rising index in rows of so many columns.
+    /// Groups missing points, given by ascending index in rows of `columns` points.
     pub(crate) fn of(gaps: impl Iterator<Item = usize>, columns: usize) -> Self {
         let runs = runs(gaps, columns);
-        let mut joined = Joined::of(runs.len());
+        let mut joined = DisjointSets::of(runs.len());
         let mut above = 0;
         for (at, run) in runs.iter().enumerate() {
             while runs[above].row + 1 < run.row
@@ -32,7 +32,7 @@ impl Holes {
             {
                 above += 1;
             }
-            // A run above that reaches beyond this one may touch the next one, too: `above` stays.
+            // A run above that reaches beyond this one may also touch the next one, so `above` stays.
             let touching = (above..at).take_while(|&other| {
                 runs[other].row + 1 == run.row && runs[other].columns.start < run.columns.end
             });
@@ -61,19 +61,19 @@ impl Holes {
         self.ends.len()
     }
 
-    /// The runs of a hole, counted from 0, row by row.
+    /// Returns the runs of a hole, counted from 0, row by row.
     pub(crate) fn hole(&self, hole: usize) -> &[Run] {
         let start = if hole == 0 { 0 } else { self.ends[hole - 1] };
         &self.runs[start..self.ends[hole]]
     }
 }
 
-/// How many points a hole has.
+/// Counts the points of a hole.
 pub(crate) fn points(hole: &[Run]) -> usize {
     hole.iter().map(|run| run.columns.len()).sum()
 }
 
-/// The rows and columns that a hole reaches, one run at least.
+/// Returns the ranges of rows and columns of a hole with at least one run.
 pub(crate) fn extent(hole: &[Run]) -> (Range<usize>, Range<usize>) {
     let rows = hole[0].row..hole[hole.len() - 1].row + 1;
     let columns = hole.iter().fold(hole[0].columns.clone(), |all, run| {
@@ -94,12 +94,12 @@ fn runs(gaps: impl Iterator<Item = usize>, columns: usize) -> Vec<Run> {
     runs
 }
 
-/// Sets that are joined one by one; the smallest number of a set is its root.
-struct Joined {
+/// Disjoint sets; the smallest number of a set is its root.
+struct DisjointSets {
     parents: Vec<usize>,
 }
 
-impl Joined {
+impl DisjointSets {
     fn of(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }
@@ -122,7 +122,7 @@ impl Joined {
 mod tests {
     use super::*;
 
-    /// The holes of a picture as the numbers of their gaps.
+    /// The holes of a picture as the numbers of their points.
     fn holes(picture: &[&str]) -> Vec<Vec<usize>> {
         let columns = picture[0].len();
         let marks = picture.concat();
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn gaps_hang_together_along_rows_and_columns_but_not_across_corners() {
+    fn missing_points_connect_along_rows_and_columns_but_not_across_corners() {
         assert_eq!(holes(&["#.", ".#"]), [[0], [1]]);
         assert_eq!(holes(&["#.#", "###", "..."]), [[0, 1, 2, 3, 4]]);
         // A long run touches several below and above; the end of a row is no neighbour of the next one's start.

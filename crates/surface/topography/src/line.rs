@@ -1,4 +1,4 @@
-//! The spectrum of lines on the bins of their own length.
+//! The spectrum of lines on the bins of their own length, and its derivatives.
 
 use std::f64::consts::TAU;
 
@@ -6,15 +6,14 @@ use serde::Serialize;
 
 use crate::band::ReliableBand;
 use crate::error::TransformError;
-use crate::rms::RmsDerivatives;
 use crate::sums::dot;
 use spectrum::ProfilePsd;
 
-/// The spectrum C1D in m^3 at q = 2 pi n/L, n = 1, 2, ..., of one line or averaged over the lines of a map:
+/// The spectrum C1D \[m^3\] at q = 2 pi n/L, n = 1, 2, ..., of one line or averaged over the lines of a map:
 /// C1D = |h~|^2/L, h~(q) = Int h e^(-iqx) dx.
 ///
-/// q = 0 is left out, so (1/pi) Sum C1D dq is the variance of the prepared heights about their mean; of evenly spaced
-/// points of an even number the last bin, at their Nyquist wavevector, counts half.
+/// q = 0 is left out, so (1/pi) Sum C1D dq is the variance of the prepared heights about their mean. For an even number
+/// of evenly spaced points the last bin, at their Nyquist wavevector, counts half.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LineSpectrum {
     pub(crate) length_m: f64,
@@ -24,21 +23,30 @@ pub struct LineSpectrum {
     pub(crate) variance_m2: f64,
     pub(crate) lines: usize,
     pub(crate) flagged_bins: usize,
-    /// The values in m^3 of parts of the map.
+    /// Spectra of parts of the map \[m^3\].
     #[serde(skip)]
     pub(crate) of_parts: Vec<Vec<f64>>,
-    /// Of the first bins, see [`LineSpectrum::independent_lines`]; empty where lines are few or one.
+    /// Independent lines of the first bins, see [`LineSpectrum::independent_lines`]; empty for a single line.
     #[serde(skip)]
     pub(crate) independent: Vec<f64>,
 }
 
-/// Which derivative the spectrum stands for.
+/// Kind of derivative computed from a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DerivativeOf {
-    /// That of the continuous surface: the factors q^2 and q^4.
+    /// Derivative of the continuous surface: factors q^2 and q^4.
     Continuum,
-    /// Differences of neighbouring points a apart: (2 sin(qa/2)/a)^2 and its square.
+    /// Differences of neighbouring points a apart: factors (2 sin(qa/2)/a)^2 and its square.
     Differences,
+}
+
+/// Root mean square slope and curvature along scan lines.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RmsDerivatives {
+    /// Root mean square slope.
+    pub slope: f64,
+    /// Root mean square second derivative in 1/m; `None` for a line of two points.
+    pub curvature_per_m: Option<f64>,
 }
 
 impl LineSpectrum {
@@ -47,33 +55,33 @@ impl LineSpectrum {
         self.length_m
     }
 
-    /// Distance in m of neighbouring points; `None` where it is uneven.
+    /// Distance of neighbouring points \[m\]; `None` if it is uneven.
     pub fn spacing_m(&self) -> Option<f64> {
         self.spacing_m
     }
 
-    /// The values in m^3, from the bin n = 1 on; 0 where the lines do not contain a wavelength at all.
+    /// Values \[m^3\] from the bin n = 1 on; 0 for a wavelength that the lines do not contain.
     pub fn c1d_m3(&self) -> &[f64] {
         &self.c1d_m3
     }
 
-    /// The wavevector in rad/m of each value.
+    /// Wavevector of each value \[rad/m\].
     pub fn wavevectors_rad_per_m(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         (0..self.c1d_m3.len()).map(|bin| TAU * (bin + 1) as f64 / self.length_m)
     }
 
-    /// The wavelength in m of each value, from long to short.
+    /// Wavelength of each value \[m\], from long to short.
     pub fn wavelengths_m(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         (0..self.c1d_m3.len()).map(|bin| self.length_m / (bin + 1) as f64)
     }
 
-    /// How many lines were averaged: one, or the rows of the map.
+    /// Number of averaged lines: one, or the rows of the map.
     pub fn lines(&self) -> usize {
         self.lines
     }
 
-    /// How many independent lines the mean over the lines of a map stands for in the bin n >= 1: neighbouring lines are alike
-    /// at long wavelengths. 1 to [`lines`](Self::lines); measured in the first bins, and in proportion to n beyond.
+    /// Equivalent number of independent lines in bin n >= 1, from 1 to [`lines`](Self::lines): neighbouring lines of a
+    /// map are correlated at long wavelengths. Measured in the first bins and extrapolated in proportion to n.
     pub fn independent_lines(&self, n: usize) -> f64 {
         let all = self.lines as f64;
         let measured = match (self.independent.get(n.saturating_sub(1)), self.independent.last()) {
@@ -84,45 +92,44 @@ impl LineSpectrum {
         measured.clamp(1.0, all.max(1.0))
     }
 
-    /// The spectra in m^3 of parts of a map, each some of its lines side by side, at the same wavevectors; none of a line, or
-    /// of few.
+    /// Spectra \[m^3\] of parts of a map at the same wavevectors, each part a group of neighbouring lines; empty for a
+    /// single line or few.
     pub fn of_parts_m3(&self) -> &[Vec<f64>] {
         &self.of_parts
     }
 
-    /// How many of the first bins do not show the spectrum of the surface, see
+    /// Number of first bins that do not show the spectrum of the surface, see
     /// [`Preparation::flagged_bins`](crate::Preparation::flagged_bins).
     pub fn flagged_bins(&self) -> usize {
         self.flagged_bins
     }
 
-    /// Variance in m^2 of the prepared heights in real space: detrended, windowed, each line about its own mean.
+    /// Variance of the prepared heights in real space \[m^2\]: detrended, windowed, each line about its own mean.
     pub fn variance_m2(&self) -> f64 {
         self.variance_m2
     }
 
-    /// The same from the spectrum, (1/pi) Sum C1D dq in m^2.
+    /// Variance from the spectrum, (1/pi) Sum C1D dq \[m^2\].
     pub fn spectral_variance_m2(&self) -> f64 {
         self.moment(|_| 1.0)
     }
 
-    /// Spectral over real variance; 1 for a surface without heights.
+    /// Ratio of spectral to real-space variance; 1 for a flat surface.
     ///
-    /// Evenly spaced points: 1 to rounding, by Parseval's theorem. Unevenly spaced ones: the share of the variance at the
-    /// wavelengths of the spectrum, the rest lies below its shortest one.
+    /// For evenly spaced points 1 to rounding, by Parseval's theorem. For unevenly spaced points the share of the
+    /// variance at the wavelengths of the spectrum; the rest lies below its shortest one.
     pub fn parseval_share(&self) -> f64 {
         let spectral_m2 = self.spectral_variance_m2();
         if spectral_m2 == self.variance_m2 { 1.0 } else { spectral_m2 / self.variance_m2 }
     }
 
-    /// Whether the bin at q = 2 pi/L holds more than the rounding of the whole variance.
+    /// Returns true if the bin at q = 2 pi/L holds more than the rounding of the whole variance.
     pub fn holds_fundamental(&self) -> bool {
         let variance_m2 = 2.0 / self.length_m * self.c1d_m3[0];
         variance_m2 > self.variance_m2 * (64.0 * f64::EPSILON).powi(2)
     }
 
-    /// Root mean square slope and curvature along the lines, of all bins; `None` for differences where the spacing is
-    /// uneven.
+    /// Root mean square slope and curvature along the lines over all bins; `None` for differences of uneven points.
     pub fn rms_derivatives(&self, of: DerivativeOf) -> Option<RmsDerivatives> {
         let squared_factor = |q_rad_per_m: f64| match of {
             DerivativeOf::Continuum => Some(q_rad_per_m * q_rad_per_m),
@@ -139,7 +146,7 @@ impl LineSpectrum {
         })
     }
 
-    /// (1/pi) Sum factor(q) C1D dq.
+    /// Computes (1/pi) Sum factor(q) C1D dq.
     fn moment(&self, factor: impl Fn(f64) -> f64) -> f64 {
         let mut factors: Vec<f64> = self.wavevectors_rad_per_m().map(factor).collect();
         if let (true, Some(last)) = (self.ends_at_nyquist, factors.last_mut()) {
@@ -148,10 +155,11 @@ impl LineSpectrum {
         2.0 / self.length_m * dot(&factors, &self.c1d_m3)
     }
 
-    /// The bins that show the surface: inside the band, not flagged, and above 0.
+    /// Returns the bins that show the surface: inside the band, not flagged, and above 0.
     ///
     /// # Errors
-    /// [`TransformError::NothingReliable`] where there are none, [`TransformError::Overflow`] for heights beyond all measure.
+    /// [`TransformError::NothingReliable`] without such bins, [`TransformError::Overflow`] for heights whose squares
+    /// overflow.
     pub fn profile(&self, band: &ReliableBand) -> Result<ProfilePsd, TransformError> {
         let samples = self.wavelengths_m().zip(self.c1d_m3.iter().copied()).skip(self.flagged_bins);
         let (wavelengths_m, c1d_m3): (Vec<_>, Vec<_>) =
@@ -163,8 +171,8 @@ impl LineSpectrum {
         Ok(ProfilePsd::new(wavelengths_m, c1d_m3)?)
     }
 
-    /// The spectrum from Sum |F|^2 over `lines` lines of unnormalised transforms from n = 1 on, and the sum over them of
-    /// the mean squared deviations.
+    /// Makes the spectrum of `lines` evenly spaced lines from Sum |F|^2 of their unnormalised transforms from n = 1 on,
+    /// and from the sum of their mean squared deviations.
     pub(crate) fn of_even_spacing(
         spacing_m: f64,
         points: usize,

@@ -4,34 +4,34 @@ use std::sync::Arc;
 
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
+use rustfft::FftPlanner;
 
 use crate::detrend::Trend;
-use crate::independent_lines::{FIRST_BINS, independent_lines};
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
 use crate::rows::{BLOCK_ROWS, Rows};
 use crate::sums::Spread;
 use scans::{HeightMap, UniformLineScan};
 
-/// The spectrum C1D of evenly spaced heights.
+/// Computes the spectrum C1D of evenly spaced heights.
 pub fn uniform_line_spectrum(scan: &UniformLineScan, preparation: Preparation) -> LineSpectrum {
     rows_spectrum(Rows::of_line(scan), preparation)
 }
 
-/// The mean of the spectra C1D of the rows of a map; with the feature `parallel` on all threads.
+/// Computes the mean of the spectra C1D of the rows of a map; with the feature `parallel` on all threads.
 pub fn map_line_spectrum(map: &HeightMap, preparation: Preparation) -> LineSpectrum {
     rows_spectrum(Rows::of_map(map), preparation)
 }
 
-/// The mean of the spectra C1D of lines.
+/// Computes the mean of the spectra C1D of lines.
 pub(crate) fn rows_spectrum(rows: Rows, preparation: Preparation) -> LineSpectrum {
     let lines = MapLines::of_rows(rows, preparation);
     let sums: Vec<LineSums> = parallel::map_indices(lines.blocks(), |block| lines.block(block));
     lines.spectrum(&sums)
 }
 
-/// The rows of a map, or other lines, in blocks, which may be transformed in any order and on any number of threads: their sums are added in
-/// the order of the map, so every digit of the spectrum is the same.
+/// The rows of a map, or other lines, in blocks, for any order and any number of threads. Sums are added in the order
+/// of the map, so every digit of the spectrum is the same.
 pub struct MapLines<'a> {
     rows: Rows<'a>,
     preparation: Preparation,
@@ -39,13 +39,13 @@ pub struct MapLines<'a> {
     transform: RowTransform,
 }
 
-/// Parts that a map is divided into across its lines, so that they can be told from each other.
+/// Number of parts of a map, groups of neighbouring lines whose spectra are kept apart.
 const PARTS: usize = 8;
 
-/// What a block of rows adds to the spectrum of a map.
+/// Contribution of a block of rows to the spectrum of a map.
 #[derive(Clone, Debug)]
 pub struct LineSums {
-    /// For every part of the map that the block has rows of, its number and the power of these rows.
+    /// Power of the block's rows for each part of the map, as (part, power).
     power_of_parts_m2: Vec<(usize, Vec<f64>)>,
     variances_m2: f64,
     /// The first bins of each row, row after row.
@@ -64,12 +64,12 @@ impl<'a> MapLines<'a> {
         Self { rows, preparation, trend, transform }
     }
 
-    /// How many blocks there are.
+    /// Number of blocks.
     pub fn blocks(&self) -> usize {
         self.rows.count().div_ceil(BLOCK_ROWS)
     }
 
-    /// The sums of a block, counted from 0; nothing for blocks beyond the last.
+    /// Sums a block, counted from 0; empty for blocks beyond the last.
     pub fn block(&self, block: usize) -> LineSums {
         let mut transform = self.transform.clone();
         let bins = self.rows.points / 2;
@@ -87,17 +87,17 @@ impl<'a> MapLines<'a> {
         sums
     }
 
-    /// The part of the map that a row belongs to.
+    /// Returns the part of the map that a row belongs to.
     fn part_of(&self, row: usize) -> usize {
         row * self.parts() / self.rows.count()
     }
 
-    /// How many parts there are: one where each of several would be less than two rows.
+    /// Number of parts; one if several would have fewer than two rows each.
     fn parts(&self) -> usize {
         if self.rows.count() >= 2 * PARTS { PARTS } else { 1 }
     }
 
-    /// The spectrum from the sums of all blocks, in their order.
+    /// Assembles the spectrum from the sums of all blocks, in their order.
     pub fn spectrum(&self, sums: &[LineSums]) -> LineSpectrum {
         let mut parts_m2 = vec![vec![0.0; self.rows.points / 2]; self.parts()];
         for (part, of_block_m2) in sums.iter().flat_map(|sums| &sums.power_of_parts_m2) {
@@ -127,7 +127,7 @@ fn add(total: &mut [f64], part: &[f64]) {
 }
 
 impl LineSums {
-    /// The power of a part, whose rows come one after the other.
+    /// Returns the power of a part; rows of a part are consecutive.
     fn power_of_part_m2(&mut self, part: usize, bins: usize) -> &mut [f64] {
         if self.power_of_parts_m2.last().is_none_or(|(last, _)| *last != part) {
             self.power_of_parts_m2.push((part, vec![0.0; bins]));
@@ -144,7 +144,7 @@ pub(crate) struct RowTransform {
     plan: Arc<dyn RealToComplex<f64>>,
     input: Vec<f64>,
     scratch: Vec<Complex<f64>>,
-    /// The transform of the last row, n = 0, 1, ..., columns/2, not normalised.
+    /// Unnormalised transform of the last row, n = 0, 1, ..., columns/2.
     pub(crate) output: Vec<Complex<f64>>,
 }
 
@@ -160,12 +160,60 @@ impl RowTransform {
         }
     }
 
-    /// Transforms a row and returns the spread in m of what was transformed.
+    /// Transforms a row and returns the spread of the prepared heights \[m\].
     pub(crate) fn run(&mut self, trend: &Trend, row: usize, heights_m: &[f64]) -> Spread {
         let spread = trend.subtract(row, heights_m, &self.factors, &mut self.input);
         self.plan
             .process_with_scratch(&mut self.input, &mut self.output, &mut self.scratch)
             .expect("the buffers come from the plan");
         spread
+    }
+}
+
+/// Number of first bins in which the independent lines are measured. Beyond them a square map has far more than a
+/// hundred, whose number hardly matters.
+const FIRST_BINS: usize = 64;
+
+/// Estimates the number of independent lines for each of the first bins, from their values row by row, `bins` per row;
+/// empty without rows.
+///
+/// Across the lines a bin is a sum of waves with independent random amplitudes, whose powers s add up to the mean over
+/// the lines. For M waves of equal expectation (Sum s)^2/Sum s^2 is about (M + 1)/2, because the mean square of an
+/// exponential variable is twice its squared mean. Hence the estimate 2 (Sum s)^2/Sum s^2 - 1.
+fn independent_lines(values: &[Complex<f64>], bins: usize) -> Vec<f64> {
+    if values.is_empty() {
+        return Vec::new();
+    }
+    let rows = values.len() / bins;
+    let transform = FftPlanner::new().plan_fft_forward(rows);
+    let mut across = vec![Complex::default(); rows];
+    let of_bin = |bin: usize| {
+        across.iter_mut().zip(values[bin..].iter().step_by(bins)).for_each(|(to, from)| *to = *from);
+        transform.process(&mut across);
+        let powers = || across.iter().map(Complex::norm_sqr);
+        let (sum, squares) = (powers().sum::<f64>(), powers().map(|power| power * power).sum::<f64>());
+        if squares > 0.0 { 2.0 * (sum * (sum / squares)) - 1.0 } else { 1.0 }
+    };
+    (0..bins).map(of_bin).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of one wave across, or of several of equal power.
+    fn rows(waves: &[usize], rows: usize) -> Vec<Complex<f64>> {
+        let phase = |row: usize, wave: usize| {
+            Complex::cis(std::f64::consts::TAU * ((row * wave) % rows) as f64 / rows as f64 + wave as f64)
+        };
+        (0..rows).map(|row| waves.iter().map(|&wave| phase(row, wave)).sum()).collect()
+    }
+
+    #[test]
+    fn equal_waves_are_counted() {
+        // Of powers that do not scatter the formula yields twice their number less one.
+        assert!((independent_lines(&rows(&[3], 64), 1)[0] - 1.0).abs() < 1e-12);
+        assert!((independent_lines(&rows(&[1, 5, 9, 20], 64), 1)[0] - 7.0).abs() < 1e-12);
+        assert!(independent_lines(&[], 8).is_empty());
     }
 }

@@ -1,4 +1,4 @@
-//! A map becomes a two-dimensional spectrum, limited to the band that shows the surface.
+//! The two-dimensional spectrum of a map in its reliable band.
 
 use scans::{HeightMap, Scan, ScanFile};
 use spectrum::Psd;
@@ -12,17 +12,17 @@ use crate::{ArealSpectrum, BandLimits, Preparation, TransformError, areal_spectr
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MapSpectrum {
-    /// What was done to the heights.
+    /// Preparation of the heights.
     pub preparation: Preparation,
     /// The whole spectrum.
     pub spectrum: ArealSpectrum,
-    /// The spectrum as far as it shows the surface.
+    /// The spectrum in the reliable band.
     pub reliable: Psd,
-    /// What is worth knowing about it.
+    /// Remarks on the spectrum.
     pub remarks: Vec<ScanRemark>,
 }
 
-/// The map in a scan; none in a line.
+/// Returns the map of a scan; `None` for a line.
 ///
 /// # Errors
 /// [`TransformError::LinesHaveNoArea`] for lines that were cut out of a map.
@@ -35,10 +35,11 @@ pub fn map_of(scan: &Scan) -> Result<Option<&HeightMap>, TransformError> {
 }
 
 impl MapSpectrum {
-    /// The spectrum of the map in a file; what is `given` counts as for a [`ScanSpectrum`](crate::ScanSpectrum).
+    /// Computes the spectrum of the map in a file; `given` limits have precedence as for a
+    /// [`ScanSpectrum`](crate::ScanSpectrum).
     ///
     /// # Errors
-    /// [`TransformError`] for limits that are no lengths, and a band without a bin.
+    /// [`TransformError`] for limits that are not lengths, and a band without bins.
     pub fn of(
         map: &HeightMap,
         file: &ScanFile<Scan>,
@@ -54,7 +55,7 @@ impl MapSpectrum {
         Ok(MapSpectrum { preparation, spectrum, reliable, remarks })
     }
 
-    /// How many modes are averaged at a wavelength \[m\]; `None` where no bin has it.
+    /// Number of modes averaged at a wavelength \[m\]; `None` if no bin has it.
     #[must_use]
     pub fn modes_at(&self, wavelength_m: f64) -> Option<u64> {
         let q = std::f64::consts::TAU / wavelength_m;

@@ -1,13 +1,13 @@
-//! A hierarchy of coarser grids that nearly solves Laplace's equation in a hole of any shape.
+//! Multigrid preconditioner for Laplace's equation in a hole of any shape.
 
-/// A cell without a neighbour on that side.
+/// Index of a missing neighbour.
 pub(crate) const NONE: u32 = u32::MAX;
-/// A direction whose ties are this much stronger than the other's is coarsened alone.
+/// Ratio of ties above which only the direction with the stronger ones is coarsened.
 const STRONGER: f32 = 2.0;
 
-/// What is left of a tie between cells that are twice as far apart.
+/// Factor of a tie between cells twice as far apart.
 const TWICE_AS_LONG: f32 = 0.5;
-/// The same where one of them stays: from one cell to one and a half.
+/// Factor of a tie to the fixed boundary: from one cell to one and a half.
 const LONGER_TO_THE_EDGE: f32 = 2.0 / 3.0;
 
 /// The cells of a grid that belong to a hole, row by row.
@@ -17,7 +17,7 @@ pub(crate) struct Cells {
     pub(crate) columns: Vec<u32>,
 }
 
-/// Ties of cells to their neighbours to the right and below, and to what surrounds the hole; 0 where there is none.
+/// Ties of cells to their neighbours to the right and below, and to the boundary of the hole; 0 without a neighbour.
 #[derive(Default)]
 pub(crate) struct Ties {
     pub(crate) right: Vec<f32>,
@@ -28,20 +28,20 @@ pub(crate) struct Ties {
 
 /// Grids of a hole, each with cells up to twice as wide and high as those of the one before, down to a single cell.
 ///
-/// In single precision: it only guides the iteration whose answer counts.
+/// Single precision suffices for a preconditioner.
 pub(crate) struct Multigrid {
     grids: Vec<Grid>,
 }
 
 struct Grid {
     inverse_diagonal: Vec<f32>,
-    /// The tie to the next cell, which lies to the right where it is not 0.
+    /// Tie to the next cell, which is the right neighbour if the tie is not 0.
     right: Vec<f32>,
     below: Vec<f32>,
-    /// The cell below and the cell above.
+    /// Indices of the cells below and above.
     lower: Vec<u32>,
     upper: Vec<u32>,
-    /// The cell of the next grid that each belongs to; empty on the last one.
+    /// Cell of the next grid for each cell; empty on the last grid.
     parents: Vec<u32>,
     load: Vec<f32>,
     values: Vec<f32>,
@@ -65,12 +65,12 @@ impl Multigrid {
         }
     }
 
-    /// The neighbours below of the cells of the finest grid.
+    /// Neighbours below of the cells of the finest grid.
     pub(crate) fn lower(&self) -> &[u32] {
         &self.grids[0].lower
     }
 
-    /// Nearly the values that make this load. Symmetric and positive, as conjugate gradients want it.
+    /// Approximates the values for a load. The operator is symmetric and positive, as conjugate gradients need.
     pub(crate) fn solve(&mut self, load: impl Iterator<Item = f32>) -> &[f32] {
         let finest = &mut self.grids[0];
         finest.load.iter_mut().zip(load).for_each(|(to, load)| *to = load);
@@ -79,7 +79,7 @@ impl Multigrid {
     }
 }
 
-/// A sweep forwards, what is left solved on the next grid, a sweep backwards.
+/// Runs a V-cycle: a forward sweep, the residual on the next grid, a backward sweep.
 fn cycle(grids: &mut [Grid]) {
     let [grid, coarser @ ..] = grids else { return };
     grid.sweep_forwards_from_zero();
@@ -126,7 +126,7 @@ impl Grid {
         }
     }
 
-    /// Gauss-Seidel from zero: neighbours that come later are 0 still.
+    /// Gauss-Seidel sweep from zero: later neighbours are still 0.
     fn sweep_forwards_from_zero(&mut self) {
         let mut left = 0.0;
         for cell in 0..self.load.len() {
@@ -140,7 +140,7 @@ impl Grid {
         }
     }
 
-    /// The load that the forward sweep leaves: what the neighbours that came later add.
+    /// Residual after the forward sweep: the contributions of later neighbours.
     fn left_after_forwards(&self, cell: usize) -> f32 {
         let mut left = 0.0;
         if self.right[cell] > 0.0 {
@@ -172,7 +172,7 @@ impl Grid {
     }
 }
 
-/// The cell below each.
+/// Finds the cell below each cell.
 fn lower(cells: &Cells) -> Vec<u32> {
     let count = cells.rows.len();
     let place = |cell: usize| (cells.rows[cell], cells.columns[cell]);
@@ -187,7 +187,7 @@ fn lower(cells: &Cells) -> Vec<u32> {
     (0..count).map(of_cell).collect()
 }
 
-/// Along which of x and y the next grid is half as fine: along both, unless cells are tied along one far more strongly.
+/// Chooses the directions to coarsen: both, unless cells are tied far more strongly along one.
 fn halved(cells: &Cells, ties: &Ties) -> [bool; 2] {
     let strongest = |ties: &[f32]| ties.iter().copied().fold(0.0, f32::max);
     let (x, y) = (strongest(&ties.right), strongest(&ties.below));
@@ -199,14 +199,14 @@ fn halved(cells: &Cells, ties: &Ties) -> [bool; 2] {
     }
 }
 
-/// The cells of the next grid, and which of them each of these belongs to.
+/// Computes the cells of the next grid, and the parent of each cell.
 fn parents(cells: &Cells, [halve_x, halve_y]: [bool; 2]) -> (Cells, Vec<u32>) {
     let (shift_x, shift_y) = (u32::from(halve_x), u32::from(halve_y));
     let count = cells.rows.len();
     let (mut coarse, mut parents) = (Cells::default(), vec![0; count]);
     let mut first = 0;
     while first < count {
-        // One or two rows become one.
+        // Merge one or two rows.
         let row = cells.rows[first] >> shift_y;
         let rows_end = first + cells.rows[first..].partition_point(|&other| other >> shift_y == row);
         let middle = first + cells.rows[first..rows_end].partition_point(|&other| other == cells.rows[first]);
@@ -230,7 +230,7 @@ fn parents(cells: &Cells, [halve_x, halve_y]: [bool; 2]) -> (Cells, Vec<u32>) {
     (coarse, parents)
 }
 
-/// The ties of the next grid: those that cross between its cells, weaker where they are longer.
+/// Computes the ties of the next grid: those that cross between its cells, weakened by their length.
 fn coarser_ties(grid: &Grid, ties: &Ties, count: usize, [halved_x, halved_y]: [bool; 2]) -> Ties {
     let mut coarse = Ties {
         right: vec![0.0; count],

@@ -1,4 +1,4 @@
-//! The level part of a spectrum at its short end, which is the noise of the instrument.
+//! The noise floor of an instrument: the level part of a spectrum at its short end.
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::num::NonZeroU32;
@@ -12,38 +12,38 @@ use spectrum::ProfilePsd;
 /// A white floor under the spectrum of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct NoiseFloor {
-    /// Its level in m^3.
+    /// Level of the floor \[m^3\].
     pub c1d_m3: f64,
-    /// Where it sets in: the wavelength in m at which surface and floor are equal, so that the spectrum is twice the floor.
+    /// Wavelength \[m\] at which surface and floor are equal and the spectrum is twice the floor.
     pub wavelength_m: f64,
 }
 
 /// Bins of the fit per decade.
 const BINS_PER_DECADE: NonZeroU32 = NonZeroU32::new(20).expect("twenty is not zero");
-/// Values in each half of the last octave, and bins of the falling part, below which scatter may look like anything.
+/// Smallest number of values in each half of the last octave; fewer scatter too much.
 const FEWEST_VALUES: usize = 16;
+/// Smallest number of bins of the falling part.
 const FEWEST_BINS: usize = 4;
-/// The halves of a level octave differ by no more than this factor, apart from their scatter.
+/// Largest ratio of the halves of a level octave, apart from their scatter.
 const LEVEL: f64 = 1.25;
-/// Values so many times the floor belong to the falling part.
+/// Ratio to the floor above which a value belongs to the falling part.
 const ABOVE_FLOOR: f64 = 2.5;
-/// The falling part is looked at over this factor of wavevectors.
+/// Ratio of wavevectors over which the falling part is fitted.
 const REACH: f64 = 4.0;
-/// The floor lies so many times above what the falling part, continued and folded at the Nyquist wavevector, leaves there.
+/// Smallest ratio of the floor to the falling part, continued and folded at the Nyquist wavevector.
 const ABOVE_FOLDED: f64 = 3.0;
-/// Exponents of surfaces, from a Hurst exponent near 0 to a profile of sharp corners with some margin. What falls faster
-/// was smoothed or interpolated, and the floor under it is the rounding of numbers.
+/// Range of exponents of surfaces, from a Hurst exponent near 0 to a profile of sharp corners, with a margin. Spectra
+/// that fall faster were smoothed or interpolated; the floor under them is the rounding of numbers.
 const LEAST_EXPONENT: f64 = 0.8;
 const LARGEST_EXPONENT: f64 = 5.0;
-/// Rounds in which falling part and floor are told from each other.
+/// Number of iterations that separate falling part and floor.
 const ROUNDS: usize = 4;
 
-/// The noise floor of a spectrum of evenly spaced points; `None` where there is none, or none that can be told from what
-/// sampling makes of any spectrum that falls.
+/// Finds the noise floor of a spectrum of evenly spaced points; `None` if there is none, or if aliasing explains it.
 ///
-/// The last octave before the Nyquist wavevector is level, longer waves fall as a power of the wavevector, and this power
-/// law ends well below the level even with all that sampling folds back onto it. A spectrum level everywhere is a roll-off
-/// or all noise, which nobody can tell apart; one that falls to its end, as that of interpolated heights, has no floor.
+/// With a floor, the last octave before the Nyquist wavevector is level, longer waves fall as a power of the
+/// wavevector, and this power law ends well below the level even with aliasing. A spectrum that is level everywhere may
+/// be a roll-off or noise; one that falls to its end, as of interpolated heights, has no floor.
 pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
     let nyquist_rad_per_m = PI / spectrum.spacing_m()?;
     let q_and_c1d = || {
@@ -54,7 +54,7 @@ pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
         let range = from * nyquist_rad_per_m..to * nyquist_rad_per_m;
         q_and_c1d().filter(|(q, _)| range.contains(q)).map(|(_, c1d_m3)| c1d_m3).collect()
     };
-    // The Nyquist wavevector itself is left out: its waves are real numbers and scatter more.
+    // The Nyquist wavevector is left out: its amplitudes are real numbers and scatter more.
     let halves = [within(0.5, 0.5 * SQRT_2), within(0.5 * SQRT_2, 1.0 - 1e-9)];
     if !is_level(&halves, spectrum.lines()) {
         return None;
@@ -69,7 +69,7 @@ pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
     let mut floor_m3 = mean_m3;
     let mut fall = Fall::of(&binned, floor_m3)?;
     for _ in 0..ROUNDS {
-        // The mean of q^-p over the last octave is what the falling part adds there.
+        // Subtract the falling part's mean over the last octave from the floor.
         let added_m3 = fall.mean_m3(0.5 * nyquist_rad_per_m, nyquist_rad_per_m);
         floor_m3 = (mean_m3 - added_m3).max(0.5 * mean_m3);
         fall = Fall::of(&binned, floor_m3)?;
@@ -82,7 +82,7 @@ pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
         .then(|| NoiseFloor { c1d_m3: floor_m3, wavelength_m: TAU / onset_rad_per_m })
 }
 
-/// Whether both halves of the last octave are as high, apart from the scatter of periodograms averaged over lines.
+/// Returns true if both halves of the last octave are equal up to the scatter of periodograms averaged over lines.
 fn is_level(halves: &[Vec<f64>; 2], lines: usize) -> bool {
     if halves.iter().any(|half| half.len() < FEWEST_VALUES) {
         return false;
@@ -99,18 +99,18 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// The part of a spectrum that falls to its floor, less the floor: a q^-p, fitted in logarithms.
+/// Power law a q^-p of the falling part of a spectrum minus its floor, fitted in logarithms.
 struct Fall {
-    /// Where the fit begins, in rad/m.
+    /// Start of the fit \[rad/m\].
     first_rad_per_m: f64,
     exponent: f64,
-    /// The point that the law goes through: the weighted mean of the logarithms.
+    /// Point on the law: the weighted mean of the logarithms.
     centre_rad_per_m: f64,
     centre_m3: f64,
 }
 
 impl Fall {
-    /// From the last bin that is well above the floor towards longer waves.
+    /// Fits from the last bin well above the floor towards longer waves.
     fn of(binned: &ProfilePsd, floor_m3: f64) -> Option<Self> {
         let samples = || binned.wavelengths_m().iter().map(|l| TAU / l).zip(binned.c1d_m3().iter().copied());
         let is_above = |&(_, c1d_m3): &(f64, f64)| c1d_m3 > ABOVE_FLOOR * floor_m3;
@@ -123,7 +123,7 @@ impl Fall {
         if part.len() < FEWEST_BINS {
             return None;
         }
-        // A bin holds the more values the shorter its waves, and scatters less.
+        // Bins of shorter waves hold more values and scatter less.
         let weight: f64 = part.iter().map(|(x, _)| x.exp()).sum();
         let weighted = || part.iter().map(|&(x, y)| (x.exp() / weight, x, y));
         let (x, y) =
@@ -143,12 +143,12 @@ impl Fall {
         self.centre_m3 * (q_rad_per_m / self.centre_rad_per_m).powf(-self.exponent)
     }
 
-    /// Where it has come down to this level.
+    /// Wavevector \[rad/m\] at which the law reaches a level.
     fn reaches(&self, level_m3: f64) -> f64 {
         self.centre_rad_per_m * (self.centre_m3 / level_m3).powf(1.0 / self.exponent)
     }
 
-    /// Its mean between two wavevectors, by Simpson's rule.
+    /// Mean between two wavevectors, by Simpson's rule.
     fn mean_m3(&self, from: f64, to: f64) -> f64 {
         (self.at_m3(from) + 4.0 * self.at_m3(0.5 * (from + to)) + self.at_m3(to)) / 6.0
     }

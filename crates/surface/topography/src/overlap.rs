@@ -1,4 +1,4 @@
-//! Whether instruments agree where both measure.
+//! Comparison of spectra in the bins that they share.
 
 use std::num::NonZeroU32;
 
@@ -7,24 +7,24 @@ use serde::Serialize;
 use crate::bins::{Bin, BinMean, log_bins};
 use spectrum::ProfilePsd;
 
-/// The spectra of two measurements in the bins that both reach.
+/// Comparison of two measurements in their shared bins.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Overlap {
-    /// Which measurement comes first in the list, counted from 0.
+    /// Index of the earlier measurement.
     pub first: usize,
-    /// Which other one.
+    /// Index of the later measurement.
     pub second: usize,
-    /// Longest wavelength in m of the bins both reach.
+    /// Longest shared wavelength \[m\].
     pub longest_m: f64,
-    /// Shortest.
+    /// Shortest shared wavelength \[m\].
     pub shortest_m: f64,
-    /// How many bins both reach, at least 1.
+    /// Number of shared bins, at least 1.
     pub bins: usize,
-    /// Geometric mean over these bins of the spectrum of the first over that of the second; 1 where they agree.
+    /// Geometric mean over the shared bins of the first spectrum over the second; 1 if they agree.
     pub ratio: f64,
 }
 
-/// Every pair of measurements that share a bin, in the order of the list.
+/// Compares every pair of measurements that share a bin, in the order of the list.
 ///
 /// Samples are averaged inside the bins arithmetically, as in [`composite`](crate::composite()).
 pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec<Overlap> {
@@ -51,16 +51,16 @@ pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec
     overlaps
 }
 
-/// Two spectra in a bin that both reach.
+/// Ratio of two spectra in a shared bin.
 #[derive(Clone, Copy)]
 pub(crate) struct SharedBin {
-    /// The wavelength of the first in m.
+    /// Wavelength of the first spectrum \[m\].
     pub(crate) wavelength_m: f64,
-    /// The first over the second.
+    /// Ratio of the first to the second spectrum.
     pub(crate) ratio: f64,
 }
 
-/// The bins that both spectra reach, from long to short wavelengths.
+/// Lists the bins that both spectra reach, from long to short wavelengths.
 pub(crate) fn shared_bins(bins: &[Bin], others: &[Bin]) -> Vec<SharedBin> {
     let shared = |bin: &Bin| {
         let at = others.binary_search_by_key(&bin.index, |other| other.index).ok()?;
@@ -69,8 +69,50 @@ pub(crate) fn shared_bins(bins: &[Bin], others: &[Bin]) -> Vec<SharedBin> {
     bins.iter().filter_map(shared).collect()
 }
 
-/// The geometric mean of their ratios, of one bin at least.
+/// Computes the geometric mean of the ratios of at least one bin.
 pub(crate) fn mean_ratio(shared: &[SharedBin]) -> f64 {
     let ratios: Vec<f64> = shared.iter().map(|bin| bin.ratio).collect();
     BinMean::Geometric.of(&ratios)
+}
+
+/// Ratio of the spectra along x and y from which a surface is not isotropic.
+pub const DIRECTIONS_DIFFER: f64 = 1.5;
+
+/// Smallest number of shared bins that can show anisotropy; in fewer, the few waves of a map scatter as much.
+const LEAST_DECADE_BINS: usize = 3;
+
+/// The spectra of a map along y and x, compared in one decade of wavelengths.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DirectionRatio {
+    /// Longest shared wavelength in the decade \[m\].
+    pub longest_m: f64,
+    /// Shortest shared wavelength in the decade \[m\].
+    pub shortest_m: f64,
+    /// Number of shared bins, at least 1.
+    pub bins: usize,
+    /// Geometric mean over the shared bins of the spectrum along y over that along x.
+    pub ratio: f64,
+}
+
+impl DirectionRatio {
+    /// Returns true if the decade shows an anisotropic surface, or lines offset against each other.
+    #[must_use]
+    pub fn is_anisotropic(&self) -> bool {
+        self.bins >= LEAST_DECADE_BINS && self.ratio.ln().abs() >= DIRECTIONS_DIFFER.ln()
+    }
+
+    /// Compares the spectra decade by decade, from long to short wavelengths; empty without shared bins.
+    pub(crate) fn per_decade(x: &ProfilePsd, y: &ProfilePsd, bins_per_decade: NonZeroU32) -> Vec<Self> {
+        let binned = |psd| log_bins(psd, bins_per_decade, BinMean::Arithmetic);
+        let decade = |wavelength_m: f64| wavelength_m.log10().floor();
+        let shared = shared_bins(&binned(y), &binned(x));
+        let decades = shared.chunk_by(|a, b| decade(a.wavelength_m) == decade(b.wavelength_m));
+        let of_decade = |bins: &[SharedBin]| Self {
+            longest_m: bins[0].wavelength_m,
+            shortest_m: bins[bins.len() - 1].wavelength_m,
+            bins: bins.len(),
+            ratio: mean_ratio(bins),
+        };
+        decades.map(of_decade).collect()
+    }
 }

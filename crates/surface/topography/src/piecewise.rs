@@ -7,33 +7,32 @@ use rustfft::num_complex::Complex;
 use crate::detrend::Detrend;
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
+use crate::preparation::Window;
 use crate::segment::{mean_over_unit, sinc_and_derivative};
 use crate::sums::sum_of;
-use crate::window::Window;
 use scans::NonuniformLineScan;
 
-/// Wavevectors for which a phase is carried on by multiplication before it is computed anew: its error stays below
-/// 2e-15.
+/// Number of wavevectors for which a phase is multiplied on before it is recomputed; its error stays below 2e-15.
 const PHASE_STEPS: usize = 16;
 
-/// The spectrum C1D of heights at uneven positions, at q = 2 pi n/L up to pi over the mean spacing.
+/// Computes the spectrum C1D of heights at uneven positions, at q = 2 pi n/L up to pi over the mean spacing.
 ///
-/// The profile is the heights joined by straight lines; the transform of it, and of its product with the Hann window, is
-/// exact: the window is three harmonics, so the product's transform at n is a combination of the profile's at n - 1, n and
-/// n + 1. L is the distance from the first to the last point. On evenly spaced data C1D is sinc^4(q dx/2) times that of
-/// [`uniform_line_spectrum`](crate::uniform_line_spectrum), the effect of the straight lines, plus a small difference in
+/// The profile joins the heights by straight lines. Its transform is exact, also with the Hann window: the window has
+/// three harmonics, so the transform of the product at n combines those of the profile at n - 1, n and n + 1. L is the
+/// distance from the first to the last point. On evenly spaced data C1D is sinc^4(q dx/2) times that of
+/// [`uniform_line_spectrum`](crate::uniform_line_spectrum), an effect of the straight lines, plus a small difference in
 /// the window.
 ///
-/// Detrending minimises the integral of the square along the profile, not the sum over its points. The work is that of
-/// points x wavevectors.
+/// Detrending minimises the integral of the square along the profile, not the sum over its points. The work grows as
+/// points times wavevectors.
 pub fn nonuniform_line_spectrum(scan: &NonuniformLineScan, preparation: Preparation) -> LineSpectrum {
     nonuniform_line_spectrum_to(scan, preparation, (scan.heights_m().len() - 1) / 2)
 }
 
-/// The same with another number of bins, at least 1.
+/// Computes the spectrum C1D of heights at uneven positions in a given number of bins, at least 1.
 ///
-/// Bins beyond pi over the mean spacing show the corners of the straight lines, q^-4, rather than the surface; with more
-/// and more of them [`LineSpectrum::parseval_share`] tends to 1.
+/// Bins beyond pi over the mean spacing show the corners of the straight lines, q^-4, rather than the surface; with
+/// more bins [`LineSpectrum::parseval_share`] tends to 1.
 pub fn nonuniform_line_spectrum_to(
     scan: &NonuniformLineScan,
     preparation: Preparation,
@@ -59,22 +58,22 @@ pub fn nonuniform_line_spectrum_to(
     }
 }
 
-/// The slope of the trend of a scan.
+/// Computes the slope of the trend of a scan.
 pub(crate) fn fitted_slope(scan: &NonuniformLineScan) -> f64 {
     Profile::of(scan, Detrend::Mean).slope()
 }
 
-/// The transform at n - 1; at -1 it is the conjugate of that at 1.
+/// Returns the transform at n - 1; at -1 the conjugate of that at 1.
 fn before(transforms: &[Complex<f64>], n: usize) -> Complex<f64> {
     if n == 0 { transforms[1].conj() } else { transforms[n - 1] }
 }
 
-/// The factor of 1 - cos(2 pi x/L) that makes the mean square of the window 1.
+/// Factor of 1 - cos(2 pi x/L) for a window with mean square 1.
 fn hann_amplitude() -> f64 {
     (2.0 / 3.0f64).sqrt()
 }
 
-/// A detrended profile, its positions counted from its first point.
+/// A detrended profile with positions from its first point.
 struct Profile {
     positions_m: Vec<f64>,
     heights_m: Vec<f64>,
@@ -96,7 +95,7 @@ impl Profile {
             heights_m: scan.heights_m().iter().map(|height_m| height_m - pivot_m).collect(),
             length_m: scan.length_m(),
         };
-        // The second time the trend is as small as the roughness, and its rounding with it.
+        // In the second pass the trend, and with it its rounding, is as small as the roughness.
         profile.subtract_trend(detrend);
         profile.subtract_trend(detrend);
         profile
@@ -111,7 +110,7 @@ impl Profile {
         }
     }
 
-    /// The slope of the straight line nearest the profile.
+    /// Computes the slope of the least-squares line through the profile.
     fn slope(&self) -> f64 {
         let first_moment_m3 = self.integral(|segment| {
             let lever_m = segment.start_m + 0.5 * (segment.length_m - self.length_m);
@@ -133,7 +132,7 @@ impl Profile {
         sum_of(&parts, |part| part)
     }
 
-    /// Int h e^(-iqx) dx at q = 2 pi n/L for the first `count` n from 0 on.
+    /// Computes Int h e^(-iqx) dx at q = 2 pi n/L for n from 0 to `count` - 1.
     fn transforms(&self, count: usize) -> Vec<Complex<f64>> {
         let mut sums = vec![Complex::default(); count];
         for segment in self.segments() {
@@ -155,7 +154,7 @@ impl Profile {
         sums
     }
 
-    /// The variance of the windowed profile about its mean, its integral taken exactly.
+    /// Computes the variance of the windowed profile about its mean, integrated exactly.
     fn variance_m2(&self, window: Window, mean_m: f64) -> f64 {
         let squares = self.integral(|segment| {
             let height_m = |fraction: f64| segment.heights_m[0] + fraction * segment.rise_m();
@@ -187,7 +186,7 @@ impl Segment {
     }
 }
 
-/// e^(-2 pi i n t): whole turns are removed from the exact product, so that a large n costs no digits.
+/// Computes e^(-2 pi i n t); whole turns are removed from the exact product, so that a large n costs no digits.
 fn phase(n: f64, turns: f64) -> Complex<f64> {
     let product = n * turns;
     let part = (product - product.round()) + n.mul_add(turns, -product);

@@ -9,12 +9,12 @@ use crate::error::TransformError;
 use crate::sums::sum_of;
 use spectrum::{Convention, Psd};
 
-/// The two-dimensional spectrum C2D = |h~|^2/(Lx Ly) in m^4 of a map in rings of width dq = 2 pi/max(Lx, Ly).
+/// The two-dimensional spectrum C2D = |h~|^2/(Lx Ly) \[m^4\] of a map in rings of width dq = 2 pi/max(Lx, Ly).
 ///
-/// The ring k = 1, 2, ... gathers the modes with k - 1/2 <= q/dq < k + 1/2; every mode but q = 0 is in one, so that
-/// Sum C2D/(Lx Ly) over all of them is the variance of the prepared heights. Rings beyond the smaller Nyquist wavevector
-/// of the two directions are cut by the edge of the sampled rectangle: they belong to the variance, not to the spectrum.
-/// Where sides or pixels differ so much that this made more than a million rings, they are as much wider.
+/// Ring k = 1, 2, ... holds the modes with k - 1/2 <= q/dq < k + 1/2. Every mode but q = 0 is in a ring, so Sum C2D/(Lx
+/// Ly) over all modes is the variance of the prepared heights. The edge of the sampled rectangle cuts rings beyond the
+/// smaller Nyquist wavevector of the two directions: they belong to the variance, not to the spectrum. Rings are wider
+/// if sides or pixels differ so much that there would be more than a million.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ArealSpectrum {
     pub(crate) sizes_m: [f64; 2],
@@ -27,16 +27,16 @@ pub struct ArealSpectrum {
 /// The modes of a ring, those at q and at -q both counted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RadialBin {
-    /// Mean magnitude in rad/m of the wavevectors of the modes.
+    /// Mean magnitude of the wavevectors of the modes \[rad/m\].
     pub wavevector_rad_per_m: f64,
-    /// How many modes there are, at least 1.
+    /// Number of modes, at least 1.
     pub modes: u64,
-    /// Sum of C2D over the modes in m^4.
+    /// Sum of C2D over the modes \[m^4\].
     pub sum_m4: f64,
 }
 
 impl RadialBin {
-    /// The radial mean Ciso in m^4.
+    /// Returns the radial mean Ciso \[m^4\].
     pub fn ciso_m4(&self) -> f64 {
         self.sum_m4 / self.modes as f64
     }
@@ -53,12 +53,12 @@ impl ArealSpectrum {
         self.sizes_m
     }
 
-    /// The smaller of the Nyquist wavevectors of the two directions in rad/m: rings beyond it are incomplete.
+    /// Smaller of the Nyquist wavevectors of the two directions \[rad/m\]; rings beyond it are incomplete.
     pub fn nyquist_rad_per_m(&self) -> f64 {
         self.nyquist_rad_per_m
     }
 
-    /// How many of the first rings do not show the spectrum of the surface.
+    /// Number of first rings that do not show the spectrum of the surface.
     pub fn flagged_bins(&self) -> usize {
         self.flagged_bins
     }
@@ -68,23 +68,23 @@ impl ArealSpectrum {
         self.variance_m2
     }
 
-    /// The same from the spectrum, Sum C2D/(Lx Ly) over all modes but q = 0, in m^2.
+    /// Variance from the spectrum, Sum C2D/(Lx Ly) over all modes but q = 0 \[m^2\].
     pub fn spectral_variance_m2(&self) -> f64 {
         let sums_m4: Vec<f64> = self.bins.iter().map(|bin| bin.sum_m4).collect();
         sum_of(&sums_m4, |sum_m4| sum_m4) / self.sizes_m[0] / self.sizes_m[1]
     }
 
-    /// Spectral over real variance, 1 to rounding; 1 for a surface without heights.
+    /// Ratio of spectral to real-space variance, 1 to rounding.
     pub fn parseval_share(&self) -> f64 {
         let spectral_m2 = self.spectral_variance_m2();
         if spectral_m2 == self.variance_m2 { 1.0 } else { spectral_m2 / self.variance_m2 }
     }
 
-    /// Ciso over the rings that show the surface: complete, inside the band, not flagged, and above 0.
+    /// Returns Ciso in the rings that show the surface: complete, inside the band, not flagged, and above 0.
     ///
     /// # Errors
-    /// [`TransformError::NothingReliable`] where there are fewer than two, [`TransformError::Overflow`] for heights beyond
-    /// all measure.
+    /// [`TransformError::NothingReliable`] for fewer than two rings, [`TransformError::Overflow`] for heights whose
+    /// squares overflow.
     pub fn ciso(&self, band: &ReliableBand) -> Result<Psd, TransformError> {
         let complete = self.bins.iter().skip(self.flagged_bins).filter(|bin| {
             bin.wavevector_rad_per_m <= self.nyquist_rad_per_m * (1.0 + 1e-12) && bin.sum_m4 > 0.0

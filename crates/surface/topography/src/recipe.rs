@@ -1,4 +1,4 @@
-//! How spectra are made from scans.
+//! Recipe of spectra from scans.
 
 use std::num::NonZeroU32;
 
@@ -9,27 +9,27 @@ use crate::tip::may_have_a_tip;
 use crate::tip_words::proposed_tip;
 use crate::{BandLimits, BinMean, Detrend, Direction, GapTreatment, Preparation, Window};
 
-/// The density of a composite where none is asked for.
+/// Default number of bins per decade of a composite.
 pub const DEFAULT_BINS_PER_DECADE: NonZeroU32 = NonZeroU32::new(10).expect("ten is not zero");
 
-/// How spectra are made from scans.
+/// Options for making spectra from scans.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recipe {
-    /// What is subtracted; for periodic data the mean, else a line or plane, where absent.
+    /// Detrending; defaults to the mean for periodic data, else to a plane (a straight line for a line scan).
     pub detrend: Option<Detrend>,
-    /// The window; none for periodic data, else Hann, where absent.
+    /// Window; defaults to none for periodic data, else to Hann.
     pub window: Option<Window>,
-    /// How measurements are averaged bin by bin.
+    /// Average over measurements in a bin.
     pub average: Average,
     /// Logarithmic bins per decade of wavevectors.
     pub bins_per_decade: NonZeroU32,
-    /// Radius of the tip \[m\] of scans that have no other.
+    /// Tip radius \[m\] of scans without their own.
     pub tip_radius_m: Option<f64>,
-    /// Whether the radius of a tip that a file tells in free text alone is used: the largest it speaks of.
+    /// True to use a tip radius from the free text of a file; the largest one counts.
     pub tip_radius_auto: bool,
-    /// What is done about points without a height.
+    /// Treatment of missing points.
     pub gaps: GapTreatment,
-    /// Along which axis of maps their lines run.
+    /// Axis along which the lines of maps run.
     pub direction: Direction,
 }
 
@@ -49,7 +49,7 @@ impl Default for Recipe {
 }
 
 impl Recipe {
-    /// What is done to the heights of a scan, periodic or not.
+    /// Returns the preparation of the heights of a scan, periodic or not.
     #[must_use]
     pub fn preparation(&self, is_periodic: bool) -> Preparation {
         let fitting = if is_periodic { Preparation::PERIODIC } else { Preparation::default() };
@@ -59,9 +59,10 @@ impl Recipe {
         }
     }
 
-    /// What limits the band of a scan: the tip and the shortest wavelength. What is `given` of the tip counts before what the
-    /// file says in a field of its own, that before what it says in free text, where the recipe wants that, and that before the
-    /// recipe; of two shortest wavelengths the longer one counts, which all vouch for.
+    /// Returns the limits of the band of a scan.
+    ///
+    /// The tip radius is the `given` one, else that of the file, else with `tip_radius_auto` that of its free text,
+    /// else that of the recipe. The shortest wavelength is the longer of the given one and the resolution of the file.
     #[must_use]
     pub fn limits<S>(&self, given: BandLimits, file: &ScanFile<S>) -> BandLimits {
         let in_words = || {
@@ -74,7 +75,7 @@ impl Recipe {
         }
     }
 
-    /// The recipe in a line, for the record.
+    /// Describes the recipe in one line for the provenance.
     #[must_use]
     pub fn describe(&self) -> String {
         let mut line = format!(
@@ -97,17 +98,16 @@ impl Recipe {
     }
 }
 
-/// How the spectra of several measurements are averaged in a bin.
+/// Average of the spectra of several measurements in a bin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Average {
-    /// The mean of their logarithms, each without the bias that the logarithm of a spectrum of few lines and Fourier bins has:
-    /// psi(n/2) - ln(n/2) for n degrees of freedom.
+    /// Mean of the logarithms, each freed from the bias psi(n/2) - ln(n/2) of a spectrum with n degrees of freedom.
     #[default]
     LogUnbiased,
-    /// The mean of their logarithms, which Jackson & Jacobs call the log-space average.
+    /// Mean of the logarithms, which Jackson & Jacobs call the log-space average.
     Log,
-    /// Their mean, as contact.engineering takes it.
+    /// Arithmetic mean, as contact.engineering takes it.
     Arithmetic,
 }
 
@@ -118,7 +118,7 @@ units::named!(Average, "average across scans", {
 });
 
 impl Average {
-    /// The mean over the measurements that reach a bin.
+    /// Returns the mean over the measurements that reach a bin.
     pub(crate) const fn across(self) -> BinMean {
         match self {
             Average::LogUnbiased | Average::Log => BinMean::Geometric,

@@ -1,115 +1,116 @@
-//! What is worth knowing about spectra made from scans, as data.
+//! Remarks on spectra made from scans, as data.
 
 use crate::direction::Direction;
-use crate::direction_ratio::DirectionRatio;
 use crate::noise_floor::NoiseFloor;
+use crate::overlap::DirectionRatio;
 use crate::tip_indication::TipIndication;
 use crate::tip_words::TipWords;
 use serde::Serialize;
 use spectrum::Hole;
 
-/// How much it matters.
+/// Severity of a remark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum Severity {
-    /// A check that was passed, for the record.
+    /// A passed check, for the record.
     Passed,
-    /// Something that was taken for granted.
+    /// An assumption.
     Note,
     /// A doubt about the result.
     Warning,
 }
 
-/// A deviation from Parseval's theorem beyond rounding.
+/// Deviation from Parseval's theorem that exceeds rounding.
 const LARGE_PARSEVAL: f64 = 1e-9;
-/// Relative differences of rms slopes and curvatures that are larger than what a window and the lie of the land make.
+/// Largest relative difference of rms slopes and curvatures that a window and nonuniform roughness explain.
 const LARGE_DERIVATIVE: f64 = 0.1;
-/// The straight lines between uneven points have slopes beyond the last wavelength of the spectrum.
+/// Largest such difference for uneven points, whose straight lines have slopes beyond the last wavelength.
 const LARGE_DERIVATIVE_UNEVEN: f64 = 0.5;
-/// Share of the variance, and gap over the median distance, beyond which a trace of uneven points is doubtful.
+/// Share of the variance below which a trace of uneven points is doubtful.
 const LEAST_SHARE: f64 = 0.9;
+/// Largest over median distance of neighbouring points above which a trace is doubtful.
 const LARGE_GAP: f64 = 10.0;
-/// From this ratio on, the slopes along and across the lines of a map are not those of an isotropic surface.
+/// Ratio of the slopes along and across the lines of a map from which a surface is not isotropic.
 pub const SLOPES_DIFFER: f64 = 1.5;
-/// Instruments that differ by more than this factor where they overlap hardly show the same surface in the same units.
+/// Ratio of overlapping spectra above which instruments hardly show the same surface in the same units.
 pub const SPECTRA_DIFFER: f64 = 3.0;
 
-/// Something to know about the spectrum of one scan. Whoever has words has some for all of these: a match on them is whole.
+/// A remark on the spectrum of one scan. Deliberately not `#[non_exhaustive]`: every front end must word every variant.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum ScanRemark {
-    /// What reading the file took for granted, in the reader's words.
+    /// An assumption of the reader of the file, in its words.
     Reading(String),
-    /// The wavelengths that are used.
+    /// The band of wavelengths in use.
     Band {
-        /// The longest \[m\].
+        /// Longest wavelength \[m\].
         longest_m: f64,
-        /// The shortest \[m\].
+        /// Shortest wavelength \[m\].
         shortest_m: f64,
-        /// What ends them.
+        /// Limit at the short end.
         end: BandEnd,
     },
-    /// Nobody tells the radius of the tip, and the instrument is not known to have none.
+    /// The tip radius is unknown, and the instrument may have a tip.
     TipUnknown {
-        /// The wavelength \[m\] down to which the scan is used all the same: twice the distance of its points.
+        /// Shortest wavelength in use \[m\]: twice the distance of the points.
         shortest_m: f64,
     },
-    /// What the scan itself tells of that tip.
+    /// Indication of the tip radius by the scan itself.
     TipIndicated(TipIndication),
-    /// People wrote down the radius of the tip.
+    /// A tip radius in the free text of the file.
     TipWords {
-        /// What they wrote.
+        /// The radius with its words.
         words: TipWords,
-        /// Whether it is used; it is only where that is asked for.
+        /// True if the radius is used, which `tip_radius_auto` requests.
         is_used: bool,
     },
-    /// The noise of the instrument, at wavelengths that are used.
+    /// The noise floor of the instrument at wavelengths in use.
     NoiseFloor(NoiseFloor),
-    /// The variance of the spectrum over that of the heights.
+    /// Ratio of the variance of the spectrum to that of the heights.
     Variance {
-        /// 1 by Parseval's theorem, of unevenly spaced points the part at the wavelengths of the spectrum.
+        /// 1 by Parseval's theorem; for unevenly spaced points the share at the wavelengths of the spectrum.
         share: f64,
-        /// Whether the theorem holds to rounding.
+        /// True if the points are evenly spaced and the theorem holds to rounding.
         evenly_spaced: bool,
     },
-    /// The largest distance of neighbouring points, which a straight line bridges.
+    /// The largest distance of neighbouring uneven points, bridged by a straight line.
     Gap {
-        /// Over the median distance.
+        /// Ratio to the median distance.
         over_median: f64,
     },
     /// A root mean square derivative along the scan lines.
     Derivative {
-        /// Which one.
+        /// Order of the derivative.
         derivative: Derivative,
-        /// From neighbouring points.
+        /// Value from neighbouring points.
         real: f64,
-        /// From the spectrum.
+        /// Value from the spectrum.
         spectral: f64,
-        /// Whether the points are evenly spaced, so that the two agree more closely.
+        /// True if the points are evenly spaced, so that the two agree more closely.
         evenly_spaced: bool,
     },
     /// Root mean square slopes of a map.
     Slopes {
-        /// Along its lines.
+        /// Slope along the lines.
         along: f64,
-        /// Across them.
+        /// Slope across the lines.
         across: f64,
     },
-    /// The mode of the whole length.
+    /// The mode whose wavelength is the length of the scan.
     Fundamental(FundamentalMode),
 }
 
-/// What ends the band of a scan at its short end.
+/// Limit of the band of a scan at its short end.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum BandEnd {
     /// Twice the distance of neighbouring points; the tip is unknown.
     PixelsWithoutTip,
-    /// Twice the distance of neighbouring points, with nothing else that could end it sooner.
+    /// Twice the distance of neighbouring points; no other limit applies.
     Pixels,
-    /// The tip.
+    /// The tip radius.
     Tip {
-        /// Its radius \[m\].
+        /// Radius \[m\].
         radius_m: f64,
     },
-    /// The shortest wavelength that was given.
+    /// The given shortest wavelength.
     Given,
     /// The resolution that the file states.
     Resolution,
@@ -124,72 +125,72 @@ pub enum Derivative {
     CurvaturePerM,
 }
 
-/// What became of the mode whose wavelength is the length of the scan.
+/// State of the mode whose wavelength is the length of the scan.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum FundamentalMode {
-    /// It is not there.
+    /// The mode is absent.
     Absent,
-    /// Detrending left a part of it.
+    /// Detrending left part of the mode.
     Kept {
-        /// Share of its power that is left.
+        /// Remaining share of its power.
         share: f64,
-        /// Whether its bin is part of the reliable spectrum.
+        /// True if its bin is part of the reliable spectrum.
         used: bool,
     },
-    /// The window alone made it.
+    /// The mode comes from the window alone.
     MadeByWindow,
 }
 
-/// Something to know about the composite of scans. A match on them is whole, as of [`ScanRemark`].
+/// A remark on the composite of scans. Deliberately not `#[non_exhaustive]`, like [`ScanRemark`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Remark {
-    /// About one of its scans.
+    /// A remark on one of its scans.
     Scan {
-        /// Its name.
+        /// Name of the scan.
         name: String,
-        /// What.
+        /// The remark.
         remark: ScanRemark,
     },
-    /// Two scans are the same data, which count once in standard errors.
+    /// Two scans hold the same data, which count once in standard errors.
     SameData {
         /// Their names.
         names: [String; 2],
     },
-    /// Two scans where they overlap.
+    /// Comparison of two scans where they overlap.
     Overlap {
         /// Their names.
         names: [String; 2],
-        /// The spectrum of the first over that of the second, on average.
+        /// Mean ratio of the first to the second spectrum.
         ratio: f64,
-        /// In how many bins.
+        /// Number of shared bins.
         bins: usize,
-        /// The longest wavelength they share \[m\].
+        /// Longest shared wavelength \[m\].
         longest_m: f64,
-        /// The shortest \[m\].
+        /// Shortest shared wavelength \[m\].
         shortest_m: f64,
     },
-    /// The spectra of a map along both of its axes.
+    /// Comparison of the spectra of a map along both axes.
     Directions {
-        /// The names of the two, that along x first.
+        /// Names of the two spectra, along x first.
         names: [String; 2],
-        /// That along y over that along x, from long to short wavelengths, at least one.
+        /// Ratios of y to x, from long to short wavelengths, at least one.
         ratios: Vec<DirectionRatio>,
-        /// Along which the instrument scanned, where the file says so.
+        /// Fast axis of the instrument, if the file states it.
         fast: Option<Direction>,
     },
-    /// The mean of logarithms was freed from the bias that the logarithms of few lines and Fourier bins have.
+    /// The mean of logarithms was freed from the bias of few degrees of freedom.
     BiasRemoved {
-        /// The largest factor that a scan was raised by in a bin.
+        /// Largest factor applied to a scan in a bin.
         factor: f64,
-        /// The wavelength \[m\] of that bin.
+        /// Wavelength of that bin \[m\].
         wavelength_m: f64,
     },
-    /// Wavelengths that no scan shows, from long to short, at least one.
+    /// Holes in the composite spectrum, from long to short wavelengths, at least one.
     Holes(Vec<Hole>),
 }
 
 impl ScanRemark {
-    /// How much it matters.
+    /// Returns the severity of the remark.
     #[must_use]
     pub fn severity(&self) -> Severity {
         // A comparison with NaN is false and must not pass a check.
@@ -215,7 +216,7 @@ impl ScanRemark {
 }
 
 impl Remark {
-    /// How much it matters.
+    /// Returns the severity of the remark.
     #[must_use]
     pub fn severity(&self) -> Severity {
         match self {
@@ -230,7 +231,7 @@ impl Remark {
     }
 }
 
-/// Whether spectra of this ratio hardly show the same surface in the same units.
+/// Returns true if spectra of this ratio hardly show the same surface in the same units.
 pub(crate) fn differ(ratio: f64) -> bool {
     ratio.ln().abs() > SPECTRA_DIFFER.ln()
 }

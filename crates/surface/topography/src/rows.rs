@@ -1,18 +1,18 @@
-//! The evenly spaced lines of a scan, however they were measured.
+//! The lines of a scan, independent of how they were measured.
 
 use crate::detrend::{Detrend, Trend};
 use scans::{HeightMap, NonuniformLineScan, ParallelLines, Scan, UniformLineScan};
 
-/// Rows of a block: small enough to spread over threads, large enough that a block outweighs handing it over.
+/// Rows per block: few enough to spread over threads, enough to outweigh handing a block over.
 pub(crate) const BLOCK_ROWS: usize = 64;
 
-/// Lines of equally many evenly spaced points.
+/// Lines of equal length with evenly spaced points.
 #[derive(Clone, Copy)]
 pub(crate) struct Rows<'a> {
     pub(crate) heights_m: &'a [f64],
     pub(crate) points: usize,
     pub(crate) spacing_m: f64,
-    /// Which of them share a trend.
+    /// Lines that share a trend.
     trend_of: TrendOf,
 }
 
@@ -57,7 +57,8 @@ impl<'a> Rows<'a> {
         Self { heights_m: map.heights_m(), points, spacing_m, trend_of: TrendOf::Map }
     }
 
-    /// The trend of the lines. A plane needs to know how far lines are apart: of others each has its own straight line.
+    /// Fits the trend of the lines. A plane needs the distance of the lines; without it each line has its own straight
+    /// line.
     pub(crate) fn trend(&self, detrend: Detrend) -> Trend {
         match (self.trend_of, detrend) {
             (TrendOf::Line, _) => Trend::of_line(self.heights_m, detrend),
@@ -80,7 +81,7 @@ impl<'a> Rows<'a> {
         self.heights_m.chunks_exact(self.points)
     }
 
-    /// The lines of a block with their numbers.
+    /// Yields the lines of a block with their numbers.
     pub(crate) fn block(&self, block: usize) -> impl Iterator<Item = (usize, &'a [f64])> + use<'a> {
         self.iter().enumerate().skip(block * BLOCK_ROWS).take(BLOCK_ROWS)
     }

@@ -1,4 +1,4 @@
-//! What one scan says of each bin of a composite.
+//! The spectrum of one scan in the bins of a composite.
 
 use std::num::NonZeroU32;
 
@@ -11,20 +11,20 @@ use crate::scan_spectrum::ScanSpectrum;
 /// The spectrum of a scan in one bin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ScanBin {
-    /// j of the bin 10^(j/N) <= q < 10^((j + 1)/N) in rad/m.
+    /// Index j of the bin 10^(j/N) <= q < 10^((j + 1)/N) in rad/m.
     pub index: i64,
-    /// Geometric mean of the wavelengths in m of the samples in the bin.
+    /// Geometric mean of the wavelengths of the samples in the bin \[m\].
     pub wavelength_m: f64,
-    /// Their mean C1D in m^3.
+    /// Mean C1D of the samples \[m^3\].
     pub c1d_m3: f64,
-    /// How many independent squares of Gaussian numbers that mean stands for; `None` where nothing is known of the lines.
+    /// Degrees of freedom of the mean; `None` if nothing is known of the lines.
     pub degrees_of_freedom: Option<f64>,
-    /// The same mean of each part of the map; none of a line.
+    /// Mean C1D of each part of the map \[m^3\]; empty for a line.
     pub of_parts_m3: Vec<f64>,
 }
 
 impl From<Bin> for ScanBin {
-    /// A bin of a spectrum of which nothing else is known.
+    /// Takes a bin without degrees of freedom and parts.
     fn from(bin: Bin) -> Self {
         ScanBin {
             index: bin.index,
@@ -37,7 +37,7 @@ impl From<Bin> for ScanBin {
 }
 
 impl ScanSpectrum {
-    /// The reliable part of the spectrum in bins, N of them per decade.
+    /// Averages the reliable part of the spectrum in bins.
     #[must_use]
     pub fn in_bins(&self, bins_per_decade: NonZeroU32) -> Vec<ScanBin> {
         let mut bins: Vec<ScanBin> = log_bins(&self.reliable, bins_per_decade, BinMean::Arithmetic)
@@ -55,7 +55,7 @@ impl ScanSpectrum {
         bins
     }
 
-    /// For every bin the numbers n >= 1 of the samples of the spectrum that lie in it and are reliable.
+    /// Lists for every bin the numbers n >= 1 of its reliable samples.
     fn samples_of(&self, bins: &[ScanBin], bins_per_decade: NonZeroU32) -> Vec<Vec<usize>> {
         let mut samples = vec![Vec::new(); bins.len()];
         let length_m = self.spectrum.length_m();

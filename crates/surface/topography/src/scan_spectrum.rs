@@ -1,4 +1,4 @@
-//! Heights become a spectrum, limited to the band that shows the surface.
+//! The spectrum of a scan in its reliable band.
 
 use scans::{Axis, Scan, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
@@ -6,13 +6,16 @@ use spectrum::ProfilePsd;
 use crate::band_end::{FoundBand, band_of};
 use crate::checks::Checks;
 use crate::direction::{Direction, has_two, turned};
+use crate::line::LineSpectrum;
+use crate::lines::rows_spectrum;
 use crate::noise_floor::{NoiseFloor, noise_floor};
+use crate::piecewise::nonuniform_line_spectrum;
 use crate::recipe::Recipe;
 use crate::remark::{BandEnd, ScanRemark, Severity};
 use crate::rows::Lines;
-use crate::{BandLimits, LineSpectrum, Preparation, ReliableBand, TransformError, line_spectrum};
+use crate::{BandLimits, Preparation, ReliableBand, TransformError};
 
-/// Heights that differ by no more than this share of the largest one are as flat as numbers can tell.
+/// Ratio of rms to largest height below which a scan is flat to rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A scan and its spectrum.
@@ -21,49 +24,57 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub struct ScanSpectrum {
     /// The name of the measurement.
     pub name: String,
-    /// The file's format.
+    /// Format of the file.
     pub format: ScanFormat,
-    /// The channel read, where the file has names for them.
+    /// Name of the channel, if the file names channels.
     pub channel: Option<String>,
-    /// What was done to the heights.
+    /// Preparation of the heights.
     pub preparation: Preparation,
     /// The whole spectrum.
     pub spectrum: LineSpectrum,
-    /// The wavelengths that show the surface.
+    /// Reliable band.
     pub band: ReliableBand,
-    /// What ends them at the short end.
+    /// Limit of the band at its short end.
     pub band_end: BandEnd,
-    /// Where the radius of the tip comes from, and what there is to say of a tip that nobody knows.
+    /// Remarks on a tip of unknown radius, and on a radius found in the text of the file.
     pub of_tip: Vec<ScanRemark>,
-    /// The noise of the instrument, where it shows.
+    /// Noise floor of the instrument, if it shows.
     pub noise_floor: Option<NoiseFloor>,
-    /// The spectrum at these.
+    /// The spectrum in the reliable band.
     pub reliable: ProfilePsd,
-    /// How far it can be believed.
+    /// Checks of the spectrum.
     pub checks: Checks,
-    /// Along which axis of its map the lines run, where there is a spectrum along each.
+    /// Axis of the lines, if the map has a spectrum along each.
     pub axis: Option<Axis>,
-    /// Along which axis the instrument scanned, where the file says so.
+    /// Fast axis of the instrument, if the file states it.
     pub fast_axis: Option<Axis>,
-    /// What reading took for granted, a sentence each.
+    /// Assumptions of the reader, one sentence each.
     pub notes: Vec<String>,
 }
 
+/// Computes the spectrum C1D of any scan; for a map the mean over its rows.
+pub fn line_spectrum(scan: &Scan, preparation: Preparation) -> LineSpectrum {
+    match Lines::of(scan) {
+        Lines::Even(rows) => rows_spectrum(rows, preparation),
+        Lines::Uneven(line) => nonuniform_line_spectrum(line, preparation),
+    }
+}
+
 impl ScanSpectrum {
-    /// The spectrum of a scan. What is `given` of its instrument counts before what the file says of it, and that before the
+    /// Computes the spectrum of a scan. `given` limits have precedence over those of the file, and these over the
     /// recipe.
     ///
     /// # Errors
-    /// [`TransformError`] for limits that are no lengths, heights that are flat or beyond numbers, and a band without a bin.
+    /// [`TransformError`] for limits that are not lengths, heights that are flat or overflow, and a band without bins.
     pub fn of(file: ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         Self::of_file(&file, given, recipe)
     }
 
-    /// The spectra of a scan along the axes that the recipe asks for: of a map one or two, of a line the one there is. Of two
-    /// the one along x comes first, and their names end in the axis.
+    /// Computes the spectra of a scan along the axes of the recipe: one or two for a map, one for a line. Of two, the
+    /// one along x comes first, and their names end in the axis.
     ///
     /// # Errors
-    /// As of [`ScanSpectrum::of`], and [`TransformError::NoLines`] where gaps left no line along y.
+    /// As [`ScanSpectrum::of`], and [`TransformError::NoLines`] if missing points left no line along y.
     pub fn of_directions(
         file: ScanFile<Scan>,
         given: BandLimits,
@@ -115,7 +126,7 @@ impl ScanSpectrum {
         self
     }
 
-    /// What is worth knowing about it, passed checks too.
+    /// Collects remarks on the spectrum, including passed checks.
     #[must_use]
     pub fn remarks(&self) -> Vec<ScanRemark> {
         let mut remarks: Vec<ScanRemark> = self.notes.iter().cloned().map(ScanRemark::Reading).collect();
@@ -129,14 +140,14 @@ impl ScanSpectrum {
         remarks
     }
 
-    /// Whether anything about it calls for a warning.
+    /// Returns true if a remark is a warning.
     #[must_use]
     pub fn is_doubtful(&self) -> bool {
         self.remarks().iter().any(|remark| remark.severity() == Severity::Warning)
     }
 }
 
-/// Refuses heights that a trend takes away to rounding, and those whose squares overflow.
+/// Refuses heights that detrending reduces to rounding, and those whose squares overflow.
 fn refuse_flat(scan: &Scan, spectrum: &LineSpectrum) -> Result<(), TransformError> {
     let heights_m = match Lines::of(scan) {
         Lines::Even(rows) => rows.heights_m,

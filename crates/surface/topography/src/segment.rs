@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use numerics::GaussLegendre;
 
-/// sin(a)/a and its derivative, for a >= 0, both to rounding.
+/// Computes sin(a)/a and its derivative for a >= 0, both to rounding.
 ///
 /// The transform of a segment of length s, mean height m and rise r about its middle is
 /// s [m sinc(a) + (i/2) r sinc'(a)] with a = qs/2.
@@ -27,8 +27,8 @@ pub(crate) fn sinc_and_derivative(a: f64) -> (f64, f64) {
 
 static SIX_POINTS: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(6));
 
-/// The mean of a function over 0..1 by parts of equal width: exact for polynomials up to the eleventh degree, and to
-/// rounding for products of quadratics with cos(2 theta) where a part spans at most half a radian of theta.
+/// Computes the mean of a function over 0..1 in parts of equal width. Exact for polynomials up to the eleventh degree,
+/// and to rounding for products of quadratics with cos(2 theta) if a part spans at most half a radian of theta.
 pub(crate) fn mean_over_unit(parts: usize, function: impl Fn(f64) -> f64) -> f64 {
     let width = 1.0 / parts as f64;
     let part = |part: usize| -> f64 {
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rule_integrates_what_it_says() {
+    fn the_rule_integrates_polynomials_and_cosines_to_rounding() {
         assert_relative_eq!(mean_over_unit(1, |x| x.powi(11)), 1.0 / 12.0, max_relative = 1e-15);
         let exact = 0.5f64.sin() / 0.5; // cos(2 theta) over half a radian of 2 theta
         assert_relative_eq!(mean_over_unit(1, |x| (0.5 * x).cos()), exact, max_relative = 1e-15);

@@ -1,10 +1,10 @@
 //! Sums whose error hardly grows with the number of terms, fast enough for every height of a map.
 
-/// Terms added up in lanes before the halves of a longer slice are added pairwise.
+/// Number of terms summed in lanes; longer slices are halved and added pairwise.
 const BLOCK: usize = 512;
 const LANES: usize = 8;
 
-/// The sum of `term` over the values.
+/// Sums `term` over the values.
 pub(crate) fn sum_of(values: &[f64], term: impl Fn(f64) -> f64 + Copy) -> f64 {
     if values.len() > BLOCK {
         let (left, right) = values.split_at(values.len() / 2);
@@ -21,13 +21,13 @@ pub(crate) fn sum_of(values: &[f64], term: impl Fn(f64) -> f64 + Copy) -> f64 {
     lanes.iter().sum::<f64>() + rest
 }
 
-/// The sum of the products of two slices of one length.
+/// Sums the products of two slices of equal length.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let [sum] = sums_of(a, b, |a, b| [a * b]);
     sum
 }
 
-/// The sums of several terms over the pairs of values of two slices of one length.
+/// Sums several terms over the pairs of values of two slices of equal length.
 pub(crate) fn sums_of<const K: usize>(
     a: &[f64],
     b: &[f64],
@@ -57,7 +57,7 @@ pub(crate) fn sums_of<const K: usize>(
     lanes.map(|lanes| lanes.iter().sum())
 }
 
-/// Mean and sum of squared deviations from it, joined from part to part without cancellation.
+/// Mean and sum of squared deviations, joined from parts without cancellation.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Spread {
     count: f64,
@@ -66,10 +66,10 @@ pub(crate) struct Spread {
 }
 
 impl Spread {
-    /// Of the values that `value` makes of those of a slice and writes over them.
+    /// Writes `value` of the inputs to `outputs` and computes their spread in one pass.
     ///
-    /// One pass: in a block the difference of mean square and squared mean may lose the digits of a small scatter, but by
-    /// no more than rounding of its mean square, which is part of the whole's wherever the values are detrended.
+    /// In a block, mean square minus squared mean may lose digits of a small scatter, but no more than the rounding of
+    /// its mean square, which is small for detrended values.
     pub(crate) fn of_mapped<const K: usize>(
         inputs: [&[f64]; K],
         outputs: &mut [f64],
@@ -111,7 +111,7 @@ impl Spread {
         Self { count, mean, squares: (squares.iter().sum::<f64>() - count * mean * mean).max(0.0) }
     }
 
-    /// Of both parts together: Chan, Golub & LeVeque (1983), Am. Stat. 37:242.
+    /// Joins two parts: Chan, Golub & LeVeque (1983), Am. Stat. 37:242.
     pub(crate) fn joined(self, other: Self) -> Self {
         let count = self.count + other.count;
         if count == 0.0 {
@@ -125,12 +125,12 @@ impl Spread {
         }
     }
 
-    /// Of the values times a factor.
+    /// Scales the values by a factor.
     pub(crate) fn times(self, factor: f64) -> Self {
         Self { mean: factor * self.mean, squares: factor * factor * self.squares, ..self }
     }
 
-    /// The mean squared deviation.
+    /// Returns the mean squared deviation.
     pub(crate) fn variance(self) -> f64 {
         self.squares / self.count
     }

@@ -1,25 +1,26 @@
-//! The wavelength below which the finite radius of a tip shows in a scan.
+//! The wavelength below which the finite radius of a tip affects a scan.
 
 use crate::rows::Lines;
 use scans::{NonuniformLineScan, Probe, Scan, ScanFile};
 
-/// The sharpest peak a tip of radius R can trace has the curvature 1/R; artefacts set in at this fraction of it, found on
-/// simulated scans by Sanner et al. (2022).
+/// Fraction of the curvature 1/R, the sharpest peak that a tip of radius R can trace, at which artefacts set in; found
+/// on simulated scans by Sanner et al. (2022).
 pub(crate) const CURVATURE_FRACTION: f64 = 0.5;
-/// Trial steps for each factor of two in the search from long steps to short ones.
+/// Trial steps per octave in the search from long steps to short ones.
 const STEPS_PER_OCTAVE: f64 = 4.0;
 /// Relative width at which the search ends.
 const TOLERANCE: f64 = 1e-9;
 
-/// The wavelength in m below which a tip of radius `tip_radius_m` > 0 has left its mark on a scan; `None` where it has not.
+/// Computes the wavelength \[m\] below which a tip of radius `tip_radius_m` > 0 affects a scan; `None` if it does not.
 ///
 /// After Sanner, Noehring, Thimons, Jacobs & Pastewka (2022), Appl. Surf. Sci. Adv. 7:100190: the second difference
-/// (h(x+s) - 2 h(x) + h(x-s))/s^2 at the step s, the heights interpolated linearly, must not fall below -1/(2R) anywhere
-/// on the scan lines; the cutoff is the length 2s of the longest stencil that does. Where even s = L/4 does, nothing can be
-/// trusted and the cutoff is the length of the scan. The shortest step is the (mean) distance of neighbouring points.
+/// (h(x+s) - 2 h(x) + h(x-s))/s^2 at the step s, the heights interpolated linearly, must not fall below -1/(2R)
+/// anywhere on the scan lines; the cutoff is the length 2s of the longest stencil that does. If even s = L/4 does,
+/// nothing is reliable and the cutoff is the length of the scan. The shortest step is the (mean) distance of
+/// neighbouring points.
 ///
-/// The search tries four steps in every octave from L/4 down and bisects below the first one that fails; two crossings
-/// closer than that may hide from it.
+/// The search tries four steps per octave from L/4 down and bisects below the first one that fails; it can miss two
+/// crossings closer than that.
 pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
     let lines = Lines::of(scan);
     let (spacing_m, length_m) = spacing_and_length_m(&lines);
@@ -48,10 +49,10 @@ fn spacing_and_length_m(lines: &Lines) -> (f64, f64) {
     }
 }
 
-/// Lines of a map that are looked at where an indication is enough.
+/// Largest number of lines of a map used for an indication.
 const FEW_LINES: usize = 256;
 
-/// Every how many-th line is looked at, so that they are at most so many, spread over the scan.
+/// Returns the step between lines such that at most `most` lines, spread over the scan, are used.
 fn every_line(lines: &Lines, most: usize) -> usize {
     match lines {
         Lines::Even(rows) => rows.count().div_ceil(most).max(1),
@@ -59,8 +60,8 @@ fn every_line(lines: &Lines, most: usize) -> usize {
     }
 }
 
-/// The steps in m of the search in [`tip_cutoff_m`], from long to short, each with the smallest second difference in 1/m that
-/// some lines of the scan have there.
+/// Computes the steps \[m\] of the search in [`tip_cutoff_m`], from long to short, each with the smallest second
+/// difference \[1/m\] on a sample of the lines.
 pub(crate) fn trial_steps(lines: &Lines) -> Vec<(f64, f64)> {
     let (spacing_m, length_m) = spacing_and_length_m(lines);
     let longest_m = length_m / 4.0;
@@ -75,7 +76,7 @@ pub(crate) fn trial_steps(lines: &Lines) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The curvatures in 1/m, positive on peaks, of neighbouring points of some lines of a scan.
+/// Computes the curvatures \[1/m\], positive on peaks, of neighbouring points on a sample of the lines.
 pub(crate) fn peak_curvatures_per_m(lines: &Lines) -> Vec<f64> {
     let every = every_line(lines, FEW_LINES);
     match lines {
@@ -96,7 +97,7 @@ pub(crate) fn peak_curvatures_per_m(lines: &Lines) -> Vec<f64> {
     }
 }
 
-/// The smallest second difference at a step in m, in 1/m; infinite where the step fits nowhere.
+/// Computes the smallest second difference \[1/m\] at a step \[m\]; infinite if the step fits nowhere.
 fn sharpest_peak_per_m(lines: &Lines, every: usize, step_m: f64) -> f64 {
     let sharpest_m = match lines {
         Lines::Even(rows) => rows
@@ -109,7 +110,7 @@ fn sharpest_peak_per_m(lines: &Lines, every: usize, step_m: f64) -> f64 {
     sharpest_m / (step_m * step_m)
 }
 
-/// The smallest h(i+s) - 2 h(i) + h(i-s) of a row, s >= 1 in points.
+/// Computes the smallest h(i+s) - 2 h(i) + h(i-s) of a row, s >= 1 in points.
 fn sharpest_even_m(heights_m: &[f64], step: f64) -> f64 {
     let (whole, fraction) = (step.floor() as usize, step.fract());
     let reach = whole + usize::from(fraction > 0.0);
@@ -127,7 +128,8 @@ fn sharpest_even_m(heights_m: &[f64], step: f64) -> f64 {
     smallest([far_left, left, centre, right, far_right], difference_m)
 }
 
-/// The smallest value of a function of the values of slices of one length, in lanes that the processor compares together.
+/// Computes the smallest value of a function over slices of equal length, in lanes that the processor compares
+/// together.
 fn smallest<const K: usize>(inputs: [&[f64]; K], value: impl Fn([f64; K]) -> f64) -> f64 {
     const LANES: usize = 8;
     let inputs = inputs.map(|input| input.as_chunks::<LANES>());
@@ -147,7 +149,7 @@ fn smallest<const K: usize>(inputs: [&[f64]; K], value: impl Fn([f64; K]) -> f64
     lanes.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// The smallest h(x+s) - 2 h(x) + h(x-s) over the points x of a scan of uneven spacing, s in m.
+/// Computes the smallest h(x+s) - 2 h(x) + h(x-s) over the points x of an unevenly spaced scan, s in m.
 fn sharpest_uneven_m(line: &NonuniformLineScan, step_m: f64) -> f64 {
     let (positions_m, heights_m) = (line.positions_m(), line.heights_m());
     let height_at = |position_m: f64| {
@@ -165,7 +167,7 @@ fn sharpest_uneven_m(line: &NonuniformLineScan, step_m: f64) -> f64 {
     positions_m.iter().zip(heights_m).filter_map(second_difference_m).fold(f64::INFINITY, f64::min)
 }
 
-/// Whether a tip may have touched the surface: not that of a microscope, nor heights that repeat themselves, which were
+/// Returns true if a tip may have touched the surface: false for a microscope, and for periodic heights, which were
 /// computed.
 pub(crate) fn may_have_a_tip<S>(file: &ScanFile<S>) -> bool {
     file.probe != Some(Probe::Microscope) && !file.is_periodic

@@ -1,4 +1,4 @@
-//! What a scan itself tells of a tip that nobody knows.
+//! Indication of an unknown tip radius by the scan itself.
 
 use scans::Scan;
 use serde::Serialize;
@@ -6,35 +6,35 @@ use serde::Serialize;
 use crate::rows::Lines;
 use crate::tip::{CURVATURE_FRACTION, peak_curvatures_per_m, trial_steps};
 
-/// Radii in m of a sharp, a common and a blunt tip of an atomic force microscope.
+/// Radii \[m\] of a sharp, a common and a blunt tip of an atomic force microscope.
 const USUAL_RADII_M: [f64; 3] = [5e-9, 20e-9, 100e-9];
-/// The share of points that curve less than the peak that counts as the sharpest: single points that stick out do not.
+/// Quantile of the curvature that counts as the sharpest peak; excludes outliers.
 const USUAL_PEAKS: f64 = 0.999;
 
-/// What the curvature of a scan says of its tip, from up to 256 of its lines.
+/// Indication of the tip radius by the curvature of a scan, from up to 256 of its lines.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TipIndication {
-    /// See [`sharpest_peak_radius_m`].
+    /// Radius of the sharpest peak \[m\], see [`sharpest_peak_radius_m`].
     pub sharpest_peak_radius_m: Option<f64>,
-    /// How much of the scan could be trusted with tips of 5, 20 and 100 nm.
+    /// Reliable wavelengths for tips of 5, 20 and 100 nm.
     pub trusted: Vec<TrustedDownTo>,
 }
 
-/// How much of a scan could be trusted if its tip had this radius.
+/// Reliable wavelengths of a scan for an assumed tip radius.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TrustedDownTo {
-    /// Radius in m of the tip.
+    /// Tip radius \[m\].
     pub radius_m: f64,
-    /// The wavelength in m below which the tip would show, to 20 %; `None` where all of the scan could be trusted.
+    /// Wavelength \[m\] below which the tip would show, within 20 %; `None` if the whole scan is reliable.
     pub shortest_m: Option<f64>,
 }
 
-/// The radius in m of the sharpest peak of a scan, from second differences of neighbouring points along its lines; `None`
-/// where it has no peak. One point in a thousand is left out as a possible outlier.
+/// Computes the radius \[m\] of the sharpest peak of a scan, from second differences of neighbouring points along its
+/// lines; `None` without peaks. The sharpest one in a thousand points is left out as a possible outlier.
 ///
-/// A tip draws no peak sharper than itself: its radius is at most this, if the scan is clean. Noise bends the scan more than
-/// the surface does and makes this smaller than the tip may be, so that it is no bound where the scan is noisy at the
-/// distance of its points. How blunt the tip is at least does not follow from the peaks: a smooth surface has none.
+/// A tip traces no peak sharper than itself, so its radius is at most this if the scan is clean. Noise at the distance
+/// of the points makes the value too small to be a bound. A lower bound of the radius does not follow from the peaks: a
+/// smooth surface has none.
 #[must_use]
 pub fn sharpest_peak_radius_m(scan: &Scan) -> Option<f64> {
     let mut curvatures_per_m = peak_curvatures_per_m(&Lines::of(scan));
@@ -42,7 +42,7 @@ pub fn sharpest_peak_radius_m(scan: &Scan) -> Option<f64> {
         return None;
     }
     let last = curvatures_per_m.len() - 1;
-    // Of fewer than a thousand points the sharpest one counts.
+    // With fewer than a thousand points the sharpest one counts.
     let usual = (USUAL_PEAKS * (last + 1) as f64) as usize;
     let (_, &mut curvature_per_m, _) =
         curvatures_per_m.select_nth_unstable_by(usual.min(last), f64::total_cmp);

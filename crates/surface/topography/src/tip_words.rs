@@ -1,4 +1,4 @@
-//! The radius of a tip in what people wrote about a scan.
+//! Tip radii in the free text of a scan.
 
 use std::sync::LazyLock;
 
@@ -6,23 +6,23 @@ use regex_lite::{Captures, Regex};
 use serde::Serialize;
 use units::LengthUnit;
 
-/// Lengths of tips, in m: what is far shorter or longer was not meant as one.
+/// Range of plausible tip radii \[m\].
 const SHORTEST_M: f64 = 1e-10;
 const LONGEST_M: f64 = 1e-2;
-/// Letters of the text on either side that are told with a radius.
+/// Number of letters of context on either side of a radius.
 const AROUND: usize = 20;
 
-/// A radius of a tip as somebody wrote it down.
+/// A tip radius found in text.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TipWords {
-    /// The radius in m.
+    /// Radius \[m\].
     pub radius_m: f64,
-    /// The words around it.
+    /// The text around it.
     pub text: String,
 }
 
-/// Every radius of a tip that a text speaks of, in its order: `Tip radius - ~5 µm`, `radius of tip 8 nm`, `tip_radius=2 um`,
-/// `Tip radius (nm): 10`, `R < 10 nm`. Of a range the larger end.
+/// Finds every tip radius in a text, in order: `Tip radius - ~5 µm`, `radius of tip 8 nm`, `tip_radius=2 um`,
+/// `Tip radius (nm): 10`, `R < 10 nm`. For a range, the larger end counts.
 #[must_use]
 pub fn tip_words(text: &str) -> Vec<TipWords> {
     let mut found: Vec<(usize, TipWords)> = Vec::new();
@@ -38,7 +38,7 @@ pub fn tip_words(text: &str) -> Vec<TipWords> {
     found.into_iter().map(|(_, words)| words).collect()
 }
 
-/// The largest of them: tips wear, and a blunter one leaves less of the scan to be trusted.
+/// Finds the largest tip radius in a text: tips wear, and a blunter one leaves less of the scan reliable.
 #[must_use]
 pub fn proposed_tip(text: &str) -> Option<TipWords> {
     tip_words(text)
@@ -49,7 +49,7 @@ pub fn proposed_tip(text: &str) -> Option<TipWords> {
 static PATTERNS: LazyLock<Vec<Regex>> = LazyLock::new(|| {
     let number = r"([0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?)";
     let unit = r"([A-Za-zµμÅÅ~]+)";
-    // What stands between the name and the number: signs, and words that make it approximate.
+    // Between name and number: signs, and words that make it approximate.
     let between = "(?:[-\u{2013}\u{2014}:=~\u{2248}<>\u{2264}\u{2265} \t]|\\b(?:is|was|of|about|approx\\.?|approximately|ca\\.?|circa|around|below|less than|nominally|nominal|up to)\\b)*";
     let range = format!(r"{number}(?: ?(?:-|\u{{2013}}|to) ?{number})? ?{unit}");
     let tip = r"(?:tip|stylus|probe|cantilever)s?(?:'s)?";
@@ -58,13 +58,13 @@ static PATTERNS: LazyLock<Vec<Regex>> = LazyLock::new(|| {
     );
     let before = format!(r"(?i)\b{named} ?[(\[]{unit}[)\]]{between}{number}");
     let after = format!(r"(?i)\b{named}{between}{range}");
-    // The letter alone stands for the radius of a tip where makers of tips promise to stay below it.
+    // The letter R alone means a tip radius where makers state an upper bound.
     let letter = format!(r"\bR ?(?:<|<=|\u{{2264}}) ?{range}");
     let pattern = |text: String| Regex::new(&text).ok();
     [before, after, letter].into_iter().filter_map(pattern).collect()
 });
 
-/// A number and a unit, whichever of the groups hold them; of two numbers the larger.
+/// Parses number and unit from the groups that hold them; the larger of two numbers counts.
 fn radius_m(captures: &Captures) -> Option<f64> {
     let groups = || captures.iter().skip(1).flatten().map(|group| group.as_str());
     let unit = groups().find_map(LengthUnit::parse_instrument)?;
@@ -75,7 +75,7 @@ fn radius_m(captures: &Captures) -> Option<f64> {
 
 fn around(text: &str, captures: &Captures) -> String {
     let Some(found) = captures.get(0) else { return String::new() };
-    // A sentence or line of its own says enough.
+    // Context ends with the line or sentence.
     let is_end = |letter: char| matches!(letter, '\n' | '\r' | ';');
     let before = text[..found.start()].rsplit(is_end).next().unwrap_or_default();
     let after = text[found.end()..].split(is_end).next().unwrap_or_default();

@@ -95,8 +95,8 @@ fn too_many_gaps_are_refused_with_what_to_do() {
     };
     assert_eq!(
         refusal(GapTreatment::Harmonic, &|_, column| column < 3).to_string(),
-        "filling gaps: 30.0 % of the points have no height, at most 20 % are filled; crop the scan to a part with fewer gaps, \
-         use only its lines without gaps (gaps = \"lines\"), or measure with an instrument that loses fewer points"
+        "30.0 % of the points have no height, and at most 20 % can be filled; crop the scan, use only lines without missing \
+         points (gaps = \"lines\"), or measure with an instrument that loses fewer points"
     );
     assert!(matches!(refusal(GapTreatment::Refuse, &|row, _| row == 3), TransformError::Gaps(_)));
     for treatment in [GapTreatment::Harmonic, GapTreatment::Lines] {
@@ -104,8 +104,8 @@ fn too_many_gaps_are_refused_with_what_to_do() {
     }
     assert_eq!(
         refusal(GapTreatment::Lines, &|row, column| row == column).to_string(),
-        "cutting lines without gaps: along x no stretch without a gap has 16 points or more; crop the scan to a part with \
-         fewer gaps, or measure with an instrument that loses fewer points"
+        "no line along x has 16 neighbouring points with heights; crop the scan to a part with fewer missing points, or \
+         measure with an instrument that loses fewer points"
     );
 }
 
@@ -144,8 +144,8 @@ fn whole_lines_take_part_where_they_are_enough() {
     assert_eq!(
         notes,
         [
-            "1.67 % of the points have no height: 20 whole lines of 20 m (20 points each) without gaps take part, 66.67 % of the \
-          points"
+            "1.67 % of the points have no height: 20 whole lines of 20 m (20 points each) without missing points are used, \
+          66.67 % of the points"
         ]
     );
 }
@@ -203,6 +203,6 @@ fn a_line_has_no_other_direction_and_says_so() {
         let file = without_gaps(file_of(Scan::UniformLine(line.clone()).into()), recipe.gaps).unwrap();
         let found = ScanSpectrum::of_directions(file, BandLimits::default(), &recipe).unwrap();
         assert_eq!(found.len(), 1);
-        assert_eq!(found[0].notes, ["a line has one direction: its spectrum is that along it, not along y"]);
+        assert_eq!(found[0].notes, ["a line has one direction; its spectrum is along the line, not along y"]);
     }
 }

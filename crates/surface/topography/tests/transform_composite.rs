@@ -110,8 +110,8 @@ fn one_bin_is_no_spectrum() {
     let narrow = profile(&[(0.99e-6, 1.0), (0.95e-6, 1.0)]);
     assert_eq!(
         composite(&[narrow], &CompositeOptions::default()).unwrap_err().to_string(),
-        "averaging spectra: all samples lie in one bin about 888 nm, there must be at least 2; take more bins per decade, or a \
-         longer scan, or a smaller tip radius or limit"
+        "averaging spectra: all samples lie in one bin near 888 nm; use more bins per decade, a longer scan, or a smaller tip \
+         radius or limit"
     );
 }
 
@@ -134,7 +134,7 @@ fn the_band_ends_at_the_largest_of_its_limits() {
     assert_eq!(of(None, Some(1e-9)).unwrap().shortest_m, 2e-9);
     assert_eq!(
         of(Some(-1.0), None).unwrap_err().to_string(),
-        "limiting the band of a scan: the tip radius is -1 m, it must be finite and above 0"
+        "the tip radius of a scan is -1 m; it must be finite and above 0"
     );
     // Twice the spacing itself belongs to the band, whatever the rounding of L/n.
     let scan = Scan::UniformLine(UniformLineScan::new(0.1, Random(1).numbers(300)).unwrap());
@@ -144,8 +144,8 @@ fn the_band_ends_at_the_largest_of_its_limits() {
         ReliableBand::of(&scan, BandLimits { shortest_m: Some(31.0), ..BandLimits::default() }).unwrap();
     assert_eq!(
         line_spectrum(&scan, Preparation::default()).profile(&beyond).unwrap_err().to_string(),
-        "taking the reliable part of a spectrum: none of its bins with a value above 0 lies between 31 m, the shortest \
-         reliable wavelength, and 15 m, the longest; take a longer scan, or a smaller tip radius or limit"
+        "the spectrum has no value above 0 between the shortest reliable wavelength, 31 m, and the longest, 15 m; use a \
+         longer scan, or a smaller tip radius or limit"
     );
 }
 
