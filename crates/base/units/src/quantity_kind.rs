@@ -190,7 +190,7 @@ impl Kind {
     }
 
     pub(crate) fn wrong_unit(&self, text: &str, unit: &str) -> QuantityError {
-        if TypedSpread::of(text).is_some() {
+        if TypedSpread::parse(text).is_some() {
             return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
         }
         QuantityError::WrongUnit {

@@ -22,7 +22,7 @@ pub enum TypedSpread<'t> {
 impl<'t> TypedSpread<'t> {
     /// Splits the text of an uncertain quantity; `None` for a single quantity, valid or not.
     #[must_use]
-    pub fn of(text: &'t str) -> Option<Self> {
+    pub fn parse(text: &'t str) -> Option<Self> {
         let parts = |sign: &str| text.split_once(sign).map(|(first, last)| (first.trim(), last.trim()));
         if let Some((value, uncertainty)) = ["+-", "+/-", "±"].into_iter().find_map(parts) {
             return Some(TypedSpread::PlusMinus { value, uncertainty });
@@ -41,12 +41,12 @@ mod tests {
     fn an_uncertain_quantity_differs_from_a_single_one() {
         let plus_minus = Some(TypedSpread::PlusMinus { value: "210 GPa", uncertainty: "5 GPa" });
         for text in ["210 GPa +- 5 GPa", "210 GPa ± 5 GPa", "210 GPa+/-5 GPa", " 210 GPa  +-5 GPa "] {
-            assert_eq!(TypedSpread::of(text), plus_minus, "{text}");
+            assert_eq!(TypedSpread::parse(text), plus_minus, "{text}");
         }
         let interval = Some(TypedSpread::Interval { from: "0.8GPa", to: "1.2 GPa" });
-        assert_eq!(TypedSpread::of("0.8GPa to 1.2 GPa"), interval);
+        assert_eq!(TypedSpread::parse("0.8GPa to 1.2 GPa"), interval);
         for text in ["210 GPa", "-5 GPa", "1e+9 Pa", "1e-9 m", "towards", "", "5 to", "1 ton"] {
-            assert_eq!(TypedSpread::of(text), None, "{text}");
+            assert_eq!(TypedSpread::parse(text), None, "{text}");
         }
     }
 

@@ -125,7 +125,7 @@ pub(super) fn property<T: Property>(key: &str, raw: &Spanned<RawProperty>) -> Re
         RawProperty::Value(value) => {
             let text = text_of(value);
             let blame = |problem: String| value_error(key, &text, raw.span(), problem);
-            match TypedSpread::of(&text) {
+            match TypedSpread::parse(&text) {
                 None => {
                     text.parse().map(Known::exactly).map_err(|error: QuantityError| blame(error.to_string()))
                 }
@@ -162,7 +162,7 @@ pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Kno
         RawProperty::Value(toml::Value::Integer(ratio)) => Ok(Known::exactly(*ratio as f64)),
         RawProperty::Value(value) => {
             let text = text_of(value);
-            let Some(spread) = TypedSpread::of(&text) else {
+            let Some(spread) = TypedSpread::parse(&text) else {
                 let found = match value {
                     toml::Value::String(text) => format!("string {text:?}"),
                     other => format!("{} {other}", other.type_str()),

@@ -25,7 +25,7 @@ pub(super) fn parse_count(text: &str) -> Result<NonZeroU32, String> {
 
 /// A Poisson's ratio: one number, and no spread, which is for scenes.
 pub(super) fn parse_poisson_ratio(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|error: std::num::ParseFloatError| match TypedSpread::of(text) {
+    text.parse().map_err(|error: std::num::ParseFloatError| match TypedSpread::parse(text) {
         Some(_) => {
             let (text, what) = (text.to_owned(), "Poisson's ratio");
             QuantityError::OneValueWanted { text, what }.to_string()
