@@ -8,7 +8,7 @@ use crate::unit_scale::UnitScale;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
     /// The fraction as a plain number: 0.03 for 3 %.
-    pub of_one: f64,
+    pub fraction: f64,
 }
 
 /// A text that is not a fraction.
@@ -21,12 +21,13 @@ impl FromStr for Share {
 
     fn from_str(text: &str) -> Result<Self, ShareError> {
         let trimmed = text.trim();
-        let of_one = match trimmed.strip_suffix('%') {
+        let fraction = match trimmed.strip_suffix('%') {
             Some(percent) => UnitScale::power_of_ten(-2).read(percent.trim_end()),
             None => trimmed.parse().ok(),
         };
-        let of_one = of_one.filter(|share| share.is_finite()).ok_or_else(|| ShareError(text.to_owned()))?;
-        Ok(Share { of_one })
+        let fraction =
+            fraction.filter(|share| share.is_finite()).ok_or_else(|| ShareError(text.to_owned()))?;
+        Ok(Share { fraction })
     }
 }
 
@@ -36,10 +37,10 @@ mod tests {
 
     #[test]
     fn percent_are_hundredths_and_rounded_once() {
-        for (text, of_one) in
+        for (text, fraction) in
             [("3 %", 0.03), ("3%", 0.03), ("0.03", 0.03), ("2.5e1 %", 0.25), (" 1 ", 1.0), ("-3 %", -0.03)]
         {
-            assert_eq!(text.parse(), Ok(Share { of_one }), "{text}");
+            assert_eq!(text.parse(), Ok(Share { fraction }), "{text}");
         }
     }
 

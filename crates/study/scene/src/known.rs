@@ -240,7 +240,7 @@ fn share(text: &str) -> Result<Option<f64>, String> {
     if !text.ends_with('%') {
         return Ok(None);
     }
-    text.parse().map(|share: Share| Some(share.of_one)).map_err(|error| error.to_string())
+    text.parse().map(|share: Share| Some(share.fraction)).map_err(|error| error.to_string())
 }
 
 /// How the values of a distribution's table are read.

@@ -17,7 +17,7 @@ impl FromStr for ZCalibration {
     fn from_str(text: &str) -> Result<Self, String> {
         let share: Share = text.parse().map_err(|error: units::ShareError| error.to_string())?;
         let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
-        let checked = bound.check("the standard uncertainty of the height scale, as a share", share.of_one);
+        let checked = bound.check("the standard uncertainty of the height scale, as a share", share.fraction);
         checked.map(|share| ZCalibration { share }).map_err(|error| error.to_string())
     }
 }
