@@ -6,7 +6,7 @@ mod progress;
 
 pub use blocks::fill_blocks;
 pub use one_thread::on_this_thread;
-pub use progress::{Progress, Unobserved, WithinAStep};
+pub use progress::{NestedProgress, Progress, Unobserved};
 
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
@@ -21,7 +21,7 @@ pub fn map<T: Sync, U: Send>(items: &[T], apply: impl Fn(&T) -> U + Sync) -> Vec
 }
 
 /// Applies `apply` to every item by value and returns the results in order.
-pub fn map_taken<T: Send, U: Send>(items: Vec<T>, apply: impl Fn(T) -> U + Sync) -> Vec<U> {
+pub fn map_owned<T: Send, U: Send>(items: Vec<T>, apply: impl Fn(T) -> U + Sync) -> Vec<U> {
     #[cfg(feature = "threads")]
     if !one_thread::is_confined() {
         return items.into_par_iter().map(&apply).collect();

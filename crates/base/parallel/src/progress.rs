@@ -21,9 +21,9 @@ impl Progress for Unobserved {
 
 /// A [`Progress`] for work inside one step of other work: it reports no steps and is cancelled with the outer work.
 #[derive(Clone, Copy)]
-pub struct WithinAStep<'p>(pub &'p dyn Progress);
+pub struct NestedProgress<'p>(pub &'p dyn Progress);
 
-impl Progress for WithinAStep<'_> {
+impl Progress for NestedProgress<'_> {
     fn advance(&self, _: usize) {}
 
     fn is_cancelled(&self) -> bool {

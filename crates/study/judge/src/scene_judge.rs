@@ -1,7 +1,7 @@
 //! The judge at work on a scene.
 
 use gaussian_surfaces::AreaSpectrum;
-use parallel::{Progress, WithinAStep};
+use parallel::{NestedProgress, Progress};
 use scene::Scene;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::{PlanError, Results};
@@ -177,7 +177,7 @@ impl<'s> Case<'s> {
             grid: layout.grid,
             pressures_pa: &pressures_pa,
         };
-        of_maps(maps, &pressed, &WithinAStep(progress))
+        of_maps(maps, &pressed, &NestedProgress(progress))
     }
 
     fn judgement(

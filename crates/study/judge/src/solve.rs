@@ -2,7 +2,7 @@
 
 use gaussian_surfaces::{Phases, Synthesis};
 use half_space::{Grid, Loading, PeriodicElements};
-use parallel::{Progress, WithinAStep};
+use parallel::{NestedProgress, Progress};
 
 use crate::JudgeError;
 use crate::layout::{Layout, Press};
@@ -112,7 +112,7 @@ fn pressed(
                 saturation_pa: press.saturation_pa,
                 tolerance: TOLERANCE,
             },
-            &WithinAStep(progress),
+            &NestedProgress(progress),
         )?;
         outcome.operators += contact.operators;
         // Where everything in contact flows, the load alone decides, whatever the perimeter.

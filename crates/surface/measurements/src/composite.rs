@@ -111,7 +111,7 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let of_files = parallel::map_taken(inputs, |input| transform_input(input, files, recipe, progress));
+        let of_files = parallel::map_owned(inputs, |input| transform_input(input, files, recipe, progress));
         let (mut scans, mut maps) = (Vec::new(), Vec::new());
         let mut sources: Vec<Source> = Vec::new();
         let mut request_of = Vec::new();
