@@ -173,7 +173,7 @@ impl AreaSpectrum {
             exponent: piece.exponent + 1.0,
             ..*piece
         };
-        let integral = AbelIntegral::of(self.pieces.iter().map(integrand));
+        let integral = AbelIntegral::new(self.pieces.iter().map(integrand));
         let c1d_m3: Vec<f64> =
             wavelengths_m.iter().map(|wavelength_m| integral.from(TAU / wavelength_m)).collect();
         if let Some(row) = c1d_m3.iter().position(|&c1d_m3| c1d_m3 == 0.0) {

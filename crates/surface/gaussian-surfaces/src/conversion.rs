@@ -67,7 +67,7 @@ fn ciso(wavevectors: &[f64], c1d_m3: &[f64]) -> Vec<(f64, f64)> {
         exponent: piece.exponent - 1.0,
         ..piece
     };
-    let integral = AbelIntegral::of(pieces.into_iter().map(integrand));
+    let integral = AbelIntegral::new(pieces.into_iter().map(integrand));
     let mut points = vec![wavevectors[0]];
     for pair in wavevectors.windows(2) {
         points.extend(before_knot(pair[0], pair[1], WIDEST_STEP));

@@ -56,7 +56,7 @@ pub struct AbelIntegral {
 impl AbelIntegral {
     /// Prepares the integral of a function given by its pieces, in any order.
     #[must_use]
-    pub fn of(pieces: impl IntoIterator<Item = PowerLaw>) -> Self {
+    pub fn new(pieces: impl IntoIterator<Item = PowerLaw>) -> Self {
         let cut = |piece: PowerLaw| {
             let (start, end) = (piece.start_rad_per_m, piece.end_rad_per_m);
             Panel::cut(start, end, ln_ratio(end, start), piece.at_start, piece.exponent)
@@ -215,9 +215,9 @@ mod tests {
             at_start: start_rad_per_m.powf(-2.6),
             exponent: -2.6,
         };
-        let whole = AbelIntegral::of([piece(1.0, 1e4)]);
+        let whole = AbelIntegral::new([piece(1.0, 1e4)]);
         for q in [1.0, 1.3, 100.0, 9.9e3] {
-            let upper = AbelIntegral::of([piece(q, 1e4)]);
+            let upper = AbelIntegral::new([piece(q, 1e4)]);
             assert_relative_eq!(whole.from(q), upper.from(q), max_relative = 1e-12, epsilon = 0.0);
         }
         assert_eq!(whole.from(1e4), 0.0);
