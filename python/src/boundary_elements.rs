@@ -270,8 +270,8 @@ pub fn random_surfaces(
     let surface = &surface.surface;
     let named = |error: gaussian_surfaces::SurfaceError| of_argument(&surface.name, error);
     let area = match &surface.of_area {
-        Some(psd) => AreaSpectrum::of_psd(psd),
-        None => AreaSpectrum::of_profile(&surface.psd),
+        Some(psd) => AreaSpectrum::from_psd(psd),
+        None => AreaSpectrum::from_profile(&surface.psd),
     };
     let area = area.map_err(named)?;
     let (random, grid) = choices.surfaces(&area).map_err(named)?;

@@ -113,7 +113,7 @@ impl<'s> Case<'s> {
             results,
             composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
             moments: cumulative_moments(&results.psd, Normalisation::default()),
-            surface: (results.psd.len() > 1).then(|| AreaSpectrum::of_profile(&results.psd).ok()).flatten(),
+            surface: (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten(),
             bodies,
             saturations_pa,
             loads_by_pressure,

@@ -36,35 +36,35 @@ impl AreaSpectrum {
     /// # Errors
     /// [`SurfaceError::TooFewSamples`] for a single sample; [`SurfaceError::EmptyBand`] for a spectrum that falls
     /// nowhere, which no surface has.
-    pub fn of_profile(profile: &ProfilePsd) -> Result<Self, SurfaceError> {
+    pub fn from_profile(profile: &ProfilePsd) -> Result<Self, SurfaceError> {
         let (pieces, conversion) = conversion::of_profile(profile)?;
         let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
-        Self::of_pieces(pieces, longest_m, shortest_m, conversion)
+        Self::from_pieces(pieces, longest_m, shortest_m, conversion)
     }
 
     /// Builds the spectrum from samples in any convention. Samples of areas are joined by power laws; samples of
-    /// profiles are converted by [`AreaSpectrum::of_profile`].
+    /// profiles are converted by [`AreaSpectrum::from_profile`].
     ///
     /// # Errors
-    /// As [`AreaSpectrum::of_profile`].
-    pub fn of_psd(psd: &Psd) -> Result<Self, SurfaceError> {
+    /// As [`AreaSpectrum::from_profile`].
+    pub fn from_psd(psd: &Psd) -> Result<Self, SurfaceError> {
         // A factor exists only among conventions of areas, or among those of profiles.
         let factor: Result<f64, ConversionError> = psd.convention().factor_to(Convention::Ciso);
         let Ok(factor) = factor else {
             let factor = psd.convention().factor_to(Convention::C1D).unwrap_or(1.0);
             let c1d_m3 = psd.values().iter().map(|value| factor * value).collect();
-            return Self::of_profile(&ProfilePsd::new(psd.wavelengths_m().to_vec(), c1d_m3)?);
+            return Self::from_profile(&ProfilePsd::new(psd.wavelengths_m().to_vec(), c1d_m3)?);
         };
         let points = psd.wavelengths_m().iter().zip(psd.values());
         let points: Vec<(f64, f64)> =
             points.map(|(wavelength_m, value)| (TAU / wavelength_m, factor * value)).collect();
         let pieces = points.windows(2).map(|pair| PowerLaw::through(pair[0], pair[1])).collect();
         let (longest_m, shortest_m) = (psd.wavelengths_m()[0], psd.wavelengths_m()[psd.len() - 1]);
-        Self::of_pieces(pieces, longest_m, shortest_m, Conversion::default())
+        Self::from_pieces(pieces, longest_m, shortest_m, Conversion::default())
     }
 
     /// Builds the spectrum from pieces by rising wavevector within the band, at least one.
-    pub(crate) fn of_pieces(
+    pub(crate) fn from_pieces(
         pieces: Vec<PowerLaw>,
         longest_m: f64,
         shortest_m: f64,
@@ -97,7 +97,7 @@ impl AreaSpectrum {
         let (longest_m, shortest_m) = (longest_m.min(self.longest_m), shortest_m.max(self.shortest_m));
         let (first, last) = (TAU / longest_m, TAU / shortest_m);
         let pieces = self.pieces.iter().filter_map(|piece| piece.between(first, last)).collect();
-        Self::of_pieces(pieces, longest_m, shortest_m, self.conversion)
+        Self::from_pieces(pieces, longest_m, shortest_m, self.conversion)
     }
 
     /// The longest wavelength of the band \[m\].

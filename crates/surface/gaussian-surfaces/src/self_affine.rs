@@ -63,7 +63,7 @@ impl AreaSpectrum {
             let fall = PowerLaw { start_rad_per_m: rolloff, end_rad_per_m: last, at_start: height, exponent };
             let pieces =
                 [level, fall].into_iter().filter(|piece| piece.start_rad_per_m < piece.end_rad_per_m);
-            Self::of_pieces(pieces.collect(), longest_m, shortest_m, Conversion::default())
+            Self::from_pieces(pieces.collect(), longest_m, shortest_m, Conversion::default())
         };
         // A guess of the order of a length to the fourth keeps every product within the range of doubles.
         let guess = of_form(rolloff_m.powi(4))?;

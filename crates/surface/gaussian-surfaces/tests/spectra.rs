@@ -35,7 +35,7 @@ fn a_power_law_becomes_the_one_that_theory_names() {
     // Ciso = 2 sqrt(pi) Gamma(1 + H)/Gamma(H + 1/2) C1D/q without end; factors from tables of the gamma function.
     for (hurst, factor) in [(0.5, std::f64::consts::PI), (1.0, 4.0)] {
         let profile = power_law(hurst, 3, 5);
-        let area = AreaSpectrum::of_profile(&profile).unwrap();
+        let area = AreaSpectrum::from_profile(&profile).unwrap();
         assert_eq!(area.conversion().negative_share, 0.0);
         for (lambda_m, c1d_m3) in profile.wavelengths_m().iter().zip(profile.c1d_m3()) {
             let q = std::f64::consts::TAU / lambda_m;
@@ -81,7 +81,7 @@ fn profiles_of_a_cut_surface_have_its_moments_and_lead_back_to_it() {
         assert_relative_eq!(found.m0_m2, expected.m0_m2, max_relative = 1e-2);
         assert_relative_eq!(found.m2, expected.m2, max_relative = 2e-3);
         assert_relative_eq!(found.m4_per_m2, expected.m4_per_m2, max_relative = 5e-3);
-        let back = AreaSpectrum::of_profile(&profile).unwrap();
+        let back = AreaSpectrum::from_profile(&profile).unwrap();
         // Where the surface has no waves, the samples of C1D leave a little of either sign.
         assert!(back.conversion().negative_share < 5e-3, "{:?}", back.conversion());
         assert_relative_eq!(back.mean_square_gradient(), expected.m2 * 2.0, max_relative = 2e-3);
@@ -111,7 +111,7 @@ fn the_profile_of_a_level_surface_is_a_quarter_of_an_ellipse() {
 
 #[test]
 fn windows_add_up_to_the_whole() {
-    let area = AreaSpectrum::of_profile(&power_law(0.7, 3, 10)).unwrap();
+    let area = AreaSpectrum::from_profile(&power_law(0.7, 3, 10)).unwrap();
     let parts = [area.cut(1e-3, 3e-5).unwrap(), area.cut(3e-5, 1e-6).unwrap()];
     let sum: f64 = parts.iter().map(AreaSpectrum::mean_square_gradient).sum();
     assert_relative_eq!(sum, area.mean_square_gradient(), max_relative = 1e-13);
@@ -128,9 +128,9 @@ fn noise_is_smoothed_where_profiles_are_those_of_no_surface() {
     let noisy = |size: f64| {
         let factors = (0..clean.len()).map(|i| (size * (2.4 * i as f64).sin()).exp());
         let c1d_m3 = clean.c1d_m3().iter().zip(factors).map(|(c, factor)| c * factor).collect();
-        AreaSpectrum::of_profile(&ProfilePsd::new(clean.wavelengths_m().to_vec(), c1d_m3).unwrap()).unwrap()
+        AreaSpectrum::from_profile(&ProfilePsd::new(clean.wavelengths_m().to_vec(), c1d_m3).unwrap()).unwrap()
     };
-    let exact = AreaSpectrum::of_profile(&clean).unwrap().mean_square_gradient();
+    let exact = AreaSpectrum::from_profile(&clean).unwrap().mean_square_gradient();
     let a_little = noisy(0.05);
     assert_eq!((a_little.conversion().negative_share, a_little.conversion().smoothed), (0.0, false));
     let much = noisy(0.7);
@@ -143,12 +143,12 @@ fn noise_is_smoothed_where_profiles_are_those_of_no_surface() {
 fn spectra_of_areas_are_taken_as_they_are() {
     let (wavelengths_m, ciso_m4) = (vec![1e-3, 1e-4, 1e-5], vec![1e-20, 1e-22, 1e-26]);
     let direct =
-        AreaSpectrum::of_psd(&Psd::new(wavelengths_m.clone(), ciso_m4.clone(), Convention::Ciso).unwrap())
+        AreaSpectrum::from_psd(&Psd::new(wavelengths_m.clone(), ciso_m4.clone(), Convention::Ciso).unwrap())
             .unwrap();
     assert_relative_eq!(direct.ciso_m4(std::f64::consts::TAU / 1e-4), 1e-22, max_relative = 1e-12);
     let persson = ciso_m4.iter().map(|ciso| ciso / (4.0 * std::f64::consts::PI.powi(2))).collect();
     let persson = Psd::new(wavelengths_m, persson, Convention::Persson).unwrap();
-    let of_persson = AreaSpectrum::of_psd(&persson).unwrap();
+    let of_persson = AreaSpectrum::from_psd(&persson).unwrap();
     assert_relative_eq!(
         of_persson.mean_square_gradient(),
         direct.mean_square_gradient(),
@@ -158,15 +158,15 @@ fn spectra_of_areas_are_taken_as_they_are() {
     let profile = power_law(0.6, 2, 10);
     let halved = profile.c1d_m3().iter().map(|c1d_m3| 2.0 * c1d_m3).collect();
     let frequency = Psd::new(profile.wavelengths_m().to_vec(), halved, Convention::Frequency).unwrap();
-    assert_eq!(AreaSpectrum::of_psd(&frequency).unwrap(), AreaSpectrum::of_profile(&profile).unwrap());
+    assert_eq!(AreaSpectrum::from_psd(&frequency).unwrap(), AreaSpectrum::from_profile(&profile).unwrap());
 }
 
 #[test]
 fn what_is_no_surface_is_refused() {
     let single = ProfilePsd::new(vec![1.0], vec![1.0]).unwrap();
-    assert!(matches!(AreaSpectrum::of_profile(&single), Err(SurfaceError::TooFewSamples { samples: 1 })));
+    assert!(matches!(AreaSpectrum::from_profile(&single), Err(SurfaceError::TooFewSamples { samples: 1 })));
     let level = ProfilePsd::new(vec![1.0, 0.1], vec![1.0, 1.0]).unwrap();
-    assert!(matches!(AreaSpectrum::of_profile(&level), Err(SurfaceError::EmptyBand { .. })));
+    assert!(matches!(AreaSpectrum::from_profile(&level), Err(SurfaceError::EmptyBand { .. })));
     let good = SelfAffine {
         hurst_exponent: 0.8,
         longest_m: 1.0,

@@ -176,8 +176,8 @@ pub(super) fn random_surfaces(
     let named = |error: gaussian_surfaces::SurfaceError| Failure::Input(format!("{}: {error}", surface.name));
     say_notes(surface.of_area.iter().map(|_| elements_words::TAKEN_AS_IT_IS.to_owned()));
     let area = match &surface.of_area {
-        Some(psd) => AreaSpectrum::of_psd(psd),
-        None => AreaSpectrum::of_profile(&surface.psd),
+        Some(psd) => AreaSpectrum::from_psd(psd),
+        None => AreaSpectrum::from_profile(&surface.psd),
     };
     let area = area.map_err(named)?;
     let usual = RandomChoices::default();
