@@ -74,7 +74,7 @@ fn of_map(
     let is_whole = map == patch.map;
     let lengths_m = [map.columns() as f64 * map.spacing_x_m(), map.rows() as f64 * map.spacing_y_m()];
     let heights_m = detrended_m(&map, Detrend::Plane);
-    let waves = MapWaves::of(
+    let waves = MapWaves::new(
         &heights_m,
         map.columns(),
         lengths_m,

@@ -39,7 +39,7 @@ impl GridBand {
     ///
     /// # Errors
     /// [`SurfaceError::GridTooSmall`] if the points do not hold the band.
-    pub fn of(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, SurfaceError> {
+    pub fn new(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, SurfaceError> {
         let (points_per_shortest, lengths) = (Self::POINTS_PER_SHORTEST, Self::LENGTHS);
         let widest = points as f64 / (points_per_shortest * lengths);
         let room = widest / (longest_m / shortest_m);
@@ -74,7 +74,7 @@ impl GridBand {
         let Some(length_m) = side_m else {
             let shortest_m = shortest_m.unwrap_or(spectrum.shortest_m());
             let widest_m = Self::widest_to(shortest_m, points).longest_m;
-            return Self::of(longest_m.unwrap_or(widest_m.min(spectrum.longest_m())), shortest_m, points);
+            return Self::new(longest_m.unwrap_or(widest_m.min(spectrum.longest_m())), shortest_m, points);
         };
         let finest_m = Self::POINTS_PER_SHORTEST * length_m / points as f64;
         let longest_m = longest_m.unwrap_or((length_m / Self::LENGTHS).min(spectrum.longest_m()));
@@ -107,26 +107,26 @@ mod tests {
         assert_relative_eq!(band.longest_m, 64e-6, max_relative = 1e-15);
         assert_relative_eq!(band.points_per_shortest(), 4.0, max_relative = 1e-15);
         assert_relative_eq!(band.lengths(), 2.0, max_relative = 1e-15);
-        let again = GridBand::of(band.longest_m, 1e-6, 512).unwrap();
+        let again = GridBand::new(band.longest_m, 1e-6, 512).unwrap();
         assert_relative_eq!(again.length_m, band.length_m, max_relative = 1e-15);
     }
 
     #[test]
     fn room_is_shared_between_points_and_lengths() {
-        let band = GridBand::of(16e-6, 1e-6, 512).unwrap();
+        let band = GridBand::new(16e-6, 1e-6, 512).unwrap();
         assert_relative_eq!(band.points_per_shortest(), 8.0, max_relative = 1e-15);
         assert_relative_eq!(band.lengths(), 4.0, max_relative = 1e-15);
     }
 
     #[test]
     fn a_band_too_wide_is_refused_with_the_one_that_fits() {
-        let message = GridBand::of(100e-6, 1e-6, 512).unwrap_err().to_string();
+        let message = GridBand::new(100e-6, 1e-6, 512).unwrap_err().to_string();
         assert_eq!(
             message,
             "the band from 100 µm to 1 µm is too wide for 512 points a side (4 per shortest wavelength, 2 longest \
              wavelengths per side); give a longest wavelength of at most 64 µm, a shortest of at least 1.56 µm, or at \
              least 800 points"
         );
-        assert!(GridBand::of(f64::NAN, 1e-6, 512).is_err());
+        assert!(GridBand::new(f64::NAN, 1e-6, 512).is_err());
     }
 }

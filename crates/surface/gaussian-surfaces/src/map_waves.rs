@@ -35,7 +35,7 @@ impl MapWaves {
     /// # Panics
     /// If the heights do not fill whole rows, at least one.
     #[must_use]
-    pub fn of(
+    pub fn new(
         heights_m: &[f64],
         points_x: usize,
         [length_x_m, length_y_m]: [f64; 2],
@@ -193,7 +193,7 @@ mod tests {
     fn a_periodic_map_is_reproduced_for_even_and_odd_sides() {
         for (columns, rows) in [(24, 16), (25, 17), (24, 17)] {
             let heights_m = waves(columns, rows);
-            let surface = MapWaves::of(&heights_m, columns, SIDES_M, true, 2.0).surface();
+            let surface = MapWaves::new(&heights_m, columns, SIDES_M, true, 2.0).surface();
             for (found, expected) in surface.heights_m().iter().zip(&heights_m) {
                 assert!((found - expected).abs() < 1e-22, "{found:e} {expected:e}");
             }
@@ -211,7 +211,7 @@ mod tests {
         let arched: Vec<f64> =
             rough.iter().enumerate().map(|(at, height_m)| height_m + 10e-9 * quarter(at)).collect();
         let gradient = |heights_m: &[f64], is_periodic: bool| {
-            MapWaves::of(heights_m, columns, SIDES_M, is_periodic, 4.0).surface().mean_square_gradient()
+            MapWaves::new(heights_m, columns, SIDES_M, is_periodic, 4.0).surface().mean_square_gradient()
         };
         let expected = gradient(&rough, true);
         assert!(
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn a_twin_has_the_moments_of_the_map_and_other_heights() {
-        let map = MapWaves::of(&waves(24, 16), 24, SIDES_M, true, 2.0);
+        let map = MapWaves::new(&waves(24, 16), 24, SIDES_M, true, 2.0);
         let [twin, again, other] = [(1, 0), (1, 0), (1, 1)].map(|(seed, at)| map.twin(seed, at));
         assert_eq!(twin, again);
         assert!(twin.heights_m() != other.heights_m() && twin.heights_m() != map.surface().heights_m());
