@@ -69,7 +69,7 @@ fn one_study(
     let known = known_composite(&laboratory.surface, &measured)?;
     let deviations = |&average: &Average| {
         let recipe = Recipe { average, ..measured.recipe };
-        let composite = CompositeSpectrum::of(measured.scans.clone(), &recipe)?.composite;
+        let composite = CompositeSpectrum::new(measured.scans.clone(), &recipe)?.composite;
         let bins = composite.bins().iter().zip(known.c1d_m3());
         Ok(bins.map(|(bin, known_m3)| (bin.c1d_m3 / known_m3).ln()).collect())
     };

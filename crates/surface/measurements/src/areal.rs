@@ -38,7 +38,7 @@ pub fn areal_spectrum(
     let Loaded { scans, sha256 } = load(request, files)?;
     let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneMap)?;
     let map = map_in(request, &file, ScanProblem::LineHasNoArea)?;
-    let found = MapSpectrum::of(map, &file, request.limits(), recipe)
+    let found = MapSpectrum::new(map, &file, request.limits(), recipe)
         .map_err(|error| untransformed(request, error))?;
     let wavelengths_m = found.reliable.wavelengths_m();
     let modes = |wavelength_m: &f64| found.modes_at(*wavelength_m).map(|modes| modes as f64);

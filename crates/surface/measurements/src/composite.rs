@@ -132,7 +132,7 @@ impl CompositeOfFiles {
             })
             .collect();
         agreement::check(&uses)?;
-        let spectrum = CompositeSpectrum::of(scans, recipe)
+        let spectrum = CompositeSpectrum::new(scans, recipe)
             .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
         Ok(CompositeOfFiles { spectrum, sources, maps })
     }
@@ -197,7 +197,7 @@ fn transform_input(
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::of(request, &scan);
         found.maps.extend(MapPatch::of(&scan));
-        let spectra = ScanSpectrum::of_directions(scan, request.limits(), &recipe).map_err(blame)?;
+        let spectra = ScanSpectrum::per_direction(scan, request.limits(), &recipe).map_err(blame)?;
         let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };
         found.sources.extend(spectra.iter().map(|_| source.clone()));
         found.scans.extend(spectra);

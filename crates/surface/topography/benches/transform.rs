@@ -36,7 +36,7 @@ fn main() {
     let scan = Scan::Map(map(1024, 1024));
     time("band of 1024 x 1024 with a tip of 20 nm", || {
         let limits = BandLimits { tip_radius_m: Some(20e-9), shortest_m: None };
-        let band = ReliableBand::of(&scan, limits).expect("a sound radius");
+        let band = ReliableBand::new(&scan, limits).expect("a sound radius");
         assert!(band.shortest_m > band.sampling_m);
         0.0
     });

@@ -35,7 +35,7 @@ impl ReliableBand {
     ///
     /// # Errors
     /// [`TransformError::BadLimit`] for a radius or wavelength that is not finite and above 0.
-    pub fn of(scan: &Scan, limits: BandLimits) -> Result<Self, TransformError> {
+    pub fn new(scan: &Scan, limits: BandLimits) -> Result<Self, TransformError> {
         refuse_bad("tip radius", limits.tip_radius_m)?;
         refuse_bad("shortest wavelength", limits.shortest_m)?;
         let sampling_m = 2.0

@@ -23,7 +23,7 @@ pub(crate) fn band_of(
     recipe: &Recipe,
 ) -> Result<FoundBand, TransformError> {
     let limits = recipe.limits(given, file);
-    let band = ReliableBand::of(&file.scan, limits)?;
+    let band = ReliableBand::new(&file.scan, limits)?;
     let ends = |limit_m: Option<f64>| limit_m == Some(band.shortest_m);
     let end = match limits.tip_radius_m {
         Some(radius_m) if ends(band.tip_m) => BandEnd::Tip { radius_m },

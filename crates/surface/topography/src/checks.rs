@@ -42,7 +42,7 @@ impl Checks {
     /// Checks the spectrum of a scan. Slopes between neighbouring points are compared with those from the spectrum,
     /// whose window gives more weight to the middle of a line.
     #[must_use]
-    pub fn of(scan: &Scan, spectrum: &LineSpectrum, preparation: Preparation, is_periodic: bool) -> Self {
+    pub fn new(scan: &Scan, spectrum: &LineSpectrum, preparation: Preparation, is_periodic: bool) -> Self {
         let boundary = if is_periodic { Boundary::Periodic } else { Boundary::Open };
         let real = real_space_derivatives(scan, preparation.detrend, boundary);
         let spectral = spectrum.rms_derivatives(match scan {

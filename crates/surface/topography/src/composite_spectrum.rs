@@ -49,7 +49,7 @@ impl CompositeSpectrum {
     ///
     /// # Errors
     /// [`TransformError`] without scans, or with too few bins for a spectrum.
-    pub fn of(scans: Vec<ScanSpectrum>, recipe: &Recipe) -> Result<Self, TransformError> {
+    pub fn new(scans: Vec<ScanSpectrum>, recipe: &Recipe) -> Result<Self, TransformError> {
         let reliable: Vec<_> = scans.iter().map(|scan| scan.reliable.clone()).collect();
         let in_bins: Vec<Vec<ScanBin>> =
             scans.iter().map(|scan| scan.in_bins(recipe.bins_per_decade)).collect();

@@ -40,7 +40,7 @@ impl MapSpectrum {
     ///
     /// # Errors
     /// [`TransformError`] for limits that are not lengths, and a band without bins.
-    pub fn of(
+    pub fn new(
         map: &HeightMap,
         file: &ScanFile<Scan>,
         given: BandLimits,

@@ -66,39 +66,39 @@ impl ScanSpectrum {
     ///
     /// # Errors
     /// [`TransformError`] for limits that are not lengths, heights that are flat or overflow, and a band without bins.
-    pub fn of(file: ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
-        Self::of_file(&file, given, recipe)
+    pub fn new(file: ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
+        Self::from_file(&file, given, recipe)
     }
 
     /// Computes the spectra of a scan along the axes of the recipe: one or two for a map, one for a line. Of two, the
     /// one along x comes first, and their names end in the axis.
     ///
     /// # Errors
-    /// As [`ScanSpectrum::of`], and [`TransformError::NoLines`] if missing points left no line along y.
-    pub fn of_directions(
+    /// As [`ScanSpectrum::new`], and [`TransformError::NoLines`] if missing points left no line along y.
+    pub fn per_direction(
         file: ScanFile<Scan>,
         given: BandLimits,
         recipe: &Recipe,
     ) -> Result<Vec<Self>, TransformError> {
         match recipe.direction {
-            Direction::X => Ok(vec![Self::of(file, given, recipe)?]),
-            Direction::Y => Ok(vec![Self::of(turned(file)?, given, recipe)?]),
-            Direction::Both if !has_two(&file.scan) => Ok(vec![Self::of(turned(file)?, given, recipe)?]),
+            Direction::X => Ok(vec![Self::new(file, given, recipe)?]),
+            Direction::Y => Ok(vec![Self::new(turned(file)?, given, recipe)?]),
+            Direction::Both if !has_two(&file.scan) => Ok(vec![Self::new(turned(file)?, given, recipe)?]),
             Direction::Both => {
-                let along_x = Self::of_file(&file, given, recipe)?.named_along(Axis::X);
-                let along_y = Self::of(turned(file)?, given, recipe)?.named_along(Axis::Y);
+                let along_x = Self::from_file(&file, given, recipe)?.named_along(Axis::X);
+                let along_y = Self::new(turned(file)?, given, recipe)?.named_along(Axis::Y);
                 Ok(vec![along_x, along_y])
             }
         }
     }
 
-    fn of_file(file: &ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
+    fn from_file(file: &ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
         let FoundBand { band, end: band_end, of_tip } = band_of(file, given, recipe)?;
         let spectrum = line_spectrum(&file.scan, preparation);
         refuse_flat(&file.scan, &spectrum)?;
         let reliable = spectrum.profile(&band)?;
-        let checks = Checks::of(&file.scan, &spectrum, preparation, file.is_periodic);
+        let checks = Checks::new(&file.scan, &spectrum, preparation, file.is_periodic);
         Ok(ScanSpectrum {
             name: file.name.clone(),
             format: file.format,

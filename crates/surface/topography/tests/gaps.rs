@@ -178,7 +178,7 @@ fn lines_cut_from_a_map_have_the_spectrum_of_the_map_where_nothing_is_cut() {
     let spectrum = |scan: Measured, direction| {
         let recipe = Recipe { direction, ..recipe };
         let file = without_gaps(file_of(scan), recipe.gaps).expect("lines");
-        ScanSpectrum::of_directions(file, BandLimits::default(), &recipe).expect("spectra")
+        ScanSpectrum::per_direction(file, BandLimits::default(), &recipe).expect("spectra")
     };
     let cut = || map_with_gaps(64, 40, [1.0, 2.0], rough, is_gap);
     let found = spectrum(cut(), Direction::Both);
@@ -201,7 +201,7 @@ fn a_line_has_no_other_direction_and_says_so() {
     for direction in [Direction::Y, Direction::Both] {
         let recipe = Recipe { direction, ..Recipe::default() };
         let file = without_gaps(file_of(Scan::UniformLine(line.clone()).into()), recipe.gaps).unwrap();
-        let found = ScanSpectrum::of_directions(file, BandLimits::default(), &recipe).unwrap();
+        let found = ScanSpectrum::per_direction(file, BandLimits::default(), &recipe).unwrap();
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].notes, ["a line has one direction; its spectrum is along the line, not along y"]);
     }

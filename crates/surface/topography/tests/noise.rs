@@ -33,7 +33,7 @@ fn map(hurst_exponent: f64, roll_off_m: f64, shortest_m: f64, coarsening: usize,
 
 fn spectrum(scan: Scan) -> ScanSpectrum {
     let file = without_gaps(file_of(scan.into()), GapTreatment::Refuse).expect("no gaps");
-    ScanSpectrum::of(file, BandLimits::default(), &Recipe::default()).expect("a spectrum")
+    ScanSpectrum::new(file, BandLimits::default(), &Recipe::default()).expect("a spectrum")
 }
 
 fn floor_of_map(heights_m: Vec<f64>) -> Option<NoiseFloor> {
@@ -148,5 +148,5 @@ fn a_floor_inside_the_band_is_warned_of_and_one_beyond_it_is_not() {
     assert_eq!(told(&whole).expect("a remark").severity(), Severity::Warning);
     let file = without_gaps(file_of(scan().into()), GapTreatment::Refuse).unwrap();
     let limits = BandLimits { tip_radius_m: None, shortest_m: Some(100e-6) };
-    assert_eq!(told(&ScanSpectrum::of(file, limits, &Recipe::default()).unwrap()), None);
+    assert_eq!(told(&ScanSpectrum::new(file, limits, &Recipe::default()).unwrap()), None);
 }

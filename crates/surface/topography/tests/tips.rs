@@ -33,7 +33,7 @@ fn spectrum(file: ScanFile<Scan>, given_m: Option<f64>, tip_radius_auto: bool) -
         tip_radius_m: Some(1e-12).filter(|_| tip_radius_auto),
         ..Recipe::default()
     };
-    ScanSpectrum::of(file, BandLimits { tip_radius_m: given_m, shortest_m: None }, &recipe)
+    ScanSpectrum::new(file, BandLimits { tip_radius_m: given_m, shortest_m: None }, &recipe)
         .expect("a spectrum")
 }
 

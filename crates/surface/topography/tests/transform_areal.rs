@@ -98,7 +98,7 @@ fn an_isotropic_self_affine_map_gives_its_spectrum_back() {
     let ciso_m4 = |q_rad_per_m: f64| 1e-34 * (1.0 + (q_rad_per_m * length_m / 25.0).powi(2)).powf(-1.8);
     let map = synthesised(points, spacing_m, ciso_m4);
     let scan = Scan::Map(map.clone());
-    let band = ReliableBand::of(&scan, BandLimits::default()).unwrap();
+    let band = ReliableBand::new(&scan, BandLimits::default()).unwrap();
     for preparation in [Preparation::PERIODIC, Preparation { window: Window::Hann, ..Preparation::PERIODIC }]
     {
         let spectrum = areal_spectrum(&map, preparation);

@@ -30,7 +30,7 @@ fn measurement(points: usize, spacing_m: f64, seed: u64) -> (Scan, ReliableBand,
     let rows =
         (0..32).flat_map(|_| periodic_profile_m(4 * points, spacing_m, &mut random)[..points].to_vec());
     let scan = Scan::Map(HeightMap::new(points, spacing_m, spacing_m, rows.collect()).unwrap());
-    let band = ReliableBand::of(&scan, BandLimits::default()).unwrap();
+    let band = ReliableBand::new(&scan, BandLimits::default()).unwrap();
     let psd = line_spectrum(&scan, Preparation::default()).profile(&band).unwrap();
     (scan, band, psd)
 }
@@ -128,7 +128,7 @@ fn measurements_that_share_no_bin_do_not_overlap() {
 #[test]
 fn the_band_ends_at_the_largest_of_its_limits() {
     let scan = Scan::UniformLine(UniformLineScan::new(1e-9, vec![0.0, 1.0, 0.0, 0.5]).unwrap());
-    let of = |tip_radius_m, shortest_m| ReliableBand::of(&scan, BandLimits { tip_radius_m, shortest_m });
+    let of = |tip_radius_m, shortest_m| ReliableBand::new(&scan, BandLimits { tip_radius_m, shortest_m });
     assert_eq!(of(None, None).unwrap().shortest_m, 2e-9);
     assert_eq!(of(None, Some(5e-9)).unwrap().shortest_m, 5e-9);
     assert_eq!(of(None, Some(1e-9)).unwrap().shortest_m, 2e-9);
@@ -138,10 +138,10 @@ fn the_band_ends_at_the_largest_of_its_limits() {
     );
     // Twice the spacing itself belongs to the band, whatever the rounding of L/n.
     let scan = Scan::UniformLine(UniformLineScan::new(0.1, Random(1).numbers(300)).unwrap());
-    let band = ReliableBand::of(&scan, BandLimits::default()).unwrap();
+    let band = ReliableBand::new(&scan, BandLimits::default()).unwrap();
     assert_eq!(line_spectrum(&scan, Preparation::PERIODIC).profile(&band).unwrap().len(), 150);
     let beyond =
-        ReliableBand::of(&scan, BandLimits { shortest_m: Some(31.0), ..BandLimits::default() }).unwrap();
+        ReliableBand::new(&scan, BandLimits { shortest_m: Some(31.0), ..BandLimits::default() }).unwrap();
     assert_eq!(
         line_spectrum(&scan, Preparation::default()).profile(&beyond).unwrap_err().to_string(),
         "the spectrum has no value above 0 between the shortest reliable wavelength, 31 m, and the longest, 15 m; use a \
@@ -167,7 +167,7 @@ fn a_sharp_wave_shows_the_tip_at_the_step_where_its_curvature_reaches_half_that_
         assert_relative_eq!(cutoff_m, 2.0 * step_m, max_relative = 1e-3);
         assert_eq!(tip_cutoff_m(&scan, 1e-9), None);
         assert_relative_eq!(tip_cutoff_m(&scan, 1.0).unwrap(), 500e-9, max_relative = 1e-2);
-        let band = ReliableBand::of(&scan, BandLimits { tip_radius_m: Some(radius_m), shortest_m: None });
+        let band = ReliableBand::new(&scan, BandLimits { tip_radius_m: Some(radius_m), shortest_m: None });
         assert_eq!(band.unwrap().shortest_m, cutoff_m);
     }
 }

@@ -133,7 +133,7 @@ fn pieces_of_a_self_affine_surface_give_the_spectrum_within_the_sampling_error()
     let spectrum = map_line_spectrum(&map, preparation);
     assert_eq!((spectrum.lines(), spectrum.flagged_bins()), (64, 1));
     let scan = Scan::Map(map);
-    let band = ReliableBand::of(&scan, BandLimits::default()).unwrap();
+    let band = ReliableBand::new(&scan, BandLimits::default()).unwrap();
     let profile = spectrum.profile(&band).unwrap();
     let binned = log_binned(&profile, NonZeroU32::new(10).unwrap(), BinMean::Arithmetic);
     assert!(binned.len() > 25);
@@ -209,7 +209,7 @@ fn a_flat_surface_has_no_spectrum() {
     let scan = Scan::UniformLine(line(1e-9, vec![5.0; 16]));
     let spectrum = line_spectrum(&scan, Preparation::default());
     assert_eq!((spectrum.variance_m2(), spectrum.parseval_share()), (0.0, 1.0));
-    let band = ReliableBand::of(&scan, BandLimits::default()).unwrap();
+    let band = ReliableBand::new(&scan, BandLimits::default()).unwrap();
     assert!(matches!(spectrum.profile(&band), Err(TransformError::NothingReliable { .. })));
 }
 

@@ -159,7 +159,7 @@ pub fn bias(
     let spectrum = |scan: Measured| {
         let recipe = Recipe { direction: Direction::X, ..Recipe::default() };
         let whole = without_gaps(file_of(scan), treatment).ok()?;
-        ScanSpectrum::of(whole, BandLimits::default(), &recipe).ok()
+        ScanSpectrum::new(whole, BandLimits::default(), &recipe).ok()
     };
     let map = |is_gap: &dyn Fn(usize, usize) -> bool| {
         map_with_gaps(points, points, [SPACING_M; 2], |row, column| heights_m[row * points + column], is_gap)
