@@ -83,7 +83,7 @@ impl<'s> OwnScans<'s> {
     /// The one map that stands for the instrument, where its parts can stand for places.
     fn only_map(&self) -> Option<&'s ScanSpectrum> {
         let only = &self.scans.spectrum.scans[self.own[0]];
-        (self.places.len() == 1 && !only.spectrum.of_parts_m3().is_empty()).then_some(only)
+        (self.places.len() == 1 && !only.spectrum.parts_m3().is_empty()).then_some(only)
     }
 
     fn in_bins(&self) -> InstrumentBins {
@@ -91,7 +91,7 @@ impl<'s> OwnScans<'s> {
         let middle = 0.5 * (reached[0] + reached[reached.len() - 1]);
         let bins = self.in_bins.iter().zip(self.bins());
         let bins = bins.map(|(scans, bin)| self.bin(scans, bin, middle)).collect();
-        let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.of_parts_m3().len());
+        let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.parts_m3().len());
         InstrumentBins { units, place_sd: 0.0, is_one_place: self.places.len() == 1, bins }
     }
 
@@ -113,7 +113,7 @@ impl<'s> OwnScans<'s> {
         let ln_of_places = self.ln_of_places(scans);
         let ln_mean = ln_of_places.iter().map(|(_, ln)| ln).sum::<f64>() / ln_of_places.len() as f64;
         let (deviations, beside) = match (self.only_map(), ln_of_places.len()) {
-            (Some(_), _) if !first.of_parts_m3.is_empty() => parts(first),
+            (Some(_), _) if !first.parts_m3.is_empty() => parts(first),
             (_, 1) => (Vec::new(), own_bins(first)),
             _ => (ln_of_places.iter().map(|(place, ln)| (*place, ln - ln_mean)).collect(), Beside::Nothing),
         };
@@ -186,7 +186,7 @@ impl<'s> OwnScans<'s> {
 /// The parts of a map as places, and the variance that they lack: side by side they are alike at long wavelengths.
 fn parts(bin: &ScanBin) -> (Vec<(usize, f64)>, Beside) {
     let deviations: Vec<(usize, f64)> =
-        bin.of_parts_m3.iter().map(|part_m3| part_m3 / bin.c1d_m3 - 1.0).enumerate().collect();
+        bin.parts_m3.iter().map(|part_m3| part_m3 / bin.c1d_m3 - 1.0).enumerate().collect();
     let count = deviations.len() as f64;
     let shown = deviations.iter().map(|(_, off)| off * off).sum::<f64>() / (count * (count - 1.0));
     let missing = own_bins(bin).variance() - shown;

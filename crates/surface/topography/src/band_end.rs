@@ -13,7 +13,7 @@ use crate::{BandLimits, ReliableBand, TransformError};
 pub(crate) struct FoundBand {
     pub(crate) band: ReliableBand,
     pub(crate) end: BandEnd,
-    pub(crate) of_tip: Vec<ScanRemark>,
+    pub(crate) tip_remarks: Vec<ScanRemark>,
 }
 
 /// Computes the band of a scan and the limit that ends it.
@@ -32,12 +32,12 @@ pub(crate) fn band_of(
         None if limits.shortest_m.is_none() && may_have_a_tip(file) => BandEnd::PixelsWithoutTip,
         _ => BandEnd::Pixels,
     };
-    let of_tip = of_tip(file, given, recipe, (&band, end));
-    Ok(FoundBand { band, end, of_tip })
+    let tip_remarks = tip_remarks(file, given, recipe, (&band, end));
+    Ok(FoundBand { band, end, tip_remarks })
 }
 
 /// Remarks on a tip of unknown radius, and on a radius found in the text of the file.
-fn of_tip(
+fn tip_remarks(
     file: &ScanFile<Scan>,
     given: BandLimits,
     recipe: &Recipe,

@@ -25,7 +25,7 @@ pub struct LineSpectrum {
     pub(crate) flagged_bins: usize,
     /// Spectra of parts of the map \[m^3\].
     #[serde(skip)]
-    pub(crate) of_parts: Vec<Vec<f64>>,
+    pub(crate) parts: Vec<Vec<f64>>,
     /// Independent lines of the first bins, see [`LineSpectrum::independent_lines`]; empty for a single line.
     #[serde(skip)]
     pub(crate) independent: Vec<f64>,
@@ -94,8 +94,8 @@ impl LineSpectrum {
 
     /// Spectra \[m^3\] of parts of a map at the same wavevectors, each part a group of neighbouring lines; empty for a
     /// single line or few.
-    pub fn of_parts_m3(&self) -> &[Vec<f64>] {
-        &self.of_parts
+    pub fn parts_m3(&self) -> &[Vec<f64>] {
+        &self.parts
     }
 
     /// Number of first bins that do not show the spectrum of the surface, see
@@ -191,7 +191,7 @@ impl LineSpectrum {
             variance_m2: variances_m2 / lines as f64,
             lines,
             flagged_bins,
-            of_parts: Vec::new(),
+            parts: Vec::new(),
             independent: Vec::new(),
         }
     }

@@ -47,11 +47,11 @@ impl MapSpectrum {
         recipe: &Recipe,
     ) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let FoundBand { band, of_tip, .. } = band_of(file, given, recipe)?;
+        let FoundBand { band, tip_remarks, .. } = band_of(file, given, recipe)?;
         let spectrum = areal_spectrum(map, preparation);
         let reliable = spectrum.ciso(&band)?;
         let mut remarks: Vec<ScanRemark> = file.notes.iter().cloned().map(ScanRemark::Reading).collect();
-        remarks.extend(of_tip);
+        remarks.extend(tip_remarks);
         Ok(MapSpectrum { preparation, spectrum, reliable, remarks })
     }
 

@@ -53,7 +53,7 @@ pub fn nonuniform_line_spectrum_to(
         variance_m2: profile.variance_m2(preparation.window, transform(0).re / profile.length_m),
         lines: 1,
         flagged_bins: preparation.flagged_bins(),
-        of_parts: Vec::new(),
+        parts: Vec::new(),
         independent: Vec::new(),
     }
 }

@@ -20,7 +20,7 @@ pub struct ScanBin {
     /// Degrees of freedom of the mean; `None` if nothing is known of the lines.
     pub degrees_of_freedom: Option<f64>,
     /// Mean C1D of each part of the map \[m^3\]; empty for a line.
-    pub of_parts_m3: Vec<f64>,
+    pub parts_m3: Vec<f64>,
 }
 
 impl From<Bin> for ScanBin {
@@ -31,7 +31,7 @@ impl From<Bin> for ScanBin {
             wavelength_m: bin.wavelength_m,
             c1d_m3: bin.c1d_m3,
             degrees_of_freedom: None,
-            of_parts_m3: Vec::new(),
+            parts_m3: Vec::new(),
         }
     }
 }
@@ -50,7 +50,7 @@ impl ScanSpectrum {
             let lines = samples.iter().map(|&n| spectrum.independent_lines(n)).sum::<f64>() / count;
             bin.degrees_of_freedom = Some(degrees_of_freedom(samples.len(), lines, self.preparation.window));
             let mean = |c1d_m3: &Vec<f64>| samples.iter().map(|&n| c1d_m3[n - 1]).sum::<f64>() / count;
-            bin.of_parts_m3 = spectrum.of_parts_m3().iter().map(mean).collect();
+            bin.parts_m3 = spectrum.parts_m3().iter().map(mean).collect();
         }
         bins
     }

@@ -37,7 +37,7 @@ pub struct ScanSpectrum {
     /// Limit of the band at its short end.
     pub band_end: BandEnd,
     /// Remarks on a tip of unknown radius, and on a radius found in the text of the file.
-    pub of_tip: Vec<ScanRemark>,
+    pub tip_remarks: Vec<ScanRemark>,
     /// Noise floor of the instrument, if it shows.
     pub noise_floor: Option<NoiseFloor>,
     /// The spectrum in the reliable band.
@@ -94,7 +94,7 @@ impl ScanSpectrum {
 
     fn from_file(file: &ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
-        let FoundBand { band, end: band_end, of_tip } = band_of(file, given, recipe)?;
+        let FoundBand { band, end: band_end, tip_remarks } = band_of(file, given, recipe)?;
         let spectrum = line_spectrum(&file.scan, preparation);
         refuse_flat(&file.scan, &spectrum)?;
         let reliable = spectrum.profile(&band)?;
@@ -108,7 +108,7 @@ impl ScanSpectrum {
             spectrum,
             band,
             band_end,
-            of_tip,
+            tip_remarks,
             reliable,
             checks,
             axis: None,
@@ -133,7 +133,7 @@ impl ScanSpectrum {
         let (longest_m, shortest_m) =
             (self.reliable.longest_wavelength_m(), self.reliable.shortest_wavelength_m());
         remarks.push(ScanRemark::Band { longest_m, shortest_m, end: self.band_end });
-        remarks.extend(self.of_tip.iter().cloned());
+        remarks.extend(self.tip_remarks.iter().cloned());
         let is_used = |floor: &NoiseFloor| floor.wavelength_m > shortest_m;
         remarks.extend(self.noise_floor.filter(is_used).map(ScanRemark::NoiseFloor));
         remarks.extend(self.checks.remarks());

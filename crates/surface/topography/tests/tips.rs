@@ -44,7 +44,11 @@ fn a_radius_in_words_is_used_where_that_is_asked_for_and_told_where_not() {
     let used = spectrum(whole(peaks(30e-9), WORDS), None, true);
     assert_eq!(used.band.tip_m, tip_cutoff_m(&peaks(30e-9), 60e-9));
     assert!(matches!(used.band_end, BandEnd::Tip { radius_m } if (radius_m - 60e-9).abs() < 1e-20));
-    assert!(matches!(&used.of_tip[..], [ScanRemark::TipWords { is_used: true, .. }]), "{:?}", used.of_tip);
+    assert!(
+        matches!(&used.tip_remarks[..], [ScanRemark::TipWords { is_used: true, .. }]),
+        "{:?}",
+        used.tip_remarks
+    );
 
     let told = spectrum(whole(peaks(30e-9), WORDS), None, false);
     assert_eq!(told.band_end, BandEnd::PixelsWithoutTip);
@@ -52,9 +56,9 @@ fn a_radius_in_words_is_used_where_that_is_asked_for_and_told_where_not() {
         ScanRemark::TipUnknown { .. },
         ScanRemark::TipIndicated(_),
         ScanRemark::TipWords { words, is_used: false },
-    ] = &told.of_tip[..]
+    ] = &told.tip_remarks[..]
     else {
-        panic!("{:?}", told.of_tip)
+        panic!("{:?}", told.tip_remarks)
     };
     assert_eq!(words.text, "Final tip radii - 60 nm (assuming, no TEM i");
 }
@@ -64,14 +68,14 @@ fn what_is_given_and_what_a_field_says_count_before_words() {
     let radius_of = |found: &ScanSpectrum| found.band.tip_m;
     let given = spectrum(whole(peaks(30e-9), WORDS), Some(80e-9), true);
     assert_eq!(radius_of(&given), tip_cutoff_m(&peaks(30e-9), 80e-9));
-    assert!(given.of_tip.is_empty());
+    assert!(given.tip_remarks.is_empty());
     let mut file = whole(peaks(30e-9), WORDS);
     file.tip_radius_m = Some(90e-9);
     assert_eq!(radius_of(&spectrum(file, None, true)), tip_cutoff_m(&peaks(30e-9), 90e-9));
     // A microscope has no tip, whatever its comments say.
     let mut file = whole(peaks(30e-9), WORDS);
     file.probe = Some(Probe::Microscope);
-    assert!(spectrum(file, None, false).of_tip.is_empty());
+    assert!(spectrum(file, None, false).tip_remarks.is_empty());
 }
 
 #[test]
@@ -100,8 +104,8 @@ fn what_could_be_trusted_agrees_with_the_cutoff_of_a_known_tip() {
         .collect();
     let scan = Scan::Map(HeightMap::new(400, 1e-9, 1e-9, walk).unwrap());
     let found = spectrum(whole(scan.clone(), ""), None, false);
-    let Some(ScanRemark::TipIndicated(indication)) = found.of_tip.get(1) else {
-        panic!("{:?}", found.of_tip)
+    let Some(ScanRemark::TipIndicated(indication)) = found.tip_remarks.get(1) else {
+        panic!("{:?}", found.tip_remarks)
     };
     assert_eq!(indication.trusted.len(), 3);
     for trusted in &indication.trusted {
