@@ -6,7 +6,7 @@ use std::num::NonZeroU32;
 use std::sync::{Mutex, PoisonError};
 
 use measurements::{
-    AskedScan, Channels, CompositeOfFiles, Files, Instrument, Loaded, ScanProblem, ScanRequest,
+    ScanInput, Channels, CompositeOfFiles, Files, Instrument, Loaded, ScanProblem, ScanRequest,
     SlopeUncertainty, TipRadius, TopographyError, ZCalibration, read_channels,
 };
 use numpy::ndarray::ArrayD;
@@ -157,7 +157,7 @@ impl PyScan {
 
     /// What the program's command for scans tells of it, in one row.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let table = light(py, || Channels::of_scan(&self.request, &self.scan).table());
+        let table = light(py, || Channels::from_scan(&self.request, &self.scan).table());
         columns(py, &table)
     }
 
@@ -175,14 +175,14 @@ impl PyScan {
 
 /// A part of a composite, until it is made.
 #[pyclass(frozen, name = "AskedScan", module = "truearea._native")]
-pub struct PyAskedScan(Mutex<Option<AskedScan>>);
+pub struct PyAskedScan(Mutex<Option<ScanInput>>);
 
 #[pymethods]
 impl PyAskedScan {
     /// A file, with what it does not say itself.
     #[staticmethod]
     fn of_file(name: &str, options: &Bound<'_, PyDict>) -> PyResult<Self> {
-        Ok(Self::of(AskedScan::File(request(name, options)?)))
+        Ok(Self::of(ScanInput::File(request(name, options)?)))
     }
 
     /// A scan that was read; what is said of it here counts before what was said then.
@@ -190,7 +190,7 @@ impl PyAskedScan {
     fn of_scan(scan: &PyScan, options: &Bound<'_, PyDict>) -> PyResult<Self> {
         let request = with_options(scan.request.clone(), options)?;
         let loaded = Loaded { scans: vec![scan.scan.clone()], sha256: scan.sha256.clone() };
-        Ok(Self::of(AskedScan::InMemory(request, loaded)))
+        Ok(Self::of(ScanInput::InMemory(request, loaded)))
     }
 
     /// Heights of an array; `gaps` tells which of them do not count.
@@ -209,16 +209,16 @@ impl PyAskedScan {
         let request = request(name, options)?;
         let mut scan = scan_of_array(argument, name, &heights_m, gaps.as_ref(), size)?;
         scan.is_periodic = is_periodic;
-        Ok(Self::of(AskedScan::InMemory(request, light(py, || Loaded::of_heights(scan)))))
+        Ok(Self::of(ScanInput::InMemory(request, light(py, || Loaded::from_heights(scan)))))
     }
 }
 
 impl PyAskedScan {
-    fn of(asked: AskedScan) -> Self {
+    fn of(asked: ScanInput) -> Self {
         PyAskedScan(Mutex::new(Some(asked)))
     }
 
-    fn taken(&self) -> PyResult<AskedScan> {
+    fn taken(&self) -> PyResult<ScanInput> {
         let taken = self.0.lock().unwrap_or_else(PoisonError::into_inner).take();
         taken.ok_or_else(|| input("this scan is part of a composite already"))
     }
@@ -311,7 +311,7 @@ pub fn composite(
     let asked = asked.iter().map(|asked| asked.get().taken()).collect::<PyResult<Vec<_>>>()?;
     let files = HeldFiles(files);
     let made = carry_out(py, None, |progress| {
-        Surface::of_composite(CompositeOfFiles::of_scans(asked, &files, &recipe, progress)?, name)
+        Surface::of_composite(CompositeOfFiles::from_scans(asked, &files, &recipe, progress)?, name)
     })?;
     let surface = made.map_err(|error| match &error {
         SurfaceError::Scans(error) => refused(error, argument),
@@ -377,8 +377,8 @@ fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResu
                 request.z_calibration = Some(share);
             }
             "slope_uncertainty" => {
-                let SlopeUncertainty { of_exponent } = typed(&argument, &number_or_text(&argument, &value)?)?;
-                request.slope_uncertainty = Some(of_exponent);
+                let SlopeUncertainty { standard_uncertainty } = typed(&argument, &number_or_text(&argument, &value)?)?;
+                request.slope_uncertainty = Some(standard_uncertainty);
             }
             other => return Err(input(format!("there is no option {other} of a scan"))),
         }

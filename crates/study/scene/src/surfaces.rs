@@ -159,7 +159,7 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         direction: raw.direction,
         instrument: instrument.map(|Instrument(name)| name),
         z_calibration: z_calibration.map(|calibration| calibration.share),
-        slope_uncertainty: slope_uncertainty.map(|slope| slope.of_exponent),
+        slope_uncertainty: slope_uncertainty.map(|slope| slope.standard_uncertainty),
         shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
     })
 }

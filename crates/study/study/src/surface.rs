@@ -194,7 +194,7 @@ impl Surface {
         let psd = scans
             .spectrum
             .psd()
-            .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
+            .map_err(|error| TopographyError::for_all(ScanProblem::Transform { scan: None, error }))?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let notes = scans.spectrum.remarks().into_iter().map(Note::Scans).collect();
         let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());

@@ -33,7 +33,7 @@ pub(crate) fn check(scans: &[InstrumentUse<'_>]) -> Result<(), TopographyError> 
                 let other = other.path.to_owned();
                 let problem =
                     ScanProblem::InstrumentDisagrees { instrument: name.clone(), what, here, there, other };
-                let error = TopographyError::of_file(scan.path, problem);
+                let error = TopographyError::for_file(scan.path, problem);
                 return Err(TopographyError { request: Some(scan.request), ..error });
             }
         }

@@ -33,7 +33,7 @@ pub fn areal_spectrum(
     let recipe = &request.recipe(recipe);
     if recipe.direction != Direction::X {
         let problem = ScanProblem::AreaHasNoDirection(recipe.direction);
-        return Err(TopographyError::of_file(&request.path, problem));
+        return Err(TopographyError::for_file(&request.path, problem));
     }
     let Loaded { scans, sha256 } = load(request, files)?;
     let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneMap)?;

@@ -26,7 +26,7 @@ impl FromStr for ZCalibration {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlopeUncertainty {
     /// Standard uncertainty of the exponent, dimensionless.
-    pub of_exponent: f64,
+    pub standard_uncertainty: f64,
 }
 
 impl FromStr for SlopeUncertainty {
@@ -37,7 +37,9 @@ impl FromStr for SlopeUncertainty {
             text.trim().parse().map_err(|_| format!("'{text}' is not a number; write one such as 0.05"))?;
         let bound = Bound::Within { at_least: 0.0, at_most: 10.0 };
         let checked = bound.check("the standard uncertainty of the spectrum's exponent", value);
-        checked.map(|of_exponent| SlopeUncertainty { of_exponent }).map_err(|error| error.to_string())
+        checked
+            .map(|standard_uncertainty| SlopeUncertainty { standard_uncertainty })
+            .map_err(|error| error.to_string())
     }
 }
 

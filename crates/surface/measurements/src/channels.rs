@@ -39,7 +39,7 @@ struct Row {
 impl Channels {
     /// Lists the channel of a scan in memory.
     #[must_use]
-    pub fn of_scan(request: &ScanRequest, file: &ScanFile) -> Self {
+    pub fn from_scan(request: &ScanRequest, file: &ScanFile) -> Self {
         Channels { rows: vec![Row::of(request, file)], unreadable: Vec::new() }
     }
 
@@ -105,7 +105,7 @@ fn channels_of(
     all_channels: bool,
     see: &mut dyn FnMut(&ScanFile),
 ) -> Result<Vec<Row>, TopographyError> {
-    let blame = |problem| TopographyError::of_file(&request.path, problem);
+    let blame = |problem| TopographyError::for_file(&request.path, problem);
     let bytes = bytes_of_scans(request, files)?;
     let options = options(request, files)?;
     let (mut rows, mut first_error, mut is_any_read) = (Vec::new(), None, false);

@@ -38,7 +38,7 @@ pub struct MapPatch {
 
 /// Input of a composite: a file or scans in memory.
 #[derive(Debug, Clone)]
-pub enum AskedScan {
+pub enum ScanInput {
     /// The scans of a file to read.
     File(ScanRequest),
     /// Scans in memory; options of the request about reading a file are ignored.
@@ -97,16 +97,16 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let inputs = requests.iter().cloned().map(AskedScan::File).collect();
-        Self::of_scans(inputs, files, recipe, progress)
+        let inputs = requests.iter().cloned().map(ScanInput::File).collect();
+        Self::from_scans(inputs, files, recipe, progress)
     }
 
     /// Transforms and averages scans from files and from memory; heights in memory are moved, not copied.
     ///
     /// # Errors
     /// As [`read`](Self::read).
-    pub fn of_scans(
-        inputs: Vec<AskedScan>,
+    pub fn from_scans(
+        inputs: Vec<ScanInput>,
         files: &dyn Files,
         recipe: &Recipe,
         progress: &dyn Progress,
@@ -133,7 +133,7 @@ impl CompositeOfFiles {
             .collect();
         agreement::check(&uses)?;
         let spectrum = CompositeSpectrum::new(scans, recipe)
-            .map_err(|error| TopographyError::of_all(ScanProblem::Transform { scan: None, error }))?;
+            .map_err(|error| TopographyError::for_all(ScanProblem::Transform { scan: None, error }))?;
         Ok(CompositeOfFiles { spectrum, sources, maps })
     }
 
@@ -173,17 +173,17 @@ struct FileSpectra {
 
 /// Reads the file, if the scans are not in memory, and transforms every scan in it.
 fn transform_input(
-    input: AskedScan,
+    input: ScanInput,
     files: &dyn Files,
     recipe: &Recipe,
     progress: &dyn Progress,
 ) -> Result<FileSpectra, TopographyError> {
     let (request, Loaded { scans, sha256 }) = match input {
-        AskedScan::File(request) => {
+        ScanInput::File(request) => {
             let loaded = load(&request, files)?;
             (request, loaded)
         }
-        AskedScan::InMemory(request, loaded) => (request, loaded),
+        ScanInput::InMemory(request, loaded) => (request, loaded),
     };
     let request = &request;
     progress.advance(1);
@@ -192,7 +192,7 @@ fn transform_input(
     for scan in scans {
         let name = (scan.name != request.path).then(|| scan.name.clone());
         let blame = |error: TransformError| {
-            TopographyError::of_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
+            TopographyError::for_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::of(request, &scan);

@@ -111,13 +111,13 @@ impl TopographyError {
     }
 
     /// Blames the scans of one file.
-    pub(crate) fn of_file(file: &str, problem: ScanProblem) -> Self {
+    pub(crate) fn for_file(file: &str, problem: ScanProblem) -> Self {
         TopographyError { file: Some(file.to_owned()), request: None, problem }
     }
 
     /// Blames all scans together.
     #[must_use]
-    pub fn of_all(problem: ScanProblem) -> Self {
+    pub fn for_all(problem: ScanProblem) -> Self {
         TopographyError { file: None, request: None, problem }
     }
 }

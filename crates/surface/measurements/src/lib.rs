@@ -17,7 +17,7 @@ mod request;
 pub use areal::{AreaSpectrum, areal_spectrum};
 pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
 pub use channels::{Channels, read_channels};
-pub use composite::{AskedScan, CompositeOfFiles, MapPatch, STEPS_PER_FILE, Source};
+pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, ScanInput, Source};
 pub use error::{ScanProblem, TopographyError};
 pub use files::{Files, NoFiles};
 pub use instrument::InstrumentOfScan;

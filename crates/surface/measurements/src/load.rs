@@ -33,7 +33,7 @@ impl Loaded {
 
     /// Takes heights that come from no file.
     #[must_use]
-    pub fn of_heights(scan: ScanFile) -> Self {
+    pub fn from_heights(scan: ScanFile) -> Self {
         let mut hash = Sha256::new();
         scan.scan.heights_m().for_each(|height_m| hash.update(height_m.unwrap_or(0.0).to_le_bytes()));
         Loaded { sha256: format!("{:x}", hash.finalize()), scans: vec![scan] }
@@ -47,7 +47,7 @@ pub(crate) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, T
 
 /// Reads the bytes of a scan file; refuses a spectrum, which could be misread as a line of heights.
 pub(crate) fn bytes_of_scans(request: &ScanRequest, files: &dyn Files) -> Result<Vec<u8>, TopographyError> {
-    let blame = |problem: ScanProblem| TopographyError::of_file(&request.path, problem);
+    let blame = |problem: ScanProblem| TopographyError::for_file(&request.path, problem);
     let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
     if holds_a_spectrum(&bytes, &ReadOptions::default()) {
         return Err(blame(ScanProblem::HoldsASpectrum));
@@ -79,7 +79,7 @@ pub(crate) fn load_heights(
     files: &dyn Files,
 ) -> Result<Loaded, TopographyError> {
     let scans = read_scans(bytes, file_name(&request.path), &options(request, files)?)
-        .map_err(|error| TopographyError::of_file(&request.path, ScanProblem::Format(Box::new(error))))?;
+        .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error))))?;
     Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(bytes)) })
 }
 
@@ -107,7 +107,7 @@ fn metadata_beside(path: &str, files: &dyn Files) -> Result<Option<MeasurementMe
     let name = file_name(path);
     for beside in METADATA_FILES.into_iter().filter(|beside| *beside != name) {
         let folder = &path[..path.len() - name.len()];
-        let blame = |problem: ScanProblem| TopographyError::of_file(&format!("{folder}{beside}"), problem);
+        let blame = |problem: ScanProblem| TopographyError::for_file(&format!("{folder}{beside}"), problem);
         let bytes = files.read_beside(path, beside).map_err(|error| blame(ScanProblem::Reading(error)))?;
         let Some(bytes) = bytes else { continue };
         let text = std::str::from_utf8(&bytes).map_err(|error| {

@@ -45,7 +45,7 @@ impl MapOfFile {
         let rest_m = detrended_m(map, detrend);
         let map =
             HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m).map_err(|error| {
-                TopographyError::of_file(&request.path, ScanProblem::Format(Box::new(error.into())))
+                TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error.into())))
             })?;
         let provenance = format!(
             "map: {} ({}){}, SHA-256 {sha256}, detrend {detrend}",

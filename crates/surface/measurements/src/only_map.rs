@@ -16,7 +16,7 @@ pub(crate) fn only_scan(
     match (scans.pop(), scans.len()) {
         (Some(file), 0) => without_gaps(file, gaps).map_err(|error| untransformed(request, error)),
         (file, others) => {
-            Err(TopographyError::of_file(&request.path, not_one(others + usize::from(file.is_some()))))
+            Err(TopographyError::for_file(&request.path, not_one(others + usize::from(file.is_some()))))
         }
     }
 }
@@ -28,10 +28,10 @@ pub(crate) fn map_in<'f>(
     no_map: ScanProblem,
 ) -> Result<&'f HeightMap, TopographyError> {
     let map = map_of(&file.scan).map_err(|error| untransformed(request, error))?;
-    map.ok_or_else(|| TopographyError::of_file(&request.path, no_map))
+    map.ok_or_else(|| TopographyError::for_file(&request.path, no_map))
 }
 
 /// Makes the error of a file with one scan that cannot be transformed.
 pub(crate) fn untransformed(request: &ScanRequest, error: TransformError) -> TopographyError {
-    TopographyError::of_file(&request.path, ScanProblem::Transform { scan: None, error })
+    TopographyError::for_file(&request.path, ScanProblem::Transform { scan: None, error })
 }

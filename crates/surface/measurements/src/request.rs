@@ -166,8 +166,8 @@ impl ScanRequest {
                 self.z_calibration = Some(share);
             }
             "slope-uncertainty" => {
-                let SlopeUncertainty { of_exponent } = value.parse().map_err(bad)?;
-                self.slope_uncertainty = Some(of_exponent);
+                let SlopeUncertainty { standard_uncertainty } = value.parse().map_err(bad)?;
+                self.slope_uncertainty = Some(standard_uncertainty);
             }
             _ => {
                 return Err(RequestError::UnknownKey { file: self.path.clone(), key: key.to_owned() });

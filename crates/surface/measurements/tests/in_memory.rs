@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use measurements::{AskedScan, CompositeOfFiles, Loaded, NoFiles, ScanProblem, ScanRequest};
+use measurements::{CompositeOfFiles, Loaded, NoFiles, ScanInput, ScanProblem, ScanRequest};
 use parallel::Unobserved;
 use scans::{Gaps, ScanFile, ScanSize};
 use topography::Recipe;
@@ -36,8 +36,8 @@ fn request() -> ScanRequest {
 }
 
 fn in_memory(loaded: Loaded) -> CompositeOfFiles {
-    let asked = vec![AskedScan::InMemory(request(), loaded)];
-    CompositeOfFiles::of_scans(asked, &NoFiles, &Recipe::default(), &Unobserved).unwrap()
+    let asked = vec![ScanInput::InMemory(request(), loaded)];
+    CompositeOfFiles::from_scans(asked, &NoFiles, &Recipe::default(), &Unobserved).unwrap()
 }
 
 fn heights() -> ScanFile {
@@ -55,20 +55,21 @@ fn what_is_in_memory_makes_the_composite_of_its_file() {
     assert_eq!(read_before.sources, of_file.sources);
     assert_eq!(read_before.provenance(), of_file.provenance());
 
-    let of_heights = in_memory(Loaded::of_heights(heights()));
-    assert_eq!(of_heights.spectrum.composite.bins(), of_file.spectrum.composite.bins());
-    assert_eq!(of_heights.sources[0].instrument, of_file.sources[0].instrument);
-    assert_ne!(of_heights.sources[0].sha256, of_file.sources[0].sha256);
-    assert!(of_heights.provenance()[1].starts_with("scan: scan.txt (memory), SHA-256 "));
-    let again = Loaded::of_heights(heights());
-    assert_eq!((again.sha256.len(), &again.sha256), (64, &of_heights.sources[0].sha256));
+    let from_heights = in_memory(Loaded::from_heights(heights()));
+    assert_eq!(from_heights.spectrum.composite.bins(), of_file.spectrum.composite.bins());
+    assert_eq!(from_heights.sources[0].instrument, of_file.sources[0].instrument);
+    assert_ne!(from_heights.sources[0].sha256, of_file.sources[0].sha256);
+    assert!(from_heights.provenance()[1].starts_with("scan: scan.txt (memory), SHA-256 "));
+    let again = Loaded::from_heights(heights());
+    assert_eq!((again.sha256.len(), &again.sha256), (64, &from_heights.sources[0].sha256));
 }
 
 #[test]
 fn the_scan_to_blame_is_told_among_files_and_heights() {
     let missing = ScanRequest { path: "none.txt".to_owned(), ..ScanRequest::default() };
-    let asked = vec![AskedScan::InMemory(request(), Loaded::of_heights(heights())), AskedScan::File(missing)];
-    let error = CompositeOfFiles::of_scans(asked, &NoFiles, &Recipe::default(), &Unobserved).unwrap_err();
+    let asked =
+        vec![ScanInput::InMemory(request(), Loaded::from_heights(heights())), ScanInput::File(missing)];
+    let error = CompositeOfFiles::from_scans(asked, &NoFiles, &Recipe::default(), &Unobserved).unwrap_err();
     assert_eq!((error.file.as_deref(), error.request), (Some("none.txt"), Some(1)));
     assert!(matches!(error.problem, ScanProblem::Reading(_)));
 }
