@@ -62,7 +62,7 @@ fn count(scan: &Measured) -> usize {
 
 fn filled(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> {
     let (columns, rows) = file.scan.points();
-    let holes = Holes::of(file.scan.gaps().indices(), columns);
+    let holes = Holes::new(file.scan.gaps().indices(), columns);
     let heights_m = match rows {
         Some(_) => harmonic_m(&file.scan, &holes),
         None => interpolated_m(&file.scan),

@@ -72,7 +72,7 @@ pub(crate) fn shared_bins(bins: &[Bin], others: &[Bin]) -> Vec<SharedBin> {
 /// Computes the geometric mean of the ratios of at least one bin.
 pub(crate) fn mean_ratio(shared: &[SharedBin]) -> f64 {
     let ratios: Vec<f64> = shared.iter().map(|bin| bin.ratio).collect();
-    BinMean::Geometric.of(&ratios)
+    BinMean::Geometric.mean(&ratios)
 }
 
 /// Ratio of the spectra along x and y from which a surface is not isotropic.
