@@ -29,27 +29,43 @@ pub struct UnknownLengthUnit {
 
 impl LengthUnit {
     /// The metre.
-    pub const METRE: Self = Self::decimal(0, "m", "m", &[], &["meter", "metre"]);
+    pub const METRE: Self = Self::new(UnitScale::power_of_ten(0), "m", "m", &[], &["meter", "metre"]);
     /// The centimetre.
-    pub const CENTIMETRE: Self = Self::decimal(-2, "cm", "cm", &[], &["centimeter", "centimetre"]);
+    pub const CENTIMETRE: Self =
+        Self::new(UnitScale::power_of_ten(-2), "cm", "cm", &[], &["centimeter", "centimetre"]);
     /// The millimetre.
-    pub const MILLIMETRE: Self = Self::decimal(-3, "mm", "mm", &[], &["millimeter", "millimetre"]);
+    pub const MILLIMETRE: Self =
+        Self::new(UnitScale::power_of_ten(-3), "mm", "mm", &[], &["millimeter", "millimetre"]);
     /// The micrometre; both micro signs are in use.
-    pub const MICROMETRE: Self =
-        Self::decimal(-6, "\u{b5}m", "um", &["\u{3bc}m"], &["micrometer", "micrometre", "micron"]);
+    pub const MICROMETRE: Self = Self::new(
+        UnitScale::power_of_ten(-6),
+        "\u{b5}m",
+        "um",
+        &["\u{3bc}m"],
+        &["micrometer", "micrometre", "micron"],
+    );
     /// The nanometre.
-    pub const NANOMETRE: Self = Self::decimal(-9, "nm", "nm", &[], &["nanometer", "nanometre"]);
+    pub const NANOMETRE: Self =
+        Self::new(UnitScale::power_of_ten(-9), "nm", "nm", &[], &["nanometer", "nanometre"]);
     /// The angstrom, with the letter or the sign of its own.
-    pub const ANGSTROM: Self = Self::decimal(-10, "\u{c5}", "angstrom", &["\u{212b}"], &["ångström", "å"]);
+    pub const ANGSTROM: Self =
+        Self::new(UnitScale::power_of_ten(-10), "\u{c5}", "angstrom", &["\u{212b}"], &["ångström", "å"]);
     /// The picometre.
-    pub const PICOMETRE: Self = Self::decimal(-12, "pm", "pm", &[], &["picometer", "picometre"]);
+    pub const PICOMETRE: Self =
+        Self::new(UnitScale::power_of_ten(-12), "pm", "pm", &[], &["picometer", "picometre"]);
     /// The kilometre.
-    pub const KILOMETRE: Self = Self::decimal(3, "km", "km", &[], &["kilometer", "kilometre"]);
+    pub const KILOMETRE: Self =
+        Self::new(UnitScale::power_of_ten(3), "km", "km", &[], &["kilometer", "kilometre"]);
     /// The inch, 25.4 mm.
-    pub const INCH: Self = Self::inches(-4, "inch", "inch", &["in"], &["inche"]);
+    pub const INCH: Self = Self::new(UnitScale::decimal(254, -4), "inch", "inch", &["in"], &["inche"]);
     /// The microinch, 25.4 nm.
-    pub const MICROINCH: Self =
-        Self::inches(-10, "uin", "uin", &["\u{b5}in", "\u{3bc}in"], &["microinch", "microinche"]);
+    pub const MICROINCH: Self = Self::new(
+        UnitScale::decimal(254, -10),
+        "uin",
+        "uin",
+        &["\u{b5}in", "\u{3bc}in"],
+        &["microinch", "microinche"],
+    );
 
     /// All units.
     pub const ALL: [Self; 10] = [
@@ -65,25 +81,14 @@ impl LengthUnit {
         Self::MICROINCH,
     ];
 
-    const fn decimal(
-        decimal_exponent: i32,
+    const fn new(
+        scale: UnitScale,
         name: &'static str,
         ascii: &'static str,
         signs: &'static [&'static str],
         words: &'static [&'static str],
     ) -> Self {
-        Self { scale: UnitScale::power_of_ten(decimal_exponent), name, ascii, signs, words }
-    }
-
-    /// A unit of 254 x 10^`decimal_exponent` m.
-    const fn inches(
-        decimal_exponent: i32,
-        name: &'static str,
-        ascii: &'static str,
-        signs: &'static [&'static str],
-        words: &'static [&'static str],
-    ) -> Self {
-        Self { scale: UnitScale::decimal(254, decimal_exponent), name, ascii, signs, words }
+        Self { scale, name, ascii, signs, words }
     }
 
     /// Lists the names of all units for messages.

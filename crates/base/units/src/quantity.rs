@@ -127,13 +127,29 @@ impl Pressure {
     }
 }
 
-impl FromStr for Length {
-    type Err = QuantityError;
+/// Implements `FromStr` for quantities that are positive values of one kind.
+macro_rules! positive {
+    ($($type:ident { $field:ident } of $kind:ident),+ $(,)?) => {
+        $(impl FromStr for $type {
+            type Err = QuantityError;
 
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Length { m: LENGTH.parse(text)? })
-    }
+            fn from_str(text: &str) -> Result<Self, QuantityError> {
+                Ok($type { $field: $kind.parse(text)? })
+            }
+        })+
+    };
 }
+
+positive!(
+    Length { m } of LENGTH,
+    Force { n } of FORCE,
+    Area { m2 } of AREA,
+    Modulus { pa } of MODULUS,
+    ThermalConductivity { w_per_m_k } of THERMAL_CONDUCTIVITY,
+    Resistivity { ohm_m } of RESISTIVITY,
+    Viscosity { pa_s } of VISCOSITY,
+    WorkOfAdhesion { j_per_m2 } of WORK_OF_ADHESION,
+);
 
 impl FromStr for SignedLength {
     type Err = QuantityError;
@@ -148,30 +164,6 @@ impl FromStr for SignedLength {
     }
 }
 
-impl FromStr for Force {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Force { n: FORCE.parse(text)? })
-    }
-}
-
-impl FromStr for Area {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Area { m2: AREA.parse(text)? })
-    }
-}
-
-impl FromStr for Modulus {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Modulus { pa: MODULUS.parse(text)? })
-    }
-}
-
 impl FromStr for IndentationHardness {
     type Err = QuantityError;
 
@@ -182,38 +174,6 @@ impl FromStr for IndentationHardness {
             None => HARDNESS.parse(text)?,
         };
         Ok(IndentationHardness { pa })
-    }
-}
-
-impl FromStr for ThermalConductivity {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(ThermalConductivity { w_per_m_k: THERMAL_CONDUCTIVITY.parse(text)? })
-    }
-}
-
-impl FromStr for Resistivity {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Resistivity { ohm_m: RESISTIVITY.parse(text)? })
-    }
-}
-
-impl FromStr for Viscosity {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Viscosity { pa_s: VISCOSITY.parse(text)? })
-    }
-}
-
-impl FromStr for WorkOfAdhesion {
-    type Err = QuantityError;
-
-    fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(WorkOfAdhesion { j_per_m2: WORK_OF_ADHESION.parse(text)? })
     }
 }
 

@@ -8,6 +8,7 @@ use spectrum::{AbelIntegral, Convention, ConversionError, Moments, PowerLaw, Pro
 use crate::conversion::{self, Conversion};
 use crate::error::SurfaceError;
 use crate::grading::before_knot;
+use crate::surface::profile_moments;
 
 /// Relative excess of a band over the spectrum that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -150,12 +151,9 @@ impl AreaSpectrum {
     /// are the means of cos^2 and cos^4 over all directions (Nayak 1971, J. Lubr. Technol. 93:398).
     #[must_use]
     pub fn moments(&self) -> Moments {
-        Moments {
-            wavelength_m: self.shortest_m,
-            m0_m2: self.mean_square_height_m2(),
-            m2: 0.5 * self.mean_square_gradient(),
-            m4_per_m2: 0.375 * self.mean_square_laplacian_per_m2(),
-        }
+        let mean_squares =
+            [self.mean_square_height_m2(), self.mean_square_gradient(), self.mean_square_laplacian_per_m2()];
+        profile_moments(self.shortest_m, mean_squares)
     }
 
     /// Computes the spectrum of profiles of the surface, C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp

@@ -4,11 +4,10 @@ use std::f64::consts::TAU;
 
 use rustfft::num_complex::Complex64;
 use rustfft::{FftDirection, FftPlanner};
-use spectrum::Moments;
 
 use crate::fourier::HalfSpectrum;
 use crate::modes::Draws;
-use crate::surface::Surface;
+use crate::surface::{Surface, profile_moments};
 
 /// A map made periodic, as a sum of waves.
 ///
@@ -105,20 +104,13 @@ impl MapWaves {
                 spectrum.add(m, n, amplitude);
             }
         }
-        let [m0_m2, gradient, laplacian_per_m2] = sums;
-        let moments = Moments {
-            wavelength_m: self.shortest_m,
-            m0_m2,
-            m2: 0.5 * gradient,
-            m4_per_m2: 0.375 * laplacian_per_m2,
-        };
         Surface {
             points_x: self.points_x,
             points_y: self.points_y,
             length_x_m: self.length_x_m,
             length_y_m: self.length_y_m,
             heights_m: spectrum.sum(),
-            moments,
+            moments: profile_moments(self.shortest_m, sums),
         }
     }
 }

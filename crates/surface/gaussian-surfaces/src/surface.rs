@@ -13,6 +13,13 @@ pub struct Surface {
     pub(crate) moments: Moments,
 }
 
+/// Moments of the profiles of an isotropic surface down to a shortest wavelength \[m\], from the mean squares of its heights,
+/// gradient and Laplacian: m0 = <h^2>, m2 = <|grad h|^2>/2, m4 = (3/8) <(lap h)^2>. The factors are the means of cos^2 and
+/// cos^4 over all directions (Nayak 1971, J. Lubr. Technol. 93:398).
+pub(crate) fn profile_moments(wavelength_m: f64, [m0_m2, gradient, laplacian_per_m2]: [f64; 3]) -> Moments {
+    Moments { wavelength_m, m0_m2, m2: 0.5 * gradient, m4_per_m2: 0.375 * laplacian_per_m2 }
+}
+
 impl Surface {
     /// Points along x, the columns.
     #[must_use]

@@ -4,14 +4,13 @@ use std::f64::consts::TAU;
 
 use rustfft::num_complex::Complex64;
 use serde::{Deserialize, Serialize};
-use spectrum::Moments;
 use units::{Bound, named};
 
 use crate::area_spectrum::AreaSpectrum;
 use crate::error::SurfaceError;
 use crate::fourier::HalfSpectrum;
 use crate::modes::{Draw, Draws};
-use crate::surface::Surface;
+use crate::surface::{Surface, profile_moments};
 
 /// Relative distance outside the band that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -97,17 +96,11 @@ impl AreaSpectrum {
             }
             sums = std::array::from_fn(|i| sums[i] + of_row[i]);
         }
-        let [height_m2, gradient, laplacian_per_m2] = sums;
-        if height_m2 == 0.0 {
+        if sums[0] == 0.0 {
             let (longest_m, shortest_m) = (self.longest_m(), self.shortest_m());
             return Err(SurfaceError::NoModes { longest_m, shortest_m, length_x_m, length_y_m });
         }
-        let moments = Moments {
-            wavelength_m: self.shortest_m(),
-            m0_m2: height_m2,
-            m2: 0.5 * gradient,
-            m4_per_m2: 0.375 * laplacian_per_m2,
-        };
+        let moments = profile_moments(self.shortest_m(), sums);
         Ok(Surface { points_x, points_y, length_x_m, length_y_m, heights_m: spectrum.sum(), moments })
     }
 

@@ -40,7 +40,7 @@ impl Channels {
     /// Lists the channel of a scan in memory.
     #[must_use]
     pub fn from_scan(request: &ScanRequest, file: &ScanFile) -> Self {
-        Channels { rows: vec![Row::of(request, file)], unreadable: Vec::new() }
+        Channels { rows: vec![Row::new(request, file)], unreadable: Vec::new() }
     }
 
     /// Makes a table with the columns `file, format, channel, points_x, points_y, size_x_m, size_y_m, rms_height_m,
@@ -113,7 +113,7 @@ fn channels_of(
         visit_channels(&bytes, file_name(&request.path), &options, all_channels, |channel| match channel {
             Ok(file) => {
                 is_any_read = true;
-                rows.push(Row::of(request, &file));
+                rows.push(Row::new(request, &file));
                 see(&file);
             }
             Err(error) => {
@@ -130,11 +130,11 @@ fn channels_of(
 }
 
 impl Row {
-    fn of(request: &ScanRequest, file: &ScanFile) -> Self {
+    fn new(request: &ScanRequest, file: &ScanFile) -> Self {
         let scan = &file.scan;
         let (points_x, points_y) = scan.points();
         let (size_x_m, size_y_m) = scan.size_m();
-        let found = Statistics::from_scan(scan);
+        let found = Statistics::of(scan);
         let in_m = found.filter(|_| !matches!(file.measure, Measure::Other(_)));
         Row {
             file: request.path.clone(),
@@ -145,7 +145,7 @@ impl Row {
             size_y_m,
             rms_height_m: in_m.map(|found| found.rms_height_m),
             peak_to_valley_m: in_m.map(|found| found.peak_to_valley_m),
-            gaps: Some(scan.missing_points().count()),
+            gaps: Some(scan.gaps().count()),
             rms_slope_x: in_m.and_then(|found| found.rms_slope_x),
             rms_slope_y: in_m.and_then(|found| found.rms_slope_y),
             note: note(file, found),

@@ -52,7 +52,7 @@ pub const STEPS_PER_FILE: usize = 2;
 const MOST_POINTS: usize = 256;
 
 impl MapPatch {
-    fn of(file: &ScanFile<Scan>) -> Option<Self> {
+    fn from_file(file: &ScanFile<Scan>) -> Option<Self> {
         let Scan::Map(map) = &file.scan else { return None };
         let whole = map.columns() <= MOST_POINTS && map.rows() <= MOST_POINTS;
         Some(MapPatch {
@@ -195,8 +195,8 @@ fn transform_input(
             TopographyError::for_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
-        let instrument = InstrumentOfScan::of(request, &scan);
-        found.maps.extend(MapPatch::of(&scan));
+        let instrument = InstrumentOfScan::new(request, &scan);
+        found.maps.extend(MapPatch::from_file(&scan));
         let spectra = ScanSpectrum::per_direction(scan, request.limits(), &recipe).map_err(blame)?;
         let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };
         found.sources.extend(spectra.iter().map(|_| source.clone()));

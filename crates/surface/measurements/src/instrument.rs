@@ -18,7 +18,7 @@ pub struct InstrumentOfScan {
 }
 
 impl InstrumentOfScan {
-    pub(crate) fn of<S>(request: &ScanRequest, file: &ScanFile<S>) -> Self {
+    pub(crate) fn new<S>(request: &ScanRequest, file: &ScanFile<S>) -> Self {
         InstrumentOfScan {
             name: request.instrument.clone().unwrap_or_else(|| guessed_name(file)),
             is_guessed: request.instrument.is_none(),

@@ -78,7 +78,7 @@ impl<'a> ArealTransform<'a> {
         Self {
             map,
             preparation,
-            trend: Trend::of_map(map, preparation.detrend),
+            trend: Trend::from_map(map, preparation.detrend),
             row_factors: preparation.window.factors(map.rows()),
             row_transform: RowTransform::new(map.columns(), preparation),
             column_plan: FftPlanner::new().plan_fft_forward(map.rows()),
@@ -95,7 +95,7 @@ impl<'a> ArealTransform<'a> {
         let mut transform = self.row_transform.clone();
         let mut rows = ArealRows { values: Vec::new(), spread: Spread::default() };
         rows.values.reserve_exact(BLOCK_ROWS.min(self.map.rows()) * self.half_columns());
-        for (row, heights_m) in Rows::of_map(self.map).block(block) {
+        for (row, heights_m) in Rows::from_map(self.map).block(block) {
             let factor = self.row_factors[row];
             rows.spread = rows.spread.joined(transform.run(&self.trend, row, heights_m).times(factor));
             rows.values.extend(transform.output.iter().map(|value| value * factor));

@@ -39,7 +39,7 @@ impl ReliableBand {
         refuse_bad("tip radius", limits.tip_radius_m)?;
         refuse_bad("shortest wavelength", limits.shortest_m)?;
         let sampling_m = 2.0
-            * match Lines::of(scan) {
+            * match Lines::from_scan(scan) {
                 Lines::Even(rows) => rows.spacing_m,
                 Lines::Uneven(line) => line.mean_spacing_m(),
             };

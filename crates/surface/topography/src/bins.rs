@@ -58,8 +58,8 @@ pub(crate) fn log_bins(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinM
             from += wavelengths_m.len();
             Bin {
                 index: index(&wavelengths_m[0]),
-                wavelength_m: BinMean::Geometric.of(wavelengths_m),
-                c1d_m3: mean.of(values_m3),
+                wavelength_m: BinMean::Geometric.mean(wavelengths_m),
+                c1d_m3: mean.mean(values_m3),
             }
         })
         .collect()
@@ -77,7 +77,7 @@ pub(crate) fn centre_m(index: i64, bins_per_decade: NonZeroU32) -> f64 {
 
 impl BinMean {
     /// Computes the mean of positive values, at least one.
-    pub(crate) fn of(self, values: &[f64]) -> f64 {
+    pub(crate) fn mean(self, values: &[f64]) -> f64 {
         // Relative to the first value: a single value stays unchanged, and no sum or product overflows.
         let ratios = values.iter().map(|value| value / values[0]);
         let count = values.len() as f64;
@@ -91,7 +91,7 @@ impl BinMean {
     /// Computes the standard error of the mean of two values or more; for the geometric mean to first order, the mean
     /// times the standard error of the logarithms.
     pub(crate) fn standard_error(self, values: &[f64]) -> Option<f64> {
-        let mean = self.of(values);
+        let mean = self.mean(values);
         let deviation = |value: &f64| match self {
             Self::Geometric => (value / mean).ln(),
             Self::Arithmetic => value / mean - 1.0,

@@ -110,7 +110,7 @@ pub fn fundamental_kept(scan: &Scan, detrend: Detrend) -> Option<f64> {
 }
 
 fn fundamental_m3(scan: &Scan, detrend: Detrend) -> f64 {
-    match Lines::of(scan) {
+    match Lines::from_scan(scan) {
         Lines::Even(rows) => fundamental_of_rows(&rows, detrend),
         Lines::Uneven(line) => {
             let preparation = Preparation { detrend, window: Window::None };

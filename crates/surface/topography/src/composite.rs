@@ -125,8 +125,8 @@ fn average_bins(
     }
     let bin = |(index, gathered): (i64, Gathered)| CompositeBin {
         centre_m: centre_m(index, bins_per_decade),
-        wavelength_m: BinMean::Geometric.of(&gathered.wavelengths_m),
-        c1d_m3: across.of(&gathered.values_m3),
+        wavelength_m: BinMean::Geometric.mean(&gathered.wavelengths_m),
+        c1d_m3: across.mean(&gathered.values_m3),
         measurements: gathered.values_m3.len(),
         standard_error_m3: across.standard_error(&gathered.distinct_m3),
         degrees_of_freedom: gathered.freedoms.iter().copied().sum(),

@@ -29,7 +29,7 @@ pub enum Boundary {
 /// (2 pi/L)^2/3 times the variance to the mean square slope. Without a window, the step between the ends of a scan that
 /// is not periodic swamps the spectral values.
 pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
-    match Lines::of(scan) {
+    match Lines::from_scan(scan) {
         Lines::Even(rows) => even_derivatives(&rows, detrend, boundary),
         Lines::Uneven(line) => uneven_derivatives(line, detrend),
     }

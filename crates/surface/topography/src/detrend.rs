@@ -25,7 +25,7 @@ named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane"
 /// Subtracts the trend of a map and returns the heights \[m\] row by row.
 #[must_use]
 pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
-    let trend = Trend::of_map(map, detrend);
+    let trend = Trend::from_map(map, detrend);
     let (columns, factors) = (map.columns(), vec![1.0; map.columns()]);
     let mut rest_m = vec![0.0; map.heights_m().len()];
     let rows = map.heights_m().chunks_exact(columns).zip(rest_m.chunks_exact_mut(columns));
@@ -57,12 +57,12 @@ struct Plane {
 }
 
 impl Trend {
-    pub(crate) fn of_map(map: &HeightMap, detrend: Detrend) -> Self {
-        Self::of_rows(map.heights_m(), map.columns(), detrend)
+    pub(crate) fn from_map(map: &HeightMap, detrend: Detrend) -> Self {
+        Self::from_rows(map.heights_m(), map.columns(), detrend)
     }
 
     /// Fits the trend of rows of `columns` points.
-    pub(crate) fn of_rows(heights_m: &[f64], columns: usize, detrend: Detrend) -> Self {
+    pub(crate) fn from_rows(heights_m: &[f64], columns: usize, detrend: Detrend) -> Self {
         let sloped = match detrend {
             Detrend::Mean => Some([false, false]),
             Detrend::Line => None,
@@ -71,7 +71,7 @@ impl Trend {
         Self::new(heights_m, columns, sloped)
     }
 
-    pub(crate) fn of_line(heights_m: &[f64], detrend: Detrend) -> Self {
+    pub(crate) fn from_line(heights_m: &[f64], detrend: Detrend) -> Self {
         Self::new(heights_m, heights_m.len(), Some([detrend != Detrend::Mean, false]))
     }
 
@@ -96,7 +96,7 @@ impl Trend {
         };
         let row_m = row as f64 * plane.coarse[1];
         let level_m = plane.level_m + plane.fine[1] * (row as f64 - plane.centre[1]);
-        Spread::of_mapped([heights_m, &self.index, factors], rest_m, |[height_m, column, factor]| {
+        Spread::mapped([heights_m, &self.index, factors], rest_m, |[height_m, column, factor]| {
             let coarse_m = ((height_m - plane.pivot_m) - row_m) - column * plane.coarse[0];
             (coarse_m - (level_m + plane.fine[0] * (column - plane.centre[0]))) * factor
         })
@@ -201,7 +201,7 @@ mod tests {
     fn a_flat_line_leaves_zeros() {
         for heights in [[3.0; 5], [0.0; 5]] {
             let mut rest = [1.0; 5];
-            Trend::of_line(&heights, Detrend::Line).subtract(0, &heights, &[1.0; 5], &mut rest);
+            Trend::from_line(&heights, Detrend::Line).subtract(0, &heights, &[1.0; 5], &mut rest);
             assert_eq!(rest, [0.0; 5]);
         }
     }

@@ -23,12 +23,12 @@ const LARGEST_RATIO: f64 = 1e6;
 /// hole are boundary values; at the edge of the map the surface runs flat. No height then lies beyond those around its
 /// hole, and a plane is continued exactly.
 pub(crate) fn harmonic_m(map: &Measured, holes: &Holes) -> Vec<f64> {
-    let grid = MapGrid::of(map);
+    let grid = MapGrid::new(map);
     let batches = batches(holes);
     let filled: Vec<Vec<f64>> = parallel::map(&batches, |batch| {
         batch.clone().flat_map(|hole| Hole { runs: holes.hole(hole), grid: &grid }.filled_m()).collect()
     });
-    let mut heights_m = vec![0.0; map.missing_points().count()];
+    let mut heights_m = vec![0.0; map.gaps().count()];
     for (batch, filled_m) in batches.into_iter().zip(filled) {
         let mut filled_m = filled_m.into_iter();
         for run in batch.flat_map(|hole| holes.hole(hole)) {
@@ -61,7 +61,7 @@ struct MapGrid<'a> {
 }
 
 impl<'a> MapGrid<'a> {
-    fn of(map: &'a Measured) -> Self {
+    fn new(map: &'a Measured) -> Self {
         let (columns, rows) = map.points();
         let (x_m, y_m) = map.spacing_m();
         let ratio = (y_m.unwrap_or(x_m) / x_m).clamp(LARGEST_RATIO.recip(), LARGEST_RATIO);
@@ -102,7 +102,7 @@ struct Plane {
 
 impl Hole<'_> {
     fn filled_m(&self) -> Vec<f64> {
-        let plane = Plane::of(self);
+        let plane = Plane::fit(self);
         let range_m = plane.highest_m - plane.lowest_m;
         let corrections =
             if range_m > 0.0 { self.corrections(&plane, range_m) } else { vec![0.0; self.points()] };
@@ -221,7 +221,7 @@ impl Hole<'_> {
             ties.boundary_x.push(boundary[0]);
             ties.boundary_y.push(boundary[1]);
         }
-        Multigrid::of(cells, ties)
+        Multigrid::new(cells, ties)
     }
 
     /// Applies the positive Laplace operator to values that are 0 outside the hole.
@@ -247,7 +247,7 @@ impl Hole<'_> {
 
 impl Plane {
     /// Fits by least squares; level if the points around the hole lie on a line.
-    fn of(hole: &Hole) -> Self {
+    fn fit(hole: &Hole) -> Self {
         let pivot_m = hole.boundary().next().map_or(0.0, |(_, _, height_m)| height_m);
         let (rows, columns) = extent(hole.runs);
         let middle = |range: std::ops::Range<usize>| (range.start + range.end - 1) as f64 / 2.0;

@@ -22,9 +22,9 @@ pub(crate) struct Holes {
 
 impl Holes {
     /// Groups missing points, given by ascending index in rows of `columns` points.
-    pub(crate) fn of(gaps: impl Iterator<Item = usize>, columns: usize) -> Self {
+    pub(crate) fn new(gaps: impl Iterator<Item = usize>, columns: usize) -> Self {
         let runs = runs(gaps, columns);
-        let mut joined = DisjointSets::of(runs.len());
+        let mut joined = DisjointSets::new(runs.len());
         let mut above = 0;
         for (at, run) in runs.iter().enumerate() {
             while runs[above].row + 1 < run.row
@@ -100,7 +100,7 @@ struct DisjointSets {
 }
 
 impl DisjointSets {
-    fn of(count: usize) -> Self {
+    fn new(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }
 
@@ -127,7 +127,7 @@ mod tests {
         let columns = picture[0].len();
         let marks = picture.concat();
         let gaps = marks.bytes().enumerate().filter(|&(_, mark)| mark == b'#').map(|(index, _)| index);
-        let holes = Holes::of(gaps, columns);
+        let holes = Holes::new(gaps, columns);
         let numbers =
             |hole: &[Run]| hole.iter().flat_map(|run| run.first..run.first + run.columns.len()).collect();
         (0..holes.count()).map(|hole| numbers(holes.hole(hole))).collect()
@@ -152,7 +152,7 @@ mod tests {
         let found = holes(&spiral);
         assert_eq!(found.len(), 1);
         let gaps = (0..49).filter(|index| spiral[index / 7].as_bytes()[index % 7] == b'#');
-        let of_map = Holes::of(gaps, 7);
+        let of_map = Holes::new(gaps, 7);
         assert_eq!(extent(of_map.hole(0)), (0..7, 0..7));
         assert_eq!(points(of_map.hole(0)), found[0].len());
     }

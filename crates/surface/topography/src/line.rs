@@ -173,7 +173,7 @@ impl LineSpectrum {
 
     /// Makes the spectrum of `lines` evenly spaced lines from Sum |F|^2 of their unnormalised transforms from n = 1 on,
     /// and from the sum of their mean squared deviations.
-    pub(crate) fn of_even_spacing(
+    pub(crate) fn from_even_lines(
         spacing_m: f64,
         points: usize,
         lines: usize,

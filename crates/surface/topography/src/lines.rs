@@ -15,17 +15,17 @@ use scans::{HeightMap, UniformLineScan};
 
 /// Computes the spectrum C1D of evenly spaced heights.
 pub fn uniform_line_spectrum(scan: &UniformLineScan, preparation: Preparation) -> LineSpectrum {
-    rows_spectrum(Rows::of_line(scan), preparation)
+    rows_spectrum(Rows::from_line(scan), preparation)
 }
 
 /// Computes the mean of the spectra C1D of the rows of a map; with the feature `parallel` on all threads.
 pub fn map_line_spectrum(map: &HeightMap, preparation: Preparation) -> LineSpectrum {
-    rows_spectrum(Rows::of_map(map), preparation)
+    rows_spectrum(Rows::from_map(map), preparation)
 }
 
 /// Computes the mean of the spectra C1D of lines.
 pub(crate) fn rows_spectrum(rows: Rows, preparation: Preparation) -> LineSpectrum {
-    let lines = MapLines::of_rows(rows, preparation);
+    let lines = MapLines::from_rows(rows, preparation);
     let sums: Vec<LineSums> = parallel::map_indices(lines.blocks(), |block| lines.block(block));
     lines.spectrum(&sums)
 }
@@ -55,10 +55,10 @@ pub struct LineSums {
 impl<'a> MapLines<'a> {
     /// Fits the trend and plans the transform.
     pub fn new(map: &'a HeightMap, preparation: Preparation) -> Self {
-        Self::of_rows(Rows::of_map(map), preparation)
+        Self::from_rows(Rows::from_map(map), preparation)
     }
 
-    pub(crate) fn of_rows(rows: Rows<'a>, preparation: Preparation) -> Self {
+    pub(crate) fn from_rows(rows: Rows<'a>, preparation: Preparation) -> Self {
         let (trend, transform) =
             (rows.trend(preparation.detrend), RowTransform::new(rows.points, preparation));
         Self { rows, preparation, trend, transform }
@@ -110,7 +110,7 @@ impl<'a> MapLines<'a> {
         let flagged_bins = self.preparation.flagged_bins();
         let lines = self.rows.count();
         let spectrum = |lines, power_m2| {
-            LineSpectrum::of_even_spacing(spacing_m, points, lines, power_m2, variances_m2, flagged_bins)
+            LineSpectrum::from_even_lines(spacing_m, points, lines, power_m2, variances_m2, flagged_bins)
         };
         let rows_of_part = |part| (0..lines).filter(|&row| self.part_of(row) == part).count();
         let several = parts_m2.into_iter().enumerate().filter(|_| self.parts() > 1);

@@ -48,10 +48,10 @@ struct Grid {
 }
 
 impl Multigrid {
-    pub(crate) fn of(mut cells: Cells, mut ties: Ties) -> Self {
+    pub(crate) fn new(mut cells: Cells, mut ties: Ties) -> Self {
         let mut grids = Vec::new();
         loop {
-            let mut grid = Grid::of(&cells, &ties);
+            let mut grid = Grid::new(&cells, &ties);
             if cells.rows.len() <= 1 {
                 grids.push(grid);
                 return Self { grids };
@@ -97,7 +97,7 @@ fn cycle(grids: &mut [Grid]) {
 }
 
 impl Grid {
-    fn of(cells: &Cells, ties: &Ties) -> Self {
+    fn new(cells: &Cells, ties: &Ties) -> Self {
         let count = cells.rows.len();
         let lower = lower(cells);
         let mut upper = vec![NONE; count];

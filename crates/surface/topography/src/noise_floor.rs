@@ -67,12 +67,12 @@ pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
 
     let mean_m3 = mean(&last_octave);
     let mut floor_m3 = mean_m3;
-    let mut fall = Fall::of(&binned, floor_m3)?;
+    let mut fall = Fall::fit(&binned, floor_m3)?;
     for _ in 0..ROUNDS {
         // Subtract the falling part's mean over the last octave from the floor.
         let added_m3 = fall.mean_m3(0.5 * nyquist_rad_per_m, nyquist_rad_per_m);
         floor_m3 = (mean_m3 - added_m3).max(0.5 * mean_m3);
-        fall = Fall::of(&binned, floor_m3)?;
+        fall = Fall::fit(&binned, floor_m3)?;
     }
     let onset_rad_per_m = fall.reaches(floor_m3);
     let is_surface = (LEAST_EXPONENT..=LARGEST_EXPONENT).contains(&fall.exponent);
@@ -111,7 +111,7 @@ struct Fall {
 
 impl Fall {
     /// Fits from the last bin well above the floor towards longer waves.
-    fn of(binned: &ProfilePsd, floor_m3: f64) -> Option<Self> {
+    fn fit(binned: &ProfilePsd, floor_m3: f64) -> Option<Self> {
         let samples = || binned.wavelengths_m().iter().map(|l| TAU / l).zip(binned.c1d_m3().iter().copied());
         let is_above = |&(_, c1d_m3): &(f64, f64)| c1d_m3 > ABOVE_FLOOR * floor_m3;
         let (last_rad_per_m, _) = samples().rfind(is_above)?;

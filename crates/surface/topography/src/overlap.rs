@@ -72,7 +72,49 @@ pub(crate) fn shared_bins(bins: &[Bin], others: &[Bin]) -> Vec<SharedBin> {
 /// Computes the geometric mean of the ratios of at least one bin.
 pub(crate) fn mean_ratio(shared: &[SharedBin]) -> f64 {
     let ratios: Vec<f64> = shared.iter().map(|bin| bin.ratio).collect();
-    BinMean::Geometric.of(&ratios)
+    BinMean::Geometric.mean(&ratios)
+}
+
+/// Ratio of the spectra along x and y from which a surface is not isotropic.
+pub const DIRECTIONS_DIFFER: f64 = 1.5;
+
+/// Smallest number of shared bins that can show anisotropy; in fewer, the few waves of a map scatter as much.
+const LEAST_DECADE_BINS: usize = 3;
+
+/// The spectra of a map along y and x, compared in one decade of wavelengths.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DirectionRatio {
+    /// Longest shared wavelength in the decade \[m\].
+    pub longest_m: f64,
+    /// Shortest shared wavelength in the decade \[m\].
+    pub shortest_m: f64,
+    /// Number of shared bins, at least 1.
+    pub bins: usize,
+    /// Geometric mean over the shared bins of the spectrum along y over that along x.
+    pub ratio: f64,
+}
+
+impl DirectionRatio {
+    /// Returns true if the decade shows an anisotropic surface, or lines offset against each other.
+    #[must_use]
+    pub fn is_anisotropic(&self) -> bool {
+        self.bins >= LEAST_DECADE_BINS && self.ratio.ln().abs() >= DIRECTIONS_DIFFER.ln()
+    }
+
+    /// Compares the spectra decade by decade, from long to short wavelengths; empty without shared bins.
+    pub(crate) fn per_decade(x: &ProfilePsd, y: &ProfilePsd, bins_per_decade: NonZeroU32) -> Vec<Self> {
+        let binned = |psd| log_bins(psd, bins_per_decade, BinMean::Arithmetic);
+        let decade = |wavelength_m: f64| wavelength_m.log10().floor();
+        let shared = shared_bins(&binned(y), &binned(x));
+        let decades = shared.chunk_by(|a, b| decade(a.wavelength_m) == decade(b.wavelength_m));
+        let of_decade = |bins: &[SharedBin]| Self {
+            longest_m: bins[0].wavelength_m,
+            shortest_m: bins[bins.len() - 1].wavelength_m,
+            bins: bins.len(),
+            ratio: mean_ratio(bins),
+        };
+        decades.map(of_decade).collect()
+    }
 }
 
 /// Ratio of the spectra along x and y from which a surface is not isotropic.

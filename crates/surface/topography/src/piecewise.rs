@@ -39,7 +39,7 @@ pub fn nonuniform_line_spectrum_to(
     bins: usize,
 ) -> LineSpectrum {
     let bins = bins.max(1);
-    let profile = Profile::of(scan, preparation.detrend);
+    let profile = Profile::new(scan, preparation.detrend);
     let plain = profile.transforms(bins + 2);
     let transform = |n: usize| match preparation.window {
         Window::None => plain[n],
@@ -60,7 +60,7 @@ pub fn nonuniform_line_spectrum_to(
 
 /// Computes the slope of the trend of a scan.
 pub(crate) fn fitted_slope(scan: &NonuniformLineScan) -> f64 {
-    Profile::of(scan, Detrend::Mean).slope()
+    Profile::new(scan, Detrend::Mean).slope()
 }
 
 /// Returns the transform at n - 1; at -1 the conjugate of that at 1.
@@ -88,7 +88,7 @@ struct Segment {
 }
 
 impl Profile {
-    fn of(scan: &NonuniformLineScan, detrend: Detrend) -> Self {
+    fn new(scan: &NonuniformLineScan, detrend: Detrend) -> Self {
         let (origin_m, pivot_m) = (scan.positions_m()[0], scan.heights_m()[0]);
         let mut profile = Self {
             positions_m: scan.positions_m().iter().map(|position_m| position_m - origin_m).collect(),

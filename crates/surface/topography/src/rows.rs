@@ -30,29 +30,29 @@ pub(crate) enum Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub(crate) fn of(scan: &'a Scan) -> Self {
+    pub(crate) fn from_scan(scan: &'a Scan) -> Self {
         match scan {
-            Scan::UniformLine(line) => Self::Even(Rows::of_line(line)),
-            Scan::Map(map) => Self::Even(Rows::of_map(map)),
-            Scan::Lines(lines) => Self::Even(Rows::of_lines(lines)),
+            Scan::UniformLine(line) => Self::Even(Rows::from_line(line)),
+            Scan::Map(map) => Self::Even(Rows::from_map(map)),
+            Scan::Lines(lines) => Self::Even(Rows::from_lines(lines)),
             Scan::NonuniformLine(line) => Self::Uneven(line),
         }
     }
 }
 
 impl<'a> Rows<'a> {
-    fn of_lines(lines: &'a ParallelLines) -> Self {
+    fn from_lines(lines: &'a ParallelLines) -> Self {
         let (points, spacing_m) = (lines.points(), lines.spacing_m());
         Self { heights_m: lines.heights_m(), points, spacing_m, trend_of: TrendOf::LinesApart }
     }
 
-    pub(crate) fn of_line(line: &'a UniformLineScan) -> Self {
+    pub(crate) fn from_line(line: &'a UniformLineScan) -> Self {
         let heights_m = line.heights_m();
         let (points, spacing_m) = (heights_m.len(), line.spacing_m());
         Self { heights_m, points, spacing_m, trend_of: TrendOf::Line }
     }
 
-    pub(crate) fn of_map(map: &'a HeightMap) -> Self {
+    pub(crate) fn from_map(map: &'a HeightMap) -> Self {
         let (points, spacing_m) = (map.columns(), map.spacing_x_m());
         Self { heights_m: map.heights_m(), points, spacing_m, trend_of: TrendOf::Map }
     }
@@ -61,11 +61,11 @@ impl<'a> Rows<'a> {
     /// line.
     pub(crate) fn trend(&self, detrend: Detrend) -> Trend {
         match (self.trend_of, detrend) {
-            (TrendOf::Line, _) => Trend::of_line(self.heights_m, detrend),
+            (TrendOf::Line, _) => Trend::from_line(self.heights_m, detrend),
             (TrendOf::LinesApart, Detrend::Plane) => {
-                Trend::of_rows(self.heights_m, self.points, Detrend::Line)
+                Trend::from_rows(self.heights_m, self.points, Detrend::Line)
             }
-            (TrendOf::Map | TrendOf::LinesApart, _) => Trend::of_rows(self.heights_m, self.points, detrend),
+            (TrendOf::Map | TrendOf::LinesApart, _) => Trend::from_rows(self.heights_m, self.points, detrend),
         }
     }
 

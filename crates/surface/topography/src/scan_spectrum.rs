@@ -54,7 +54,7 @@ pub struct ScanSpectrum {
 
 /// Computes the spectrum C1D of any scan; for a map the mean over its rows.
 pub fn line_spectrum(scan: &Scan, preparation: Preparation) -> LineSpectrum {
-    match Lines::of(scan) {
+    match Lines::from_scan(scan) {
         Lines::Even(rows) => rows_spectrum(rows, preparation),
         Lines::Uneven(line) => nonuniform_line_spectrum(line, preparation),
     }
@@ -149,7 +149,7 @@ impl ScanSpectrum {
 
 /// Refuses heights that detrending reduces to rounding, and those whose squares overflow.
 fn refuse_flat(scan: &Scan, spectrum: &LineSpectrum) -> Result<(), TransformError> {
-    let heights_m = match Lines::of(scan) {
+    let heights_m = match Lines::from_scan(scan) {
         Lines::Even(rows) => rows.heights_m,
         Lines::Uneven(line) => line.heights_m(),
     };

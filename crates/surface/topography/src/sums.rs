@@ -70,7 +70,7 @@ impl Spread {
     ///
     /// In a block, mean square minus squared mean may lose digits of a small scatter, but no more than the rounding of
     /// its mean square, which is small for detrended values.
-    pub(crate) fn of_mapped<const K: usize>(
+    pub(crate) fn mapped<const K: usize>(
         inputs: [&[f64]; K],
         outputs: &mut [f64],
         value: impl Fn([f64; K]) -> f64,
@@ -146,7 +146,7 @@ mod tests {
     fn parts_join_to_the_whole() {
         let values: Vec<f64> = (0..3001).map(|i| 1.5 + (f64::from(i) * 0.7).sin()).collect();
         let mut copy = values.clone();
-        let spread = Spread::of_mapped([&values], &mut copy, |[value]| value);
+        let spread = Spread::mapped([&values], &mut copy, |[value]| value);
         let mean = sum_of(&values, |value| value) / 3001.0;
         let variance = sum_of(&values, |value| (value - mean).powi(2)) / 3001.0;
         assert_relative_eq!(spread.variance(), variance, max_relative = 1e-14);

@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-9;
 /// The search tries four steps per octave from L/4 down and bisects below the first one that fails; it can miss two
 /// crossings closer than that.
 pub fn tip_cutoff_m(scan: &Scan, tip_radius_m: f64) -> Option<f64> {
-    let lines = Lines::of(scan);
+    let lines = Lines::from_scan(scan);
     let (spacing_m, length_m) = spacing_and_length_m(&lines);
     let fails = |step_m: f64| sharpest_peak_per_m(&lines, 1, step_m) < -CURVATURE_FRACTION / tip_radius_m;
     let mut passing_m = length_m / 4.0;

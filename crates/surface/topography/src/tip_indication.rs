@@ -37,7 +37,7 @@ pub struct TrustedDownTo {
 /// smooth surface has none.
 #[must_use]
 pub fn sharpest_peak_radius_m(scan: &Scan) -> Option<f64> {
-    let mut curvatures_per_m = peak_curvatures_per_m(&Lines::of(scan));
+    let mut curvatures_per_m = peak_curvatures_per_m(&Lines::from_scan(scan));
     if curvatures_per_m.is_empty() {
         return None;
     }
@@ -50,8 +50,8 @@ pub fn sharpest_peak_radius_m(scan: &Scan) -> Option<f64> {
 }
 
 impl TipIndication {
-    pub(crate) fn of(scan: &Scan) -> Self {
-        let steps = trial_steps(&Lines::of(scan));
+    pub(crate) fn from_scan(scan: &Scan) -> Self {
+        let steps = trial_steps(&Lines::from_scan(scan));
         let trusted = USUAL_RADII_M.map(|radius_m| {
             let fails = |(_, sharpest_per_m): &(f64, f64)| *sharpest_per_m < -CURVATURE_FRACTION / radius_m;
             let first_failing = steps.iter().position(fails);
