@@ -5,7 +5,7 @@ use asperity::{AsperityError, Bound};
 use crate::ContactState;
 use crate::far::FarBelow;
 use crate::quadrature::frames::Frames;
-use crate::search::problem::{Answer, Found, Neighbour, Search};
+use crate::search::problem::{Answer, CellSolution, Neighbour, Search};
 
 /// States of one population under one law, computed one after the other; the evaluations for one serve those after it
 /// ([`StatisticalContact::sweep`](crate::StatisticalContact::sweep)).
@@ -97,7 +97,7 @@ impl<'a> Sweep<'a> {
         }
         let (near, spent) = (self.near, self.frames.evaluations());
         let answer = Search { frames: &mut self.frames, pressure_pa }.largest(near);
-        let Some(Answer { found: Found { cell, u }, missed_by }) = answer else {
+        let Some(Answer { found: CellSolution { cell, u }, missed_by }) = answer else {
             return Ok(ContactState::complete(pressure_pa));
         };
         let evaluations = self.frames.evaluations() - spent;
