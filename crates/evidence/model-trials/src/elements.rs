@@ -5,7 +5,7 @@ use std::io::{Read, Write};
 use serde::{Deserialize, Serialize};
 
 use crate::TrialError;
-use crate::pressing::{LoadResult, press};
+use crate::pressing::{LoadResult, press_trial};
 use crate::programme::Trial;
 use crate::spectra::{TrialLoad, WaveBand};
 
@@ -95,7 +95,7 @@ pub fn rows_of(trial: &Trial) -> Result<Vec<ElementsRow>, TrialError> {
         realisations: trial.realisations,
         grid: trial.grid,
     };
-    Ok(press(trial)?.iter().map(row).collect())
+    Ok(press_trial(trial)?.iter().map(row).collect())
 }
 
 /// Rows of a trial in a table; `None` unless the table has all of them as the trial would make them.

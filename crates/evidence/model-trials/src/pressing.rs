@@ -35,7 +35,7 @@ pub struct LoadResult {
 ///
 /// # Errors
 /// The error of making or pressing a surface.
-pub fn press(trial: &Trial) -> Result<Vec<LoadResult>, TrialError> {
+pub fn press_trial(trial: &Trial) -> Result<Vec<LoadResult>, TrialError> {
     let numbers: Vec<u64> = (0..trial.realisations).collect();
     let of_surfaces = parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
     let of_load = |(at, &load): (usize, &TrialLoad)| {
