@@ -70,7 +70,7 @@ pub(crate) fn assembled(
     let Channel { quantity, lateral, samples, units, mut notes, .. } = channel;
     let height_to_m: Option<Box<dyn Fn(f64) -> f64>> = match (units, &quantity) {
         (UnitsBy::Asker, _) => {
-            Some(Box::new(Units::of(options, None, None, &mut notes).height_to_m(format)?))
+            Some(Box::new(Units::choose(options, None, None, &mut notes).height_to_m(format)?))
         }
         (UnitsBy::Format, _) => {
             refuse_unit(format, options)?;

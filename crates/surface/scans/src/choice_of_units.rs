@@ -15,7 +15,7 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    pub(crate) fn of(
+    pub(crate) fn choose(
         options: &ScanOptions,
         lateral: Option<LengthUnit>,
         height: Option<LengthUnit>,

@@ -90,30 +90,30 @@ fn only_scan(bytes: &[u8], options: &ScanOptions) -> Result<Option<Vec<u8>>, Sca
             None => Err(no_file(format!("measurement '{wanted}'"), paths)),
         };
     }
-    let (mut told, mut texts) = (Known::default(), Known::default());
+    let (mut recognised, mut texts) = (Candidates::default(), Candidates::default());
     for path in paths {
         let content = archive.read(&path)?;
         match reader_of(&content).map(|reader| reader.format) {
             Some(ScanFormat::Text) => texts.add(path, content),
-            Some(_) => told.add(path, content),
+            Some(_) => recognised.add(path, content),
             None => {}
         }
     }
-    let known = if told.paths.is_empty() { texts } else { told };
-    if known.paths.len() > 1 {
-        return Err(no_file("single scan in the ZIP file".to_owned(), known.paths));
+    let found = if recognised.paths.is_empty() { texts } else { recognised };
+    if found.paths.len() > 1 {
+        return Err(no_file("single scan in the ZIP file".to_owned(), found.paths));
     }
-    Ok(known.first)
+    Ok(found.first)
 }
 
 /// Files of one kind; the content of the first.
 #[derive(Default)]
-struct Known {
+struct Candidates {
     paths: Vec<String>,
     first: Option<Vec<u8>>,
 }
 
-impl Known {
+impl Candidates {
     fn add(&mut self, path: String, content: Vec<u8>) {
         self.paths.push(path);
         self.first.get_or_insert(content);

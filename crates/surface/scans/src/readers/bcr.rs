@@ -39,7 +39,7 @@ enum Encoding {
 }
 
 fn recognises(bytes: &[u8]) -> bool {
-    let header = Header::of(bytes, encoding(bytes), FIRST_CHARACTERS);
+    let header = Header::parse(bytes, encoding(bytes), FIRST_CHARACTERS);
     header.entries.first().is_some_and(|(key, value)| key == FORMAT_KEY && value.starts_with("bcr"))
 }
 
@@ -78,7 +78,7 @@ struct Header {
 }
 
 impl Header {
-    fn of(bytes: &[u8], encoding: Encoding, characters: usize) -> Self {
+    fn parse(bytes: &[u8], encoding: Encoding, characters: usize) -> Self {
         let length = characters.saturating_mul(encoding.character_bytes()).min(bytes.len());
         let text = encoding.decoded(bytes.get(..length).unwrap_or_default());
         let text = text.split('\0').next().unwrap_or_default();
@@ -128,9 +128,9 @@ fn bad(key: &str, value: &str, bound: &str) -> ScanReadError {
 
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let encoding = encoding(bytes);
-    let start = Header::of(bytes, encoding, HEADER_CHARACTERS);
+    let start = Header::parse(bytes, encoding, HEADER_CHARACTERS);
     let characters = start.get("headersize").map_or(Ok(HEADER_CHARACTERS), |_| start.count("headersize"))?;
-    let header = Header::of(bytes, encoding, characters.min(LONGEST_CHARACTERS));
+    let header = Header::parse(bytes, encoding, characters.min(LONGEST_CHARACTERS));
     let offset = characters.saturating_mul(encoding.character_bytes());
     let mut notes = Vec::new();
     let quantity = match (header.length_unit("zunit"), header.get("zunit")) {

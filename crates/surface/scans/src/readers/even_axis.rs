@@ -16,7 +16,7 @@ pub(crate) struct Axis {
 
 impl Axis {
     /// The axis of positions in any order, each known within a rounding; none where they are on no even one.
-    pub(crate) fn of(mut values: Vec<f64>, rounding: f64) -> Option<Self> {
+    pub(crate) fn fit(mut values: Vec<f64>, rounding: f64) -> Option<Self> {
         sort(&mut values);
         let first = *values.first()?;
         if values.len() == 1 {

@@ -40,7 +40,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let mut channels = Vec::new();
     for (file, name) in PROFILES {
         if archive.paths().any(|path| path == file) {
-            let profile = Profile::of(&archive.read(file)?)?;
+            let profile = Profile::read(&archive.read(file)?)?;
             channels.push(profile.channel(name));
         }
     }
@@ -56,7 +56,7 @@ struct Profile {
 }
 
 impl Profile {
-    fn of(file: &[u8]) -> Result<Self, ScanReadError> {
+    fn read(file: &[u8]) -> Result<Self, ScanReadError> {
         let cursor = Cursor::new(FORMAT, file, ByteOrder::Little);
         if !file.starts_with(MAGIC) {
             let found = format!("'{}'", file.get(..8).unwrap_or(file).escape_ascii());
@@ -108,7 +108,7 @@ impl Profile {
     }
 
     fn channel<'b>(self, name: &str) -> Channel<'b> {
-        let MeasuredLine { lateral, samples, notes } = MeasuredLine::of(self.positions_m, self.heights_m);
+        let MeasuredLine { lateral, samples, notes } = MeasuredLine::new(self.positions_m, self.heights_m);
         let quantity = Quantity::Heights(Some(LengthUnit::METRE));
         Channel {
             probe: Some(Probe::Tip),

@@ -18,7 +18,7 @@ pub(super) struct MeasuredLine {
 
 impl MeasuredLine {
     /// The line of heights at positions in m, which may fall throughout; heights stay in their unit.
-    pub(super) fn of(mut positions_m: Vec<f64>, mut heights: Vec<Option<f64>>) -> Self {
+    pub(super) fn new(mut positions_m: Vec<f64>, mut heights: Vec<Option<f64>>) -> Self {
         let mut notes = Vec::new();
         if positions_m.len() > 1 && positions_m.is_sorted_by(|a, b| a > b) {
             notes.push("positions fall from point to point: the profile is read from its end".to_owned());

@@ -57,7 +57,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let mut notes = Vec::new();
     let conditions = Conditions::read(&mut workbook)?;
     let profile = Profile::read(&mut workbook)?;
-    let units = Units::of(options, conditions.cut_off_unit, profile.result_unit, &mut notes);
+    let units = Units::choose(options, conditions.cut_off_unit, profile.result_unit, &mut notes);
     let (length_to_m, height_to_m) = (units.length_to_m(FORMAT)?, units.height_to_m(FORMAT)?);
     let (positions, heights): (Vec<f64>, Vec<Option<f64>>) =
         profile.points.into_values().filter_map(|(position, height)| Some((position?, height))).unzip();

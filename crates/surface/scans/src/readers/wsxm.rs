@@ -28,7 +28,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     refuse_other_kinds(bytes)?;
     let header = Sections::read(FORMAT, bytes, ':', b"[Header end]")?;
     let name = header.get(INFO, "Acquisition channel").unwrap_or_default();
-    let amplitude = Amount::of(&header, INFO, "Z Amplitude")?;
+    let amplitude = Amount::parse(&header, INFO, "Z Amplitude")?;
     let quantity = Quantity::named(name, amplitude.unit, LengthUnit::parse(amplitude.unit));
     let columns = header.count(INFO, "Number of columns")?;
     let rows = header.count(INFO, "Number of rows")?;
@@ -66,7 +66,7 @@ struct Amount<'h> {
 }
 
 impl<'h> Amount<'h> {
-    fn of(header: &'h Sections, section: &str, key: &str) -> Result<Self, ScanReadError> {
+    fn parse(header: &'h Sections, section: &str, key: &str) -> Result<Self, ScanReadError> {
         let text = header.require(section, key)?;
         let (number, unit) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         let value = number.parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
@@ -113,7 +113,7 @@ fn raster<'b>(
 /// Sizes along x and y; a scan of which only one is given is square.
 fn size(header: &Sections, notes: &mut Vec<String>) -> Result<Option<ScanSize>, ScanReadError> {
     let along = |key: &str| -> Result<Option<f64>, ScanReadError> {
-        let amount = Amount::of(header, CONTROL, key)?;
+        let amount = Amount::parse(header, CONTROL, key)?;
         let length_m = LengthUnit::parse(amount.unit).map(|unit| unit.to_m(amount.value));
         Ok(length_m.filter(|length_m| *length_m > 0.0))
     };

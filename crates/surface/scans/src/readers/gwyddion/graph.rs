@@ -130,6 +130,6 @@ impl Curve {
         let height = |(point, height): (usize, f64)| (!missing.contains(point)).then_some(height);
         let heights = values.into_iter().enumerate().map(height).collect();
         let positions_m = positions.values.into_iter().map(|position| x_unit.to_m(position)).collect();
-        Ok(MeasuredLine::of(positions_m, heights))
+        Ok(MeasuredLine::new(positions_m, heights))
     }
 }

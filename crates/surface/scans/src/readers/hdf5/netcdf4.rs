@@ -34,7 +34,7 @@ pub(super) fn channels<'b>(
     };
     let unit_of = |at: Option<usize>| at.map_or(Ok(None), |at| unit(&content.entries[at]));
     let (lateral_unit, height_unit) = (unit_of(x)?.or(unit_of(y)?), unit_of(Some(heights))?);
-    let units = Units::of(options, lateral_unit, height_unit.or(lateral_unit), &mut notes);
+    let units = Units::choose(options, lateral_unit, height_unit.or(lateral_unit), &mut notes);
     let (length_to_m, height_to_m) = (units.length_to_m(FORMAT)?, units.height_to_m(FORMAT)?);
 
     let entry = &content.entries[heights];

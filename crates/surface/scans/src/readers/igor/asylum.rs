@@ -25,7 +25,7 @@ const OTHER_UNIT: &str = "V";
 
 impl<'n> Note<'n> {
     /// The note of a wave, where it is that of a scan of Asylum Research.
-    pub(super) fn of(text: &'n str) -> Option<Self> {
+    pub(super) fn parse(text: &'n str) -> Option<Self> {
         let note = Self { text };
         ["ScanSize", "FastScanSize", "MicroscopeModel"]
             .iter()
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn units_are_those_of_the_note_or_of_the_name() {
-        let note = Note::of("ScanSize: 2e-5\rUserCalcUnit: °\rImageNote:\r").unwrap();
+        let note = Note::parse("ScanSize: 2e-5\rUserCalcUnit: °\rImageNote:\r").unwrap();
         for (channel, unit) in [
             ("HeightTrace", "m"),
             ("HeightRetraceMod0", "m"),
@@ -92,6 +92,6 @@ mod tests {
             assert_eq!(note.unit(channel), unit, "{channel}");
         }
         assert_eq!((note.free_text().as_str(), note.has_fast_axis()), ("", false));
-        assert!(Note::of("a wave of mine: x").is_none());
+        assert!(Note::parse("a wave of mine: x").is_none());
     }
 }

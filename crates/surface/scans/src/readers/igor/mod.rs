@@ -42,7 +42,7 @@ struct Shape {
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let wave = Wave::read(bytes)?;
     let shape = shape(&wave)?;
-    let note = Note::of(&wave.note);
+    let note = Note::parse(&wave.note);
     (0..shape.channels).map(|layer| channel(bytes, &wave, &shape, note.as_ref(), layer)).collect()
 }
 

@@ -104,7 +104,7 @@ fn surface<'b>(object: &Entry, room: &mut Room) -> Result<Option<Channel<'b>>, S
         return Ok(None);
     }
     let [x, y] = [Axis::lateral(&grid, 1)?, Axis::lateral(&grid, 2)?];
-    let z = Scale::of(&measurement.required(&[2, 0xffff])?)?;
+    let z = Scale::read(&measurement.required(&[2, 0xffff])?)?;
     let samples = match raster(&heights, &grid, [x.points, y.points], room) {
         Ok(raster) => Samples::Raster(Raster { scale: z.step, zero: z.origin, ..raster }),
         Err(error) => Samples::Unreadable(Box::new(error)),
@@ -136,7 +136,7 @@ impl Axis {
     fn lateral(grid: &Entry, tag: u16) -> Result<Self, ScanReadError> {
         let axis = grid.required(&[tag, 0xffff])?;
         let points = axis.required(&[1])?.count("the number of points")?;
-        Ok(Self { scale: Scale::of(&axis.required(&[0xffff])?)?, points })
+        Ok(Self { scale: Scale::read(&axis.required(&[0xffff])?)?, points })
     }
 
     fn spacing_m(&self) -> Option<f64> {
@@ -155,7 +155,7 @@ struct Scale {
 
 impl Scale {
     /// The origin is given in the unit that is shown, the step in another.
-    fn of(entry: &Entry) -> Result<Self, ScanReadError> {
+    fn read(entry: &Entry) -> Result<Self, ScanReadError> {
         let step = entry.required(&[1])?.f64("the step of an axis")?;
         let text = |tag| Ok::<_, ScanReadError>(entry.optional(&[tag])?.and_then(|unit| unit.text()));
         let unit = text(2)?.unwrap_or_default();

@@ -22,12 +22,12 @@ pub(crate) struct Grid {
 
 impl Grid {
     /// The grid of the image in a section.
-    pub(crate) fn of(
+    pub(crate) fn read(
         header: &Header,
         section: &Section,
         bytes_per_pixel: usize,
     ) -> Result<Self, ScanReadError> {
-        let points = Points::of(header, section, bytes_per_pixel)?;
+        let points = Points::read(header, section, bytes_per_pixel)?;
         let mut notes = Vec::from_iter(points.note.clone());
         let size_m = size_m(header, section, &points, &mut notes)?;
         let Points { columns, rows, bytes_per_count, .. } = points;
@@ -59,7 +59,7 @@ struct Points {
 }
 
 impl Points {
-    fn of(header: &Header, section: &Section, bytes_per_pixel: usize) -> Result<Self, ScanReadError> {
+    fn read(header: &Header, section: &Section, bytes_per_pixel: usize) -> Result<Self, ScanReadError> {
         let columns = section.require("Samps/line")?.count()?;
         let rows = section.require("Number of lines")?.count()?;
         let length = section.require("Data length")?;

@@ -14,7 +14,7 @@ pub(crate) struct Image<'h> {
 }
 
 impl<'h> Image<'h> {
-    pub(crate) fn of(header: &'h Header<'h>, section: &'h Section<'h>) -> Self {
+    pub(crate) fn new(header: &'h Header<'h>, section: &'h Section<'h>) -> Self {
         Self { header, section }
     }
 
@@ -102,6 +102,6 @@ impl<'h> Image<'h> {
     }
 
     pub(crate) fn grid(&self) -> Result<Grid, ScanReadError> {
-        Grid::of(self.header, self.section, self.bytes_per_pixel()?)
+        Grid::read(self.header, self.section, self.bytes_per_pixel()?)
     }
 }

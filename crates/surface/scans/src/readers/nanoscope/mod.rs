@@ -28,7 +28,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let header = Header::read(bytes)?;
     refuse_other_modes(&header)?;
     refuse_many(FORMAT, header.images().count())?;
-    Ok(header.images().map(|section| channel(&Image::of(&header, section), bytes)).collect())
+    Ok(header.images().map(|section| channel(&Image::new(&header, section), bytes)).collect())
 }
 
 fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {

@@ -49,7 +49,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
             channels: names,
         });
     };
-    let layout = Layout::of(&file, variable)?;
+    let layout = Layout::read(&file, variable)?;
     let mut notes = Vec::new();
     let units = units(&file, variable, options, &mut notes)?;
     let height_to_m = units.height_to_m(FORMAT)?;
@@ -91,7 +91,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
 }
 
 impl Layout {
-    fn of(file: &Classic, heights: &Variable) -> Result<Self, ScanReadError> {
+    fn read(file: &Classic, heights: &Variable) -> Result<Self, ScanReadError> {
         let dimensions: Vec<_> = heights.dimensions.iter().map(|&index| &file.dimensions[index]).collect();
         let names: Vec<&str> = dimensions.iter().map(|dimension| &*dimension.name).collect();
         match (names.as_slice(), dimensions.as_slice()) {
@@ -137,7 +137,7 @@ fn units(
             mend: "write both in one unit",
         });
     }
-    Ok(Units::of(options, x.or(y), height.or(x), notes))
+    Ok(Units::choose(options, x.or(y), height.or(x), notes))
 }
 
 fn size(file: &Classic, is_map: bool, units: &Units) -> Result<Lateral, ScanReadError> {

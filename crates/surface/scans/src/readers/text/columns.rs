@@ -24,7 +24,7 @@ pub(crate) struct Columns {
 
 impl Columns {
     pub(crate) fn read(text: &str) -> Result<Self, ScanReadError> {
-        let separator = Separator::of(text)?;
+        let separator = Separator::recognise(text)?;
         let (first_line, used) = used_fields(text, separator)?;
         let mut columns = Self {
             count: used.len(),
@@ -110,7 +110,7 @@ impl Columns {
 ///
 /// Every line must have all of them, but for lines of separators alone, which may have fewer.
 fn used_fields(text: &str, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
-    let rows = || whole_rows(text, separator).map(|(line, row)| (line, Extent::of(separator, row)));
+    let rows = || whole_rows(text, separator).map(|(line, row)| (line, Extent::measure(separator, row)));
     let (first_line, first) = rows().next().ok_or(ScanReadError::NoRows)?;
     let mut used = first.filled.clone();
     let mut fewest = first.fields;
@@ -146,7 +146,7 @@ struct Extent {
 }
 
 impl Extent {
-    fn of(separator: Separator, line: &str) -> Self {
+    fn measure(separator: Separator, line: &str) -> Self {
         let (mut fields, mut filled) = (0, 0..0);
         for field in separator.split(line) {
             if !field.is_empty() {

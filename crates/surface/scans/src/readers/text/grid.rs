@@ -19,7 +19,7 @@ pub(super) fn read(
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
-    let units = Units::of(options, header.column_unit(0), header.height_unit(2), notes);
+    let units = Units::choose(options, header.column_unit(0), header.height_unit(2), notes);
     let height_to_m = units.height_to_m(FORMAT)?;
     let x_to_m = units.length_to_m(FORMAT)?;
     let y_to_m = Units { lateral: options.unit.or(header.column_unit(1)).or(units.lateral), ..units }
@@ -38,7 +38,7 @@ pub(super) fn read(
 fn axis(text: &str, columns: &Columns, column: usize) -> Result<Axis, ScanReadError> {
     let values: Vec<f64> = columns.measured(column).flatten().collect();
     let rounding = columns.rounding(column);
-    if let Some(axis) = Axis::of(values.clone(), rounding) {
+    if let Some(axis) = Axis::fit(values.clone(), rounding) {
         return Ok(axis);
     }
     let nearest = Axis::nearest(values).ok_or(ScanReadError::NoRows)?;

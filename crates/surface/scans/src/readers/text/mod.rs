@@ -105,7 +105,7 @@ fn matrix(
 ) -> Result<Found, ScanReadError> {
     let Columns { count, mut values, .. } = columns;
     let (height_unit, factor) = header.map_heights();
-    let units = Units::of(options, header.lateral_unit(), height_unit, notes);
+    let units = Units::choose(options, header.lateral_unit(), height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
     let points = values.values.len();
     let (columns, rows) = if is_map { (count, points / count) } else { (points, 0) };

@@ -30,7 +30,7 @@ pub(super) fn read(
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
     let Roles { position, height, validity } = roles;
-    let units = Units::of(options, header.column_unit(position), header.height_unit(height), notes);
+    let units = Units::choose(options, header.column_unit(position), header.height_unit(height), notes);
     let height_to_m = units.height_to_m(FORMAT)?;
     let length_to_m = units.length_to_m(FORMAT)?;
     columns.refuse_missing_points(text, position, height)?;

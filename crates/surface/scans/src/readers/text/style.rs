@@ -137,7 +137,7 @@ fn holds_numbers(line: &str) -> bool {
 
 impl Separator {
     /// The separator of a file, by its lines of numbers.
-    pub(crate) fn of(text: &str) -> Result<Self, ScanReadError> {
+    pub(crate) fn recognise(text: &str) -> Result<Self, ScanReadError> {
         let mut rows = rows(text);
         let (first, line) = rows.next().ok_or(ScanReadError::NoRows)?;
         if line.contains(';') {
@@ -232,8 +232,11 @@ mod tests {
         ] {
             assert_eq!(comma_separates(line), separates, "{line}");
         }
-        assert_eq!(Separator::of("0,0\n0,5\n1,-2").unwrap(), Separator::Comma);
-        assert!(matches!(Separator::of("0,0\n0,5"), Err(ScanReadError::AmbiguousComma { line: 1, .. })));
+        assert_eq!(Separator::recognise("0,0\n0,5\n1,-2").unwrap(), Separator::Comma);
+        assert!(matches!(
+            Separator::recognise("0,0\n0,5"),
+            Err(ScanReadError::AmbiguousComma { line: 1, .. })
+        ));
     }
 
     #[test]

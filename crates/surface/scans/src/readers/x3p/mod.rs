@@ -75,7 +75,7 @@ fn on_grid(description: &Description, data: Data) -> Result<(usize, Lateral, Dec
         let known: Vec<f64> =
             (0..positions_m.len()).filter(is_point).map(|index| positions_m[index]).collect();
         let largest_m = known.iter().fold(0.0, |largest: f64, position_m| largest.max(position_m.abs()));
-        EvenAxis::of(known, ROUNDING * largest_m).ok_or_else(no_grid)
+        EvenAxis::fit(known, ROUNDING * largest_m).ok_or_else(no_grid)
     };
     let (x, y) = (even_axis(&x_m)?, even_axis(&y_m)?);
     let size = points_of_grid(&x, &y, x_m.len()).ok_or_else(no_grid)?;
