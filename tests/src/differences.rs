@@ -12,7 +12,7 @@ use crate::golden::{GoldenCurve, TOLERANCE, columns, deviations};
 /// Writes the page on the curves that are not as accepted, and yields where it is; nothing where all are.
 ///
 /// # Panics
-/// Where the page cannot be written.
+/// The page cannot be written.
 pub fn write_differences(curves: &[GoldenCurve]) -> Option<PathBuf> {
     let changed: Vec<&GoldenCurve> = curves.iter().filter(|curve| !curve.is_as_accepted()).collect();
     let path = committed_file("target/golden-differences.html");

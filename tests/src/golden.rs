@@ -94,14 +94,14 @@ impl GoldenCurve {
         file.splitn(3, "---\n").nth(2).map(|text| text.trim_end().to_owned())
     }
 
-    /// Whether the curve is as accepted.
+    /// True if the curve is as accepted.
     pub fn is_as_accepted(&self) -> bool {
         let columns = self.accepted().and_then(|accepted| deviations(&accepted, &self.text()));
         columns.is_some_and(|columns| columns.iter().all(|(_, deviation)| *deviation <= TOLERANCE))
     }
 }
 
-/// What a reviewer reads first: a line per line of a figure, with its ends, its extremes, and where it settles.
+/// Summary for reviewers: a line per line of a figure, with its ends, its extremes, and where it settles.
 pub fn summary(curves: &[GoldenCurve]) -> String {
     let mut lines =
         vec!["curve | line | points | first | last | least | most | within 1 % of the last from".to_owned()];
@@ -190,7 +190,7 @@ pub(crate) fn columns(text: &str) -> Option<Vec<(String, Vec<f64>)>> {
     Some(columns)
 }
 
-/// Whether the README's picture is the figure as drawn now.
+/// True if the README's picture is the figure as drawn now.
 pub fn readme_picture_is_current() -> bool {
     std::fs::read_to_string(committed_file(README_PICTURE.0))
         .is_ok_and(|committed| committed == readme_picture())

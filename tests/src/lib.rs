@@ -1,4 +1,4 @@
-//! What the cross-crate tests share: reference tables, golden curves, pictures, and how far results lie from them.
+//! Shared by the cross-crate tests: reference tables, golden curves, pictures, and how far results lie from them.
 //!
 //! ```
 //! use tests::{Deviations, ReferenceTable};

@@ -31,12 +31,12 @@ impl ReferenceTable {
         self.rows.len()
     }
 
-    /// Whether the table has no rows.
+    /// True if the table has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Whether there is such a column.
+    /// True if there is such a column.
     pub fn has(&self, column: &str) -> bool {
         self.columns.iter().any(|name| name == column)
     }

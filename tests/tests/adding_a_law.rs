@@ -7,10 +7,10 @@ use std::process::Command;
 
 use tests::committed_file;
 
-/// How many files of code a law may touch.
+/// Number of files of code that a law may touch.
 const MOST_FILES: usize = 8;
 
-/// What the program's own model of studies stands on, and nothing above it.
+/// Crates that the program's own model of studies depends on, and none above it.
 const CRATES: [&str; 17] = [
     "asperity",
     "contact-law",

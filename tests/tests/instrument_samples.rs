@@ -20,7 +20,7 @@ impl Files for Samples {
     }
 }
 
-/// What the peer knows that the file does not say: a unit, a size.
+/// Unit or size that the peer knows and the file does not say.
 const TOLD: [(&str, &str); 2] = [("xyz-1.txt", ":unit=um"), ("xy-3.txt", ":unit=um")];
 
 /// The cells of a column, as text.

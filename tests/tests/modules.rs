@@ -26,7 +26,7 @@ fn no_two_modules_import_each_other() {
     assert!(circles.is_empty(), "these modules import each other:\n{}", circles.join("\n"));
 }
 
-/// What the modules below a folder import of each other. A module and one inside it are no pair: the outer one shows what the
+/// Imports of the modules below a folder from each other. A module and one inside it are no pair: the outer one shows what the
 /// inner one makes.
 fn imports(src: &Path) -> Imports {
     let files = rust_files(src);

@@ -1,4 +1,4 @@
-//! What a scene does not need is not computed: exact counters, so that a change that does more work fails review.
+//! Exact counters of computed work: a scene computes nothing that it does not need, so that a change that does more work fails review.
 
 use insta::assert_debug_snapshot;
 use report::products::Findings;
@@ -139,7 +139,7 @@ fn a_statistical_curve_computes_no_amplitudes() {
     ");
 }
 
-/// The same but for what was shared.
+/// Counters without shared work.
 fn computed(work: Work) -> Work {
     Work { shared_levels: 0, shared_states: 0, ..work }
 }

@@ -21,7 +21,7 @@ use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
 use topography::{Preparation, areal_spectrum, map_line_spectrum};
 
-/// What is counted.
+/// Work that is counted.
 type Work = Box<dyn Fn()>;
 
 /// A name and the preparation of its work.

@@ -78,7 +78,7 @@ pub fn stale() -> Vec<String> {
 /// Draws every picture anew; none is touched where one cannot be written.
 ///
 /// # Errors
-/// What could not be written.
+/// A file cannot be written.
 pub fn rewrite() -> Result<(), Box<dyn std::error::Error>> {
     std::fs::create_dir_all(committed_file("docs/pictures"))?;
     let mut files = StagedFiles::default();
@@ -127,7 +127,7 @@ fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
     Series::under(condition, colour, points)
 }
 
-/// The same line among others of its colour, told apart by its dash.
+/// Dashes the line, to tell it from others of its colour.
 fn dashed(curve: &str, dash: usize, line: Series) -> Series {
     Series { curve: curve.to_owned(), dash, ..line }
 }

@@ -1,10 +1,10 @@
 //! Two SVG documents held against each other by their numbers, since the last digit of a coordinate may depend on a
 //! platform's `exp`.
 
-/// How far two numbers may be apart, relative to the larger, or by one in the last digit that both are printed with.
+/// Tolerance of two numbers relative to the larger; one in the last digit that both are printed with is allowed as well.
 const TOLERANCE: f64 = 1e-6;
 
-/// Whether two documents have the same text and the same numbers to within the tolerance.
+/// True if two documents have the same text and the same numbers to within the tolerance.
 #[must_use]
 pub fn is_same_picture(a: &str, b: &str) -> bool {
     let (a, b) = (parts(a), parts(b));

@@ -71,7 +71,7 @@ pub(super) fn plastic_area() -> Picture {
     )
 }
 
-/// How far the flat has come down, for several aspect ratios, and by boundary elements.
+/// Approach of the flat, for several aspect ratios, and by boundary elements.
 pub(super) fn deformation() -> Picture {
     let shares = geometric([1e-5, 1.0], 61);
     let (law, solved) = (ElasticSinusoid::new(&steel(), 0.01), BemSinusoid::new(&steel(), 0.01));

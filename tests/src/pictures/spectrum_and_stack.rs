@@ -1,4 +1,4 @@
-//! What a spectrum becomes: moments and asperities for every cutoff, and the stack of its scales.
+//! Pictures of a spectrum: moments and asperities for every cutoff, and the stack of its scales.
 
 use std::num::NonZeroU32;
 
@@ -95,7 +95,7 @@ pub(super) fn area() -> Picture {
     )
 }
 
-/// The same elastic stack with more and fewer scales.
+/// An elastic stack with more and fewer scales.
 pub(super) fn sampling() -> Picture {
     let (psd, pair, _) = uncd();
     let densities = [(1, "1 per decade"), (2, "2 per decade"), (5, "5 per decade"), (20, "20 per decade")];
@@ -111,7 +111,7 @@ pub(super) fn sampling() -> Picture {
     )
 }
 
-/// What a strength that grows at small depths does to the stacked area.
+/// Stacked area with a strength that grows at small depths.
 pub(super) fn strain_gradient() -> Picture {
     let (psd, pair, strength) = uncd();
     let gradient = |length_m: f64| {

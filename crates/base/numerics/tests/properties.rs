@@ -1,4 +1,4 @@
-//! What holds of every zero and every rule.
+//! Properties of every zero and every rule.
 
 use numerics::{
     GaussLegendre, bisect, legendre_integral_above, legendre_polynomials, newton_in_bracket, zero_in_bracket,
