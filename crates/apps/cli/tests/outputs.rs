@@ -1,4 +1,4 @@
-//! What becomes of files: results appear together or not at all, and never in the place of what they are made from.
+//! Output files: they appear together or not at all, and never replace an input.
 
 mod support;
 

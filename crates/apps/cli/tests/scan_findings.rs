@@ -1,4 +1,4 @@
-//! What scans do not show, and what is doubtful about them, is told wherever their spectrum is used.
+//! Holes and doubts of scans are named wherever their spectrum is used.
 
 mod support;
 

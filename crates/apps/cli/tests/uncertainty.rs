@@ -136,7 +136,7 @@ mod signals {
             .unwrap()
     }
 
-    /// How a run ended, and what it said, that got these signals after a while.
+    /// Exit status and stderr of a run that receives these signals after a while.
     fn ended(bench: &Bench, after: Duration, signals: &str) -> (Option<i32>, String) {
         let mut child = spawn(bench);
         std::thread::sleep(after);

@@ -15,7 +15,7 @@ struct Punch {
     pressed_mm: f64,
 }
 
-/// What the slave surface says: overclosures (below 0 for clearances) \[mm\], and pressures \[MPa\].
+/// Values on the slave surface: overclosures (below 0 for clearances) \[mm\], and pressures \[MPa\].
 struct Said {
     overclosures_mm: Vec<f64>,
     pressures_mpa: Vec<f64>,
@@ -45,7 +45,7 @@ impl Punch {
         )
     }
 
-    /// What CalculiX makes of it.
+    /// Runs CalculiX on it.
     fn run(&self) -> Said {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("punch.inp"), self.deck()).unwrap();

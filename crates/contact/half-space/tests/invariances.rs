@@ -1,4 +1,4 @@
-//! What must not change an answer, or changes it in a known way.
+//! Changes of the input that leave an answer as it is, or change it in a known way.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! What the interface conducts, against what is known in closed form.
+//! Conductances of an interface against closed forms.
 
 use interface::conductance::{
     Conductivities, CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Resistivities, Spot,

@@ -1,4 +1,4 @@
-//! What holds whatever the numbers are.
+//! Identities that hold for all numbers.
 
 use numerics::GaussLegendre;
 use persson::growing_hardness::areas_of_squared_growth;

@@ -1,4 +1,4 @@
-//! How honest the error estimates are: they bound the true errors of the reference states at least 999 times in a thousand,
+//! Error estimates against references: they bound the true errors of the reference states at least 999 times in a thousand,
 //! and half of them are within a factor of a hundred of them.
 
 mod support;
@@ -38,7 +38,7 @@ fn error_and_estimate(row: &Row, tolerance: f64) -> (f64, f64) {
     (error, state.error_estimate)
 }
 
-/// What the rounding of the inputs alone does to a row: half a unit of the separation shows in ln p up to u^2 times.
+/// Error of a row by the rounding of its inputs alone: half a unit of the separation shows in ln p up to u^2 times.
 fn rounding(row: &Row) -> f64 {
     let u = row.separation_m / row.sigma_s_m;
     1e-16 * (1.0 + u * u)

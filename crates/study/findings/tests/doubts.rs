@@ -1,4 +1,4 @@
-//! What physics says against scenes and what they end in; the answer and its doubts as data for others.
+//! Doubts that physics raises about scenes and their results; the answer and its doubts as data.
 
 use findings::answer::Answer;
 use findings::doubts::Doubt;

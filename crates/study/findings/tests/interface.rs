@@ -1,4 +1,4 @@
-//! What a scene asks of its interface, against the crates that compute it.
+//! Interfaces of scenes against the crates that compute them.
 
 use std::collections::BTreeMap;
 

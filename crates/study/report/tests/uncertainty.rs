@@ -1,4 +1,4 @@
-//! What a report says of draws: intervals, where they come from, what was assumed, and what to measure next.
+//! Draws in a report: intervals, their causes, assumptions, and the next measurement.
 
 use std::collections::BTreeMap;
 

@@ -141,7 +141,7 @@ fn mean_run(gaps: &[bool], points: usize) -> f64 {
     squares / lengths
 }
 
-/// What a treatment makes of a spectrum, over that of the whole map.
+/// Spectrum of a treated map over that of the whole map.
 pub struct Bias {
     /// Wavelength over the size of a hole, and the ratio of C1D, ten bins to the decade.
     pub spectrum: Vec<(f64, f64)>,
