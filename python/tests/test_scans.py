@@ -150,8 +150,8 @@ def test_files_that_do_not_do_are_told(tmp_path: Path) -> None:
         ta.read_scan(tmp_path / "none.npy")
     with pytest.raises(FileNotFoundError):
         ta.composite([path, tmp_path / "none.npy"], unit="m", size="4 um")
-    assert "say it with size" in refused(lambda: ta.read_scan(path, unit="m"))
-    assert "say it with unit (m, cm" in refused(lambda: ta.read_scan(path, size="4 um"))
+    assert "set it with size" in refused(lambda: ta.read_scan(path, unit="m"))
+    assert "set it with unit (m, cm" in refused(lambda: ta.read_scan(path, size="4 um"))
     assert refused(lambda: ta.read_scan(path, unit="furlong")).startswith("unit: 'furlong' is no unit of length")
     assert refused(lambda: ta.read_scan(path, unit="m", size=-1.0)).startswith("size is -1; it must be")
     assert "'none' is none of refuse, harmonic, lines" in refused(lambda: ta.read_scan(path, unit="m", size=1.0, gaps="none"))

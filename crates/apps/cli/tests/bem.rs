@@ -70,7 +70,7 @@ fn ridges_leave_channels_beside_them_until_they_touch_throughout() {
     let of = |loads: &[&'static str]| bench.run(&call(&[&WAVES, loads]));
     // Contact is complete from 314 MPa on.
     let light = of(&["--pressure", "100MPa"]);
-    let told = "contact shuts ways from edge to edge: at 100 MPa only those along y are open";
+    let told = "contact closes the paths from edge to edge: at 100 MPa only those along y are open";
     assert!(light.stderr.contains(told), "{}", light.stderr);
     let both = of(&["--pressure", "100MPa", "--pressure", "1GPa"]);
     assert!(both.stderr.contains(&format!("{told}; at 1 GPa none is open")), "{}", both.stderr);
@@ -203,8 +203,7 @@ fn bad_input_is_refused_with_what_would_do() {
     assert!(pressed(&["psd.csv", "--box=1mm", "--shortest=1um"]).contains("is wider than the grid can hold"));
     assert_eq!(
         pressed(&["psd.csv", "--saturation", "1MPa"]),
-        "error: a nominal pressure of 1 MPa cannot be carried: --saturation lets no point carry more than 1 MPa; give a \
-         smaller pressure, or a larger saturation"
+        "error: 1 MPa is more than the saturation can carry: --saturation is 1 MPa; use a smaller pressure or a larger saturation"
     );
     assert!(pressed(&["psd.csv", "--saturation", "1H"]).contains("the material has no hardness"));
     assert!(

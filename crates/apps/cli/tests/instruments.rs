@@ -95,7 +95,7 @@ fn a_channel_without_lengths_is_shown_and_drawn_in_its_unit_and_is_no_scan() {
     bench.write("scan.001", NanoscopeFile { images, ..NanoscopeFile::new(8, 4, &values) }.to_bytes());
     let refused = bench.run(&["psd", "scan.001:channel=Phase"]).refused();
     let told = "error: scan.001: reading Nanoscope: channel 'Phase (Trace)' has values in V, which are no heights; there is \
-                'Height (Trace)' with heights; say it with --channel\n";
+                'Height (Trace)' with heights; set it with --channel\n";
     assert_eq!(refused, told);
     let run = bench.run(&["scan", "scan.001", "--all-channels", "--figure", "drawn.svg"]);
     assert_eq!(run.status, 0, "{}", run.stderr);

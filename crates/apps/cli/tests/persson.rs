@@ -132,7 +132,7 @@ fn corrected_forms_say_that_they_are_fitted_and_touch_more() {
     let areas = |options: &[&str]| {
         let ran = of_diamond(&bench, &[&ELASTIC, &["--pressure", "540kPa"], options]);
         let fitted =
-            ran.stderr.contains("is fitted to boundary elements, alpha = m0 m4/m2^2 from 1.5 to 140");
+            ran.stderr.contains("is fitted to boundary elements for alpha = m0 m4/m2^2 from 1.5 to 140");
         assert_eq!(fitted, !options.is_empty(), "{}", ran.stderr);
         *numbers(&ran.ok(), "area_fraction").last().unwrap()
     };

@@ -157,13 +157,13 @@ fn f_a_23_an_error_names_the_option_where_it_is_given_and_the_file_as_it_is() {
     let bench = Bench::new();
     bench.write("map--unit.txt", line(64, 5.0));
     let refused = bench.run(&["psd", "map--unit.txt"]).refused();
-    assert!(refused.contains("map--unit.txt: ") && refused.contains("say it with --unit ("), "{refused}");
+    assert!(refused.contains("map--unit.txt: ") && refused.contains("set it with --unit ("), "{refused}");
     bench.write(
         "s.toml",
         "[surface]\nscans = [{ file = \"map--unit.txt\" }]\n[[figure]]\nname = \"psd\"\nshows = \"psd\"\n",
     );
     let refused = bench.run(&["run", "s.toml"]).refused();
-    assert!(refused.contains("map--unit.txt: ") && refused.contains("say it with unit ("), "{refused}");
+    assert!(refused.contains("map--unit.txt: ") && refused.contains("set it with unit ("), "{refused}");
 }
 
 #[test]

@@ -167,7 +167,7 @@ fn what_is_wrong_with_one_scan_of_a_scene_points_at_that_scan() {
     let scene = "[surface]\nscans = [\n    { file = \"a.txt\", unit = \"nm\" },\n    { file = \"b.txt\" },\n]\n\
                  [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
     let refused = bench.write("s.toml", scene).run(&["run", "s.toml"]).refused();
-    assert!(refused.contains("say it with unit (") && !refused.contains("--unit"), "{refused}");
+    assert!(refused.contains("set it with unit (") && !refused.contains("--unit"), "{refused}");
     assert!(refused.contains("--> s.toml:4:5") && !refused.contains("a.txt"), "{refused}");
 }
 
@@ -202,7 +202,7 @@ fn what_is_doubtful_is_said_and_what_is_no_scan_refused() {
         .collect();
     bench.write("gap.txt", gap.join("\n"));
     let gap = bench.run(&["psd", "gap.txt", "--unit", "nm"]);
-    assert!(gap.stderr.contains("warning: gap.txt: a gap of 61 times"), "{}", gap.stderr);
+    assert!(gap.stderr.contains("warning: gap.txt: missing points over 61 times"), "{}", gap.stderr);
     let tenfold = |row: &str| {
         let (x, height) = row.split_once(' ').unwrap();
         format!("{x} {}", 10.0 * height.parse::<f64>().unwrap())
@@ -222,12 +222,7 @@ fn data_given_twice_are_told() {
     bench.write("a.txt", line(256, 5.0)).write("copy.txt", line(256, 5.0)).write("b.txt", line(300, 5.0));
     let run = bench.run(&["psd", "a.txt", "b.txt", "copy.txt", "--unit", "nm"]);
     let told: Vec<&str> = run.stderr.lines().filter(|line| line.contains("the same data")).collect();
-    assert_eq!(
-        told,
-        [
-            "warning: a.txt and copy.txt are the same data, which say nothing of each other; leave one of them out"
-        ]
-    );
+    assert_eq!(told, ["warning: a.txt and copy.txt hold the same data; leave one of them out"]);
 }
 
 #[test]

@@ -195,7 +195,7 @@ fn a_third_of_the_hardness_stands_for_the_strength_and_that_is_said() {
     let lines: Vec<&str> = third.lines().collect();
     let table = [lines[0], lines[1]].join("\n");
     let ran = bench.run_with_input(&["asperity", "sphere"], &table);
-    let note = "note: 1 of 1 rows have a hardness and no yield strength: a third of the hardness is taken, S0 = H/3\n";
+    let note = "note: 1 of 1 rows have a hardness and no yield strength: S0 = H/3 is used\n";
     assert_eq!(ran.stderr, note);
     let by_hardness = ran.ok();
     let by_strength = bench.run_with_input(&["asperity", "sphere"], SPHERES).ok();

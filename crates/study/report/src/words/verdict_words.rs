@@ -112,12 +112,12 @@ pub(crate) fn sentences(judgement: &Judgement, scene: &Scene, answer: &Answer) -
 
 /// The curve of each area.
 fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let mut told: Vec<(usize, Vec<&Headline>)> = Vec::new();
+    let mut groups: Vec<(usize, Vec<&Headline>)> = Vec::new();
     for headline in &judgement.headlines {
         let Basis::Curve { curve, .. } = headline.basis else { continue };
-        match told.iter_mut().find(|(other, _)| *other == curve) {
+        match groups.iter_mut().find(|(other, _)| *other == curve) {
             Some((_, headlines)) => headlines.push(headline),
-            None => told.push((curve, vec![headline])),
+            None => groups.push((curve, vec![headline])),
         }
     }
     let sentence = |(curve, headlines): (usize, Vec<&Headline>)| {
@@ -146,7 +146,7 @@ fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
             in_full(&scene.needs.curves[curve])
         )
     };
-    told.into_iter().map(sentence).collect()
+    groups.into_iter().map(sentence).collect()
 }
 
 /// The yielding of the contact: the pressure of an elastic contact against the hardness.
@@ -197,9 +197,9 @@ fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let of_verdict = |(verdict, words): (Verdict, &str)| {
         let curves: Vec<String> = (0..scene.needs.curves.len())
             .filter_map(|curve| {
-                let told: Vec<&CurveVerdict> =
+                let verdicts: Vec<&CurveVerdict> =
                     judgement.curves.iter().filter(|of| of.curve == curve && of.verdict == verdict).collect();
-                (!told.is_empty()).then(|| of_curve(scene, curve, &told))
+                (!verdicts.is_empty()).then(|| of_curve(scene, curve, &verdicts))
             })
             .collect();
         (!curves.is_empty()).then(|| format!("{words}: {}.", curves.join("; ")))
@@ -207,15 +207,15 @@ fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     verdicts.into_iter().filter_map(of_verdict).collect()
 }
 
-fn of_curve(scene: &Scene, curve: usize, told: &[&CurveVerdict]) -> String {
+fn of_curve(scene: &Scene, curve: usize, verdicts: &[&CurveVerdict]) -> String {
     let name = in_full(&scene.needs.curves[curve]);
-    let loads: Vec<usize> = told.iter().map(|of| of.load).collect();
-    let ratios: Vec<f64> = told.iter().filter_map(|of| of.ratio).collect();
-    let worst = match (ratios.is_empty(), told[0].verdict.compares()) {
+    let loads: Vec<usize> = verdicts.iter().map(|of| of.load).collect();
+    let ratios: Vec<f64> = verdicts.iter().filter_map(|of| of.ratio).collect();
+    let worst = match (ratios.is_empty(), verdicts[0].verdict.compares()) {
         (false, true) => {
             format!(" ({} times the area on the worst window)", range(ratios.into_iter(), three_digits))
         }
-        _ => format!(" ({})", range_of_reasons(told)),
+        _ => format!(" ({})", range_of_reasons(verdicts)),
     };
     if loads.len() == scene.needs.loads.len() {
         format!("{name}{worst}")
@@ -225,9 +225,9 @@ fn of_curve(scene: &Scene, curve: usize, told: &[&CurveVerdict]) -> String {
 }
 
 /// The reason that all loads share, with the range of wavelengths at which it begins.
-fn range_of_reasons(told: &[&CurveVerdict]) -> String {
-    let begins: Vec<f64> = told.iter().filter_map(|of| Some(of.broken?.wavelength_m())).collect();
-    match told[0].reason {
+fn range_of_reasons(verdicts: &[&CurveVerdict]) -> String {
+    let begins: Vec<f64> = verdicts.iter().filter_map(|of| Some(of.broken?.wavelength_m())).collect();
+    match verdicts[0].reason {
         Reason::Broken(judge::BrokenAssumption::Yields(_)) => format!(
             "it assumes that nothing yields, but its pressure exceeds the hardness from {} on",
             range(begins.into_iter(), length)
