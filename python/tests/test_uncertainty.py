@@ -112,7 +112,7 @@ def test_scans_are_taken_in_place_of_a_spectrum(tmp_path: Path) -> None:
         ta.composite(paths, unit="m", size="4 um"), DIAMOND, pressure=1e6, model="elastic", draws=40
     )
     assert np.array_equal(of_arrays.low, of_files.low) and np.array_equal(of_arrays.high, of_files.high)
-    assert any("Height scale of memory: " in note and "assumed" in note for note in of_arrays.notes)
+    assert any("Height calibration of memory " in note and "assumed" in note for note in of_arrays.notes)
 
 
 def test_one_model_has_the_axis_of_loads_alone() -> None:

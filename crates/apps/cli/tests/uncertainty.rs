@@ -161,7 +161,7 @@ mod signals {
                 continue;
             }
             assert_eq!(status, Some(130), "{said}");
-            assert!(said.contains("the draws were ended after "), "{said}");
+            assert!(said.contains("the draws were stopped after "), "{said}");
             for table in ["c.csv", TABLES[2]] {
                 assert!(files.iter().any(|name| name == table), "{table}: {files:?}");
             }

@@ -103,11 +103,11 @@ const ANSWER_NAME: &str = "_answer";
 const SPECTRUM_NAME: &str = "_spectrum";
 
 /// The most lines that a reader can tell apart.
-const MOST_LINES: usize = 12;
+const MAX_LINES: usize = 12;
 
 /// Reduces a figure with too many lines to the smallest and the largest load.
 fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
-    if figure.series.len() <= MOST_LINES {
+    if figure.series.len() <= MAX_LINES {
         return figure;
     }
     let loads = &scene.needs.loads;

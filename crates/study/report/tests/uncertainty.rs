@@ -177,6 +177,7 @@ fn an_interval_stands_beside_its_area_with_what_carries_it() {
     let study = Study::new();
     let words = study.words(&study.drawn());
     let area = study.area(0, 0);
+    let (factor, unit) = if area.high < 1e-4 { (1e6, "ppm") } else { (100.0, "%") };
     for said in [
         "Archard stack, elastic (Jackson-Streator): ",
         "mostly from the scatter of three AFM scans",
@@ -189,9 +190,9 @@ fn an_interval_stands_beside_its_area_with_what_carries_it() {
         "ten more AFM scans, at other places: narrows the interval to 62 % of its width.",
         "too flat for a limit; the area depends on the cutoff.",
         &format!(
-            "95 % interval {} to {} %",
-            units::display::three_digits(100.0 * area.low),
-            units::display::three_digits(100.0 * area.high)
+            "95 % interval {} to {} {unit}",
+            units::display::three_digits(factor * area.low),
+            units::display::three_digits(factor * area.high)
         ),
     ] {
         assert!(words.contains(said), "{said}\n{words}");

@@ -151,12 +151,13 @@ impl Adviser<'_> {
                 .map(|draw| contributions.gains.iter().map(|draws| draws[draw]).sum())
                 .collect();
             let all_gains = self.width_of(&of_all_gains).min(width);
-            for (instrument, told) in scans.told.iter().enumerate() {
+            for (instrument, description) in scans.descriptions.iter().enumerate() {
                 let own = self.width_of(&contributions.places[instrument]).min(width);
                 for added in ADDED_SCANS {
                     let kind = StepKind::MoreScans { instrument, added };
-                    let ratio =
-                        self.width_of_more(told.resampled, added).map(|ratio| shrunk(own, ratio * own));
+                    let ratio = self
+                        .width_of_more(description.resampled, added)
+                        .map(|ratio| shrunk(own, ratio * own));
                     steps.extend(ratio.map(|width_ratio| Step { kind, width_ratio, area_ratio: 1.0 }));
                 }
                 let without = self.width_of(&contributions.gains_without[instrument]).min(all_gains);

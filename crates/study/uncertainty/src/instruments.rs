@@ -26,8 +26,8 @@ pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec
         distinct.iter().map(|name| OwnScans::new(scans, &own(name), &places)).collect();
     let mut bins: Vec<InstrumentBins> = of_instruments.iter().map(OwnScans::in_bins).collect();
     lend_place_scatter(&mut bins, &of_instruments);
-    let told = of_instruments.iter().zip(&bins).map(|(own, bins)| own.told(bins)).collect();
-    (bins, told)
+    let descriptions = of_instruments.iter().zip(&bins).map(|(own, bins)| own.description(bins)).collect();
+    (bins, descriptions)
 }
 
 /// Lends the scatter between places, known of instruments with several, to the others.
@@ -157,7 +157,7 @@ impl<'s> OwnScans<'s> {
         (!of_bins.is_empty()).then(|| mean.max(0.0))
     }
 
-    fn told(&self, bins: &InstrumentBins) -> InstrumentInput {
+    fn description(&self, bins: &InstrumentBins) -> InstrumentInput {
         let instruments = || self.own.iter().map(|&scan| &self.scans.sources[scan].instrument);
         let name = self.scans.sources[self.own[0]].instrument.name.clone();
         let z_calibration = instruments().find_map(|instrument| instrument.z_calibration);

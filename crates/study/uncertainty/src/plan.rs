@@ -231,7 +231,7 @@ impl<'p> UncertaintyPlan<'p> {
         if (ln_areas.len() as f64) < MIN_SHARE_WITH_AREA * drawn.ln_areas.len() as f64 {
             return None;
         }
-        // What calibrations and data sheets alone leave open is told as it is drawn.
+        // A certain surface needs no correction for bias.
         let best = best.filter(|_| self.inputs.surface_scatters());
         let at_level = |level| match best {
             Some(best) => interval_about(best, &ln_areas, level),
@@ -258,19 +258,19 @@ impl<'p> UncertaintyPlan<'p> {
             match part {
                 SurfaceScatter::Scans(scans) => {
                     let first = found.instruments.len();
-                    let few = (0..scans.told.len()).filter_map(|at| {
+                    let few = (0..scans.descriptions.len()).filter_map(|at| {
                         let places = scans.places_in_a_bin(at);
                         let guess = Guess::FewScans { instrument: first + at, scans: places };
                         (places < MIN_SCANS).then_some(guess)
                     });
                     found.guesses.extend(few);
-                    found.instruments.extend(scans.told.iter().cloned());
+                    found.instruments.extend(scans.descriptions.iter().cloned());
                     found.overlaps.extend(scans.overlaps.iter().cloned().map(|mut overlap| {
                         overlap.instruments = overlap.instruments.map(|instrument| first + instrument);
                         overlap
                     }));
                 }
-                SurfaceScatter::Errors(errors) => found.spectrum_errors.push(errors.told.clone()),
+                SurfaceScatter::Errors(errors) => found.spectrum_errors.push(errors.description.clone()),
                 SurfaceScatter::Certain(_, name) => {
                     found.guesses.push(Guess::SpectrumWithoutErrors { name: name.clone() });
                 }

@@ -8,7 +8,7 @@ use rand_distr::{Distribution, StandardNormal};
 use crate::group::Group;
 
 /// The most draws of one group.
-const MOST_DRAWS: u64 = 1 << 48;
+const MAX_DRAWS: u64 = 1 << 48;
 
 /// An upper bound on the number of groups.
 const GROUPS: u64 = 16;
@@ -32,14 +32,14 @@ impl Streams {
     /// Draws a standard normal number that belongs to no group.
     pub fn deviate_beside(self, draw: u64) -> f64 {
         let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
-        numbers.set_stream((GROUPS - 1) * MOST_DRAWS + draw);
+        numbers.set_stream((GROUPS - 1) * MAX_DRAWS + draw);
         StandardNormal.sample(&mut numbers)
     }
 
     /// The random numbers of a group in a draw, for one of two surfaces.
     pub fn of_surface(self, group: Group, draw: u64, surface: u64) -> ChaCha8Rng {
         let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
-        numbers.set_stream((group as u64 + GROUPS * surface) * MOST_DRAWS + draw);
+        numbers.set_stream((group as u64 + GROUPS * surface) * MAX_DRAWS + draw);
         numbers
     }
 }

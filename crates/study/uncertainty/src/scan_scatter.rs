@@ -27,20 +27,20 @@ pub(crate) struct ScanScatter {
     instruments: Vec<InstrumentBins>,
     gains: Gains,
     /// The instruments, for the report.
-    pub told: Vec<InstrumentInput>,
+    pub descriptions: Vec<InstrumentInput>,
     /// Their overlaps, for the report.
     pub overlaps: Vec<OverlapMisfit>,
 }
 
 impl ScanScatter {
     pub fn from_scans(scans: &CompositeOfFiles) -> Self {
-        let (instruments, mut told) = instruments(scans);
+        let (instruments, mut descriptions) = instruments(scans);
         let bins = scans.spectrum.composite.bins();
-        let priors: Vec<Prior> = told.iter().map(Prior::new).collect();
+        let priors: Vec<Prior> = descriptions.iter().map(Prior::new).collect();
         let found = overlaps(&instruments, &priors, bins);
         let gains = Gains::new(&priors, &found.observations);
-        for (at, told) in told.iter_mut().enumerate() {
-            told.gain = gains.gain_of(at);
+        for (at, descriptions) in descriptions.iter_mut().enumerate() {
+            descriptions.gain = gains.gain_of(at);
         }
         ScanScatter {
             wavelengths_m: bins.iter().map(|bin| bin.wavelength_m).collect(),
@@ -48,7 +48,7 @@ impl ScanScatter {
             average: scans.spectrum.recipe.average,
             instruments,
             gains,
-            told,
+            descriptions,
             overlaps: found.misfits,
         }
     }

@@ -20,7 +20,7 @@ pub(crate) struct ErrorsOfSpectrum {
     /// The correlation with the wavelength before.
     with_last: Vec<f64>,
     /// The errors, for the report.
-    pub told: SpectrumErrors,
+    pub description: SpectrumErrors,
 }
 
 impl ErrorsOfSpectrum {
@@ -37,7 +37,7 @@ impl ErrorsOfSpectrum {
         let sd = with_neighbours(&known, errors_m3);
         let decades = |pair: &[f64]| (pair[0] / pair[1]).log10();
         let steps = psd.wavelengths_m().windows(2).map(|pair| (-decades(pair) / CORRELATION_DECADES).exp());
-        let told = SpectrumErrors {
+        let description = SpectrumErrors {
             name: name.to_owned(),
             samples: known.iter().filter(|sd| **sd > 0.0).count(),
             of: sd.len(),
@@ -45,12 +45,12 @@ impl ErrorsOfSpectrum {
             are_assumed: false,
         };
         let with_last = std::iter::once(0.0).chain(steps).collect();
-        (told.samples > 0).then(|| ErrorsOfSpectrum { psd: psd.clone(), sd, with_last, told })
+        (description.samples > 0).then(|| ErrorsOfSpectrum { psd: psd.clone(), sd, with_last, description })
     }
 
     /// Marks the errors as assumed.
     pub fn assumed(self) -> Self {
-        ErrorsOfSpectrum { told: SpectrumErrors { are_assumed: true, ..self.told }, ..self }
+        ErrorsOfSpectrum { description: SpectrumErrors { are_assumed: true, ..self.description }, ..self }
     }
 
     /// Draws the deviations of ln C: a normal process along ln q, each step correlated with the last.
@@ -99,7 +99,7 @@ mod tests {
         let errors = vec![Some(0.2), Some(0.2), None, Some(0.2), Some(0.2), Some(0.2)];
         let psd = psd.with_standard_errors(errors).unwrap().profile().unwrap();
         let found = ErrorsOfSpectrum::from_spectrum(&psd, "x").unwrap();
-        assert_eq!((found.told.samples, found.told.of), (5, 6));
+        assert_eq!((found.description.samples, found.description.of), (5, 6));
         let draws: Vec<Vec<f64>> =
             (0..20_000).map(|draw| found.deviations(&mut Streams::new(3).of(Group::Scans, draw))).collect();
         let mean = |of: &dyn Fn(&Vec<f64>) -> f64| draws.iter().map(of).sum::<f64>() / draws.len() as f64;

@@ -8,7 +8,7 @@ use crate::field_picture::{FieldPicture, colour};
 use crate::plot::line_of_heights;
 
 /// The most points along the longer side of a picture; of larger maps, points between are not drawn.
-const MOST_POINTS: usize = 1024;
+const MAX_POINTS: usize = 1024;
 /// The share of the points at either end of the values beyond the colours, so that a spike does not leave one colour to
 /// the rest.
 const BEYOND: f64 = 0.002;
@@ -43,7 +43,7 @@ fn map(
     rows: usize,
 ) -> Option<FieldPicture> {
     let [lowest, highest] = coloured(scan)?;
-    let step = columns.max(rows).div_ceil(MOST_POINTS);
+    let step = columns.max(rows).div_ceil(MAX_POINTS);
     let across = (0..columns).step_by(step);
     let colour_of = |value: f64| colour((value - lowest) / (highest - lowest).max(f64::MIN_POSITIVE));
     let colours = (0..rows).step_by(step).flat_map(|row| {

@@ -6,7 +6,7 @@ use kuva::TickFormat;
 
 use units::display::power_of_ten;
 
-const MOST_TICKS: f64 = 9.0;
+const MAX_TICKS: f64 = 9.0;
 
 /// The range of an axis in powers of ten, and the step between its labelled ticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ impl Decades {
             return Decades { first: 0.0, last: 1.0, step: 1.0 };
         }
         let span = (high.ceil() - low.floor()).max(1.0);
-        let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].into_iter().find(|step| span / step < MOST_TICKS);
+        let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].into_iter().find(|step| span / step < MAX_TICKS);
         let step = step.unwrap_or(span);
         let first = (low / step).floor() * step;
         Decades { first, last: ((high / step).ceil() * step).max(first + step), step }

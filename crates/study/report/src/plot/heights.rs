@@ -7,7 +7,7 @@ use kuva::render::render::render_multiple;
 
 use super::style::colour;
 use super::thinned::thinned;
-use super::{HEIGHT_PX, MOST_TITLE_LETTERS, WIDE_PX, split};
+use super::{HEIGHT_PX, MAX_TITLE_LETTERS, WIDE_PX, split};
 
 /// Draws runs of positions and heights, both in the units of their labels, as an SVG document. Runs are not joined:
 /// missing points lie between them.
@@ -24,7 +24,7 @@ pub fn line_of_heights(title: &str, labels: [&str; 2], runs: &[Vec<(f64, f64)>])
         .with_height(HEIGHT_PX)
         .with_title(title.to_owned())
         .with_title_size(14)
-        .with_title_wrap(2 * MOST_TITLE_LETTERS)
+        .with_title_wrap(2 * MAX_TITLE_LETTERS)
         .with_box_axes()
         .with_label_size(13)
         .with_x_label(labels[0].to_owned())

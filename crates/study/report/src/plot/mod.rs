@@ -34,7 +34,7 @@ const HEIGHT_PX: f64 = 380.0;
 const WIDE_PX: f64 = 860.0;
 /// The height that a picture without a title saves.
 const TITLE_PX: f64 = 36.0;
-const MOST_TITLE_LETTERS: usize = 54;
+const MAX_TITLE_LETTERS: usize = 54;
 const MINOR_TICK_PX: f64 = 3.0;
 
 /// Draws a figure as an SVG document, with `subject` under its title and `provenance` as a comment.
@@ -43,9 +43,9 @@ pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String 
         .with_height(HEIGHT_PX)
         .with_title(figure.title.clone())
         .with_title_size(14)
-        .with_title_wrap(MOST_TITLE_LETTERS)
+        .with_title_wrap(MAX_TITLE_LETTERS)
         .with_subtitle(subject.to_owned())
-        .with_subtitle_wrap(MOST_TITLE_LETTERS);
+        .with_subtitle_wrap(MAX_TITLE_LETTERS);
     let scene = drawn(figure, layout.with_width(WIDTH_PX), &[figure]);
     let (opening, inside) = split(&scene, &figure.name);
     format!("{opening}>\n<!--\n{}\n-->\n{inside}", comment(provenance))

@@ -1,16 +1,16 @@
 //! Lines of very many points, thinned without a visible change.
 
 /// The number of points above which a line is thinned: a few for each pixel of a plot's width.
-const MOST_POINTS: usize = 2000;
+const MAX_POINTS: usize = 2000;
 
-/// Columns into which a thinned line is sorted; each keeps up to four points, so that at most [`MOST_POINTS`] remain.
-const COLUMNS: usize = MOST_POINTS / 4;
+/// Columns into which a thinned line is sorted; each keeps up to four points, so that at most [`MAX_POINTS`] remain.
+const COLUMNS: usize = MAX_POINTS / 4;
 
 /// Thins points whose abscissas run one way: each narrow column keeps its first, lowest, highest and last point, so
 /// that no peak and no dip is lost.
 pub(super) fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let (Some(&(first, _)), Some(&(last, _))) = (points.first(), points.last()) else { return points };
-    if points.len() <= MOST_POINTS || first == last {
+    if points.len() <= MAX_POINTS || first == last {
         return points;
     }
     let column =
@@ -40,7 +40,7 @@ mod tests {
         points[54_321].1 = -7.0;
         points[76_543].1 = 9.0;
         let drawn = thinned(points.clone());
-        assert!(drawn.len() <= MOST_POINTS, "{}", drawn.len());
+        assert!(drawn.len() <= MAX_POINTS, "{}", drawn.len());
         for kept in [points[0], points[54_321], points[76_543], points[99_999]] {
             assert!(drawn.contains(&kept));
         }

@@ -1,7 +1,7 @@
 //! The answer in words.
 
 use crate::curve_names::in_full;
-use crate::listing::{at_loads, decade_name, listed, range};
+use crate::listing::{at_loads, decade_name, listed, range, share_range};
 use findings::answer::{Answer, DISAGREEMENT, Disagreement, LoadAnswer, MIN_DECADES, MIN_SCALES};
 use scene::Scene;
 use spectrum::ProfilePsd;
@@ -100,7 +100,7 @@ pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) ->
         Shortcoming {
             heading: "Upper bound",
             reason: format!(
-                "The spectrum stops at {}, and the area by {models} {loads} is still falling there (not within 1 % over half a \
+                "The spectrum stops at {}, and the area by {models} {loads} is still falling there (not settled within 1 % over half a \
                  decade); finer roughness can only lower it. The tables hold the area at that cutoff.",
                 length(shortest_m)
             ),
@@ -193,9 +193,11 @@ impl<'a> Group<'a> {
             Some(hardness_pa) => format!("{} H", three_digits(pressure_pa / hardness_pa)),
             None => pressure(pressure_pa),
         };
+        let areas = || self.answers.iter().map(|(_, answer)| answer.area_fraction);
+        let (least, most) = (areas().fold(f64::INFINITY, f64::min), areas().fold(0.0, f64::max));
         format!(
-            "{} % of the area touches {}, at a real pressure of {}.",
-            self.range(|answer| answer.area_fraction, |share| three_digits(100.0 * share)),
+            "{} of the area touches {}, at a real pressure of {}.",
+            share_range(least, most),
             self.load_range(scene),
             self.range(|answer| answer.real_pressure_pa, real_pressure)
         )

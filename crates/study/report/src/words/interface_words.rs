@@ -140,8 +140,8 @@ pub(crate) fn notes(
 }
 
 /// The labels of the loads for which `remark` returns a text, each followed by the text.
-fn loads_where(scene: &Scene, told: impl Fn(usize) -> Option<String>) -> Option<String> {
-    let label = |load: usize| Some(format!("{}{}", scene.needs.loads[load].label, told(load)?));
+fn loads_where(scene: &Scene, remark: impl Fn(usize) -> Option<String>) -> Option<String> {
+    let label = |load: usize| Some(format!("{}{}", scene.needs.loads[load].label, remark(load)?));
     let labels: Vec<String> = (0..scene.needs.loads.len()).filter_map(label).collect();
     (!labels.is_empty()).then(|| listed(&labels.iter().map(String::as_str).collect::<Vec<_>>()))
 }

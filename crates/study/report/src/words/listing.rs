@@ -33,9 +33,15 @@ pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> 
     if least == most { least } else { format!("{least} to {most}") }
 }
 
-/// `0.12 to 0.18 %`, a range of shares in percent.
-pub(crate) fn percent_range(low: f64, high: f64) -> String {
-    format!("{} %", range([low, high].into_iter(), |share| three_digits(100.0 * share)))
+/// A share as people read it: `0.18 %`, or `40 ppm` below 0.01 %.
+pub(crate) fn share(share: f64) -> String {
+    share_range(share, share)
+}
+
+/// `0.12 to 0.18 %`, a range of shares; in ppm below 0.01 %.
+pub(crate) fn share_range(low: f64, high: f64) -> String {
+    let (factor, unit) = if high < 1e-4 { (1e6, "ppm") } else { (100.0, "%") };
+    format!("{} {unit}", range([low, high].into_iter(), |share| three_digits(factor * share)))
 }
 
 /// The text with a capital at its beginning.
@@ -86,5 +92,12 @@ mod tests {
         };
         assert_eq!(named(1e-4, true), "40\u{a0}µm to 10\u{a0}µm");
         assert_eq!(named(1e-5, false), "10\u{a0}µm to 1.26\u{a0}µm, not measured");
+    }
+
+    #[test]
+    fn small_shares_are_told_in_ppm() {
+        assert_eq!([share(0.0018), share(4e-5)], ["0.18 %", "40 ppm"]);
+        assert_eq!(share_range(0.0012, 0.0018), "0.12 to 0.18 %");
+        assert_eq!(share_range(2.98e-6, 4.68e-6), "2.98 to 4.68 ppm");
     }
 }

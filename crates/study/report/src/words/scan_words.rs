@@ -347,7 +347,7 @@ mod tests {
             bins,
             ratio,
         };
-        let told = |ratio| {
+        let words = |ratio| {
             remark(&Remark::Directions {
                 names: ["a, along x".to_owned(), "a, along y".to_owned()],
                 ratios: vec![decade(8e-6, 9, 1.1), decade(8e-7, 1, ratio)],
@@ -355,7 +355,7 @@ mod tests {
             })
         };
         assert_eq!(
-            told(3.0),
+            words(3.0),
             "a, along y over a, along x: 1.1 from 8 µm to 1 µm, 3 at 800 nm; x is the fast axis of the scan"
         );
         let anisotropic = Remark::Directions {

@@ -78,8 +78,9 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: As
     }
     let material = scene.material.as_ref().map(Material::properties).unwrap_or_default();
     if !material.is_empty() {
-        let told: Vec<String> = material.iter().map(|(name, value)| format!("{name} {value}")).collect();
-        let _ = writeln!(text, "{}", textwrap::fill(&told.join(", "), &columns));
+        let properties: Vec<String> =
+            material.iter().map(|(name, value)| format!("{name} {value}")).collect();
+        let _ = writeln!(text, "{}", textwrap::fill(&properties.join(", "), &columns));
     }
     for line in scene.bodies.describe(&scene.spreads) {
         let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));

@@ -8,7 +8,7 @@ use uncertainty::{
 use units::display::{counted, length, percent, three_digits};
 
 use crate::curve_names::in_full;
-use crate::listing::{capital, listed, number_word, percent_range};
+use crate::listing::{capital, listed, number_word, share, share_range};
 
 /// The share above which an input carries most of the interval.
 const MAJORITY: f64 = 0.5;
@@ -26,7 +26,7 @@ pub(crate) fn interval(uncertainty: &Uncertainty, curve: usize, load: usize) -> 
         return Some("no uncertain input changes it".to_owned());
     }
     let from = carried_by(uncertainty, area).map_or_else(String::new, |from| format!(", {from}"));
-    Some(format!("{} interval {}{from}", level(uncertainty), percent_range(area.low, area.high)))
+    Some(format!("{} interval {}{from}", level(uncertainty), share_range(area.low, area.high)))
 }
 
 /// `95 %`, the probability that intervals cover.
@@ -52,7 +52,7 @@ pub(crate) fn of_curves(uncertainty: &Uncertainty, scene: &Scene) -> Vec<String>
             .filter_map(|area| {
                 let load = &scene.needs.loads[area.load].label;
                 let interval = interval(uncertainty, curve, area.load)?;
-                Some(format!("{} of the area touches at {load} ({interval})", percent(area.area_fraction)))
+                Some(format!("{} of the area touches at {load} ({interval})", share(area.area_fraction)))
             })
             .collect();
         let rest = match of_curve().count().saturating_sub(LOADS_SHOWN) {

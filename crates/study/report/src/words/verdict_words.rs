@@ -4,11 +4,11 @@ use findings::answer::Answer;
 use judge::{Basis, CurveVerdict, ERRORS_GIVEN, Extent, Headline, Judgement, MapVerdict, Reason, Verdict};
 use scene::Scene;
 use uncertainty::Uncertainty;
-use units::display::{counted, length, percent, pressure, three_digits};
+use units::display::{counted, length, pressure, three_digits};
 
 use crate::assessment::Assessment;
 use crate::curve_names::in_full;
-use crate::listing::{at_loads, capital, listed, number_word, percent_range, range};
+use crate::listing::{at_loads, capital, listed, number_word, range, share, share_range};
 use crate::uncertainty_words::{self, interval, level};
 
 /// The most loads in words; the table holds all.
@@ -51,21 +51,21 @@ fn headline_sentence(
     uncertainty: Option<&Uncertainty>,
 ) -> String {
     let load = &scene.needs.loads[headline.load].label;
-    let range = percent_range(headline.low, headline.high);
+    let range = share_range(headline.low, headline.high);
     match headline.basis {
         Basis::Curve { curve, area_fraction, .. } => {
             let interval = uncertainty.and_then(|found| interval(found, curve, headline.load));
             let interval = interval.map_or_else(String::new, |interval| format!("; {interval}"));
             format!(
                 "{} of the area touches at {load} (boundary elements allow {range}{interval}).",
-                percent(area_fraction)
+                share(area_fraction)
             )
         }
         Basis::RangeOfModels { least, most, elements } => {
             let outer = uncertainty.and_then(|found| {
                 let interval = |curve| found.interval(curve, headline.load);
                 let (least, most) = (interval(least)?, interval(most)?);
-                let range = percent_range(least.low, most.high);
+                let range = share_range(least.low, most.high);
                 Some(format!(", or {range} with their uncertain inputs ({} intervals)", level(found)))
             });
             let outer = outer.unwrap_or_default();
@@ -88,7 +88,7 @@ fn headline_sentence(
             match elements {
                 Some(judged) => {
                     let given = ERRORS_GIVEN * judged.standard_error;
-                    let range = percent_range(judged.area_fraction - given, judged.area_fraction + given);
+                    let range = share_range(judged.area_fraction - given, judged.area_fraction + given);
                     format!("{range} of the area touches at {load} (boundary elements). {models}")
                 }
                 None => format!("At {load}: {}{}", models[..1].to_lowercase(), &models[1..]),
@@ -112,12 +112,12 @@ pub(crate) fn sentences(judgement: &Judgement, scene: &Scene, answer: &Answer) -
 
 /// The curve of each area.
 fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let mut told: Vec<(usize, Vec<&Headline>)> = Vec::new();
+    let mut groups: Vec<(usize, Vec<&Headline>)> = Vec::new();
     for headline in &judgement.headlines {
         let Basis::Curve { curve, .. } = headline.basis else { continue };
-        match told.iter_mut().find(|(other, _)| *other == curve) {
+        match groups.iter_mut().find(|(other, _)| *other == curve) {
             Some((_, headlines)) => headlines.push(headline),
-            None => told.push((curve, vec![headline])),
+            None => groups.push((curve, vec![headline])),
         }
     }
     let sentence = |(curve, headlines): (usize, Vec<&Headline>)| {
@@ -146,12 +146,12 @@ fn rests(judgement: &Judgement, scene: &Scene) -> Vec<String> {
             in_full(&scene.needs.curves[curve])
         )
     };
-    told.into_iter().map(sentence).collect()
+    groups.into_iter().map(sentence).collect()
 }
 
 /// The yielding of the contact: the pressure of an elastic contact against the hardness.
 fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let mut groups: Vec<((&str, String), Vec<usize>)> = Vec::new();
+    let mut groups: Vec<(Option<String>, Vec<usize>)> = Vec::new();
     for yielding in judgement.yielding.iter().filter(|yielding| yielding.has_hardness) {
         let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
@@ -160,27 +160,24 @@ fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
                 "; a hardness that grows as the material's does is exceeded as well, at some scale"
             }
         };
-        let words = match yielding.above_constant {
-            None => (
-                "Nothing yields",
-                "the mean pressure of an elastic contact stays below the hardness at every scale".to_owned(),
-            ),
-            Some(above) => (
-                "The contact yields",
-                format!(
-                    "roughness finer than {} would need more than the hardness, {}, to stay elastic{growing}",
-                    length(above.wavelength_m),
-                    pressure(above.hardness_pa)
-                ),
-            ),
-        };
-        match groups.iter_mut().find(|(other, _)| *other == words) {
+        let above = yielding.above_constant.map(|above| {
+            format!(
+                "roughness finer than {} would need more than the hardness, {}, to stay elastic{growing}",
+                length(above.wavelength_m),
+                pressure(above.hardness_pa)
+            )
+        });
+        match groups.iter_mut().find(|(other, _)| *other == above) {
             Some((_, loads)) => loads.push(yielding.load),
-            None => groups.push((words, vec![yielding.load])),
+            None => groups.push((above, vec![yielding.load])),
         }
     }
-    let sentence = |((found, why), loads): ((&str, String), Vec<usize>)| {
-        format!("{found} {}: {why}.", at_loads(scene, &loads))
+    let sentence = |(above, loads): (Option<String>, Vec<usize>)| match above {
+        Some(above) => format!("The contact yields {}: {above}.", at_loads(scene, &loads)),
+        None => format!(
+            "Nothing yields: {} the mean pressure of an elastic contact stays below the hardness at every scale.",
+            at_loads(scene, &loads)
+        ),
     };
     groups.into_iter().map(sentence).collect()
 }
@@ -197,9 +194,9 @@ fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let of_verdict = |(verdict, words): (Verdict, &str)| {
         let curves: Vec<String> = (0..scene.needs.curves.len())
             .filter_map(|curve| {
-                let told: Vec<&CurveVerdict> =
+                let verdicts: Vec<&CurveVerdict> =
                     judgement.curves.iter().filter(|of| of.curve == curve && of.verdict == verdict).collect();
-                (!told.is_empty()).then(|| of_curve(scene, curve, &told))
+                (!verdicts.is_empty()).then(|| of_curve(scene, curve, &verdicts))
             })
             .collect();
         (!curves.is_empty()).then(|| format!("{words}: {}.", curves.join("; ")))
@@ -207,15 +204,15 @@ fn standing(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     verdicts.into_iter().filter_map(of_verdict).collect()
 }
 
-fn of_curve(scene: &Scene, curve: usize, told: &[&CurveVerdict]) -> String {
+fn of_curve(scene: &Scene, curve: usize, verdicts: &[&CurveVerdict]) -> String {
     let name = in_full(&scene.needs.curves[curve]);
-    let loads: Vec<usize> = told.iter().map(|of| of.load).collect();
-    let ratios: Vec<f64> = told.iter().filter_map(|of| of.ratio).collect();
-    let worst = match (ratios.is_empty(), told[0].verdict.compares()) {
+    let loads: Vec<usize> = verdicts.iter().map(|of| of.load).collect();
+    let ratios: Vec<f64> = verdicts.iter().filter_map(|of| of.ratio).collect();
+    let worst = match (ratios.is_empty(), verdicts[0].verdict.compares()) {
         (false, true) => {
             format!(" ({} times the area on the worst window)", range(ratios.into_iter(), three_digits))
         }
-        _ => format!(" ({})", range_of_reasons(told)),
+        _ => format!(" ({})", range_of_reasons(verdicts)),
     };
     if loads.len() == scene.needs.loads.len() {
         format!("{name}{worst}")
@@ -225,9 +222,9 @@ fn of_curve(scene: &Scene, curve: usize, told: &[&CurveVerdict]) -> String {
 }
 
 /// The reason that all loads share, with the range of wavelengths at which it begins.
-fn range_of_reasons(told: &[&CurveVerdict]) -> String {
-    let begins: Vec<f64> = told.iter().filter_map(|of| Some(of.broken?.wavelength_m())).collect();
-    match told[0].reason {
+fn range_of_reasons(verdicts: &[&CurveVerdict]) -> String {
+    let begins: Vec<f64> = verdicts.iter().filter_map(|of| Some(of.broken?.wavelength_m())).collect();
+    match verdicts[0].reason {
         Reason::Broken(judge::BrokenAssumption::Yields(_)) => format!(
             "it assumes that nothing yields, but its pressure exceeds the hardness from {} on",
             range(begins.into_iter(), length)
