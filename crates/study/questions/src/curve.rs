@@ -81,10 +81,7 @@ impl CurveQuestion {
         let Resolved { material, entry, tolerance, needs, theory } = self.resolve()?;
         self.sampling.check(surface)?;
         let mut notes = Vec::new();
-        notes.extend(tolerance.asked_finer().map(|asked| {
-            let used = tolerance.value();
-            Note::ToleranceTooFine { asked, used }
-        }));
+        notes.extend(of_tolerance(tolerance));
         notes.extend(Note::of_strength(&material, entry));
         notes.extend(Doubt::of_material(&material).map(Note::Doubt));
         notes.extend(surface.notes.iter().cloned().map(Note::Surface));
@@ -103,12 +100,7 @@ impl CurveQuestion {
     /// # Errors
     /// [`QuestionError`].
     pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-        let prepared = self.on(surface)?;
-        let stream = prepared.stream()?;
-        let mut notes = stream.notes();
-        let found = stream.whole(progress)?;
-        notes.extend(found.notes);
-        Ok(Answer { notes, ..found })
+        self.on(surface)?.answer(progress)
     }
 
     fn resolve(&self) -> Result<Resolved, QuestionError> {
@@ -148,7 +140,7 @@ impl CurveQuestion {
             moments: normalisation,
             amplitudes: (!is_statistical).then(|| self.amplitude.unwrap_or_default()),
             curves: vec![Curve {
-                name: self.name.clone().unwrap_or_else(|| entry.to_string()),
+                name: self.name.clone().unwrap_or_else(|| entry.curve_name(&self.options)),
                 model,
                 cutoffs: self.cutoffs,
             }],
@@ -172,6 +164,12 @@ impl CurveQuestion {
         }
         Ok(Resolved { material, entry, tolerance, needs, theory })
     }
+}
+
+/// A tolerance beyond double precision.
+fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
+    let used = tolerance.value();
+    tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used })
 }
 
 /// A question with everything looked up.
@@ -241,31 +239,37 @@ pub struct PreparedCurve<'s> {
 
 impl<'s> PreparedCurve<'s> {
     /// A curve of a scene, by index.
-    #[must_use]
-    pub fn of_scene(scene: &'s Scene, curve: usize) -> Self {
+    ///
+    /// # Errors
+    /// [`QuestionError::Hardness`] for a hardness beyond the range of magnitudes.
+    pub fn of_scene(scene: &'s Scene, curve: usize) -> Result<Self, QuestionError> {
         let material = scene.material.as_ref();
-        let one = scene.needs.curves[curve].clone();
-        let mut notes = Vec::new();
-        notes.extend(material.and_then(|material| Note::of_strength(material, one.model.entry())));
+        let curve = scene.needs.curves[curve].clone();
+        let theory = match curve.model {
+            CurveModel::Persson { pair, law } => Some(Theory {
+                model: law.model(&pair)?,
+                options: ModelOptions::default(),
+                energy_factor: PerssonLaw::ENERGY_FACTOR,
+                grows: curve.model.strength_grows(),
+            }),
+            _ => None,
+        };
+        let tolerance = scene.needs.tolerance;
+        let is_statistical = matches!(curve.model, CurveModel::Statistical { .. });
+        let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| is_statistical).into_iter().collect();
+        notes.extend(material.and_then(|material| Note::of_strength(material, curve.model.entry())));
         notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
         notes.extend(scene.surface.notes.iter().cloned().map(Note::Surface));
-        PreparedCurve {
-            plan: Plan {
-                psd: &scene.surface.psd,
-                sampling: scene.sampling,
-                needs: Needs {
-                    curves: vec![one],
-                    sweeps: Vec::new(),
-                    fit_band_m: None,
-                    ..scene.needs.clone()
-                },
-            },
+        let needs =
+            Needs { curves: vec![curve], sweeps: Vec::new(), fit_band_m: None, ..scene.needs.clone() };
+        Ok(PreparedCurve {
+            plan: Plan { psd: &scene.surface.psd, sampling: scene.sampling, needs },
             hardness_pa: scene.hardness_pa(),
-            theory: None,
+            theory,
             details: false,
             figure: false,
             notes,
-        }
+        })
     }
 
     /// Scales that take part.
@@ -286,7 +290,7 @@ impl<'s> PreparedCurve<'s> {
             roughness(
                 ground.psd(),
                 ground.moments().iter().map(|(moments, _)| moments),
-                Normalisation::Parseval,
+                self.normalisation(),
                 ground.scales(),
                 whole.as_ref().unwrap_or(self.plan.psd),
                 theory.options.band.unwrap_or_default(),
@@ -298,8 +302,24 @@ impl<'s> PreparedCurve<'s> {
         Ok(CurveStream { prepared: self, stream, roughness })
     }
 
+    /// Answers at once.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        let stream = self.stream()?;
+        let mut notes = stream.notes();
+        let found = stream.whole(progress)?;
+        notes.extend(found.notes);
+        Ok(Answer { notes, ..found })
+    }
+
     fn curve(&self) -> &Curve {
         &self.plan.needs.curves[0]
+    }
+
+    fn normalisation(&self) -> Normalisation {
+        self.plan.needs.moments.unwrap_or_default()
     }
 }
 
@@ -333,7 +353,8 @@ impl CurveStream<'_> {
             let separation = theory.model.separation(roughness, theory.energy_factor);
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
             let moments = self.stream.ground().moments().last();
-            let rms_height_m = moments.map_or(0.0, |(moments, _)| moments.rms_height_m());
+            let parseval = Normalisation::Parseval.factor() / self.prepared.normalisation().factor();
+            let rms_height_m = moments.map_or(0.0, |(moments, _)| parseval.sqrt() * moments.rms_height_m());
             let light = separation.light_loads();
             notes.extend(
                 light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
