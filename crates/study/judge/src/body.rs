@@ -1,11 +1,7 @@
 //! What a curve's body does under pressure, and so which elements it is held against.
 
 use serde::Serialize;
-use study::persson_law::PerssonLaw;
 use study::plan::CurveModel;
-
-/// Hardness over yield strength (Tabor 1951), where no indentation gave the hardness itself.
-pub(crate) const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
 /// How a body yields.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -26,12 +22,10 @@ impl Body {
     /// That of a model.
     #[must_use]
     pub fn of(model: &CurveModel) -> Self {
-        match model.strength() {
+        match model.hardness_pa() {
             None => Body::Elastic,
             Some(_) if model.strength_grows() => Body::Growing,
-            Some(strength) => {
-                Body::Hard { hardness_pa: hardness_over_strength(model) * strength.macroscopic_strength_pa() }
-            }
+            Some(hardness_pa) => Body::Hard { hardness_pa },
         }
     }
 
@@ -42,15 +36,5 @@ impl Body {
             Body::Hard { hardness_pa } => Some(hardness_pa),
             Body::Elastic | Body::Growing => None,
         }
-    }
-}
-
-/// The laws of asperities flow at three times their strength, Persson's theory at the hardness that it was given.
-fn hardness_over_strength(model: &CurveModel) -> f64 {
-    match model {
-        CurveModel::Persson { law: PerssonLaw::ElasticPlastic { hardness_over_strength, .. }, .. } => {
-            *hardness_over_strength
-        }
-        _ => HARDNESS_OVER_STRENGTH,
     }
 }

@@ -3,7 +3,7 @@
 use asperity::NixGao;
 use stacked_contact::Scale;
 
-use crate::body::HARDNESS_OVER_STRENGTH;
+use study::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 
 /// Hardness against scale, from long to short wavelengths; it never falls towards the short ones.
 #[derive(Debug, Clone, PartialEq)]
