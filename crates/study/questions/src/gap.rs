@@ -117,9 +117,6 @@ impl GapModel {
                 OptionName::InterferenceLaw,
                 options.interference_law.is_some() && !entry.has(Choice::Interference),
             ),
-            // Gaps of corrected forms and of other growths are not known.
-            (OptionName::Correction, options.correction.is_some()),
-            (OptionName::HardnessLaw, options.hardness_law.is_some()),
             (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
         ];
         first_given(without_law, || Reason::Model(entry.name))?;

@@ -135,7 +135,7 @@ fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_
         let question: CurveQuestion = serde_json::from_str(&json).unwrap();
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default())
             .unwrap_or_else(|error| panic!("{at}: {error:?}\n{text}"));
-        let of_scene = PreparedCurve::of_scene(&scene, 0).and_then(|curve| curve.answer(&Unobserved));
+        let of_scene = PreparedCurve::of_scene(&scene, 0).answer(&Unobserved);
         match (question.answer(&surface, &Unobserved), of_scene) {
             (Ok(asked), Ok(found)) => {
                 assert_eq!(format!("{:?}", asked.table), format!("{:?}", found.table), "{at}: {text}");

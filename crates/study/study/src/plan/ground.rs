@@ -140,7 +140,8 @@ impl Plan<'_> {
     }
 
     /// Returns the samples \[m\], \[m^3\] that a cutoff has left out, or none for a band that does not depend on them.
-    pub(crate) fn beyond(&self, kept: &ProfilePsd, band: Band) -> Vec<(f64, f64)> {
+    #[must_use]
+    pub fn beyond(&self, kept: &ProfilePsd, band: Band) -> Vec<(f64, f64)> {
         if band == Band::Profile || self.sampling.cutoff_m.is_none() {
             return Vec::new();
         }
