@@ -1,8 +1,6 @@
 //! The yielding of a curve's body, which decides the elements that it is held against.
 
 use serde::Serialize;
-use study::hardness_and_strength::HARDNESS_OVER_STRENGTH;
-use study::persson_law::PerssonLaw;
 use study::plan::CurveModel;
 
 /// The yielding of a body.
@@ -24,12 +22,10 @@ impl Body {
     /// The body of a model.
     #[must_use]
     pub fn from_model(model: &CurveModel) -> Self {
-        match model.strength() {
+        match model.hardness_pa() {
             None => Body::Elastic,
             Some(_) if model.strength_grows() => Body::Growing,
-            Some(strength) => {
-                Body::Hard { hardness_pa: hardness_over_strength(model) * strength.macroscopic_strength_pa() }
-            }
+            Some(hardness_pa) => Body::Hard { hardness_pa },
         }
     }
 
@@ -40,15 +36,5 @@ impl Body {
             Body::Hard { hardness_pa } => Some(hardness_pa),
             Body::Elastic | Body::Growing => None,
         }
-    }
-}
-
-/// Hardness over yield strength: 3 (Tabor 1951), or the ratio given to Persson's theory.
-fn hardness_over_strength(model: &CurveModel) -> f64 {
-    match model {
-        CurveModel::Persson { law: PerssonLaw::ElasticPlastic { hardness_over_strength, .. }, .. } => {
-            *hardness_over_strength
-        }
-        _ => HARDNESS_OVER_STRENGTH,
     }
 }

@@ -2,23 +2,23 @@
 
 use findings::doubts::{Doubt, RealPressures};
 use parallel::Progress;
+use persson::corrections::Correction;
+use persson::separation::SeparationLaw;
 use persson::{PerssonModel, Roughness};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use study::figure::Figure;
-use study::hardness_growth::{GrowthLaw, hardness_of};
 use study::material::Material;
-use study::models::{Choice, Framework, ModelEntry, ModelOptions};
-use study::persson_law::{PerssonLaw, roughness};
+use study::models::{Framework, ModelEntry, ModelOptions};
+use study::persson_law::roughness;
 use study::plan::{
-    Curve, CurveModel, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
-    Sampling, Stream, Tolerance,
+    Curve, CurveModel, CurveResult, Cutoffs, Ground, Load, LoadRange, Needs, NominalPressure, Part, Plan,
+    PlanError, Sampling, Stream, Tolerance,
 };
 use study::result_tables;
 use study::surface::Surface;
 use tables::Table;
-use units::Bound;
 
 use crate::choices;
 use crate::loads::{LoadInput, RangeInput, resolved};
@@ -78,20 +78,16 @@ impl CurveQuestion {
     /// # Errors
     /// Those of [`check`](Self::check), and of a cutoff that leaves nothing out.
     pub fn on<'s>(&self, surface: &'s Surface) -> Result<PreparedCurve<'s>, QuestionError> {
-        let Resolved { material, entry, tolerance, needs, theory } = self.resolve()?;
+        let Resolved { material, entry, tolerance, needs } = self.resolve()?;
         self.sampling.check(surface)?;
         let mut notes = Vec::new();
-        notes.extend(tolerance.asked_finer().map(|asked| {
-            let used = tolerance.value();
-            Note::ToleranceTooFine { asked, used }
-        }));
+        notes.extend(of_tolerance(tolerance));
         notes.extend(Note::of_strength(&material, entry));
         notes.extend(Doubt::of_material(&material).map(Note::Doubt));
         notes.extend(surface.notes.iter().cloned().map(Note::Surface));
         Ok(PreparedCurve {
             plan: Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs },
             hardness_pa: material.hardness_pa(),
-            theory,
             details: self.details,
             figure: self.figure,
             notes,
@@ -103,18 +99,12 @@ impl CurveQuestion {
     /// # Errors
     /// [`QuestionError`].
     pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-        let prepared = self.on(surface)?;
-        let stream = prepared.stream()?;
-        let mut notes = stream.notes();
-        let found = stream.whole(progress)?;
-        notes.extend(found.notes);
-        Ok(Answer { notes, ..found })
+        self.on(surface)?.answer(progress)
     }
 
     fn resolve(&self) -> Result<Resolved, QuestionError> {
         let entry = self.model.ok_or(QuestionError::Missing(OptionName::Model))?;
-        let (is_persson, is_statistical) =
-            (entry.framework == Framework::Persson, entry.framework == Framework::Statistical);
+        let is_statistical = entry.framework == Framework::Statistical;
         choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
         let of_statistical = [
             (OptionName::Normalisation, self.normalisation.is_some() && !is_statistical),
@@ -126,15 +116,7 @@ impl CurveQuestion {
         let material = self.material.material()?;
         let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let tolerance = tolerance.unwrap_or_default();
-        let theory = is_persson.then(|| Theory::new(&self.options, entry, &material)).transpose()?;
-        // A table brings its own hardness, which the material may lack.
-        let named = match &theory {
-            Some(_) if entry.has(Choice::Strength) && material.hardness_pa().is_none() => {
-                study::models::named(Framework::Persson, "persson").unwrap_or(entry)
-            }
-            _ => entry,
-        };
-        let model = named.build(&material, &self.options)?;
+        let model = entry.build(&material, &self.options)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
             return Err(QuestionError::Missing(OptionName::Pressure));
@@ -148,7 +130,7 @@ impl CurveQuestion {
             moments: normalisation,
             amplitudes: (!is_statistical).then(|| self.amplitude.unwrap_or_default()),
             curves: vec![Curve {
-                name: self.name.clone().unwrap_or_else(|| entry.to_string()),
+                name: self.name.clone().unwrap_or_else(|| entry.curve_name(&self.options)),
                 model,
                 cutoffs: self.cutoffs,
             }],
@@ -170,8 +152,14 @@ impl CurveQuestion {
                 pressures.map(|nominal_pressure| Load { nominal_pressure, label: nominal_pressure.label() }),
             );
         }
-        Ok(Resolved { material, entry, tolerance, needs, theory })
+        Ok(Resolved { material, entry, tolerance, needs })
     }
+}
+
+/// A tolerance beyond double precision.
+fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
+    let used = tolerance.value();
+    tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used })
 }
 
 /// A question with everything looked up.
@@ -180,44 +168,21 @@ struct Resolved {
     entry: &'static ModelEntry,
     tolerance: Tolerance,
     needs: Needs,
-    theory: Option<Theory>,
 }
 
-/// Persson's theory with its options.
-#[derive(Clone)]
+/// Persson's theory of a spectrum.
 struct Theory {
     model: PerssonModel,
-    options: ModelOptions,
-    energy_factor: f64,
-    /// True if the hardness grows, and bears more than that of the bulk.
-    grows: bool,
-}
-
-impl Theory {
-    fn new(options: &ModelOptions, entry: &ModelEntry, material: &Material) -> Result<Self, QuestionError> {
-        let energy_factor = options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR);
-        let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
-        bound
-            .check("the elastic energy factor", energy_factor)
-            .map_err(|error| QuestionError::Other(error.to_string()))?;
-        let contact_modulus_pa = material.pair.composite_modulus_pa();
-        let growth = options.hardness_law.clone().or(options.strain_gradient.then_some(GrowthLaw::NixGao));
-        let model = match entry.has(Choice::Strength) {
-            false => PerssonModel::Elastic { contact_modulus_pa, correction: options.correction },
-            true => PerssonModel::ElasticPlastic {
-                contact_modulus_pa,
-                hardness: hardness_of(material, growth.as_ref())?,
-            },
-        };
-        Ok(Theory { model, options: options.clone(), energy_factor, grows: growth.is_some() })
-    }
+    roughness: Roughness,
+    separation: SeparationLaw,
+    correction: Option<Correction>,
 }
 
 impl Theory {
     /// Refuses loads that the hardness cannot carry; if it carries the largest, it carries all.
-    fn check(&self, roughness: &Roughness, needs: &Needs) -> Result<(), QuestionError> {
-        let separation = self.model.separation(roughness, self.energy_factor);
-        let at = |pressure: NominalPressure| self.model.at_last(roughness, &separation, pressure.pa());
+    fn check(&self, needs: &Needs) -> Result<(), QuestionError> {
+        let at =
+            |pressure: NominalPressure| self.model.at_last(&self.roughness, &self.separation, pressure.pa());
         let largest = needs.pressures().max_by(|a, b| a.pa().total_cmp(&b.pa()));
         if largest.is_some_and(|largest| at(largest).is_err()) {
             for pressure in needs.pressures() {
@@ -232,7 +197,6 @@ impl Theory {
 pub struct PreparedCurve<'s> {
     plan: Plan<'s>,
     hardness_pa: Option<f64>,
-    theory: Option<Theory>,
     details: bool,
     figure: bool,
     /// Notes from before the spectrum was sampled.
@@ -244,24 +208,18 @@ impl<'s> PreparedCurve<'s> {
     #[must_use]
     pub fn of_scene(scene: &'s Scene, curve: usize) -> Self {
         let material = scene.material.as_ref();
-        let one = scene.needs.curves[curve].clone();
-        let mut notes = Vec::new();
-        notes.extend(material.and_then(|material| Note::of_strength(material, one.model.entry())));
+        let curve = scene.needs.curves[curve].clone();
+        let tolerance = scene.needs.tolerance;
+        let is_statistical = matches!(curve.model, CurveModel::Statistical { .. });
+        let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| is_statistical).into_iter().collect();
+        notes.extend(material.and_then(|material| Note::of_strength(material, curve.model.entry())));
         notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
         notes.extend(scene.surface.notes.iter().cloned().map(Note::Surface));
+        let needs =
+            Needs { curves: vec![curve], sweeps: Vec::new(), fit_band_m: None, ..scene.needs.clone() };
         PreparedCurve {
-            plan: Plan {
-                psd: &scene.surface.psd,
-                sampling: scene.sampling,
-                needs: Needs {
-                    curves: vec![one],
-                    sweeps: Vec::new(),
-                    fit_band_m: None,
-                    ..scene.needs.clone()
-                },
-            },
+            plan: Plan { psd: &scene.surface.psd, sampling: scene.sampling, needs },
             hardness_pa: scene.hardness_pa(),
-            theory: None,
             details: false,
             figure: false,
             notes,
@@ -280,26 +238,42 @@ impl<'s> PreparedCurve<'s> {
     /// [`QuestionError::Plan`].
     pub fn stream(&self) -> Result<CurveStream<'_>, QuestionError> {
         let stream = self.plan.stream()?;
-        let roughness = self.theory.as_ref().map(|theory| {
-            let ground = stream.ground();
-            let whole = self.plan.sampling.scales_per_decade.map(|density| self.plan.psd.resampled(density));
-            roughness(
-                ground.psd(),
-                ground.moments().iter().map(|(moments, _)| moments),
-                Normalisation::Parseval,
-                ground.scales(),
-                whole.as_ref().unwrap_or(self.plan.psd),
-                theory.options.band.unwrap_or_default(),
-            )
-        });
-        if let (Some(theory), Some(roughness)) = (&self.theory, &roughness) {
-            theory.check(roughness, &self.plan.needs)?;
+        let theory = self.theory(stream.ground())?;
+        if let Some(theory) = &theory {
+            theory.check(&self.plan.needs)?;
         }
-        Ok(CurveStream { prepared: self, stream, roughness })
+        Ok(CurveStream { prepared: self, stream, theory })
+    }
+
+    fn theory(&self, ground: &Ground) -> Result<Option<Theory>, QuestionError> {
+        let CurveModel::Persson { pair, law } = &self.curve().model else { return Ok(None) };
+        let moments = ground.moments().iter().map(|(moments, _)| moments);
+        let beyond = self.plan.beyond(ground.psd(), law.band);
+        let (psd, scales) = (ground.psd(), ground.scales());
+        let roughness = roughness(psd, moments, self.normalisation(), scales, &beyond, law.band);
+        let model = law.model(pair)?;
+        let separation = model.separation(&roughness, law.energy_factor);
+        Ok(Some(Theory { model, roughness, separation, correction: law.correction().flatten() }))
+    }
+
+    /// Answers at once.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        let stream = self.stream()?;
+        let mut notes = stream.notes();
+        let found = stream.whole(progress)?;
+        notes.extend(found.notes);
+        Ok(Answer { notes, ..found })
     }
 
     fn curve(&self) -> &Curve {
         &self.plan.needs.curves[0]
+    }
+
+    fn normalisation(&self) -> Normalisation {
+        self.plan.needs.moments.unwrap_or_default()
     }
 }
 
@@ -307,7 +281,7 @@ impl<'s> PreparedCurve<'s> {
 pub struct CurveStream<'p> {
     prepared: &'p PreparedCurve<'p>,
     stream: Stream<'p>,
-    roughness: Option<Roughness>,
+    theory: Option<Theory>,
 }
 
 impl CurveStream<'_> {
@@ -320,20 +294,19 @@ impl CurveStream<'_> {
     /// What is known before there are rows.
     #[must_use]
     pub fn notes(&self) -> Vec<Note> {
-        let PreparedCurve { plan, theory, hardness_pa, notes, .. } = self.prepared;
+        let PreparedCurve { plan, hardness_pa, notes, .. } = self.prepared;
         let mut notes = notes.clone();
         match self.prepared.curve().model {
             CurveModel::Stacked(_) => notes.push(Note::Sampling(SampledScales::of(self.stream.psd()))),
             CurveModel::Statistical { .. } => notes.push(Note::FirstRowIsEmpty),
             CurveModel::Persson { .. } => {}
         }
-        if let (Some(theory), Some(roughness)) = (theory, &self.roughness) {
-            let correction = theory.options.correction;
+        if let Some(Theory { roughness, separation, correction, .. }) = &self.theory {
             notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
-            let separation = theory.model.separation(roughness, theory.energy_factor);
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
             let moments = self.stream.ground().moments().last();
-            let rms_height_m = moments.map_or(0.0, |(moments, _)| moments.rms_height_m());
+            let parseval = Normalisation::Parseval.factor() / self.prepared.normalisation().factor();
+            let rms_height_m = moments.map_or(0.0, |(moments, _)| parseval.sqrt() * moments.rms_height_m());
             let light = separation.light_loads();
             notes.extend(
                 light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
@@ -358,7 +331,7 @@ impl CurveStream<'_> {
         let mut remarks = self.remarks();
         let several = self.prepared.plan.needs.load_count() > 1;
         let details = self.prepared.details;
-        self.rows(progress, |part| {
+        self.stream.parts(self.prepared.curve(), progress, |part: Part| {
             remarks.add(&part.rows, &part.pressures_pa);
             each(result_tables::part_of_curve(&part.rows, &part.pressures_pa, several, details))
         })?;
@@ -371,10 +344,7 @@ impl CurveStream<'_> {
     /// [`QuestionError::Plan`].
     pub fn whole(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
         let plan = &self.prepared.plan;
-        let mut results = match &self.prepared.theory {
-            None => plan.compute_observed(progress)?,
-            Some(_) => self.with_options(progress)?,
-        };
+        let results = plan.compute_observed(progress)?;
         let needs = &plan.needs;
         let pressures_pa: Vec<f64> = needs.pressures().map(NominalPressure::pa).collect();
         let rows = &results.curves[0];
@@ -386,57 +356,15 @@ impl CurveStream<'_> {
             let of = Figure::area_of_all(vec![0]);
             of.data(&results, needs, self.prepared.hardness_pa)
         });
-        results.curves.clear();
         Ok(Answer { table, notes: remarks.notes(), figure })
     }
 
-    fn with_options(&self, progress: &dyn Progress) -> Result<study::plan::Results, QuestionError> {
-        let needs = Needs { curves: Vec::new(), ..self.prepared.plan.needs.clone() };
-        let spectrum_alone = Plan { needs, ..self.prepared.plan };
-        let mut results = spectrum_alone.compute_observed(progress)?;
-        let mut blocks = Vec::new();
-        self.rows::<PlanError>(progress, |part| {
-            if let CurveResult::Persson(part) = part.rows {
-                blocks.extend(part);
-            }
-            Ok(())
-        })?;
-        results.curves.push(CurveResult::Persson(blocks));
-        Ok(results)
-    }
-
-    fn rows<E: From<PlanError>>(
-        &self,
-        progress: &dyn Progress,
-        mut each: impl FnMut(Part) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let (Some(theory), Some(roughness)) = (&self.prepared.theory, &self.roughness) else {
-            return self.stream.parts(self.prepared.curve(), progress, each);
-        };
-        let separation = theory.model.separation(roughness, theory.energy_factor);
-        let pressures_pa: Vec<f64> = self.prepared.plan.needs.pressures().map(NominalPressure::pa).collect();
-        let together = (16_384 / self.stream.psd().len().max(1)).max(1);
-        for pressures_pa in pressures_pa.chunks(together) {
-            let blocks = parallel::try_map(pressures_pa, |&pressure_pa| {
-                if progress.is_cancelled() {
-                    return Err(PlanError::Cancelled);
-                }
-                let cuts = theory.model.along(roughness, &separation, pressure_pa)?;
-                progress.advance(cuts.len());
-                Ok(cuts)
-            })?;
-            each(Part { pressures_pa: pressures_pa.to_vec(), rows: CurveResult::Persson(blocks) })?;
-        }
-        Ok(())
-    }
-
     fn remarks(&self) -> Remarks<'_> {
-        let PreparedCurve { theory, hardness_pa, .. } = self.prepared;
-        let grows = theory.as_ref().is_some_and(|theory| theory.grows);
+        let hardness_pa = self.prepared.hardness_pa;
         Remarks {
             curve: self.prepared.curve(),
             counts: CurveCounts::default(),
-            pressures: RealPressures::new(hardness_pa.filter(|_| !grows)),
+            pressures: RealPressures::new(hardness_pa),
         }
     }
 }

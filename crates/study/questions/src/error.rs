@@ -4,7 +4,6 @@ use asperity::AsperityError;
 use persson::hardness_laws::HardnessError;
 use rough_bem::ElementsError;
 use study::gap_law::GapError;
-use study::hardness_growth::GrowthError;
 use study::material::MaterialError;
 use study::plan::PlanError;
 
@@ -108,14 +107,5 @@ impl QuestionError {
 impl From<UnusedOption> for QuestionError {
     fn from(unused: UnusedOption) -> Self {
         QuestionError::Unused(unused)
-    }
-}
-
-impl From<GrowthError> for QuestionError {
-    fn from(error: GrowthError) -> Self {
-        match error {
-            GrowthError::Material(error) => QuestionError::Material(error),
-            GrowthError::Hardness(error) => QuestionError::Hardness(error),
-        }
     }
 }

@@ -117,9 +117,6 @@ impl GapModel {
                 OptionName::InterferenceLaw,
                 options.interference_law.is_some() && !entry.has(Choice::Interference),
             ),
-            // Gaps of corrected forms and of other growths are not known.
-            (OptionName::Correction, options.correction.is_some()),
-            (OptionName::HardnessLaw, options.hardness_law.is_some()),
             (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
         ];
         first_given(without_law, || Reason::Model(entry.name))?;
@@ -180,6 +177,20 @@ impl GapQuestion {
         self.loads().map(drop)
     }
 
+    /// Number of steps that the progress will count: those of boundary elements, and none for models.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn steps(&self, surface: &Surface) -> Result<usize, QuestionError> {
+        if self.by.model.is_some() {
+            return Ok(0);
+        }
+        let (material, pressures_pa) = self.loads()?;
+        let pressing = elastic(&material, pressures_pa);
+        let (random, _) = random_surfaces(surface, &self.random, &pressing)?;
+        Ok(rough_bem::progress_steps(&Surfaces::Random(random), &pressing))
+    }
+
     /// Computes the gaps.
     ///
     /// # Errors
@@ -221,8 +232,7 @@ impl GapQuestion {
         surface: &Surface,
         progress: &dyn Progress,
     ) -> Result<(Vec<GapState>, Vec<Note>), QuestionError> {
-        let modulus_pa = material.pair.composite_modulus_pa();
-        let pressing = Pressing { pressures_pa, stiffness: true, ..Pressing::elastic(modulus_pa) };
+        let pressing = elastic(material, pressures_pa);
         let (random, mut notes) = random_surfaces(surface, &self.random, &pressing)?;
         let rms_height_m = random.band.mean_square_height_m2().sqrt();
         let surfaces = Surfaces::Random(random);
@@ -232,6 +242,12 @@ impl GapQuestion {
         notes.push(Note::Gaps(GapCounts::of(&states, Some(rms_height_m))));
         Ok((states, notes))
     }
+}
+
+/// Loads on an elastic material.
+fn elastic(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
+    let modulus_pa = material.pair.composite_modulus_pa();
+    Pressing { pressures_pa, stiffness: true, ..Pressing::elastic(modulus_pa) }
 }
 
 impl LawQuestion {

@@ -1,38 +1,46 @@
 //! The curves of a scene.
 
+use std::io::Cursor;
+
+use measurements::Files;
+use persson::hardness_laws::HardnessTable;
 use serde_spanned::Spanned;
+use tables::TableSource;
+use units::Bound;
 
 use super::error::SceneError;
+use super::interface::{GAMMA, checked};
 use super::raw::RawCurve;
-use super::values::check_file_name;
+use super::values::{check_file_name, value_error};
+use study::hardness_growth::GrowthLaw;
 use study::material::Material;
-use study::models::ModelOptions;
+use study::models::{IgnoredOption, ModelOptions};
 use study::plan::Curve;
 
-/// The curves; `options` are those of the whole scene, which curves may overrule.
+/// Returns the curves, and for each of them the options that its model ignores. `options` are those of the whole scene,
+/// which curves may override.
 pub(super) fn resolve_curves(
     raw: &[Spanned<RawCurve>],
     material: Option<&Material>,
     options: &ModelOptions,
-) -> Result<Vec<Curve>, SceneError> {
+    files: &dyn Files,
+) -> Result<(Vec<Curve>, Vec<Vec<IgnoredOption>>), SceneError> {
     let mut curves: Vec<Curve> = Vec::new();
+    let mut ignored = Vec::new();
     for spanned in raw {
         let curve = spanned.get_ref();
         let Some(material) = material else {
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
-        let own = ModelOptions {
-            strain_gradient: curve.strain_gradient,
-            interference_law: curve.interference_law,
-            ..ModelOptions::default()
-        };
-        let of_curve = ModelOptions {
+        let own = own_options(curve, files)?;
+        ignored.push(own.ignored_by(curve.model));
+        let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
             interference_law: own.interference_law.or(options.interference_law),
             ..own.clone()
         };
-        let model =
-            curve.model.build(material, &of_curve).map_err(|error| SceneError::at(spanned.span(), error))?;
+        let model = curve.model.build(material, &with_those_of_the_scene);
+        let model = model.map_err(|error| SceneError::at(spanned.span(), error))?;
         let default_name = || curve.model.curve_name(&own);
         let name = curve.name.as_ref().map_or_else(default_name, |name| name.get_ref().clone());
         let name_span = curve.name.as_ref().map_or_else(|| spanned.span(), Spanned::span);
@@ -43,5 +51,42 @@ pub(super) fn resolve_curves(
         }
         curves.push(Curve { name, model, cutoffs: curve.cutoffs.unwrap_or_default() });
     }
-    Ok(curves)
+    Ok((curves, ignored))
+}
+
+/// Returns the options that a curve gives itself.
+fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, SceneError> {
+    let gamma = curve.gamma.as_ref();
+    let gamma = gamma.map(|gamma| checked("curve.gamma", "the elastic energy factor", gamma, GAMMA));
+    Ok(ModelOptions {
+        strain_gradient: curve.strain_gradient,
+        hardness: None,
+        interference_law: curve.interference_law,
+        correction: curve.correction,
+        band: curve.band,
+        gamma: gamma.transpose()?,
+        hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,
+    })
+}
+
+/// Reads the growth of a hardness: `power:N`, `nix-gao`, or `table:FILE` with the columns `contact_size_m` and
+/// `hardness_pa`.
+fn growth_law(text: &Spanned<String>, files: &dyn Files) -> Result<GrowthLaw, SceneError> {
+    let typed = text.get_ref();
+    let refused = |problem: String| value_error("curve.hardness_law", typed, text.span(), problem);
+    if let Some(name) = typed.strip_prefix("table:").filter(|name| !name.is_empty()) {
+        return table_of_hardnesses(name, files).map(GrowthLaw::Table).map_err(refused);
+    }
+    let law = GrowthLaw::named(typed).map_err(refused)?;
+    law.ok_or_else(|| refused("expected power:N, nix-gao or table:FILE".to_owned()))
+}
+
+fn table_of_hardnesses(name: &str, files: &dyn Files) -> Result<HardnessTable, String> {
+    let bytes = files.read(name).map_err(|error| error.to_string())?;
+    let table = TableSource::new(name, Cursor::new(bytes)).and_then(TableSource::whole);
+    let columns = [("contact_size_m", Bound::Magnitude), ("hardness_pa", Bound::Magnitude)];
+    let rows =
+        table.map_err(|error| error.to_string())?.numbers(columns).map_err(|error| error.to_string())?;
+    let rows = rows.into_iter().map(|[size_m, hardness_pa]| (size_m, hardness_pa));
+    HardnessTable::new(rows).map_err(|error| error.to_string())
 }

@@ -17,7 +17,7 @@ use study::persson_law::PerssonLaw;
 use study::plan::NominalPressure;
 
 /// The elastic energy factor of Persson's theory.
-const GAMMA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
+pub(super) const GAMMA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
 
 /// What is asked of the interface, with what both bodies conduct; none where no section and no pair of conductivities or
 /// resistivities asks.
@@ -110,7 +110,12 @@ fn resolve_seal(raw: &Spanned<RawSeal>, material: Option<&Material>) -> Result<S
     Ok(Seal { threshold: threshold.transpose()?.unwrap_or_default(), joint })
 }
 
-fn checked(key: &str, quantity: &'static str, raw: &Spanned<f64>, bound: Bound) -> Result<f64, SceneError> {
+pub(super) fn checked(
+    key: &str,
+    quantity: &'static str,
+    raw: &Spanned<f64>,
+    bound: Bound,
+) -> Result<f64, SceneError> {
     let value = *raw.get_ref();
     let checked = bound.check(quantity, value);
     checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))

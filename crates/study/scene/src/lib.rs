@@ -33,6 +33,7 @@ pub use template::Template;
 pub use uncertainty::UncertaintyChoices;
 
 use measurements::{Files, NoFiles};
+use persson::variance::Band;
 use study::bodies::Bodies;
 use study::choices_in_words;
 use study::figure::Figure;
@@ -81,8 +82,8 @@ impl Scene {
     /// [`SceneError`] with place, key, value and bound.
     pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
         let raw = raw::RawScene::parse(text)?;
-        let scene = resolve::resolve(text, &raw, files, overrides)?;
-        Ok(Scene { notes: notes::notes(text, &scene, overrides), ..scene })
+        let (scene, ignored) = resolve::resolve(text, &raw, files, overrides)?;
+        Ok(Scene { notes: notes::notes(text, &scene, &ignored, overrides), ..scene })
     }
 
     /// A scene that comes with the program.
@@ -124,6 +125,19 @@ impl Scene {
             of_laws.extend(curve.model.interference().map(|law| {
                 named("interference law of sinusoids", law.name(), choices_in_words::interference(law))
             }));
+        }
+        for law in self.needs.curves.iter().filter_map(|curve| curve.model.persson()) {
+            let (correction, band) = (law.correction().flatten(), law.band);
+            of_laws.extend(correction.map(|correction| {
+                named(
+                    "correction of Persson's theory",
+                    correction.name(),
+                    choices_in_words::correction(correction),
+                )
+            }));
+            if band != Band::default() {
+                of_laws.push(named("spectrum that a cutoff ends", band.name(), choices_in_words::band(band)));
+            }
         }
         of_laws.sort();
         of_laws.dedup();

@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Overrides, Scene};
 use study::figure::Shows;
-use study::models::{Choice, Framework, ModelEntry};
+use study::models::{Choice, Framework, IgnoredOption, IgnoredReason, ModelEntry};
 
 /// A key of a scene that has no effect, or not the one that it reads as.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -31,6 +31,12 @@ pub enum Idle {
     ModelDoesNotYield,
     /// The curve's model has no choice of an interference law.
     ModelHasNoInterferenceLaw,
+    /// The curve's model has no such option.
+    ModelHasNoSuchOption,
+    /// The curve's model yields, and the corrected forms are elastic ones.
+    CorrectionsAreElastic,
+    /// The curve's hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
+    OtherHardnessLaw,
     /// The figure shows something else.
     FigureShowsSomethingElse,
     /// No curve depends on it.
@@ -58,11 +64,16 @@ pub enum Idle {
 }
 
 /// The notes on a scene, in the order of its sections; what is overridden from outside says nothing about the scene.
-pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<SceneNote> {
+pub(super) fn notes(
+    text: &str,
+    scene: &Scene,
+    ignored: &[Vec<IgnoredOption>],
+    overrides: &Overrides,
+) -> Vec<SceneNote> {
     // What cannot be read again was refused before.
     let Ok(document) = DeTable::parse(text) else { return Vec::new() };
     let mut keys = Keys { text, document: document.get_ref(), notes: Vec::new() };
-    curves(&mut keys, scene);
+    curves(&mut keys, ignored);
     loads(&mut keys, scene);
     figures(&mut keys, scene);
     cutoffs(&mut keys, scene, overrides);
@@ -72,15 +83,17 @@ pub(super) fn notes(text: &str, scene: &Scene, overrides: &Overrides) -> Vec<Sce
     keys.notes
 }
 
-fn curves(keys: &mut Keys<'_>, scene: &Scene) {
-    for (table, curve) in keys.tables("curve").into_iter().zip(&scene.needs.curves) {
-        let model = curve.model.entry();
-        let wants_gradient = matches!(value(table, "strain_gradient"), Some(DeValue::Boolean(true)));
-        if wants_gradient && !model.has(Choice::StrainGradient) {
-            keys.note("curve", table, "strain_gradient", Idle::ModelDoesNotYield);
-        }
-        if !model.has(Choice::Interference) {
-            keys.note("curve", table, "interference_law", Idle::ModelHasNoInterferenceLaw);
+fn curves(keys: &mut Keys<'_>, ignored: &[Vec<IgnoredOption>]) {
+    for (table, ignored) in keys.tables("curve").into_iter().zip(ignored) {
+        for option in ignored {
+            let reason = match (option.reason, option.choice) {
+                (IgnoredReason::NeverYields, _) => Idle::ModelDoesNotYield,
+                (IgnoredReason::CorrectionsAreElastic, _) => Idle::CorrectionsAreElastic,
+                (IgnoredReason::OtherHardnessLaw, _) => Idle::OtherHardnessLaw,
+                (_, Choice::Interference) => Idle::ModelHasNoInterferenceLaw,
+                _ => Idle::ModelHasNoSuchOption,
+            };
+            keys.note("curve", table, option.choice.key(), reason);
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use persson::corrections::Correction;
+use persson::variance::Band;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -157,6 +159,10 @@ pub(super) struct RawCurve {
     #[serde(default)]
     pub strain_gradient: bool,
     pub interference_law: Option<InterferenceLaw>,
+    pub correction: Option<Correction>,
+    pub band: Option<Band>,
+    pub gamma: Option<Spanned<f64>>,
+    pub hardness_law: Option<Spanned<String>>,
     pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
 }

@@ -22,7 +22,7 @@ use measurements::Files;
 use study::bodies::Bodies;
 use study::figure::Shows;
 use study::material_spreads::MaterialSpreads;
-use study::models::{Choice, CurveModel, ModelOptions};
+use study::models::{Choice, CurveModel, IgnoredOption, ModelOptions};
 use study::plan::{Needs, Sampling};
 use units::{Length, Pressure};
 
@@ -70,15 +70,16 @@ fn has_spheres_that_yield(model: &CurveModel) -> bool {
 }
 
 fn has_growing_strength(model: &CurveModel) -> bool {
-    model.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    model.strength_grows()
 }
 
+/// Returns the scene without its notes, and the options that the model of each curve ignores.
 pub(super) fn resolve(
     text: &str,
     raw: &RawScene,
     files: &dyn Files,
     overrides: &Overrides,
-) -> Result<Scene, SceneError> {
+) -> Result<(Scene, Vec<Vec<IgnoredOption>>), SceneError> {
     let options = &raw.options;
     let strength_cap = match overrides.strength_cap {
         Some(cap) => Some(cap),
@@ -105,7 +106,7 @@ pub(super) fn resolve(
         interference_law: options.interference_law,
         ..ModelOptions::default()
     };
-    let curves = resolve_curves(&raw.curve, material.as_ref(), &law_options)?;
+    let (curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
     let loads = match &raw.loads {
         Some(loads) => resolve_loads(loads, material.as_ref())?,
         None if curves.is_empty() => Vec::new(),
@@ -139,7 +140,7 @@ pub(super) fn resolve(
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
         None => own,
     };
-    Ok(Scene {
+    let scene = Scene {
         text: text.to_owned(),
         title: raw.title.clone().unwrap_or_else(|| surface.name.clone()),
         surface,
@@ -172,5 +173,6 @@ pub(super) fn resolve(
         },
         interface,
         notes: Vec::new(),
-    })
+    };
+    Ok((scene, ignored))
 }

@@ -174,3 +174,63 @@ fn errors_of_values_carry_key_and_value() {
         SceneProblem::Value { key, value, .. } if key == "cutoffs.shortest_wavelength" && value == "5 GPa"
     ));
 }
+
+#[test]
+fn options_of_perssons_theory_tell_curves_apart() {
+    let sections = "[[curve]]\nmodel = \"persson\"\ncorrection = \"algebraic-nayak\"\nband = \"2d\"\ngamma = 0.5\n\
+                    [[curve]]\nmodel = \"persson\"\ngamma = 0.45\n\
+                    [[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"power:0.25\"\n\
+                    [[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"nix-gao\"\n\
+                    [[curve]]\nmodel = \"persson-plastic\"\nname = \"other\"\nstrain_gradient = true\n";
+    let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
+    assert_eq!(scene.notes, []);
+    let curves = &scene.needs.curves;
+    let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
+    let expected = [
+        "persson-algebraic-nayak-2d-gamma-0.5",
+        "persson",
+        "persson-plastic-power-0.25",
+        "persson-plastic-strain-gradient",
+        "other",
+    ];
+    assert_eq!(names, expected);
+    assert_eq!(curves[3].model, curves[4].model);
+    assert!(scene.needs.amplitudes.is_some());
+}
+
+#[test]
+fn options_that_a_model_of_perssons_theory_ignores_are_noted_and_wrong_ones_refused() {
+    let ignored = "[[curve]]\nmodel = \"persson\"\nhardness_law = \"nix-gao\"\n\
+                   [[curve]]\nmodel = \"persson-plastic\"\nstrain_gradient = true\ncorrection = \"algebraic\"\n\
+                   hardness_law = \"power:1\"\n[[curve]]\nmodel = \"hertz\"\nband = \"1d\"\n";
+    assert_eq!(
+        notes(ignored),
+        [
+            ("curve.hardness_law".to_owned(), 12, Idle::ModelDoesNotYield),
+            ("curve.strain_gradient".to_owned(), 15, Idle::OtherHardnessLaw),
+            ("curve.correction".to_owned(), 16, Idle::CorrectionsAreElastic),
+            ("curve.band".to_owned(), 20, Idle::ModelHasNoSuchOption),
+        ]
+    );
+    for (key, value) in [
+        ("gamma", "0.0"),
+        ("hardness_law", "\"power:-1\""),
+        ("hardness_law", "\"table:none.csv\""),
+        ("hardness_law", "\"steep\""),
+    ] {
+        let error = refused(&format!("[[curve]]\nmodel = \"persson-plastic\"\n{key} = {value}\n"));
+        let SceneProblem::Value { key: found, .. } = &error.problem else { panic!("{error}") };
+        assert_eq!(*found, format!("curve.{key}"));
+        assert!(error.span.is_some());
+    }
+}
+
+#[test]
+fn a_hardness_is_read_from_a_table_beside_the_scene() {
+    let curve = "[[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"table:h.csv\"\n";
+    let csv = b"contact_size_m,hardness_pa\n1e-5,3e9\n1e-7,6e9\n".to_vec();
+    let files = std::collections::BTreeMap::from([("h.csv".to_owned(), csv)]);
+    let scene = Scene::parse(&format!("{STEEL}{curve}"), &files, &Overrides::default()).unwrap();
+    assert_eq!(scene.needs.curves[0].name, "persson-plastic-hardness-table");
+    assert!(scene.plan().compute().is_ok());
+}

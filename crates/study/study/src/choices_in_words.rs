@@ -1,8 +1,12 @@
 //! The choices that the models leave open, in words: what a setting is, and of which paper.
 
 use asperity::Hardness;
+use persson::corrections::Correction;
+use persson::variance::Band;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
+
+use crate::growth_law::GrowthLaw;
 
 /// What the moments are multiplied by.
 #[must_use]
@@ -38,5 +42,37 @@ pub fn interference(choice: InterferenceLaw) -> &'static str {
     match choice {
         InterferenceLaw::RostamiJackson => "fit of Rostami & Jackson 2013",
         InterferenceLaw::Bem => "boundary-element solutions",
+    }
+}
+
+/// Names a corrected form of Persson's elastic theory by those who fitted it.
+#[must_use]
+pub fn correction(choice: Correction) -> &'static str {
+    match choice {
+        Correction::WangMuser => "corrected as Wang & Müser 2017",
+        Correction::YangPersson => "corrected as Yang & Persson 2008",
+        Correction::Algebraic => "corrected as Xu et al. 2024",
+        Correction::AlgebraicNayak => "corrected as Xu et al. 2024, by Nayak's alpha",
+        other => other.name(),
+    }
+}
+
+/// Names the spectrum that a cutoff ends.
+#[must_use]
+pub fn band(choice: Band) -> &'static str {
+    match choice {
+        Band::Profile => "spectrum of profiles",
+        Band::Surface => "spectrum of the surface",
+        other => other.name(),
+    }
+}
+
+/// Names the growth of a hardness towards short wavelengths.
+#[must_use]
+pub fn hardness_law(choice: &GrowthLaw) -> String {
+    match choice {
+        GrowthLaw::Power(exponent) => format!("hardness as the wavevector to the power {exponent}"),
+        GrowthLaw::NixGao => "hardness as Nix & Gao 1998".to_owned(),
+        GrowthLaw::Table(_) => "hardness by a table".to_owned(),
     }
 }

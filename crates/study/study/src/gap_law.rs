@@ -218,13 +218,12 @@ impl GapLaw {
 /// What a plan has made of a spectrum, as Persson's theory takes it: with what a cutoff has left out of it.
 #[must_use]
 pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
-    let whole = plan.sampling.scales_per_decade.map(|density| plan.psd.resampled(density));
     persson_law::roughness(
         &results.psd,
         results.moments.iter().map(|(moments, _)| moments),
         plan.needs.moments.unwrap_or_default(),
         &results.scales,
-        whole.as_ref().unwrap_or(plan.psd),
+        &plan.beyond(&results.psd, band),
         band,
     )
 }

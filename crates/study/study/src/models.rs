@@ -7,17 +7,19 @@ use std::sync::LazyLock;
 use asperity::{Hardness, MaterialPair, NixGao};
 use persson::corrections::Correction;
 use persson::variance::Band;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Deserializer};
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 use units::UnknownName;
 
-use crate::hardness_growth::GrowthLaw;
-use crate::material::{Material, MaterialError, NeededFor};
-use crate::persson_law::PerssonLaw;
+use crate::growth_law::GrowthLaw;
+use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
+use crate::material::{Material, MaterialError};
+pub use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
+use crate::persson_law::{PerssonDeformation, PerssonLaw, PlasticLaw};
 
-/// One of the two frameworks, with its law.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A model of a material: a theory with its law.
+#[derive(Debug, Clone, PartialEq)]
 pub enum CurveModel {
     /// Scale upon scale.
     Stacked(StackedModel),
@@ -67,96 +69,7 @@ impl std::fmt::Display for Framework {
     }
 }
 
-/// A property or an option that some models take and others do not, besides the elastic constants.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum Choice {
-    /// A yield strength, which the model needs and whose cap it heeds.
-    Strength,
-    /// Growth of that strength at small depths.
-    StrainGradient,
-    /// The form of the hardness of spheres.
-    Hardness,
-    /// The law between pressure and interference of an elastic sinusoid.
-    #[serde(rename = "interference_law")]
-    Interference,
-    /// A corrected form of Persson's elastic theory.
-    Correction,
-    /// The spectrum that a cutoff ends, in Persson's theory.
-    Band,
-    /// The elastic energy factor of mean separations, in Persson's theory.
-    Gamma,
-    /// The growth of the hardness towards short wavelengths, in Persson's theory.
-    HardnessLaw,
-}
-
-/// The choices made for a model. An option that is absent was not given, and the model takes its default.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct ModelOptions {
-    /// True if the strength grows at small depths.
-    pub strain_gradient: bool,
-    /// The form of the hardness of spheres.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hardness: Option<Hardness>,
-    /// The interference law of elastic sinusoids.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub interference_law: Option<InterferenceLaw>,
-    /// The corrected form of Persson's elastic theory.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub correction: Option<Correction>,
-    /// The spectrum that a cutoff ends, in Persson's theory.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub band: Option<Band>,
-    /// The elastic energy factor of Persson's theory, in (0, 1].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gamma: Option<f64>,
-    /// The growth of the hardness towards short wavelengths, in Persson's theory.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hardness_law: Option<GrowthLaw>,
-}
-
-/// An option that was given and that the model ignores.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct IgnoredOption {
-    /// The option.
-    pub choice: Choice,
-    /// Why the model ignores it.
-    pub reason: IgnoredReason,
-}
-
-/// The reason why a model ignores an option.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum IgnoredReason {
-    /// The model has no such option; [`of_framework`] and [`ModelEntry::has`] tell which models have it.
-    NoSuchOption,
-    /// The model never yields, so that it has neither strength nor hardness.
-    NeverYields,
-    /// The model yields, and the corrected forms are elastic ones.
-    CorrectionsAreElastic,
-    /// The hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
-    OtherHardnessLaw,
-    /// Neither strength nor hardness grows, so that there is nothing to cap.
-    NothingGrows,
-}
-
 impl ModelOptions {
-    /// Returns the options that were given, in the order of the fields.
-    pub fn given(&self) -> impl Iterator<Item = Choice> {
-        let given = [
-            (self.strain_gradient, Choice::StrainGradient),
-            (self.hardness.is_some(), Choice::Hardness),
-            (self.interference_law.is_some(), Choice::Interference),
-            (self.correction.is_some(), Choice::Correction),
-            (self.band.is_some(), Choice::Band),
-            (self.gamma.is_some(), Choice::Gamma),
-            (self.hardness_law.is_some(), Choice::HardnessLaw),
-        ];
-        given.into_iter().filter_map(|(is_given, choice)| is_given.then_some(choice))
-    }
-
     /// Returns the options that were given and that a model ignores.
     #[must_use]
     pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<IgnoredOption> {
@@ -302,8 +215,11 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
         framework: Framework::Persson,
         choices: &[Choice::Correction, Choice::Band, Choice::Gamma],
-        build: |material, _| Ok(CurveModel::Persson { pair: material.pair, law: PerssonLaw::Elastic }),
-        is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::Elastic, .. }),
+        build: |material, options| {
+            let deformation = PerssonDeformation::Elastic { correction: options.correction };
+            Ok(CurveModel::Persson { pair: material.pair, law: PerssonLaw::new(deformation, options) })
+        },
+        is: |model| matches!(model, CurveModel::Persson { law, .. } if law.plastic().is_none()),
     },
     ModelEntry {
         name: "persson-plastic",
@@ -318,13 +234,11 @@ pub static MODELS: &[ModelEntry] = &[
             Choice::HardnessLaw,
         ],
         build: |material, options| {
-            let strength = material.strength(options.strain_gradient)?;
-            let hardness_pa = material.hardness_pa().ok_or(MaterialError::Missing(NeededFor::Yielding))?;
-            let hardness_over_strength = hardness_pa / strength.macroscopic_strength_pa();
-            let law = PerssonLaw::ElasticPlastic { strength, hardness_over_strength };
+            let plastic = PlasticLaw::new(material, options)?;
+            let law = PerssonLaw::new(PerssonDeformation::ElasticPlastic(plastic), options);
             Ok(CurveModel::Persson { pair: material.pair, law })
         },
-        is: |model| matches!(model, CurveModel::Persson { law: PerssonLaw::ElasticPlastic { .. }, .. }),
+        is: |model| matches!(model, CurveModel::Persson { law, .. } if law.plastic().is_some()),
     },
 ];
 
@@ -390,12 +304,31 @@ impl ModelEntry {
     #[must_use]
     pub fn curve_name(&self, options: &ModelOptions) -> String {
         let mut name = self.name.to_owned();
-        if options.strain_gradient && self.has(Choice::StrainGradient) {
-            name.push_str("-strain-gradient");
+        let mut add = |part: String| name.push_str(&format!("-{part}"));
+        let growth = options.hardness_law.as_ref().filter(|_| self.has(Choice::HardnessLaw));
+        let has_gradient = growth.map_or(options.strain_gradient, |law| *law == GrowthLaw::NixGao);
+        if has_gradient && self.has(Choice::StrainGradient) {
+            add("strain-gradient".to_owned());
+        }
+        match growth {
+            Some(GrowthLaw::Power(exponent)) => add(format!("power-{exponent}")),
+            Some(GrowthLaw::Table(_)) => add("hardness-table".to_owned()),
+            Some(GrowthLaw::NixGao) | None => {}
         }
         let law = options.interference_law.filter(|law| *law != InterferenceLaw::default());
         if let Some(law) = law.filter(|_| self.has(Choice::Interference)) {
-            name.push_str(&format!("-{law}"));
+            add(law.to_string());
+        }
+        if let Some(correction) = options.correction.filter(|_| self.has(Choice::Correction)) {
+            add(correction.to_string());
+        }
+        let band = options.band.filter(|band| *band != Band::default());
+        if let Some(band) = band.filter(|_| self.has(Choice::Band)) {
+            add(band.to_string());
+        }
+        let gamma = options.gamma.filter(|gamma| *gamma != PerssonLaw::ENERGY_FACTOR);
+        if let Some(gamma) = gamma.filter(|_| self.has(Choice::Gamma)) {
+            add(format!("gamma-{gamma}"));
         }
         name
     }
@@ -434,11 +367,25 @@ impl CurveModel {
     /// Returns the options in which the model differs from the defaults of its entry.
     #[must_use]
     pub fn options(&self) -> ModelOptions {
+        let persson = self.persson();
+        let has_gradient = |strength: NixGao| strength.strain_gradient_length_m().is_some();
         ModelOptions {
-            strain_gradient: self.strength_grows(),
+            strain_gradient: self.strength().is_some_and(has_gradient),
             hardness: self.hardness().filter(|form| *form != Hardness::default()),
             interference_law: self.interference().filter(|law| *law != InterferenceLaw::default()),
-            ..ModelOptions::default()
+            correction: persson.and_then(PerssonLaw::correction).flatten(),
+            band: persson.map(|law| law.band).filter(|band| *band != Band::default()),
+            gamma: persson.map(|law| law.energy_factor).filter(|gamma| *gamma != PerssonLaw::ENERGY_FACTOR),
+            hardness_law: persson.and_then(PerssonLaw::plastic).and_then(PlasticLaw::growth).cloned(),
+        }
+    }
+
+    /// Returns the law of Persson's theory, or nothing for another theory.
+    #[must_use]
+    pub fn persson(&self) -> Option<&PerssonLaw> {
+        match self {
+            CurveModel::Persson { law, .. } => Some(law),
+            _ => None,
         }
     }
 
@@ -449,7 +396,7 @@ impl CurveModel {
             CurveModel::Stacked(model) => model.strength(),
             CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } => law.strength(),
             CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
-            CurveModel::Persson { law, .. } => law.strength(),
+            CurveModel::Persson { law, .. } => law.plastic().map(PlasticLaw::strength),
         }
     }
 
@@ -459,7 +406,9 @@ impl CurveModel {
         match self {
             CurveModel::Stacked(_) => true,
             CurveModel::Statistical { .. } => false,
-            CurveModel::Persson { .. } => self.strength_grows(),
+            CurveModel::Persson { .. } => {
+                self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+            }
         }
     }
 
@@ -469,10 +418,21 @@ impl CurveModel {
         !matches!(self, CurveModel::Stacked(_))
     }
 
-    /// Whether its strength grows at small depths.
+    /// Returns true if its strength or its hardness grows at small scales.
     #[must_use]
     pub fn strength_grows(&self) -> bool {
-        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+        let with_depth =
+            self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some());
+        with_depth || self.persson().and_then(PerssonLaw::plastic).is_some_and(PlasticLaw::grows)
+    }
+
+    /// Returns the hardness \[Pa\] at which the model flows at long wavelengths, or nothing for an elastic one. The laws of
+    /// asperities flow at three times their strength, Persson's theory at the hardness of the material.
+    #[must_use]
+    pub fn hardness_pa(&self) -> Option<f64> {
+        let of_strength = |strength: NixGao| HARDNESS_OVER_STRENGTH * strength.macroscopic_strength_pa();
+        let plastic = self.persson().and_then(PerssonLaw::plastic);
+        plastic.map(PlasticLaw::hardness_pa).or_else(|| self.strength().map(of_strength))
     }
 
     /// The bodies in contact.
@@ -487,65 +447,76 @@ impl CurveModel {
         }
     }
 
-    /// The same model of other bodies in contact; what yields keeps its strength.
+    /// Returns the same model of other bodies in contact, with its strength and its options.
     #[must_use]
-    pub fn with_pair(self, pair: MaterialPair) -> Self {
-        match self {
-            CurveModel::Stacked(StackedModel::Elastic { .. }) => {
-                CurveModel::Stacked(StackedModel::Elastic { pair })
-            }
-            CurveModel::Stacked(StackedModel::ElasticPlastic { strength, .. }) => {
-                CurveModel::Stacked(StackedModel::ElasticPlastic { pair, strength })
-            }
-            CurveModel::Statistical { law, .. } => CurveModel::Statistical { pair, law },
-            CurveModel::Persson { law, .. } => CurveModel::Persson { pair, law },
+    pub fn with_pair(&self, pair: MaterialPair) -> Self {
+        let mut moved = self.clone();
+        match &mut moved {
+            CurveModel::Stacked(
+                StackedModel::Elastic { pair: own } | StackedModel::ElasticPlastic { pair: own, .. },
+            )
+            | CurveModel::Statistical { pair: own, .. }
+            | CurveModel::Persson { pair: own, .. } => *own = pair,
         }
+        moved
     }
 
-    /// The same model of another strength; `None` where it never yields.
+    /// Returns the same model with another strength, or nothing for one that never yields.
     #[must_use]
-    pub fn with_strength(self, strength: NixGao) -> Option<Self> {
+    pub fn with_strength(&self, strength: NixGao) -> Option<Self> {
         match self {
             CurveModel::Stacked(model) => model.with_strength(strength).map(CurveModel::Stacked),
             CurveModel::Statistical { .. } => self.with_law(|law| law.with_strength(strength)),
             CurveModel::Persson { pair, law } => {
-                Some(CurveModel::Persson { pair, law: law.with_strength(strength)? })
+                Some(CurveModel::Persson { pair: *pair, law: law.with_strength(strength)? })
             }
         }
     }
 
-    /// The same model with the hardness in another form; `None` where it has none.
+    /// Returns the same model with another correction of Persson's elastic theory, or nothing for one that has none.
     #[must_use]
-    pub fn with_hardness(self, hardness: Hardness) -> Option<Self> {
+    pub fn with_correction(&self, correction: Option<Correction>) -> Option<Self> {
+        let law = self.persson()?.with_correction(correction)?;
+        Some(CurveModel::Persson { pair: self.pair(), law })
+    }
+
+    /// Returns the same model with a cutoff of another spectrum, or nothing for a theory other than Persson's.
+    #[must_use]
+    pub fn with_band(&self, band: Band) -> Option<Self> {
+        let law = PerssonLaw { band, ..self.persson()?.clone() };
+        Some(CurveModel::Persson { pair: self.pair(), law })
+    }
+
+    /// Returns the same model with the hardness of its spheres in another form, or nothing for one that has none.
+    #[must_use]
+    pub fn with_hardness(&self, hardness: Hardness) -> Option<Self> {
         self.with_law(|law| law.with_hardness(hardness))
     }
 
-    /// The form of the hardness of its spheres; `None` where it has none.
+    /// Returns the form of the hardness of its spheres, or nothing for a model that has none.
     #[must_use]
     pub fn hardness(&self) -> Option<Hardness> {
-        Hardness::ALL.into_iter().find(|hardness| self.with_hardness(*hardness) == Some(*self))
+        Hardness::ALL.into_iter().find(|hardness| self.with_hardness(*hardness).as_ref() == Some(self))
     }
 
-    /// Its interference law; `None` where it has none.
+    /// Returns the interference law, or nothing for a model that has none.
     #[must_use]
     pub fn interference(&self) -> Option<InterferenceLaw> {
-        InterferenceLaw::ALL.iter().copied().find(|law| self.with_interference(*law) == Some(*self))
+        InterferenceLaw::ALL.iter().copied().find(|law| self.with_interference(*law).as_ref() == Some(self))
     }
 
-    /// The same model with another interference law; `None` where it has none.
+    /// Returns the same model with another interference law, or nothing for one that has none.
     #[must_use]
-    pub fn with_interference(self, interference: InterferenceLaw) -> Option<Self> {
+    pub fn with_interference(&self, interference: InterferenceLaw) -> Option<Self> {
         self.with_law(|law| law.with_interference(interference))
     }
 
-    fn with_law(self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
-        match self {
-            CurveModel::Stacked(_)
-            | CurveModel::Persson { .. }
-            | CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
+    fn with_law(&self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
+        match *self {
             CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(law) } => {
                 Some(CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(change(law)?) })
             }
+            _ => None,
         }
     }
 }

@@ -5,7 +5,7 @@ use questions::{GapModel, GapQuestion};
 use super::{Context, load_inputs, range_inputs};
 use crate::args::GapArgs;
 use crate::failure::Failure;
-use crate::progress::Unseen;
+use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -20,7 +20,9 @@ pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut timings = Timings::start();
     let surface = context.load(&args.psd, &args.reading, None)?;
     timings.lap("reading");
-    let answer = question.answer(&surface, &Unseen)?;
+    let progress = Progress::towards(question.steps(&surface)?, "steps");
+    let answer = question.answer(&surface, &progress)?;
+    drop(progress);
     timings.lap("computing");
     context.publish_answer(&answer, &surface, question.by.sampling.sampling(), None, timings)
 }

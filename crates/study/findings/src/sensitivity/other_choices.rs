@@ -77,7 +77,7 @@ pub fn sensitivities_with_work(
     progress: &dyn Progress,
 ) -> Result<(Vec<Sensitivity>, Work), PlanError> {
     let varied = Varied::all(scene);
-    let own_models = scene.needs.curves.iter().map(|curve| curve.model).collect();
+    let own_models = scene.needs.curves.iter().map(|curve| curve.model.clone()).collect();
     let own = FinalAreas { models: own_models, curves: Cow::Borrowed(&results.curves[..]) };
     let (of_laws, mut work) = areas_of_other_laws(scene, results, &varied, &own, progress)?;
     let mut sensitivities = Vec::new();
@@ -141,7 +141,7 @@ impl Varied {
     }
 
     fn models(&self) -> impl Iterator<Item = CurveModel> {
-        self.curves.iter().map(|(_, model)| *model)
+        self.curves.iter().map(|(_, model)| model.clone())
     }
 
     fn rows(
@@ -196,7 +196,8 @@ fn plan<'s>(scene: &'s Scene, variation: Option<Variation>, models: &[CurveModel
     }
     let any_with_moments = models.iter().any(CurveModel::needs_moments);
     let any_with_amplitudes = models.iter().any(CurveModel::needs_amplitudes);
-    let curve = |model: &CurveModel| Curve { name: String::new(), model: *model, cutoffs: Cutoffs::Shortest };
+    let curve =
+        |model: &CurveModel| Curve { name: String::new(), model: model.clone(), cutoffs: Cutoffs::Shortest };
     let needs = Needs {
         moments: normalisation.filter(|_| any_with_moments),
         amplitudes: amplitude.filter(|_| any_with_amplitudes),

@@ -3,6 +3,8 @@
 use std::num::NonZeroU32;
 
 use asperity::{Hardness, NixGao};
+use persson::corrections::Correction;
+use persson::variance::Band;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 use units::display::pressure;
@@ -24,6 +26,8 @@ pub(super) enum Variation {
     Hardness(Hardness),
     Interference(InterferenceLaw),
     StrengthCap(Option<f64>),
+    Correction(Option<Correction>),
+    Band(Band),
 }
 
 /// Every variation of the choices of a scene.
@@ -50,6 +54,9 @@ pub(super) fn variations(scene: &Scene) -> Vec<Variation> {
         .material
         .map(|material| material.pair.yielding_body().youngs_modulus_pa() / MODULUS_OVER_IDEAL_STRENGTH);
     variations.extend([Variation::StrengthCap(None), Variation::StrengthCap(usual_cap_pa)]);
+    let corrections = std::iter::once(None).chain(Correction::ALL.iter().copied().map(Some));
+    variations.extend(corrections.map(Variation::Correction));
+    variations.extend(Band::ALL.iter().copied().map(Variation::Band));
     variations
 }
 
@@ -63,6 +70,8 @@ impl Variation {
             Variation::Hardness(_) => "hardness of spheres",
             Variation::Interference(_) => "interference law of sinusoids",
             Variation::StrengthCap(_) => "cap of the strength",
+            Variation::Correction(_) => "correction of Persson's theory",
+            Variation::Band(_) => "spectrum that a cutoff ends",
         }
     }
 
@@ -74,7 +83,9 @@ impl Variation {
             Variation::ScalesPerDecade(density) => density.to_string(),
             Variation::Hardness(hardness) => hardness.name().to_owned(),
             Variation::Interference(interference) => interference.to_string(),
-            Variation::StrengthCap(None) => "none".to_owned(),
+            Variation::StrengthCap(None) | Variation::Correction(None) => "none".to_owned(),
+            Variation::Correction(Some(correction)) => correction.to_string(),
+            Variation::Band(band) => band.to_string(),
             Variation::StrengthCap(Some(cap_pa)) => format!("E/10 = {}", pressure(*cap_pa)),
         }
     }
@@ -86,21 +97,27 @@ impl Variation {
             Variation::Amplitude(choice) => choices_in_words::amplitude(*choice).to_owned(),
             Variation::Hardness(choice) => choices_in_words::hardness(*choice).to_owned(),
             Variation::Interference(choice) => choices_in_words::interference(*choice).to_owned(),
-            Variation::ScalesPerDecade(_) | Variation::StrengthCap(_) => self.setting(),
+            Variation::Correction(Some(choice)) => choices_in_words::correction(*choice).to_owned(),
+            Variation::Band(choice) => choices_in_words::band(*choice).to_owned(),
+            Variation::ScalesPerDecade(_) | Variation::StrengthCap(_) | Variation::Correction(None) => {
+                self.setting()
+            }
         }
     }
 
     /// The model with this setting; `None` if that is its own, or if it has no such choice.
     pub fn of(&self, model: &CurveModel) -> Option<CurveModel> {
         let statistical = matches!(model, CurveModel::Statistical { .. });
-        let varied = match (*self, *model) {
-            (Variation::Normalisation(_), _) if statistical => return Some(*model),
-            (Variation::Amplitude(_), _) if model.needs_amplitudes() => return Some(*model),
-            (Variation::ScalesPerDecade(_), _) => return Some(*model),
-            (Variation::Hardness(hardness), model) => model.with_hardness(hardness)?,
-            (Variation::Interference(interference), model) => model.with_interference(interference)?,
-            (Variation::StrengthCap(cap_pa), model) => with_cap(model, cap_pa)?,
-            _ => return None,
+        let varied = match *self {
+            Variation::Normalisation(_) if statistical => return Some(model.clone()),
+            Variation::Amplitude(_) if model.needs_amplitudes() => return Some(model.clone()),
+            Variation::ScalesPerDecade(_) => return Some(model.clone()),
+            Variation::Hardness(hardness) => model.with_hardness(hardness)?,
+            Variation::Interference(interference) => model.with_interference(interference)?,
+            Variation::StrengthCap(cap_pa) => with_cap(model, cap_pa)?,
+            Variation::Correction(correction) => model.with_correction(correction)?,
+            Variation::Band(band) => model.with_band(band)?,
+            Variation::Normalisation(_) | Variation::Amplitude(_) => return None,
         };
         (varied != *model).then_some(varied)
     }
@@ -108,18 +125,24 @@ impl Variation {
     /// True if the spectrum, its moments and its amplitudes stay as they are.
     pub fn is_of_a_law(&self) -> bool {
         match self {
-            Variation::Hardness(_) | Variation::Interference(_) | Variation::StrengthCap(_) => true,
+            Variation::Hardness(_)
+            | Variation::Interference(_)
+            | Variation::StrengthCap(_)
+            | Variation::Correction(_)
+            | Variation::Band(_) => true,
             Variation::Normalisation(_) | Variation::Amplitude(_) | Variation::ScalesPerDecade(_) => false,
         }
     }
 }
 
-/// The model with or without a cap of its strength; `None` if its strength does not grow.
-fn with_cap(model: CurveModel, cap_pa: Option<f64>) -> Option<CurveModel> {
-    let strength = model.strength()?;
-    let length_m = strength.strain_gradient_length_m()?;
-    let plain =
-        NixGao::constant(strength.macroscopic_strength_pa()).and_then(|s| s.with_strain_gradient(length_m));
+/// Returns the model with its strength capped, or not capped, or nothing for one whose strength does not grow.
+fn with_cap(model: &CurveModel, cap_pa: Option<f64>) -> Option<CurveModel> {
+    let strength = model.strength().filter(|_| model.strength_grows())?;
+    let constant = NixGao::constant(strength.macroscopic_strength_pa());
+    let plain = match strength.strain_gradient_length_m() {
+        Some(length_m) => constant.and_then(|constant| constant.with_strain_gradient(length_m)),
+        None => constant,
+    };
     // A cap below the strength itself is none of this body's.
     let capped = cap_pa.map_or(plain, |cap_pa| plain.and_then(|plain| plain.with_cap(cap_pa))).ok()?;
     model.with_strength(capped)

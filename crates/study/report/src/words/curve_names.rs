@@ -37,6 +37,18 @@ fn model_in_full(model: &CurveModel) -> String {
     if let Some(law) = options.interference_law {
         name.push_str(&format!(", {}", choices_in_words::interference(law)));
     }
+    if let Some(law) = options.hardness_law {
+        name.push_str(&format!(", {}", choices_in_words::hardness_law(&law)));
+    }
+    if let Some(correction) = options.correction {
+        name.push_str(&format!(", {}", choices_in_words::correction(correction)));
+    }
+    if let Some(band) = options.band {
+        name.push_str(&format!(", {}", choices_in_words::band(band)));
+    }
+    if let Some(gamma) = options.gamma {
+        name.push_str(&format!(", energy factor {gamma}"));
+    }
     name
 }
 

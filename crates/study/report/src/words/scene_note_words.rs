@@ -10,6 +10,9 @@ pub fn line(note: &SceneNote) -> String {
     let why = match note.reason {
         Idle::ModelDoesNotYield => "has no effect: the model does not yield".to_owned(),
         Idle::ModelHasNoInterferenceLaw => "has no effect: only elastic-sine has a choice of it".to_owned(),
+        Idle::ModelHasNoSuchOption => "has no effect: the model has no such option".to_owned(),
+        Idle::CorrectionsAreElastic => "has no effect: the corrected forms are elastic ones".to_owned(),
+        Idle::OtherHardnessLaw => "has no effect: only hardness_law = \"nix-gao\" takes it".to_owned(),
         Idle::FigureShowsSomethingElse => "has no effect on what this figure shows".to_owned(),
         Idle::NoCurveUsesIt => "has no effect: no curve depends on it".to_owned(),
         Idle::EveryCurveHasItsOwn => "has no effect: every curve that it applies to sets its own".to_owned(),

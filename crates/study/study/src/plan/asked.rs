@@ -19,7 +19,7 @@ pub(super) struct Asked {
 
 impl Asked {
     pub fn by(needs: &Needs) -> Self {
-        let models = Distinct::compared(needs.curves.iter().map(|curve| curve.model));
+        let models = Distinct::compared(needs.curves.iter().map(|curve| curve.model.clone()));
         let cutoffs =
             (0..models.items.len()).map(|model| cutoffs_of(model, &models, &needs.curves)).collect();
         Asked { models, cutoffs, conditions: Distinct::of(needs.conditions()), loads: needs.load_count() }

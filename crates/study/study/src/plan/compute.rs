@@ -39,9 +39,9 @@ impl Plan<'_> {
         let run = Run::of(self, progress);
         let asked = Asked::by(&self.needs);
         let models: Vec<(CurveModel, Cutoffs)> =
-            asked.models.items.iter().copied().zip(asked.cutoffs.iter().copied()).collect();
-        let computed = parallel::try_map(&models, |&(model, cutoffs)| {
-            self.rows_of_model(&model, cutoffs, &asked, &ground, run)
+            asked.models.items.iter().cloned().zip(asked.cutoffs.iter().copied()).collect();
+        let computed = parallel::try_map(&models, |(model, cutoffs)| {
+            self.rows_of_model(model, *cutoffs, &asked, &ground, run)
         })?;
         let (rows_of_models, work_of_curves) = counted(computed);
         let (sweeps, work_of_sweeps) = sweeps::results(&self.needs, &asked, &rows_of_models, &ground, run)?;
@@ -69,13 +69,13 @@ impl Plan<'_> {
         ground: &Ground,
         run: Run<'_>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        match *model {
+        match model {
             CurveModel::Stacked(model) => {
                 let (blocks, work) =
-                    stack::blocks(&model, &asked.pressures_pa(), &ground.scales, cutoffs, run)?;
+                    stack::blocks(model, &asked.pressures_pa(), &ground.scales, cutoffs, run)?;
                 Ok((CurveResult::Stacked(blocks), work))
             }
-            CurveModel::Statistical { pair, law } => {
+            &CurveModel::Statistical { pair, law } => {
                 let conditions: &[Condition] = &asked.conditions.items;
                 let cutoffs = ground.cutoffs(cutoffs, 0..ground.cutoff_count(cutoffs));
                 let cutoffs = match self.needs.states_per_decade {
@@ -86,10 +86,8 @@ impl Plan<'_> {
                 Ok((CurveResult::Statistical(blocks), work))
             }
             CurveModel::Persson { pair, law } => {
-                let normalisation = self.needs.moments.unwrap_or_default();
                 let pressures_pa = asked.pressures_pa();
-                let blocks =
-                    persson_cuts::blocks(&pair, &law, &pressures_pa, ground, normalisation, cutoffs, run)?;
+                let blocks = persson_cuts::blocks(self, pair, law, &pressures_pa, ground, cutoffs, run)?;
                 Ok((CurveResult::Persson(blocks), Work::default()))
             }
         }

@@ -85,32 +85,25 @@ impl Stream<'_> {
         mut each: impl FnMut(Part) -> Result<(), E>,
     ) -> Result<(), E> {
         let run = Run::of(self.plan, progress);
-        match curve.model {
+        match &curve.model {
             CurveModel::Stacked(model) => {
                 let scales = &self.ground.scales;
                 let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
                 in_parts(pressures, scales.len(), |pressures_pa| {
-                    let (blocks, _) = stack::blocks(&model, &pressures_pa, scales, curve.cutoffs, run)?;
+                    let (blocks, _) = stack::blocks(model, &pressures_pa, scales, curve.cutoffs, run)?;
                     each(Part { pressures_pa, rows: CurveResult::Stacked(blocks) })
                 })
             }
             CurveModel::Persson { pair, law } => {
-                let normalisation = self.plan.needs.moments.unwrap_or_default();
                 let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
                 in_parts(pressures, self.ground.psd.len(), |pressures_pa| {
-                    let blocks = persson_cuts::blocks(
-                        &pair,
-                        &law,
-                        &pressures_pa,
-                        &self.ground,
-                        normalisation,
-                        curve.cutoffs,
-                        run,
-                    )?;
+                    let (plan, ground) = (self.plan, &self.ground);
+                    let blocks =
+                        persson_cuts::blocks(plan, pair, law, &pressures_pa, ground, curve.cutoffs, run)?;
                     each(Part { pressures_pa, rows: CurveResult::Persson(blocks) })
                 })
             }
-            CurveModel::Statistical { pair, law } => {
+            &CurveModel::Statistical { pair, law } => {
                 let model = Statistical { pair, law, run };
                 let cutoffs = self.ground.cutoff_count(curve.cutoffs);
                 in_parts(self.plan.needs.conditions(), cutoffs, |conditions| {

@@ -46,8 +46,8 @@ pub(super) fn results(
             of_all.filter(|(_, index)| **index == place).map(|(sweep, _)| sweep)
         };
         let roughness = sweeps().find_map(|(_, cutoff)| cutoff.roughness);
-        let (CurveModel::Statistical { pair, law }, Some(roughness)) =
-            (asked.models.items[subject.model], roughness)
+        let (&CurveModel::Statistical { pair, law }, Some(roughness)) =
+            (&asked.models.items[subject.model], roughness)
         else {
             return Ok((States::new(), Work::default()));
         };

@@ -1,0 +1,216 @@
+//! A question asked through the struct and the same one asked as a scene's curve.
+
+use parallel::Unobserved;
+use questions::{
+    BodyInput, CurveQuestion, LoadInput, MaterialInput, Note, PreparedCurve, QuestionError, SamplingInput,
+};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use scene::{Overrides, Scene};
+use spectrum::{Normalisation, ReadOptions};
+use study::NoFiles;
+use study::models::{Choice, Framework, MODELS, ModelOptions};
+use study::result_tables;
+use study::surface::Surface;
+use units::Pressure;
+
+const SPECTRUM: &str = "builtin:uncd-measured";
+
+/// Random choices with a seed.
+struct Dice(ChaCha8Rng);
+
+impl Dice {
+    fn below(&mut self, count: usize) -> usize {
+        (self.0.next_u64() % count as u64) as usize
+    }
+
+    fn one<T: Clone>(&mut self, of: &[T]) -> T {
+        of[self.below(of.len())].clone()
+    }
+
+    fn perhaps<T: Clone>(&mut self, of: &[T]) -> Option<T> {
+        (self.below(2) == 0).then(|| self.one(of))
+    }
+}
+
+/// A question, and a scene in which it is the only curve.
+fn random(dice: &mut Dice) -> (CurveQuestion, String) {
+    let entry = dice.one(&MODELS.iter().collect::<Vec<_>>());
+    let (framework, yields) = (entry.framework, entry.has(Choice::Strength));
+    let youngs_modulus_gpa = dice.one(&[1.0, 70.0, 463.0]);
+    let poisson_ratio = dice.one(&[0.2, 0.33, 0.45]);
+    let mut material = MaterialInput {
+        youngs_modulus_pa: Some(youngs_modulus_gpa * 1e9),
+        poisson_ratio: Some(poisson_ratio),
+        ..MaterialInput::default()
+    };
+    let mut of_material =
+        format!("youngs_modulus = \"{youngs_modulus_gpa} GPa\"\npoisson_ratio = {poisson_ratio}\n");
+    let strength_gpa = dice.one(&[0.5, 1.0, 60.0]);
+    if yields || dice.below(3) == 0 {
+        if dice.below(2) == 0 {
+            material.yield_strength = Some(Pressure::Pascals(strength_gpa * 1e9));
+            of_material += &format!("yield_strength = \"{strength_gpa} GPa\"\n");
+        } else {
+            material.indentation_hardness_pa = Some(strength_gpa * 1e9);
+            of_material += &format!("indentation_hardness = \"{strength_gpa} GPa\"\n");
+        }
+    }
+    let mut options = ModelOptions::default();
+    let (mut of_curve, mut of_options) = (String::new(), String::new());
+    if entry.has(Choice::StrainGradient) && dice.below(2) == 0 {
+        options.strain_gradient = true;
+        material.strain_gradient_length_m = Some(5.0 * 1e-6);
+        of_material += "strain_gradient_length = \"5 um\"\n";
+        of_curve += "strain_gradient = true\n";
+    }
+    if entry.has(Choice::Hardness) {
+        options.hardness = dice.perhaps(&asperity::Hardness::ALL);
+        of_options +=
+            &options.hardness.map_or(String::new(), |form| format!("hardness = \"{}\"\n", form.name()));
+    }
+    if entry.has(Choice::Interference) {
+        options.interference_law = dice.perhaps(stat_contact::InterferenceLaw::ALL);
+        of_curve +=
+            &options.interference_law.map_or(String::new(), |law| format!("interference_law = \"{law}\"\n"));
+    }
+    let counterface = dice.perhaps(&[(210.0, 0.3), (3.0, 0.4)]);
+    let mut sections = String::new();
+    if let Some((modulus_gpa, poisson_ratio)) = counterface {
+        material.counterface = Some(BodyInput { youngs_modulus_pa: modulus_gpa * 1e9, poisson_ratio });
+        sections += &format!(
+            "[counterface]\nyoungs_modulus = \"{modulus_gpa} GPa\"\npoisson_ratio = {poisson_ratio}\n"
+        );
+    }
+    let mut pressures: Vec<LoadInput> = Vec::new();
+    for _ in 0..=dice.below(2) {
+        let pressure_pa = dice.one(&[1e3, 1e6, 5.4e6, 1e8, 1e9]);
+        let load = LoadInput { pressure: Pressure::Pascals(pressure_pa), label: format!("{pressure_pa} Pa") };
+        if !pressures.contains(&load) {
+            pressures.push(load);
+        }
+    }
+    let texts: Vec<String> = pressures.iter().map(|load| format!("\"{}\"", load.label)).collect();
+    let mut sampling = SamplingInput { scales_per_decade: dice.perhaps(&[3, 7].map(count)), cutoff_m: None };
+    of_options += &sampling.scales_per_decade.map_or(String::new(), |n| format!("scales_per_decade = {n}\n"));
+    let normalisation = match framework {
+        Framework::Statistical => dice.perhaps(Normalisation::ALL),
+        _ => None,
+    };
+    of_options += &normalisation.map_or(String::new(), |norm| format!("normalisation = \"{norm}\"\n"));
+    if framework != Framework::Persson {
+        sampling.cutoff_m = dice.perhaps(&[300.0 * 1e-9]);
+        let shortest = |_| "[cutoffs]\nshortest_wavelength = \"300 nm\"\n";
+        sections += sampling.cutoff_m.map_or("", shortest);
+    }
+    let question = CurveQuestion {
+        model: Some(entry),
+        options,
+        material,
+        pressures,
+        sampling,
+        normalisation,
+        ..CurveQuestion::default()
+    };
+    let scene = format!(
+        "[surface]\npsd = \"{SPECTRUM}\"\n[material]\n{of_material}{sections}[loads]\npressures = [{}]\n\
+         [options]\n{of_options}[[curve]]\nmodel = \"{entry}\"\n{of_curve}",
+        texts.join(", ")
+    );
+    (question, scene)
+}
+
+fn count(count: u32) -> std::num::NonZeroU32 {
+    std::num::NonZeroU32::new(count).unwrap()
+}
+
+#[test]
+fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_of_scenes() {
+    let mut dice = Dice(ChaCha8Rng::seed_from_u64(23));
+    let surface = Surface::load(SPECTRUM, &NoFiles, &ReadOptions::default()).unwrap();
+    let (mut answered, mut doubted) = (0, 0);
+    for at in 0..200 {
+        let (question, text) = random(&mut dice);
+        let json = serde_json::to_string(&question).unwrap();
+        let question: CurveQuestion = serde_json::from_str(&json).unwrap();
+        let scene = Scene::parse(&text, &NoFiles, &Overrides::default())
+            .unwrap_or_else(|error| panic!("{at}: {error:?}\n{text}"));
+        let of_scene = PreparedCurve::of_scene(&scene, 0).answer(&Unobserved);
+        match (question.answer(&surface, &Unobserved), of_scene) {
+            (Ok(asked), Ok(found)) => {
+                assert_eq!(format!("{:?}", asked.table), format!("{:?}", found.table), "{at}: {text}");
+                assert_eq!(asked.notes, found.notes, "{at}: {text}");
+                let results = scene.plan().compute().unwrap();
+                let table = result_tables::curve(&results.curves[0], &scene.needs.loads, false);
+                assert_eq!(format!("{:?}", asked.table), format!("{table:?}"), "{at}: {text}");
+                answered += 1;
+                doubted += usize::from(asked.notes.iter().any(Note::is_doubt));
+            }
+            (Err(asked), Err(found)) => assert_eq!(asked.to_string(), found.to_string(), "{at}: {text}"),
+            (asked, found) => panic!("{at}: {:?} and {:?}\n{text}", asked.err(), found.err()),
+        }
+    }
+    assert!(answered > 150 && doubted > 20, "{answered} answered, {doubted} doubted");
+}
+
+#[test]
+fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
+    let given = [
+        ModelOptions { strain_gradient: true, ..ModelOptions::default() },
+        ModelOptions { hardness: Some(asperity::Hardness::Cosine), ..ModelOptions::default() },
+        ModelOptions {
+            interference_law: Some(stat_contact::InterferenceLaw::Bem),
+            ..ModelOptions::default()
+        },
+        ModelOptions {
+            correction: persson::corrections::Correction::ALL.first().copied(),
+            ..ModelOptions::default()
+        },
+        ModelOptions { band: Some(persson::variance::Band::Profile), ..ModelOptions::default() },
+        ModelOptions { gamma: Some(0.4), ..ModelOptions::default() },
+        ModelOptions {
+            hardness_law: Some(study::hardness_growth::GrowthLaw::Power(0.2)),
+            ..ModelOptions::default()
+        },
+    ];
+    let material = MaterialInput {
+        youngs_modulus_pa: Some(463e9),
+        poisson_ratio: Some(0.2),
+        yield_strength: Some(Pressure::Pascals(1.8e9)),
+        strain_gradient_length_m: Some(5e-6),
+        ..MaterialInput::default()
+    };
+    for entry in MODELS {
+        let asked = |change: &dyn Fn(&mut CurveQuestion)| {
+            let mut question = CurveQuestion {
+                model: Some(entry),
+                material,
+                pressures: vec![LoadInput { pressure: Pressure::Pascals(1e6), label: "1 MPa".to_owned() }],
+                ..CurveQuestion::default()
+            };
+            change(&mut question);
+            matches!(question.check(), Err(QuestionError::Unused(_)))
+        };
+        assert!(!asked(&|_| ()), "{entry}");
+        for options in &given {
+            let choice = options.given().next().unwrap();
+            let is_refused = asked(&|question| question.options = options.clone());
+            assert_eq!(is_refused, !entry.has(choice), "{entry} {choice:?}");
+        }
+        let of = |framework| entry.framework == framework;
+        let statistical = of(Framework::Statistical);
+        assert_eq!(asked(&|question| question.normalisation = Some(Normalisation::Parseval)), !statistical);
+        assert_eq!(asked(&|question| question.tolerance = Some(1e-6)), !statistical, "{entry}");
+        assert_eq!(asked(&|question| question.separations_m = vec![1e-9]), !statistical, "{entry}");
+        assert_eq!(asked(&|question| question.amplitude = Some(Default::default())), statistical, "{entry}");
+        let cap = |question: &mut CurveQuestion| {
+            question.material.strength_cap = Some(Pressure::Pascals(3e9));
+        };
+        assert!(asked(&cap), "{entry}: nothing grows");
+        let grows = asked(&|question| {
+            cap(question);
+            question.options.strain_gradient = entry.has(Choice::StrainGradient);
+        });
+        assert_eq!(grows, !entry.has(Choice::Strength), "{entry}");
+    }
+}

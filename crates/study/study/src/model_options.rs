@@ -1,0 +1,117 @@
+//! The options of models as one plain struct, in which an option that was not given is absent.
+
+use asperity::Hardness;
+use persson::corrections::Correction;
+use persson::variance::Band;
+use serde::{Deserialize, Serialize};
+use stat_contact::InterferenceLaw;
+
+use crate::growth_law::GrowthLaw;
+
+/// A property or an option that some models take and others do not, besides the elastic constants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Choice {
+    /// A yield strength, which the model needs and whose cap it heeds.
+    Strength,
+    /// Growth of that strength at small depths.
+    StrainGradient,
+    /// The form of the hardness of spheres.
+    Hardness,
+    /// The law between pressure and interference of an elastic sinusoid.
+    #[serde(rename = "interference_law")]
+    Interference,
+    /// A corrected form of Persson's elastic theory.
+    Correction,
+    /// The spectrum that a cutoff ends, in Persson's theory.
+    Band,
+    /// The elastic energy factor of mean separations, in Persson's theory.
+    Gamma,
+    /// The growth of the hardness towards short wavelengths, in Persson's theory.
+    HardnessLaw,
+}
+
+/// The choices made for a model. An option that is absent was not given, and the model takes its default.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ModelOptions {
+    /// True if the strength grows at small depths.
+    pub strain_gradient: bool,
+    /// The form of the hardness of spheres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<Hardness>,
+    /// The interference law of elastic sinusoids.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interference_law: Option<InterferenceLaw>,
+    /// The corrected form of Persson's elastic theory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub correction: Option<Correction>,
+    /// The spectrum that a cutoff ends, in Persson's theory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub band: Option<Band>,
+    /// The elastic energy factor of Persson's theory, in (0, 1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gamma: Option<f64>,
+    /// The growth of the hardness towards short wavelengths, in Persson's theory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness_law: Option<GrowthLaw>,
+}
+
+/// An option that was given and that the model ignores.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct IgnoredOption {
+    /// The option.
+    pub choice: Choice,
+    /// Why the model ignores it.
+    pub reason: IgnoredReason,
+}
+
+/// The reason why a model ignores an option.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum IgnoredReason {
+    /// The model has no such option; [`ModelEntry::has`](crate::models::ModelEntry::has) tells which models have it.
+    NoSuchOption,
+    /// The model never yields, so that it has neither strength nor hardness.
+    NeverYields,
+    /// The model yields, and the corrected forms are elastic ones.
+    CorrectionsAreElastic,
+    /// The hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
+    OtherHardnessLaw,
+    /// Neither strength nor hardness grows, so that there is nothing to cap.
+    NothingGrows,
+}
+
+impl Choice {
+    /// Returns the key of the choice in scenes and columns, e.g. `interference_law`.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Choice::Strength => "yield_strength",
+            Choice::StrainGradient => "strain_gradient",
+            Choice::Hardness => "hardness",
+            Choice::Interference => "interference_law",
+            Choice::Correction => "correction",
+            Choice::Band => "band",
+            Choice::Gamma => "gamma",
+            Choice::HardnessLaw => "hardness_law",
+        }
+    }
+}
+
+impl ModelOptions {
+    /// Returns the options that were given, in the order of the fields.
+    pub fn given(&self) -> impl Iterator<Item = Choice> {
+        let given = [
+            (self.strain_gradient, Choice::StrainGradient),
+            (self.hardness.is_some(), Choice::Hardness),
+            (self.interference_law.is_some(), Choice::Interference),
+            (self.correction.is_some(), Choice::Correction),
+            (self.band.is_some(), Choice::Band),
+            (self.gamma.is_some(), Choice::Gamma),
+            (self.hardness_law.is_some(), Choice::HardnessLaw),
+        ];
+        given.into_iter().filter_map(|(is_given, choice)| is_given.then_some(choice))
+    }
+}
