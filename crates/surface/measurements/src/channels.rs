@@ -134,7 +134,7 @@ impl Row {
         let scan = &file.scan;
         let (points_x, points_y) = scan.points();
         let (size_x_m, size_y_m) = scan.size_m();
-        let found = Statistics::of(scan);
+        let found = Statistics::from_scan(scan);
         let in_m = found.filter(|_| !matches!(file.measure, Measure::Other(_)));
         Row {
             file: request.path.clone(),
@@ -145,7 +145,7 @@ impl Row {
             size_y_m,
             rms_height_m: in_m.map(|found| found.rms_height_m),
             peak_to_valley_m: in_m.map(|found| found.peak_to_valley_m),
-            gaps: Some(scan.gaps().count()),
+            gaps: Some(scan.missing_points().count()),
             rms_slope_x: in_m.and_then(|found| found.rms_slope_x),
             rms_slope_y: in_m.and_then(|found| found.rms_slope_y),
             note: note(file, found),

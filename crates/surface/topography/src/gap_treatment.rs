@@ -39,11 +39,11 @@ pub const MOST_FILLED: f64 = 0.2;
 /// [`TransformError::Gaps`] if they are refused, [`TransformError::TooManyGaps`] for more than are filled,
 /// [`TransformError::NoLines`] if no line without them is left, [`TransformError::NoHeights`] if no point has a height.
 pub fn without_gaps(file: ScanFile, treatment: GapTreatment) -> Result<ScanFile<Scan>, TransformError> {
-    if file.scan.gaps().is_empty() || treatment == GapTreatment::Refuse {
+    if file.scan.missing_points().is_empty() || treatment == GapTreatment::Refuse {
         return file.try_map(|scan| Ok(scan.complete()?));
     }
     let count = count(&file.scan);
-    let gaps = file.scan.gaps().count();
+    let gaps = file.scan.missing_points().count();
     if gaps >= count {
         return Err(TransformError::NoHeights { points: count });
     }
@@ -62,7 +62,7 @@ fn count(scan: &Measured) -> usize {
 
 fn filled(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> {
     let (columns, rows) = file.scan.points();
-    let holes = Holes::new(file.scan.gaps().indices(), columns);
+    let holes = Holes::new(file.scan.missing_points().indices(), columns);
     let heights_m = match rows {
         Some(_) => harmonic_m(&file.scan, &holes),
         None => interpolated_m(&file.scan),
@@ -84,7 +84,7 @@ fn interpolated_m(line: &Measured) -> Vec<f64> {
     let (points, _) = line.points();
     let known = |index: usize| line.height_m(index).map(|height_m| (index, height_m));
     let (mut before, mut after) = (None, (0..points).find_map(known));
-    let mut heights_m = Vec::with_capacity(line.gaps().count());
+    let mut heights_m = Vec::with_capacity(line.missing_points().count());
     for index in 0..points {
         if let Some(here) = known(index) {
             before = Some(here);

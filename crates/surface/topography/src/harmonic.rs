@@ -28,7 +28,7 @@ pub(crate) fn harmonic_m(map: &Measured, holes: &Holes) -> Vec<f64> {
     let filled: Vec<Vec<f64>> = parallel::map(&batches, |batch| {
         batch.clone().flat_map(|hole| Hole { runs: holes.hole(hole), grid: &grid }.filled_m()).collect()
     });
-    let mut heights_m = vec![0.0; map.gaps().count()];
+    let mut heights_m = vec![0.0; map.missing_points().count()];
     for (batch, filled_m) in batches.into_iter().zip(filled) {
         let mut filled_m = filled_m.into_iter();
         for run in batch.flat_map(|hole| holes.hole(hole)) {
