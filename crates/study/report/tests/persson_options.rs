@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use findings::sensitivity::sensitivities;
-use judge::{JudgePlan, RestsOn, Verdict};
+use judge::{JudgePlan, Basis, Verdict};
 use persson::corrections::Correction;
 use persson::variance::Band;
 use report::curve_names::in_full;
@@ -72,16 +72,16 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     assert_eq!(series.points.last().map(|point| point.1), Some(last_area(CORRECTED)));
 
     let settings = judge::Settings { grid: Some(64), realisations: Some(4), ..Default::default() };
-    let judgement = JudgePlan::of(&scene, &results, &settings).carry_out(&Unobserved).unwrap();
+    let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
     let of_corrected = &judgement.curves[CORRECTED];
     assert_eq!(of_corrected.verdict, Verdict::Agrees, "{of_corrected:?}");
     let off = |curve: usize| (judgement.curves[curve].ratio.unwrap() - 1.0).abs();
     assert!(off(CORRECTED) < 0.05 && off(PLAIN) > 0.15, "{} {}", off(CORRECTED), off(PLAIN));
-    let rests_on = judgement.headline(0).unwrap().rests_on;
-    assert!(matches!(rests_on, RestsOn::Curve { curve: CORRECTED, .. }), "{rests_on:?}");
+    let basis = judgement.headline(0).unwrap().basis;
+    assert!(matches!(basis, Basis::Curve { curve: CORRECTED, .. }), "{basis:?}");
 
-    let drawn = UncertaintyPlan::of(&scene, &results, &uncertainty::Settings::default()).unwrap();
-    let found = drawn.carry_out(&Unobserved).unwrap();
+    let drawn = UncertaintyPlan::new(&scene, &results, &uncertainty::Settings::default()).unwrap();
+    let found = drawn.run(&Unobserved).unwrap();
     let interval = found.interval(CORRECTED, 0).unwrap();
     assert!(interval.low < last_area(CORRECTED) && last_area(CORRECTED) < interval.high, "{interval:?}");
     assert!(interval.high > found.interval(PLAIN, 0).unwrap().high);
