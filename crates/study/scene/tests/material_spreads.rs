@@ -245,7 +245,7 @@ fn scans_say_what_is_known_of_their_instrument() {
     );
     let error = scene(&format!("{afm}\"3 %\""), &format!("{afm}\"1 %\"")).unwrap_err();
     assert!(
-        error.to_string().contains("the z-calibration of AFM is 0.01 here and 0.03 with a.txt"),
+        error.to_string().contains("the z-calibration of AFM is 0.01 here but 0.03 for a.txt"),
         "{error}"
     );
     assert!(error.span.is_some());

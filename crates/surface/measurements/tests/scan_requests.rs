@@ -97,5 +97,5 @@ fn scans_of_one_instrument_must_agree_on_it() {
     let error = read([",z-calibration=3 %", ",z-calibration=1 %"]).unwrap_err();
     assert!(error.to_string().contains("the z-calibration of text is 0.01 here"), "{error}");
     let error = read([",instrument=AFM,slope-uncertainty=0", ",instrument=AFM,slope-uncertainty=0.1"]);
-    assert!(error.unwrap_err().to_string().contains("slope uncertainty of AFM is 0.1 here and 0 with a.txt"));
+    assert!(error.unwrap_err().to_string().contains("slope uncertainty of AFM is 0.1 here but 0 for a.txt"));
 }
