@@ -1,6 +1,7 @@
 //! What a scene found, for people: the answer in plain words, then area, real pressure and where the area settles, per load.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use spectrum::ProfilePsd;
@@ -20,7 +21,7 @@ use findings::interface::InterfaceStates;
 use scene::Scene;
 use state_tables::{NarrowSpectra, StateCounts};
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, CutoffState, Results, scales_per_decade};
+use study::plan::{Curve, CurveResult, CutoffState, Results, scales_per_decade};
 use uncertainty::Uncertainty;
 use units::display::{counted, length, pressure, three_digits};
 use units::number;
@@ -157,11 +158,9 @@ fn curve_summary(
     }
     let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
     text.extend(yardsticks(scene, results, curve).map(|sentence| format!("  {sentence}\n")));
-    match (&curve.model, result) {
-        (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
-            text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
-        }
-        (_, result) => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
+    match curve.model.stacked().zip(result.stacked()) {
+        Some((model, levels)) => text.push_str(&stacked_remarks(model, results, levels, hardness_pa)),
+        None => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
     }
     text
 }
@@ -201,13 +200,7 @@ pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
 /// What there is to say of one block of a curve.
 pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
     let mut counts = CurveCounts::default();
-    match result {
-        CurveResult::Stacked(blocks) => counts.levels.add(&blocks[block..=block]),
-        CurveResult::Persson(blocks) => counts.cuts.add(&blocks[block..=block]),
-        CurveResult::Statistical(blocks) => {
-            counts.add_states(&blocks[block]);
-        }
-    }
+    counts.add_blocks(result, block..block + 1);
     counts.notes()
 }
 
@@ -230,12 +223,16 @@ pub struct CurveCounts {
 impl CurveCounts {
     /// Counts the rows of a curve, or of a part of one.
     pub fn add(&mut self, part: &CurveResult) {
-        match part {
-            CurveResult::Stacked(blocks) => self.levels.add(blocks),
-            CurveResult::Persson(blocks) => self.cuts.add(blocks),
-            CurveResult::Statistical(blocks) => {
-                blocks.iter().for_each(|rows| self.add_states(rows));
-            }
+        self.add_blocks(part, 0..part.blocks());
+    }
+
+    fn add_blocks(&mut self, part: &CurveResult, wanted: Range<usize>) {
+        if let Some(blocks) = part.stacked() {
+            self.levels.add(&blocks[wanted]);
+        } else if let Some(blocks) = part.persson() {
+            self.cuts.add(&blocks[wanted]);
+        } else if let Some(blocks) = part.statistical() {
+            blocks[wanted].iter().for_each(|rows| self.add_states(rows));
         }
     }
 

@@ -6,10 +6,10 @@ use asperity::AsperityError;
 use parallel::{Progress, fill_blocks};
 use stat_contact::{ContactState, Sweep};
 use study::material::{Material, MaterialError};
-use study::models::{CurveModel, ModelEntry, ModelOptions};
+use study::models::{ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
 
-use crate::pressed::{Pressed, Roughness};
+use crate::pressed::Roughness;
 use crate::{NarrowSpectra, StateCounts};
 
 /// States that are computed one after the other, and share what they can.
@@ -140,8 +140,8 @@ impl ContactStates {
             let pressed = self.pressed(&of_run).map_err(blame(row))?;
             let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
             let mut sweep = match &pressed {
-                Pressed::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
-                Pressed::TooNarrow { .. } => None,
+                Pressable::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
+                Pressable::TooNarrow { .. } => None,
             };
             let mut next = of_run;
             loop {
@@ -152,11 +152,11 @@ impl ContactStates {
                         found.counts.add([&state]);
                         set(&mut columns, row, Some(&state));
                     }
-                    (None, Pressed::TooNarrow { alpha }) => {
+                    (None, Pressable::TooNarrow { alpha }) => {
                         found.narrow.add(*alpha);
                         set(&mut columns, row, None);
                     }
-                    (None, Pressed::Contact(_)) => unreachable!("a contact has its sweep"),
+                    (None, Pressable::Contact(_)) => unreachable!("a contact has its sweep"),
                 }
                 row += 1;
                 if row == rows {
@@ -172,11 +172,12 @@ impl ContactStates {
     }
 
     /// What a row presses.
-    fn pressed(&self, asked: &AskedState<'_>) -> Result<Pressed, MaterialError> {
-        let CurveModel::Statistical { pair, law } = self.entry.build(asked.material, &self.options)? else {
+    fn pressed(&self, asked: &AskedState<'_>) -> Result<Pressable, MaterialError> {
+        let model = self.entry.build(asked.material, &self.options)?;
+        let Some(statistical) = model.statistical() else {
             unreachable!("populations are pressed by statistical models");
         };
-        Ok(Pressed::of(&pair, &law, asked.roughness)?)
+        Ok(statistical.press(asked.roughness.0)?)
     }
 }
 

@@ -7,12 +7,12 @@ use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
 use super::contact_states::At;
-use super::pressed::{Pressed, Roughness};
+use super::pressed::Roughness;
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
-use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions};
+use study::models::{self, Choice, Framework, ModelEntry, ModelOptions, Pressable, Statistical};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
@@ -52,7 +52,7 @@ pub struct Populations {
 
 /// A row of the table: a population, and what it is asked at.
 struct Asked {
-    pressed: Pressed,
+    pressed: Pressable,
     at: At,
     /// Whether its yield strength was not given, and a third of the hardness is taken.
     strength_is_assumed: bool,
@@ -97,22 +97,21 @@ impl Populations {
     fn pressed(
         &self,
         row: &Row<'_>,
-        entry: &ModelEntry,
+        entry: &'static ModelEntry,
         material: &Material,
-    ) -> Result<Option<Pressed>, String> {
+    ) -> Result<Option<Pressable>, String> {
         let strain_gradient =
             entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
         let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options.clone() });
-        let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
-            unreachable!("the model is one of the statistical ones");
-        };
+        let model = model.map_err(|error| missing_cell(&error))?;
         let columns = Roughness::columns(entry);
         if columns.iter().all(|column| row.text(column).trim().is_empty()) {
             return Ok(None);
         }
         let [first, second, third] = columns.map(|column| row.number(column, Bound::Magnitude));
         let roughness = Roughness([first?, second?, third?]);
-        Pressed::of(&pair, &law, roughness).map(Some).map_err(|error| error.to_string())
+        let press = |statistical: &Statistical| statistical.press(roughness.0);
+        model.statistical().map(press).transpose().map_err(|error| error.to_string())
     }
 
     /// The material of a row; its strength is not looked at where the model has none.
@@ -208,7 +207,7 @@ impl RowByRow for Populations {
             if progress.is_cancelled() {
                 return Err(RowsError::Cancelled);
             }
-            let Some(Asked { pressed: Pressed::Contact(contact), at, .. }) = asked else { return Ok(None) };
+            let Some(Asked { pressed: Pressable::Contact(contact), at, .. }) = asked else { return Ok(None) };
             let state = match at {
                 At::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
                 At::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
@@ -221,7 +220,7 @@ impl RowByRow for Populations {
         self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
         self.without_asperities += asked.iter().filter(|asked| asked.is_none()).count();
         for asked in asked.iter().flatten() {
-            if let Pressed::TooNarrow { alpha } = asked.pressed {
+            if let Pressable::TooNarrow { alpha } = asked.pressed {
                 self.narrow.add(alpha);
             }
         }
@@ -273,7 +272,7 @@ fn beyond_complete_contact(
     let rows = asked.iter().zip(states).enumerate();
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
-        let Pressed::Contact(contact) = &asked.pressed else { return None };
+        let Pressable::Contact(contact) = &asked.pressed else { return None };
         state.separation_m.is_none().then(|| RowsNote::BeyondCompleteContact {
             row: input.row_name(row),
             pressure_pa: state.pressure_pa,

@@ -1,8 +1,6 @@
-//! What a row presses: asperities of one curvature, or the summits of a surface.
+//! The roughness that a row presses: asperities of one curvature, or the summits of a surface.
 
-use asperity::{AsperityError, MaterialPair};
-use stat_contact::{NayakSummits, Population, StatisticalContact};
-use study::models::{ModelEntry, StatisticalLaw};
+use study::models::ModelEntry;
 
 /// The three numbers that a row gives of its roughness, in the order of [`Roughness::columns`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,37 +17,5 @@ impl Roughness {
     #[must_use]
     pub fn columns(entry: &ModelEntry) -> [&'static str; 3] {
         if entry.takes_moments() { Self::MOMENTS } else { Self::ASPERITIES }
-    }
-}
-
-/// What there is to press.
-pub(crate) enum Pressed {
-    Contact(StatisticalContact),
-    /// Nothing: no surface has a spectrum of this alpha.
-    TooNarrow {
-        alpha: f64,
-    },
-}
-
-impl Pressed {
-    pub fn of(
-        pair: &MaterialPair,
-        law: &StatisticalLaw,
-        roughness: Roughness,
-    ) -> Result<Self, AsperityError> {
-        let [first, second, third] = roughness.0;
-        match law {
-            StatisticalLaw::Asperities(law) => {
-                let population = Population::new(first, second, third)?;
-                Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
-            }
-            StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
-                Ok(summits) => Ok(Pressed::Contact(StatisticalContact::of_summits(pair, &summits))),
-                Err(error) if error.bound == NayakSummits::ALPHA => {
-                    Ok(Pressed::TooNarrow { alpha: error.value })
-                }
-                Err(error) => Err(error),
-            },
-        }
     }
 }

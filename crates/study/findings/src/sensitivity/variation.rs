@@ -105,7 +105,7 @@ impl Variation {
 
     /// The model with the choice made this way; `None` where that is its own way, or no choice of its.
     pub fn of(&self, model: &CurveModel) -> Option<CurveModel> {
-        let statistical = matches!(model, CurveModel::Statistical { .. });
+        let statistical = model.statistical().is_some();
         let varied = match *self {
             Variation::Normalisation(_) if statistical => return Some(model.clone()),
             Variation::Amplitude(_) if model.needs_amplitudes() => return Some(model.clone()),
