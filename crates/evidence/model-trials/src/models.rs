@@ -82,7 +82,7 @@ fn planned(
     let material = material(first)?;
     let wanted = |entry: &&ModelEntry| chosen(entry) && yields(entry) == first.spread_over_hardness.is_some();
     let entries: Vec<&ModelEntry> = MODELS.iter().filter(wanted).collect();
-    let curve = |entry: &&ModelEntry| {
+    let curve = |entry: &&'static ModelEntry| {
         let model = entry.build(&material, &ModelOptions::default())?;
         Ok(Curve { name: entry.name.to_owned(), model, cutoffs: Cutoffs::Shortest })
     };

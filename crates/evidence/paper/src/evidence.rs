@@ -6,7 +6,7 @@ use findings::features::Point;
 use scene::{Scene, Template};
 use stacked_contact::{Level, StackedModel};
 use stat_contact::ContactState;
-use study::plan::{CurveModel, CurveResult, Results};
+use study::plan::Results;
 
 /// Name of a curve of the paper, as in the scenes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,10 +95,11 @@ impl Evidence {
     /// Stacked curve: its model, and its levels for every load.
     pub(crate) fn stack(&self, name: Name) -> (StackedModel, &[Vec<Level>]) {
         let index = self.index(name);
-        match (&self.scene.needs.curves[index].model, &self.results.curves[index]) {
-            (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => (*model, levels),
-            _ => panic!("{} is stacked in the paper's scenes", name.0),
-        }
+        let model = self.scene.needs.curves[index].model.stacked();
+        let (model, levels) = model
+            .zip(self.results.curves[index].stacked())
+            .unwrap_or_else(|| panic!("{} is stacked in the paper's scenes", name.0));
+        (*model, levels)
     }
 
     /// Statistical curve over load: for every cutoff multiple, the states under rising pressures \[Pa\].

@@ -78,9 +78,8 @@ impl Curves {
             vec![curve("persson", false)?, curve("persson-plastic", false)?, curve("persson-plastic", true)?];
         let needs = Needs { curves, sweeps: Vec::new(), ..scene.needs.clone() };
         let results = Plan { psd: &scene.surface.psd, sampling: scene.sampling, needs }.compute()?;
-        let cuts = |result: CurveResult| match result {
-            CurveResult::Persson(blocks) => Ok(blocks),
-            _ => Err("a curve of Persson's theory has cuts"),
+        let cuts = |result: CurveResult| {
+            result.persson().map(<[_]>::to_vec).ok_or("a curve of Persson's theory has cuts")
         };
         let mut of_models = results.curves.into_iter().map(cuts);
         let mut next = || of_models.next().unwrap_or(Err("there are three curves"));

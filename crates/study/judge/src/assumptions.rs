@@ -77,8 +77,7 @@ pub(crate) fn real_pressures(
 }
 
 fn unfitted(result: &CurveResult, load: usize) -> Option<BrokenAssumption> {
-    let CurveResult::Statistical(blocks) = result else { return None };
-    blocks[load].iter().find_map(|row| {
+    result.statistical()?[load].iter().find_map(|row| {
         let load_share = row.contact?.1.out_of_range_load_share;
         (load_share > LARGEST_SHARE_OUT_OF_RANGE)
             .then_some(BrokenAssumption::Unfitted { wavelength_m: row.wavelength_m, load_share })

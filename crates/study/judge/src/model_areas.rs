@@ -2,9 +2,7 @@
 
 use scene::Scene;
 use spectrum::ProfilePsd;
-use study::plan::{
-    Curve, CurveModel, Cutoffs, Load, Needs, NominalPressure, Plan, Sampling, scales_per_decade,
-};
+use study::plan::{Curve, Cutoffs, Load, Needs, NominalPressure, Plan, Sampling, scales_per_decade};
 
 use crate::JudgeError;
 use crate::window::Window;
@@ -22,7 +20,7 @@ pub(crate) fn area_fractions(
     pressures_pa: &[f64],
 ) -> Result<Vec<Vec<Option<f64>>>, JudgeError> {
     let curves = &scene.needs.curves;
-    let stacked = |curve: &Curve| matches!(curve.model, CurveModel::Stacked(_));
+    let stacked = |curve: &Curve| curve.model.stacked().is_some();
     let per_decade = scales_per_decade(psd).unwrap_or(SCALES_PER_DECADE);
     let mut areas = vec![Vec::new(); wanted.len()];
     if pressures_pa.is_empty() {

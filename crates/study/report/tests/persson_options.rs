@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use findings::sensitivity::sensitivities;
-use judge::{JudgePlan, Basis, Verdict};
+use judge::{Basis, JudgePlan, Verdict};
 use persson::corrections::Correction;
 use persson::variance::Band;
 use report::curve_names::in_full;

@@ -9,7 +9,7 @@ use super::spelling::meant;
 use super::values::check_file_name;
 use study::figure::{Figure, Shows};
 use study::material::Material;
-use study::plan::{Curve, CurveModel, Cutoffs, LoadRange, LoadSweep, NominalPressure};
+use study::plan::{Curve, Cutoffs, LoadRange, LoadSweep, NominalPressure};
 
 /// The figures, and the sweeps over loads that they draw.
 pub(super) fn resolve_figures(
@@ -117,9 +117,7 @@ fn load_sweeps(
     material: Option<&Material>,
 ) -> Result<Vec<LoadSweep>, SceneError> {
     let figure = spanned.get_ref();
-    if let Some(&other) =
-        drawn.iter().find(|&&curve| !matches!(curves[curve].model, CurveModel::Statistical { .. }))
-    {
+    if let Some(&other) = drawn.iter().find(|&&curve| curves[curve].model.statistical().is_none()) {
         let (name, framework) = (&curves[other].name, curves[other].model.entry().framework);
         let message = format!(
             "area-against-load draws statistical curves only, and {name:?} is {framework}; list curves = [...]"

@@ -40,7 +40,7 @@ use study::figure::Figure;
 use study::interface::Asked;
 use study::material::Material;
 use study::material_spreads::MaterialSpreads;
-use study::plan::{CurveModel, Needs, Plan, Sampling};
+use study::plan::{Needs, Plan, Sampling};
 use study::surface::Surface;
 use units::number;
 
@@ -142,7 +142,7 @@ impl Scene {
         of_laws.sort();
         of_laws.dedup();
         choices.extend(of_laws);
-        if self.needs.curves.iter().any(|curve| matches!(curve.model, CurveModel::Statistical { .. })) {
+        if self.needs.curves.iter().any(|curve| curve.model.statistical().is_some()) {
             choices
                 .push(format!("tolerance of statistical states: {}", number(self.needs.tolerance.value())));
         }

@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Overrides, Scene};
 use study::figure::Shows;
-use study::models::{Choice, Framework, IgnoredOption, IgnoredReason, ModelEntry};
+use study::models::{Choice, IgnoredOption, IgnoredReason, ModelEntry};
 
 /// A key of a scene that has no effect, or not the one that it reads as.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -147,7 +147,7 @@ fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
         keys.note("options", table, "strength_cap", Idle::NoCurveUsesIt);
     }
     interference_law(keys, table, scene);
-    if !any_model(|model| model.framework == Framework::Statistical) {
+    if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {
         keys.note("options", table, "tolerance", Idle::NoCurveUsesIt);
     } else if needs.tolerance.asked_finer().is_some() {
         let used = needs.tolerance.value();

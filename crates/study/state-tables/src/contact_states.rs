@@ -6,10 +6,10 @@ use asperity::AsperityError;
 use parallel::{Progress, fill_blocks};
 use stat_contact::{ContactState, Sweep};
 use study::material::{Material, MaterialError};
-use study::models::{CurveModel, ModelEntry, ModelOptions};
+use study::models::{ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
 
-use crate::row_contact::{Roughness, RowContact};
+use crate::row_contact::Roughness;
 use crate::{NarrowSpectra, StateCounts};
 
 /// The number of states that are computed one after the other and share work.
@@ -140,8 +140,8 @@ impl ContactStates {
             let pressed = self.contact(&of_run).map_err(blame(row))?;
             let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
             let mut sweep = match &pressed {
-                RowContact::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
-                RowContact::TooNarrow { .. } => None,
+                Pressable::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
+                Pressable::TooNarrow { .. } => None,
             };
             let mut next = of_run;
             loop {
@@ -152,11 +152,11 @@ impl ContactStates {
                         found.counts.add([&state]);
                         set(&mut columns, row, Some(&state));
                     }
-                    (None, RowContact::TooNarrow { alpha }) => {
+                    (None, Pressable::TooNarrow { alpha }) => {
                         found.narrow.add(*alpha);
                         set(&mut columns, row, None);
                     }
-                    (None, RowContact::Contact(_)) => unreachable!("a contact has its sweep"),
+                    (None, Pressable::Contact(_)) => unreachable!("a contact has its sweep"),
                 }
                 row += 1;
                 if row == rows {
@@ -172,11 +172,12 @@ impl ContactStates {
     }
 
     /// The contact of a row.
-    fn contact(&self, request: &StateRequest<'_>) -> Result<RowContact, MaterialError> {
-        let CurveModel::Statistical { pair, law } = self.entry.build(request.material, &self.options)? else {
+    fn contact(&self, request: &StateRequest<'_>) -> Result<Pressable, MaterialError> {
+        let model = self.entry.build(request.material, &self.options)?;
+        let Some(statistical) = model.statistical() else {
             unreachable!("populations are pressed by statistical models");
         };
-        Ok(RowContact::new(&pair, &law, request.roughness)?)
+        Ok(statistical.press(request.roughness.0)?)
     }
 }
 

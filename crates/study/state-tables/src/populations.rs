@@ -7,12 +7,12 @@ use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
 use super::contact_states::StateCondition;
-use super::row_contact::{Roughness, RowContact};
+use super::row_contact::Roughness;
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
-use study::models::{self, Choice, CurveModel, Framework, ModelEntry, ModelOptions};
+use study::models::{self, Choice, Framework, ModelEntry, ModelOptions, Pressable, Statistical};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
 
@@ -52,7 +52,7 @@ pub struct Populations {
 
 /// A row of the table: a population and the condition of its state.
 struct RowRequest {
-    contact: RowContact,
+    contact: Pressable,
     at: StateCondition,
     /// True if a third of the hardness is used as the yield strength.
     strength_is_assumed: bool,
@@ -99,22 +99,21 @@ impl Populations {
     fn contact(
         &self,
         row: &Row<'_>,
-        entry: &ModelEntry,
+        entry: &'static ModelEntry,
         material: &Material,
-    ) -> Result<Option<RowContact>, String> {
+    ) -> Result<Option<Pressable>, String> {
         let strain_gradient =
             entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
         let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options.clone() });
-        let CurveModel::Statistical { pair, law } = model.map_err(|error| missing_cell(&error))? else {
-            unreachable!("the model is one of the statistical ones");
-        };
+        let model = model.map_err(|error| missing_cell(&error))?;
         let columns = Roughness::columns(entry);
         if columns.iter().all(|column| row.text(column).trim().is_empty()) {
             return Ok(None);
         }
         let [first, second, third] = columns.map(|column| row.number(column, Bound::Magnitude));
         let roughness = Roughness([first?, second?, third?]);
-        RowContact::new(&pair, &law, roughness).map(Some).map_err(|error| error.to_string())
+        let press = |statistical: &Statistical| statistical.press(roughness.0);
+        model.statistical().map(press).transpose().map_err(|error| error.to_string())
     }
 
     /// The material of a row. Its strength is ignored if the model has none.
@@ -220,7 +219,7 @@ impl RowByRow for Populations {
             if progress.is_cancelled() {
                 return Err(RowsError::Cancelled);
             }
-            let Some(RowRequest { contact: RowContact::Contact(contact), at, .. }) = asked else {
+            let Some(RowRequest { contact: Pressable::Contact(contact), at, .. }) = asked else {
                 return Ok(None);
             };
             let state = match at {
@@ -235,7 +234,7 @@ impl RowByRow for Populations {
         self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
         self.without_asperities += asked.iter().filter(|asked| asked.is_none()).count();
         for asked in asked.iter().flatten() {
-            if let RowContact::TooNarrow { alpha } = asked.contact {
+            if let Pressable::TooNarrow { alpha } = asked.contact {
                 self.narrow.add(alpha);
             }
         }
@@ -287,7 +286,7 @@ fn beyond_complete_contact(
     let rows = asked.iter().zip(states).enumerate();
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
-        let RowContact::Contact(contact) = &asked.contact else { return None };
+        let Pressable::Contact(contact) = &asked.contact else { return None };
         state.separation_m.is_none().then(|| RowsNote::BeyondCompleteContact {
             row: input.row_name(row),
             pressure_pa: state.pressure_pa,

@@ -1,8 +1,6 @@
-//! The contact of a row: asperities of one curvature, or the summits of a surface.
+//! Roughness of a row: asperities of one curvature, or the summits of a surface.
 
-use asperity::{AsperityError, MaterialPair};
-use stat_contact::{NayakSummits, Population, StatisticalContact};
-use study::models::{ModelEntry, StatisticalLaw};
+use study::models::ModelEntry;
 
 /// The three numbers of a row's roughness, in the order of [`Roughness::columns`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,37 +17,5 @@ impl Roughness {
     #[must_use]
     pub fn columns(entry: &ModelEntry) -> [&'static str; 3] {
         if entry.takes_moments() { Self::MOMENTS } else { Self::ASPERITIES }
-    }
-}
-
-/// The contact of a row, if its roughness allows one.
-pub(crate) enum RowContact {
-    Contact(StatisticalContact),
-    /// No contact: no surface has a spectrum of this alpha.
-    TooNarrow {
-        alpha: f64,
-    },
-}
-
-impl RowContact {
-    pub fn new(
-        pair: &MaterialPair,
-        law: &StatisticalLaw,
-        roughness: Roughness,
-    ) -> Result<Self, AsperityError> {
-        let [first, second, third] = roughness.0;
-        match law {
-            StatisticalLaw::Asperities(law) => {
-                let population = Population::new(first, second, third)?;
-                Ok(RowContact::Contact(StatisticalContact::new(pair, &population, law)))
-            }
-            StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
-                Ok(summits) => Ok(RowContact::Contact(StatisticalContact::from_summits(pair, &summits))),
-                Err(error) if error.bound == NayakSummits::ALPHA => {
-                    Ok(RowContact::TooNarrow { alpha: error.value })
-                }
-                Err(error) => Err(error),
-            },
-        }
     }
 }

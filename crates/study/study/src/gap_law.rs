@@ -12,9 +12,9 @@ use persson::{PerssonModel, Roughness};
 use spectrum::{AsperityParameters, Normalisation};
 use stat_contact::StatisticalContact;
 
-use crate::models::CurveModel;
+use crate::models::{CurveModel, Persson, Pressable, Theory};
 use crate::persson_law;
-use crate::plan::{Plan, Pressed, Results, Roughness as CutRoughness, Tolerance, contact_of};
+use crate::plan::{Plan, Results, Roughness as CutRoughness, Tolerance, contact_of};
 
 /// A surface under a nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,20 +100,20 @@ impl GapLaw {
         let (moments, _) = results.moments.last().ok_or(GapError::NoRoughness)?;
         let parseval = Normalisation::Parseval.factor() / normalisation.factor();
         let rms_height_m = parseval.sqrt() * moments.rms_height_m();
-        let pressed = match model {
-            CurveModel::Stacked(_) => return Err(GapError::NoDistances(model.entry().name)),
-            CurveModel::Persson { pair, law } => {
+        let pressed = match model.theory() {
+            Theory::Stacked(_) => return Err(GapError::NoDistances(model.entry().name)),
+            Theory::Persson(Persson { pair, law }) => {
                 let model = law.model(pair)?;
                 let roughness = roughness(plan, results, choices.band);
                 let separation = model.separation(&roughness, choices.energy_factor);
                 PressedBy::Persson { model, roughness, separation }
             }
-            CurveModel::Statistical { pair, law } => {
+            Theory::Statistical(statistical) => {
                 let asperities = AsperityParameters::from_moments(moments).ok_or(GapError::NoRoughness)?;
                 let cut = CutRoughness { moments: *moments, asperities };
-                let contact = match contact_of(pair, law, &cut)? {
-                    Pressed::Contact(contact) => contact,
-                    Pressed::TooNarrow { alpha } => return Err(GapError::TooNarrow { alpha }),
+                let contact = match contact_of(statistical, &cut)? {
+                    Pressable::Contact(contact) => contact,
+                    Pressable::TooNarrow { alpha } => return Err(GapError::TooNarrow { alpha }),
                 };
                 let mean_height_m = if model.entry().takes_moments() { 0.0 } else { asperities.offset_m };
                 PressedBy::Asperities { contact, mean_height_m, tolerance: choices.tolerance.value() }

@@ -4,12 +4,12 @@
 
 use std::sync::LazyLock;
 
-use asperity::{Hardness, MaterialPair, NixGao};
+use asperity::{AsperityError, Hardness, MaterialPair, NixGao};
 use persson::corrections::Correction;
 use persson::variance::Band;
 use serde::{Deserialize, Deserializer};
 use stacked_contact::StackedModel;
-use stat_contact::{AsperityLaw, InterferenceLaw};
+use stat_contact::{AsperityLaw, InterferenceLaw, NayakSummits, Population, StatisticalContact};
 use units::UnknownName;
 
 use crate::growth_law::GrowthLaw;
@@ -18,25 +18,74 @@ use crate::material::{Material, MaterialError};
 pub use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
 use crate::persson_law::{PerssonDeformation, PerssonLaw, PlasticLaw};
 
-/// A model of a material: a theory with its law.
+/// A model of a material: an entry of the table of models with its theory.
 #[derive(Debug, Clone, PartialEq)]
-pub enum CurveModel {
+pub struct CurveModel {
+    entry: &'static ModelEntry,
+    theory: Theory,
+}
+
+/// A theory with its law and the bodies in contact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Theory {
     /// Scale upon scale.
     Stacked(StackedModel),
     /// Asperities of Gaussian heights.
-    Statistical {
-        /// The bodies in contact.
-        pair: MaterialPair,
-        /// What is pressed.
-        law: StatisticalLaw,
-    },
+    Statistical(Statistical),
     /// Persson's theory, without asperities.
-    Persson {
-        /// The bodies in contact.
-        pair: MaterialPair,
-        /// How the surface deforms.
-        law: PerssonLaw,
+    Persson(Persson),
+}
+
+/// A statistical theory of bodies in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Statistical {
+    /// The bodies in contact.
+    pub pair: MaterialPair,
+    /// The law of what is pressed.
+    pub law: StatisticalLaw,
+}
+
+/// A surface as a statistical model presses it.
+pub enum Pressable {
+    /// Asperities, or the summits of a surface.
+    Contact(StatisticalContact),
+    /// A spectrum narrower than that of any surface, which has no summits.
+    TooNarrow {
+        /// m0 m4/m2^2 of the spectrum, below 1.5.
+        alpha: f64,
     },
+}
+
+impl Statistical {
+    /// Returns the contact of a roughness: of the radius \[m\], density \[1/m^2\] and rms height \[m\] of asperities, or of
+    /// the moments m0 \[m^2\], m2 and m4 \[1/m^2\] for the law of the summits.
+    ///
+    /// # Errors
+    /// [`AsperityError`] for numbers that the law does not take.
+    pub fn press(&self, [first, second, third]: [f64; 3]) -> Result<Pressable, AsperityError> {
+        match &self.law {
+            StatisticalLaw::Asperities(law) => {
+                let population = Population::new(first, second, third)?;
+                Ok(Pressable::Contact(StatisticalContact::new(&self.pair, &population, law)))
+            }
+            StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
+                Ok(summits) => Ok(Pressable::Contact(StatisticalContact::of_summits(&self.pair, &summits))),
+                Err(error) if error.bound == NayakSummits::ALPHA => {
+                    Ok(Pressable::TooNarrow { alpha: error.value })
+                }
+                Err(error) => Err(error),
+            },
+        }
+    }
+}
+
+/// Persson's theory of bodies in contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Persson {
+    /// The bodies in contact.
+    pub pair: MaterialPair,
+    /// The law with its choices.
+    pub law: PerssonLaw,
 }
 
 /// What a statistical model makes of the moments of a cutoff.
@@ -120,12 +169,10 @@ pub struct ModelEntry {
     /// Its framework.
     pub framework: Framework,
     choices: &'static [Choice],
-    build: fn(&Material, &ModelOptions) -> Result<CurveModel, MaterialError>,
-    is: fn(&CurveModel) -> bool,
+    /// True if the model takes the moments of a surface, rather than the asperities that they make.
+    takes_moments: bool,
+    build: fn(&Material, &ModelOptions) -> Result<Theory, MaterialError>,
 }
-
-/// The name of the model of the summits of a surface.
-const SUMMITS: &str = "bgt";
 
 /// Every model, in the order of the documentation.
 pub static MODELS: &[ModelEntry] = &[
@@ -135,8 +182,8 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Jackson & Streator (2006), Wear 261:1337",
         framework: Framework::Stacked,
         choices: &[],
-        build: |material, _| Ok(CurveModel::Stacked(StackedModel::Elastic { pair: material.pair })),
-        is: |model| matches!(model, CurveModel::Stacked(StackedModel::Elastic { .. })),
+        takes_moments: false,
+        build: |material, _| Ok(Theory::Stacked(StackedModel::Elastic { pair: material.pair })),
     },
     ModelEntry {
         name: "elastic-plastic",
@@ -144,11 +191,11 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Krithivasan & Jackson (2007), Tribol. Lett. 27:31",
         framework: Framework::Stacked,
         choices: &[Choice::Strength, Choice::StrainGradient],
+        takes_moments: false,
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
-            Ok(CurveModel::Stacked(StackedModel::ElasticPlastic { pair: material.pair, strength }))
+            Ok(Theory::Stacked(StackedModel::ElasticPlastic { pair: material.pair, strength }))
         },
-        is: |model| matches!(model, CurveModel::Stacked(StackedModel::ElasticPlastic { .. })),
     },
     ModelEntry {
         name: "hertz",
@@ -156,8 +203,8 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Greenwood & Williamson (1966), Proc. R. Soc. A 295:300",
         framework: Framework::Statistical,
         choices: &[],
+        takes_moments: false,
         build: |material, _| Ok(statistical(material, AsperityLaw::Hertz)),
-        is: |model| has_law(model, |law| matches!(law, AsperityLaw::Hertz)),
     },
     ModelEntry {
         name: "ep-sphere",
@@ -165,6 +212,7 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Jackson & Green (2005), J. Tribol. 127:343",
         framework: Framework::Statistical,
         choices: &[Choice::Strength, Choice::StrainGradient, Choice::Hardness],
+        takes_moments: false,
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(
@@ -172,7 +220,6 @@ pub static MODELS: &[ModelEntry] = &[
                 AsperityLaw::EpSphere { strength, hardness: options.hardness.unwrap_or_default() },
             ))
         },
-        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSphere { .. })),
     },
     ModelEntry {
         name: "elastic-sine",
@@ -180,11 +227,11 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Johnson, Greenwood & Higginson (1985), Int. J. Mech. Sci. 27:383; Jackson & Streator (2006), Wear 261:1337",
         framework: Framework::Statistical,
         choices: &[Choice::Interference],
+        takes_moments: false,
         build: |material, options| {
             let interference = options.interference_law.unwrap_or_default();
             Ok(statistical(material, AsperityLaw::ElasticSine { interference }))
         },
-        is: |model| has_law(model, |law| matches!(law, AsperityLaw::ElasticSine { .. })),
     },
     ModelEntry {
         name: "ep-sine",
@@ -192,22 +239,22 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Krithivasan & Jackson (2007), Tribol. Lett. 27:31; Rostami & Jackson (2013), Proc. IMechE J 227:1376",
         framework: Framework::Statistical,
         choices: &[Choice::Strength, Choice::StrainGradient],
+        takes_moments: false,
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
             Ok(statistical(material, AsperityLaw::EpSine { strength }))
         },
-        is: |model| has_law(model, |law| matches!(law, AsperityLaw::EpSine { .. })),
     },
     ModelEntry {
-        name: SUMMITS,
+        name: "bgt",
         full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
         citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
         framework: Framework::Statistical,
         choices: &[],
+        takes_moments: true,
         build: |material, _| {
-            Ok(CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Summits })
+            Ok(Theory::Statistical(Statistical { pair: material.pair, law: StatisticalLaw::Summits }))
         },
-        is: |model| matches!(model, CurveModel::Statistical { law: StatisticalLaw::Summits, .. }),
     },
     ModelEntry {
         name: "persson",
@@ -215,11 +262,11 @@ pub static MODELS: &[ModelEntry] = &[
         citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
         framework: Framework::Persson,
         choices: &[Choice::Correction, Choice::Band, Choice::Gamma],
+        takes_moments: false,
         build: |material, options| {
             let deformation = PerssonDeformation::Elastic { correction: options.correction };
-            Ok(CurveModel::Persson { pair: material.pair, law: PerssonLaw::new(deformation, options) })
+            Ok(Theory::Persson(Persson { pair: material.pair, law: PerssonLaw::new(deformation, options) }))
         },
-        is: |model| matches!(model, CurveModel::Persson { law, .. } if law.plastic().is_none()),
     },
     ModelEntry {
         name: "persson-plastic",
@@ -233,21 +280,17 @@ pub static MODELS: &[ModelEntry] = &[
             Choice::Gamma,
             Choice::HardnessLaw,
         ],
+        takes_moments: false,
         build: |material, options| {
             let plastic = PlasticLaw::new(material, options)?;
             let law = PerssonLaw::new(PerssonDeformation::ElasticPlastic(plastic), options);
-            Ok(CurveModel::Persson { pair: material.pair, law })
+            Ok(Theory::Persson(Persson { pair: material.pair, law }))
         },
-        is: |model| matches!(model, CurveModel::Persson { law, .. } if law.plastic().is_some()),
     },
 ];
 
-fn statistical(material: &Material, law: AsperityLaw) -> CurveModel {
-    CurveModel::Statistical { pair: material.pair, law: StatisticalLaw::Asperities(law) }
-}
-
-fn has_law(model: &CurveModel, is: impl FnOnce(&AsperityLaw) -> bool) -> bool {
-    matches!(model, CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } if is(law))
+fn statistical(material: &Material, law: AsperityLaw) -> Theory {
+    Theory::Statistical(Statistical { pair: material.pair, law: StatisticalLaw::Asperities(law) })
 }
 
 /// The names of all models.
@@ -284,14 +327,24 @@ impl ModelEntry {
     ///
     /// # Errors
     /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
-    pub fn build(&self, material: &Material, options: &ModelOptions) -> Result<CurveModel, MaterialError> {
-        (self.build)(material, options)
+    pub fn build(
+        &'static self,
+        material: &Material,
+        options: &ModelOptions,
+    ) -> Result<CurveModel, MaterialError> {
+        Ok(CurveModel { entry: self, theory: (self.build)(material, options)? })
     }
 
-    /// Whether it takes the moments of a surface, rather than the asperities that they make.
+    /// Returns true if it takes the moments of a surface, rather than the asperities that they make.
     #[must_use]
     pub fn takes_moments(&self) -> bool {
-        self.name == SUMMITS
+        self.takes_moments
+    }
+
+    /// Returns true if it takes asperities of one curvature, McCool's.
+    #[must_use]
+    pub fn takes_asperities(&self) -> bool {
+        self.framework == Framework::Statistical && !self.takes_moments
     }
 
     /// Whether a choice is one of this model's.
@@ -355,22 +408,42 @@ impl<'de> Deserialize<'de> for &'static ModelEntry {
 }
 
 impl CurveModel {
-    /// What there is to know of the model.
+    /// Returns the entry of the model in the table of models.
     #[must_use]
     pub fn entry(&self) -> &'static ModelEntry {
-        let Some(entry) = MODELS.iter().find(|entry| (entry.is)(self)) else {
-            unreachable!("every law has its entry, which a test goes through");
-        };
-        entry
+        self.entry
+    }
+
+    /// Returns the theory with its law.
+    #[must_use]
+    pub fn theory(&self) -> &Theory {
+        &self.theory
+    }
+
+    /// Returns the stack, or nothing for another theory.
+    #[must_use]
+    pub fn stacked(&self) -> Option<&StackedModel> {
+        match &self.theory {
+            Theory::Stacked(model) => Some(model),
+            _ => None,
+        }
+    }
+
+    /// Returns the statistical theory, or nothing for another one.
+    #[must_use]
+    pub fn statistical(&self) -> Option<&Statistical> {
+        match &self.theory {
+            Theory::Statistical(model) => Some(model),
+            _ => None,
+        }
     }
 
     /// Returns the options in which the model differs from the defaults of its entry.
     #[must_use]
     pub fn options(&self) -> ModelOptions {
         let persson = self.persson();
-        let has_gradient = |strength: NixGao| strength.strain_gradient_length_m().is_some();
         ModelOptions {
-            strain_gradient: self.strength().is_some_and(has_gradient),
+            strain_gradient: self.has_strain_gradient(),
             hardness: self.hardness().filter(|form| *form != Hardness::default()),
             interference_law: self.interference().filter(|law| *law != InterferenceLaw::default()),
             correction: persson.and_then(PerssonLaw::correction).flatten(),
@@ -383,39 +456,39 @@ impl CurveModel {
     /// Returns the law of Persson's theory, or nothing for another theory.
     #[must_use]
     pub fn persson(&self) -> Option<&PerssonLaw> {
-        match self {
-            CurveModel::Persson { law, .. } => Some(law),
+        match &self.theory {
+            Theory::Persson(model) => Some(&model.law),
             _ => None,
         }
     }
 
-    /// The strength of the rough body, where it yields.
+    /// Returns the strength of the body that yields, or nothing for an elastic model.
     #[must_use]
     pub fn strength(&self) -> Option<NixGao> {
-        match self {
-            CurveModel::Stacked(model) => model.strength(),
-            CurveModel::Statistical { law: StatisticalLaw::Asperities(law), .. } => law.strength(),
-            CurveModel::Statistical { law: StatisticalLaw::Summits, .. } => None,
-            CurveModel::Persson { law, .. } => law.plastic().map(PlasticLaw::strength),
+        match &self.theory {
+            Theory::Stacked(model) => model.strength(),
+            Theory::Statistical(model) => match model.law {
+                StatisticalLaw::Asperities(law) => law.strength(),
+                StatisticalLaw::Summits => None,
+            },
+            Theory::Persson(model) => model.law.plastic().map(PlasticLaw::strength),
         }
     }
 
-    /// Whether it stands on the amplitudes of scales.
+    fn has_strain_gradient(&self) -> bool {
+        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    }
+
+    /// Returns true if it stands on the amplitudes of scales.
     #[must_use]
     pub fn needs_amplitudes(&self) -> bool {
-        match self {
-            CurveModel::Stacked(_) => true,
-            CurveModel::Statistical { .. } => false,
-            CurveModel::Persson { .. } => {
-                self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
-            }
-        }
+        self.stacked().is_some() || self.persson().is_some() && self.has_strain_gradient()
     }
 
-    /// Whether it stands on spectral moments.
+    /// Returns true if it stands on spectral moments.
     #[must_use]
     pub fn needs_moments(&self) -> bool {
-        !matches!(self, CurveModel::Stacked(_))
+        self.stacked().is_none()
     }
 
     /// Returns true if its strength or its hardness grows at small scales.
@@ -435,15 +508,13 @@ impl CurveModel {
         plastic.map(PlasticLaw::hardness_pa).or_else(|| self.strength().map(of_strength))
     }
 
-    /// The bodies in contact.
+    /// Returns the bodies in contact.
     #[must_use]
     pub fn pair(&self) -> MaterialPair {
-        match *self {
-            CurveModel::Stacked(
-                StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. },
-            )
-            | CurveModel::Statistical { pair, .. }
-            | CurveModel::Persson { pair, .. } => pair,
+        match &self.theory {
+            Theory::Stacked(StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. })
+            | Theory::Statistical(Statistical { pair, .. })
+            | Theory::Persson(Persson { pair, .. }) => *pair,
         }
     }
 
@@ -451,40 +522,44 @@ impl CurveModel {
     #[must_use]
     pub fn with_pair(&self, pair: MaterialPair) -> Self {
         let mut moved = self.clone();
-        match &mut moved {
-            CurveModel::Stacked(
+        match &mut moved.theory {
+            Theory::Stacked(
                 StackedModel::Elastic { pair: own } | StackedModel::ElasticPlastic { pair: own, .. },
             )
-            | CurveModel::Statistical { pair: own, .. }
-            | CurveModel::Persson { pair: own, .. } => *own = pair,
+            | Theory::Statistical(Statistical { pair: own, .. })
+            | Theory::Persson(Persson { pair: own, .. }) => *own = pair,
         }
         moved
+    }
+
+    fn with_theory(&self, theory: Theory) -> Self {
+        CurveModel { entry: self.entry, theory }
+    }
+
+    fn with_persson(&self, law: PerssonLaw) -> Self {
+        self.with_theory(Theory::Persson(Persson { pair: self.pair(), law }))
     }
 
     /// Returns the same model with another strength, or nothing for one that never yields.
     #[must_use]
     pub fn with_strength(&self, strength: NixGao) -> Option<Self> {
-        match self {
-            CurveModel::Stacked(model) => model.with_strength(strength).map(CurveModel::Stacked),
-            CurveModel::Statistical { .. } => self.with_law(|law| law.with_strength(strength)),
-            CurveModel::Persson { pair, law } => {
-                Some(CurveModel::Persson { pair: *pair, law: law.with_strength(strength)? })
-            }
+        match &self.theory {
+            Theory::Stacked(model) => Some(self.with_theory(Theory::Stacked(model.with_strength(strength)?))),
+            Theory::Statistical(_) => self.with_law(|law| law.with_strength(strength)),
+            Theory::Persson(model) => Some(self.with_persson(model.law.with_strength(strength)?)),
         }
     }
 
     /// Returns the same model with another correction of Persson's elastic theory, or nothing for one that has none.
     #[must_use]
     pub fn with_correction(&self, correction: Option<Correction>) -> Option<Self> {
-        let law = self.persson()?.with_correction(correction)?;
-        Some(CurveModel::Persson { pair: self.pair(), law })
+        Some(self.with_persson(self.persson()?.with_correction(correction)?))
     }
 
     /// Returns the same model with a cutoff of another spectrum, or nothing for a theory other than Persson's.
     #[must_use]
     pub fn with_band(&self, band: Band) -> Option<Self> {
-        let law = PerssonLaw { band, ..self.persson()?.clone() };
-        Some(CurveModel::Persson { pair: self.pair(), law })
+        Some(self.with_persson(PerssonLaw { band, ..self.persson()?.clone() }))
     }
 
     /// Returns the same model with the hardness of its spheres in another form, or nothing for one that has none.
@@ -512,12 +587,11 @@ impl CurveModel {
     }
 
     fn with_law(&self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Self> {
-        match *self {
-            CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(law) } => {
-                Some(CurveModel::Statistical { pair, law: StatisticalLaw::Asperities(change(law)?) })
-            }
-            _ => None,
-        }
+        let Statistical { pair, law: StatisticalLaw::Asperities(law) } = *self.statistical()? else {
+            return None;
+        };
+        let law = StatisticalLaw::Asperities(change(law)?);
+        Some(self.with_theory(Theory::Statistical(Statistical { pair, law })))
     }
 }
 

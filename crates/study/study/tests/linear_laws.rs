@@ -1,23 +1,36 @@
 //! Areas that go with the load.
 
-use asperity::{ElasticBody, MaterialPair, NixGao};
-use stacked_contact::StackedModel;
+use asperity::{ElasticBody, MaterialPair};
 
 use spectrum::ProfilePsd;
+use study::bodies::Body;
+use study::hardness_and_strength::HardnessAndStrength;
 use study::linear_laws::{linear_areas, rms_gradients};
-use study::models::CurveModel;
+use study::material::{GivenMaterial, Material};
+use study::models::{Framework, ModelOptions, named};
 
 #[test]
 fn the_laws_hold_for_elastic_models_below_the_nominal_area() {
     let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.0).unwrap());
-    let elastic = CurveModel::Stacked(StackedModel::Elastic { pair });
+    let material = Material::new(GivenMaterial {
+        body: pair.body(),
+        counterface: None,
+        flows: Body::Rough,
+        hardness_and_strength: HardnessAndStrength::new(None, Some("1 GPa".parse().unwrap())).unwrap(),
+        strength_cap: None,
+        strain_gradient_length_m: None,
+    });
+    let stacked = |name: &str| {
+        let entry = named(Framework::Stacked, name).unwrap();
+        entry.build(&material, &ModelOptions::default()).unwrap()
+    };
+    let elastic = stacked("elastic");
     let [persson, bgt] = linear_areas(&elastic, 1e8, 0.1).unwrap();
     assert!((persson / 0.015_957_691_216_057_3 - 1.0).abs() < 1e-14, "{persson}");
     assert!((bgt / 0.025_066_282_746_31 - 1.0).abs() < 1e-14, "{bgt}");
     assert_eq!(linear_areas(&elastic, 1e10, 0.1), None);
     assert_eq!(linear_areas(&elastic, 1e8, 0.0), None);
-    let strength = NixGao::constant(1e9).unwrap();
-    let yielding = CurveModel::Stacked(StackedModel::ElasticPlastic { pair, strength });
+    let yielding = stacked("elastic-plastic");
     assert_eq!(linear_areas(&yielding, 1e8, 0.1), None);
 }
 

@@ -6,7 +6,6 @@ use study::student::{half_width, normal_half_width};
 
 use findings::features::convergence;
 use spectrum::ProfilePsd;
-use study::models::Framework;
 
 use crate::areas::Areas;
 use crate::draws::Drawn;
@@ -252,8 +251,7 @@ impl Adviser<'_> {
         let points = self.results.curves[curve].area_fractions(load);
         let settled = convergence(&points, SETTLED_WITHIN).is_some_and(|found| found.converged);
         let entry = self.areas.curves()[curve].model.entry();
-        let has_radii = entry.framework == Framework::Statistical && !entry.takes_moments();
-        let steep = if has_radii { STEEP_FOR_RADII } else { STEEP_FOR_SLOPES };
+        let steep = if entry.takes_asperities() { STEEP_FOR_RADII } else { STEEP_FOR_SLOPES };
         match PowerLaw::at(End::Short, psd) {
             _ if followed && settled => Settling::HasSettled,
             Some(PowerLaw { slope, standard_error }) if slope < steep => {

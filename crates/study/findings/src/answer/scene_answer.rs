@@ -6,7 +6,7 @@ use stacked_contact::setting_level;
 
 use crate::features::{Convergence, DecadeShare, Point, convergence, decade_shares, parts_at, ratio};
 use scene::Scene;
-use study::plan::{Curve, CurveModel, CurveResult, Cutoffs, Load, Results};
+use study::plan::{Curve, CurveResult, Cutoffs, Load, Results};
 use topography::InstrumentsDisagree;
 
 /// The fewest scales of a spectrum from which the deciding scales can be told, over [`MIN_DECADES`].
@@ -120,18 +120,11 @@ impl LoadAnswer {
         let within = |tolerance| convergence(&points, tolerance);
         let within_1_percent = within(0.01)?;
         let followed = curve.cutoffs == Cutoffs::Every;
-        let setting = match (&curve.model, result) {
-            // In complete contact the load sets the pressure.
-            _ if area_fraction == 1.0 || !followed => None,
-            (CurveModel::Stacked(model), CurveResult::Stacked(blocks)) => {
-                setting_level(model, &blocks[block])
-            }
-            _ => None,
-        };
-        let out_of_range = match result {
-            CurveResult::Stacked(_) | CurveResult::Persson(_) => None,
-            CurveResult::Statistical(blocks) => blocks[block].last().and_then(|row| row.contact),
-        };
+        // In complete contact the load sets the pressure.
+        let stack = curve.model.stacked().zip(result.stacked()).filter(|_| area_fraction < 1.0 && followed);
+        let setting = stack.and_then(|(model, blocks)| setting_level(model, &blocks[block]));
+        let out_of_range =
+            result.statistical().and_then(|blocks| blocks[block].last()).and_then(|row| row.contact);
         Some(LoadAnswer {
             area_fraction,
             real_pressure_pa: pressure_pa / area_fraction,

@@ -48,19 +48,7 @@ impl RealPressures {
     /// Adds the real pressures of a part of a curve: first under these nominal pressures \[Pa\], then at separations.
     pub fn add_part(&mut self, curve: &Curve, rows: &CurveResult, pressures_pa: &[f64]) {
         for block in 0..rows.blocks() {
-            let highest_pa = match rows {
-                CurveResult::Stacked(blocks) => {
-                    blocks[block].iter().map(|level| level.real_pressure_pa).fold(0.0, f64::max)
-                }
-                CurveResult::Persson(blocks) => {
-                    blocks[block].iter().map(|cut| cut.real_pressure_pa).fold(0.0, f64::max)
-                }
-                CurveResult::Statistical(blocks) => blocks[block]
-                    .iter()
-                    .filter_map(|row| row.contact)
-                    .map(|(_, state)| (state.ln_pressure_pa - state.ln_area_fraction).exp())
-                    .fold(0.0, f64::max),
-            };
+            let highest_pa = rows.highest_real_pressure_pa(block);
             let label = || match pressures_pa.get(block).and_then(|&pa| NominalPressure::new(pa).ok()) {
                 Some(pressure) => pressure.label(),
                 None => "a separation".to_owned(),

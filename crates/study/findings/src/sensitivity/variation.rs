@@ -107,7 +107,7 @@ impl Variation {
 
     /// The model with this setting; `None` if that is its own, or if it has no such choice.
     pub fn of(&self, model: &CurveModel) -> Option<CurveModel> {
-        let statistical = matches!(model, CurveModel::Statistical { .. });
+        let statistical = model.statistical().is_some();
         let varied = match *self {
             Variation::Normalisation(_) if statistical => return Some(model.clone()),
             Variation::Amplitude(_) if model.needs_amplitudes() => return Some(model.clone()),

@@ -6,7 +6,6 @@ use super::{SceneReport, Section, per_scene};
 use crate::doubt_words;
 use crate::words::curve_counts::{beyond_fitted_range, statistical_notes};
 use findings::doubts::Doubt;
-use study::plan::CurveResult;
 use units::display::percent;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -54,7 +53,7 @@ fn warnings(report: &SceneReport<'_>, curve: usize) -> Vec<String> {
         ));
     }
     warnings.extend(statistical_notes(result));
-    if let CurveResult::Stacked(levels) = result {
+    if let Some(levels) = result.stacked() {
         warnings.extend(beyond_fitted_range(levels));
     }
     warnings

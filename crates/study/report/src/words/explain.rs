@@ -17,15 +17,15 @@ const FRAMEWORKS: [(&str, IsFramework); 3] =
     [("stacked", is_stacked), ("statistical", is_statistical), ("persson", is_persson)];
 
 fn is_stacked(model: &CurveModel) -> bool {
-    matches!(model, CurveModel::Stacked(_))
+    model.stacked().is_some()
 }
 
 fn is_statistical(model: &CurveModel) -> bool {
-    matches!(model, CurveModel::Statistical { .. })
+    model.statistical().is_some()
 }
 
 fn is_persson(model: &CurveModel) -> bool {
-    matches!(model, CurveModel::Persson { .. })
+    model.persson().is_some()
 }
 
 /// The explanation of a scene.

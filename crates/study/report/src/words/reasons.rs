@@ -99,27 +99,22 @@ fn what_sets_it(
             in_hardnesses(scale.full_contact_pressure_pa)
         ));
     }
-    match result {
-        CurveResult::Stacked(_) => None,
-        CurveResult::Persson(blocks) => {
-            let cut = blocks[block].last()?;
-            Some(format!(
-                "the rms gradient {} of all scales down to {} sets it; {} of the contact flows",
-                three_digits(cut.rms_gradient),
-                length(cut.wavelength_m),
-                percent(cut.areas.plastic / cut.areas.contact())
-            ))
-        }
-        CurveResult::Statistical(blocks) => {
-            let last = blocks[block].last()?;
-            let (asperities, _) = last.contact?;
-            Some(format!(
-                "the asperities that the cutoff {} leaves set it: radius {}, rms height {}, {} per mm²",
-                length(last.wavelength_m),
-                length(asperities.radius_m),
-                length(asperities.sigma_s_m),
-                three_digits(asperities.density_per_m2 * 1e-6)
-            ))
-        }
+    if let Some(blocks) = result.persson() {
+        let cut = blocks[block].last()?;
+        return Some(format!(
+            "the rms gradient {} of all scales down to {} sets it; {} of the contact flows",
+            three_digits(cut.rms_gradient),
+            length(cut.wavelength_m),
+            percent(cut.areas.plastic / cut.areas.contact())
+        ));
     }
+    let last = result.statistical()?[block].last()?;
+    let (asperities, _) = last.contact?;
+    Some(format!(
+        "the asperities that the cutoff {} leaves set it: radius {}, rms height {}, {} per mm²",
+        length(last.wavelength_m),
+        length(asperities.radius_m),
+        length(asperities.sigma_s_m),
+        three_digits(asperities.density_per_m2 * 1e-6)
+    ))
 }

@@ -21,7 +21,7 @@ pub use questions::CurveCounts;
 use questions::SampledScales;
 use scene::Scene;
 use study::material::Material;
-use study::plan::{Curve, CurveModel, CurveResult, Results};
+use study::plan::{Curve, CurveResult, Results};
 use uncertainty::Uncertainty;
 use units::display::{length, pressure, three_digits};
 
@@ -152,11 +152,9 @@ fn curve_summary(
     }
     let mut text = format!("{}\n{}", heading(curve), aligned(&rows));
     text.extend(yardsticks(scene, results, curve).map(|sentence| format!("  {sentence}\n")));
-    match (&curve.model, result) {
-        (CurveModel::Stacked(model), CurveResult::Stacked(levels)) => {
-            text.push_str(&stacked_remarks(model, results, levels, hardness_pa));
-        }
-        (_, result) => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
+    match curve.model.stacked().zip(result.stacked()) {
+        Some((model, levels)) => text.push_str(&stacked_remarks(model, results, levels, hardness_pa)),
+        None => text.extend(statistical_notes(result).into_iter().map(|note| format!("  {note}\n"))),
     }
     text
 }

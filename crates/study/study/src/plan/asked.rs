@@ -2,6 +2,7 @@
 
 use super::condition::Condition;
 use super::distinct::Distinct;
+use super::theory::theory_of;
 use super::{Curve, CurveModel, CurveResult, Cutoffs, Needs};
 
 /// The differing models of a plan and the differing conditions that they are asked at. Equal models under equal conditions
@@ -25,13 +26,11 @@ impl Asked {
         Asked { models, cutoffs, conditions: Distinct::of(needs.conditions()), loads: needs.load_count() }
     }
 
-    /// The differing pressures \[Pa\]: what stacks are asked at.
-    pub fn pressures_pa(&self) -> Vec<f64> {
-        let pressure = |condition: &Condition| match condition {
-            Condition::Pressure(pressure_pa) => Some(pressure_pa.0),
-            Condition::Separation(_) => None,
-        };
-        self.conditions.items.iter().filter_map(pressure).collect()
+    /// Returns the differing conditions that a model takes: loads, and separations where it knows them.
+    pub fn conditions_of(&self, model: &CurveModel) -> Vec<Condition> {
+        let takes_separations = theory_of(model).takes_separations();
+        let conditions = self.conditions.items.iter().copied();
+        conditions.filter(|condition| takes_separations || condition.pressure_pa().is_some()).collect()
     }
 
     /// The rows of every curve, out of those of each differing model.
@@ -40,26 +39,17 @@ impl Asked {
         for (model, rows) in rows_of_models.into_iter().enumerate() {
             let of_model: Vec<usize> =
                 (0..curves.len()).filter(|&curve| self.models.index_of[curve] == model).collect();
+            let index_of = match theory_of(&self.models.items[model]).takes_separations() {
+                true => &self.conditions.index_of[..],
+                false => &self.conditions.index_of[..self.loads],
+            };
             // The last of the curves takes the rows themselves, those before it copies.
             for (&curve, rows) in of_model.iter().zip(std::iter::repeat_n(rows, of_model.len())) {
-                handed_out.push((curve, self.rows_of_curve(rows, curves[curve].cutoffs)));
+                handed_out.push((curve, rows.repeated(index_of, curves[curve].cutoffs)));
             }
         }
         handed_out.sort_by_key(|(curve, _)| *curve);
         handed_out.into_iter().map(|(_, rows)| rows).collect()
-    }
-
-    fn rows_of_curve(&self, rows: CurveResult, cutoffs: Cutoffs) -> CurveResult {
-        let index_of = &self.conditions.index_of;
-        match rows {
-            CurveResult::Stacked(blocks) => {
-                CurveResult::Stacked(repeated(blocks, &index_of[..self.loads], cutoffs))
-            }
-            CurveResult::Statistical(blocks) => CurveResult::Statistical(repeated(blocks, index_of, cutoffs)),
-            CurveResult::Persson(blocks) => {
-                CurveResult::Persson(repeated(blocks, &index_of[..self.loads], cutoffs))
-            }
-        }
     }
 }
 
@@ -68,16 +58,4 @@ fn cutoffs_of(model: usize, models: &Distinct<CurveModel>, curves: &[Curve]) -> 
     let mut of_model = curves.iter().zip(&models.index_of).filter(|(_, index)| **index == model);
     let followed = of_model.any(|(curve, _)| curve.cutoffs == Cutoffs::Every);
     if followed { Cutoffs::Every } else { Cutoffs::Shortest }
-}
-
-/// For every condition the block of rows it is found in, or the last of them.
-pub(super) fn repeated<T: Clone>(blocks: Vec<Vec<T>>, index_of: &[usize], cutoffs: Cutoffs) -> Vec<Vec<T>> {
-    let no_repetitions = index_of.len() == blocks.len() && index_of.iter().copied().eq(0..blocks.len());
-    match cutoffs {
-        Cutoffs::Every if no_repetitions => blocks,
-        Cutoffs::Every => index_of.iter().map(|&index| blocks[index].clone()).collect(),
-        Cutoffs::Shortest => {
-            index_of.iter().map(|&index| blocks[index].last().cloned().into_iter().collect()).collect()
-        }
-    }
 }

@@ -1,16 +1,13 @@
 //! Carrying a plan out.
 
-use std::num::NonZeroU32;
-
 use parallel::{Progress, Unobserved};
 
 use super::asked::Asked;
-use super::condition::Condition;
-use super::ground::{Cutoff, Ground};
+use super::ground::Ground;
 use super::run::Run;
-use super::states::Statistical;
+use super::theory::{Job, theory_of};
 use super::work::counted;
-use super::{CurveModel, CurveResult, Cutoffs, Plan, PlanError, Results, Work, persson_cuts, stack, sweeps};
+use super::{CurveModel, CurveResult, Cutoffs, Plan, PlanError, Results, Work, sweeps};
 
 impl Plan<'_> {
     /// Carries the plan out. Curves and loads run in parallel; the digits do not depend on the number of threads.
@@ -69,36 +66,10 @@ impl Plan<'_> {
         ground: &Ground,
         run: Run<'_>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        match model {
-            CurveModel::Stacked(model) => {
-                let (blocks, work) =
-                    stack::blocks(model, &asked.pressures_pa(), &ground.scales, cutoffs, run)?;
-                Ok((CurveResult::Stacked(blocks), work))
-            }
-            &CurveModel::Statistical { pair, law } => {
-                let conditions: &[Condition] = &asked.conditions.items;
-                let cutoffs = ground.cutoffs(cutoffs, 0..ground.cutoff_count(cutoffs));
-                let cutoffs = match self.needs.states_per_decade {
-                    Some(per_decade) => thinned(cutoffs, per_decade),
-                    None => cutoffs,
-                };
-                let (blocks, work) = Statistical { pair, law, run }.over_cutoffs(&cutoffs, conditions)?;
-                Ok((CurveResult::Statistical(blocks), work))
-            }
-            CurveModel::Persson { pair, law } => {
-                let pressures_pa = asked.pressures_pa();
-                let blocks = persson_cuts::blocks(self, pair, law, &pressures_pa, ground, cutoffs, run)?;
-                Ok((CurveResult::Persson(blocks), Work::default()))
-            }
-        }
+        let theory = theory_of(model);
+        let places = 0..theory.rows_per_block(ground, cutoffs);
+        theory.blocks(&Job { plan: self, ground, cutoffs, run }, &asked.conditions_of(model), places)
     }
-}
-
-/// Of neighbouring cutoffs, from long to short, at most so many per decade, the last of each part of a decade: the shortest is
-/// always there.
-fn thinned(cutoffs: Vec<Cutoff>, per_decade: NonZeroU32) -> Vec<Cutoff> {
-    let part = |cutoff: &Cutoff| (cutoff.wavelength_m.log10() * f64::from(per_decade.get())).ceil();
-    cutoffs.chunk_by(|a, b| part(a) == part(b)).filter_map(|part| part.last().copied()).collect()
 }
 
 /// How many levels of stacks and how many statistical states there are.

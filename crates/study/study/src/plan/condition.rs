@@ -1,13 +1,12 @@
 //! What statistical states are asked at, and of which asperities.
 
-use asperity::{AsperityError, MaterialPair};
+use asperity::AsperityError;
 use ordered_float::OrderedFloat;
 use spectrum::AsperityParameters;
-use stat_contact::{NayakSummits, Population, StatisticalContact};
 
 use super::ground::Roughness;
 use super::{Needs, NominalPressure};
-use crate::models::StatisticalLaw;
+use crate::models::{Pressable, Statistical, StatisticalLaw};
 
 /// What a state is asked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -28,6 +27,16 @@ impl Needs {
     /// How many conditions there are.
     pub(super) fn condition_count(&self) -> usize {
         self.load_count() + self.separations_m.len()
+    }
+}
+
+impl Condition {
+    /// Returns the nominal pressure \[Pa\], or nothing for a separation.
+    pub fn pressure_pa(self) -> Option<f64> {
+        match self {
+            Condition::Pressure(pressure_pa) => Some(pressure_pa.0),
+            Condition::Separation(_) => None,
+        }
     }
 }
 
@@ -55,31 +64,16 @@ impl Asperities {
     }
 }
 
-/// The contact of what a law makes of a roughness, where its numbers are within what the law takes.
-pub(crate) fn contact_of(
-    pair: &MaterialPair,
-    law: &StatisticalLaw,
-    roughness: &Roughness,
-) -> Result<Pressed, AsperityError> {
+/// Returns what a statistical model presses of a roughness.
+///
+/// # Errors
+/// [`AsperityError`] for numbers that the law does not take.
+pub(crate) fn contact_of(model: &Statistical, roughness: &Roughness) -> Result<Pressable, AsperityError> {
     let Roughness { moments, asperities } = roughness;
-    match law {
-        StatisticalLaw::Asperities(law) => {
-            let population =
-                Population::new(asperities.radius_m, asperities.density_per_m2, asperities.sigma_s_m)?;
-            Ok(Pressed::Contact(StatisticalContact::new(pair, &population, law)))
+    model.press(match model.law {
+        StatisticalLaw::Asperities(_) => {
+            [asperities.radius_m, asperities.density_per_m2, asperities.sigma_s_m]
         }
-        StatisticalLaw::Summits => match NayakSummits::new(moments.m0_m2, moments.m2, moments.m4_per_m2) {
-            Ok(summits) => Ok(Pressed::Contact(StatisticalContact::from_summits(pair, &summits))),
-            Err(error) if error.bound == NayakSummits::ALPHA => Ok(Pressed::TooNarrow { alpha: error.value }),
-            Err(error) => Err(error),
-        },
-    }
-}
-
-/// What there is to press.
-pub(crate) enum Pressed {
-    /// Asperities, or the summits of a surface.
-    Contact(StatisticalContact),
-    /// A spectrum narrower than that of any surface, of this alpha: it has no summits.
-    TooNarrow { alpha: f64 },
+        StatisticalLaw::Summits => [moments.m0_m2, moments.m2, moments.m4_per_m2],
+    })
 }

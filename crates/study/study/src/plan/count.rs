@@ -5,6 +5,7 @@ use ordered_float::OrderedFloat;
 use super::asked::Asked;
 use super::distinct::Distinct;
 use super::error::MOST_ROWS;
+use super::theory::theory_of;
 use super::{CurveModel, Cutoffs, Plan, PlanError};
 
 impl Plan<'_> {
@@ -12,12 +13,9 @@ impl Plan<'_> {
     #[must_use]
     pub fn statistical_states(&self) -> usize {
         let asked = Asked::by(&self.needs);
-        let of_model = |(model, cutoffs): (&CurveModel, &Cutoffs)| match (model, cutoffs) {
-            (CurveModel::Stacked(_) | CurveModel::Persson { .. }, _) => 0,
-            (CurveModel::Statistical { .. }, Cutoffs::Every) => {
-                self.most_scales() * asked.conditions.items.len()
-            }
-            (CurveModel::Statistical { .. }, Cutoffs::Shortest) => asked.conditions.items.len(),
+        let of_model = |(model, cutoffs): (&CurveModel, &Cutoffs)| {
+            let cutoffs = if *cutoffs == Cutoffs::Every { self.most_scales() } else { 1 };
+            theory_of(model).most_states(cutoffs) * asked.conditions.items.len()
         };
         let over_cutoffs: usize = asked.models.items.iter().zip(&asked.cutoffs).map(of_model).sum();
         let over_loads = Distinct::of(self.needs.sweeps.iter().flat_map(|sweep| {
@@ -31,9 +29,10 @@ impl Plan<'_> {
     #[must_use]
     pub fn stacked_levels(&self) -> usize {
         let asked = Asked::by(&self.needs);
-        let stacks =
-            asked.models.items.iter().filter(|model| matches!(model, CurveModel::Stacked(_))).count();
-        stacks * asked.pressures_pa().len() * self.most_scales()
+        let of_model = |model: &CurveModel| {
+            theory_of(model).most_levels(self.most_scales()) * asked.conditions_of(model).len()
+        };
+        asked.models.items.iter().map(of_model).sum()
     }
 
     /// Refuses more rows than can be held: scales, loads and curves multiply.

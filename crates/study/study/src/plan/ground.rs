@@ -10,7 +10,7 @@ use spectrum::{
 use stacked_contact::Scale;
 
 use super::error::MOST_SCALES;
-use super::{CurveModel, Cutoffs, LoadSweep, Plan, PlanError, Results, Work};
+use super::{Cutoffs, LoadSweep, Plan, PlanError, Results, Work};
 
 /// All that is needed of a spectrum but the curves. A plan of the same spectrum, sampling, normalisation and amplitude can
 /// go on from it.
@@ -181,8 +181,7 @@ impl Plan<'_> {
 
     /// At which cutoffs asperities are needed, if at any.
     pub fn asperity_cutoffs_wanted(&self) -> Option<Cutoffs> {
-        let statistical =
-            self.needs.curves.iter().filter(|curve| matches!(curve.model, CurveModel::Statistical { .. }));
+        let statistical = self.needs.curves.iter().filter(|curve| curve.model.statistical().is_some());
         let mut wanted = statistical.map(|curve| curve.cutoffs).peekable();
         if wanted.peek().is_none() && !self.needs.asperities {
             return None;

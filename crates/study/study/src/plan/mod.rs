@@ -1,7 +1,7 @@
 //! What is needed, computed once: every table, figure and reported number comes from one plan.
 //!
 //! `needs` is what can be asked for and `results` what comes out. `ground` makes of the spectrum what curves stand on,
-//! `asked` finds out which of the curves and loads are the same, `stack`, `states` and `persson_cuts` compute the rows of a model and
+//! `asked` finds out which of the curves and loads are the same, `theory` computes the rows of a model, a module per theory, and
 //! `sweeps` those over loads, `compute` puts them together; `stream` hands curves on in parts that are not held.
 
 mod asked;
@@ -13,25 +13,25 @@ mod error;
 mod ground;
 mod load;
 mod needs;
-mod persson_cuts;
 mod results;
 mod run;
-mod stack;
 mod states;
 mod stream;
 mod sweeps;
+mod theory;
 mod tolerance;
 mod work;
 
 pub use crate::models::CurveModel;
-pub(crate) use condition::{Pressed, contact_of};
+pub(crate) use condition::contact_of;
 pub use error::PlanError;
 pub use ground::Ground;
 pub(crate) use ground::Roughness;
 pub use load::{Load, LoadRange, NominalPressure};
 pub use needs::{Curve, Cutoffs, LoadSweep, Needs, Sampling};
-pub use results::{CurveResult, CutoffState, Results, SweepResult};
+pub use results::{Results, SweepResult};
 pub use stream::{Part, Stream};
+pub use theory::{CurveResult, CutoffState, STATE_DETAILS};
 pub use tolerance::Tolerance;
 pub use work::Work;
 

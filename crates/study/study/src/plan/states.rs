@@ -1,28 +1,26 @@
 //! States of statistical models, in runs: one after the other from its neighbour, run beside run.
 
-use asperity::MaterialPair;
 use ordered_float::OrderedFloat;
 use stat_contact::{ContactState, StatisticalContact};
 
-use super::condition::{Asperities, Condition, Pressed, contact_of};
+use super::condition::{Asperities, Condition, contact_of};
 use super::ground::{Cutoff, Roughness};
 use super::run::Run;
 use super::work::counted;
 use super::{CutoffState, PlanError, Work};
-use crate::models::StatisticalLaw;
+use crate::models::{Pressable, Statistical};
 
-/// How many states follow one another at most. Each begins where its neighbour ended; the first of them begins with nothing
+/// The most states that follow one another. Each begins where its neighbour ended; the first of them begins with nothing
 /// known, which costs some evaluations and no digit.
-const IN_A_ROW: usize = 256;
+const STATES_PER_BLOCK: usize = 256;
 
-/// A model that is asked for states.
-pub(super) struct Statistical<'r> {
-    pub pair: MaterialPair,
-    pub law: StatisticalLaw,
+/// The states of a model.
+pub(super) struct States<'r> {
+    pub model: &'r Statistical,
     pub run: Run<'r>,
 }
 
-impl Statistical<'_> {
+impl States<'_> {
     /// A block of rows for every condition, a row for every cutoff.
     pub fn over_cutoffs(
         &self,
@@ -32,7 +30,7 @@ impl Statistical<'_> {
         if let [Cutoff { wavelength_m, roughness: Some(roughness) }] = cutoffs {
             return self.at_one_cutoff(*wavelength_m, roughness, conditions);
         }
-        let pieces: Vec<&[Cutoff]> = cutoffs.chunks(IN_A_ROW).collect();
+        let pieces: Vec<&[Cutoff]> = cutoffs.chunks(STATES_PER_BLOCK).collect();
         let blocks = parallel::try_map(conditions, |&condition| {
             parallel::try_map(&pieces, |cutoffs| self.rows(cutoffs, condition)).map(joined)
         })?;
@@ -46,7 +44,7 @@ impl Statistical<'_> {
         roughness: &Roughness,
         pressures_pa: &[f64],
     ) -> Result<(Vec<ContactState>, Work), PlanError> {
-        let Pressed::Contact(contact) = contact_of(&self.pair, &self.law, roughness)? else {
+        let Pressable::Contact(contact) = contact_of(self.model, roughness)? else {
             return Ok(Default::default());
         };
         let condition = |&pressure_pa: &f64| Condition::Pressure(OrderedFloat(pressure_pa));
@@ -61,14 +59,14 @@ impl Statistical<'_> {
         conditions: &[Condition],
     ) -> Result<(Vec<Vec<CutoffState>>, Work), PlanError> {
         let nothing = CutoffState { wavelength_m, contact: None, too_narrow_alpha: None };
-        match contact_of(&self.pair, &self.law, roughness)? {
-            Pressed::Contact(contact) => {
+        match contact_of(self.model, roughness)? {
+            Pressable::Contact(contact) => {
                 let (states, work) = self.states(&contact, conditions)?;
                 let row =
                     |state| vec![CutoffState { contact: Some((roughness.asperities, state)), ..nothing }];
                 Ok((states.into_iter().map(row).collect(), work))
             }
-            Pressed::TooNarrow { alpha } => {
+            Pressable::TooNarrow { alpha } => {
                 conditions.iter().for_each(|_| self.run.state_is_known());
                 let row = vec![CutoffState { too_narrow_alpha: Some(alpha), ..nothing }];
                 Ok((vec![row; conditions.len()], Work::default()))
@@ -97,7 +95,7 @@ impl Statistical<'_> {
             let states = conditions.iter().map(state).collect::<Result<Vec<_>, PlanError>>()?;
             Ok((states, work))
         };
-        let pieces: Vec<&[Condition]> = conditions.chunks(IN_A_ROW).collect();
+        let pieces: Vec<&[Condition]> = conditions.chunks(STATES_PER_BLOCK).collect();
         parallel::try_map(&pieces, |conditions| piece(conditions)).map(joined)
     }
 
@@ -118,9 +116,9 @@ impl Statistical<'_> {
                 }
                 neighbour => {
                     self.run.go_on()?;
-                    let contact = match contact_of(&self.pair, &self.law, &roughness)? {
-                        Pressed::Contact(contact) => contact,
-                        Pressed::TooNarrow { alpha } => {
+                    let contact = match contact_of(self.model, &roughness)? {
+                        Pressable::Contact(contact) => contact,
+                        Pressable::TooNarrow { alpha } => {
                             self.run.state_is_known();
                             return Ok(CutoffState { too_narrow_alpha: Some(alpha), ..nothing });
                         }

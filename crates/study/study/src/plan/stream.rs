@@ -3,14 +3,11 @@
 use parallel::Progress;
 use spectrum::ProfilePsd;
 
-use super::asked::repeated;
-use super::condition::{Condition, contact_of};
+use super::condition::Condition;
 use super::distinct::Distinct;
 use super::run::Run;
-use super::states::Statistical;
-use super::{
-    Curve, CurveModel, CurveResult, Cutoffs, Ground, NominalPressure, Plan, PlanError, persson_cuts, stack,
-};
+use super::theory::{Job, theory_of};
+use super::{Curve, CurveResult, Cutoffs, Ground, Plan, PlanError};
 
 /// The rows of a part, about: enough to keep every core busy, and few beside what a spectrum holds.
 const PART: usize = 1 << 14;
@@ -37,11 +34,7 @@ impl Plan<'_> {
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
         let ground = self.ground()?;
         for curve in &self.needs.curves {
-            let CurveModel::Statistical { pair, law } = curve.model else { continue };
-            let cutoffs = ground.cutoffs(curve.cutoffs, 0..ground.cutoff_count(curve.cutoffs));
-            for roughness in cutoffs.iter().filter_map(|cutoff| cutoff.roughness.as_ref()) {
-                contact_of(&pair, &law, roughness)?;
-            }
+            theory_of(&curve.model).check(&ground, curve.cutoffs)?;
         }
         Ok(Stream { plan: self, ground })
     }
@@ -63,14 +56,14 @@ impl Stream<'_> {
     /// How many rows a curve has, at most.
     #[must_use]
     pub fn rows(&self, curve: &Curve) -> usize {
-        let needs = &self.plan.needs;
-        match curve.model {
-            CurveModel::Stacked(_) => self.ground.scales.len() * needs.load_count(),
-            CurveModel::Persson { .. } => self.ground.psd.len() * needs.load_count(),
-            CurveModel::Statistical { .. } => {
-                self.ground.cutoff_count(curve.cutoffs) * needs.condition_count()
-            }
-        }
+        let rows = theory_of(&curve.model).rows_per_block(&self.ground, curve.cutoffs);
+        rows * self.conditions(curve).count()
+    }
+
+    fn conditions(&self, curve: &Curve) -> impl Iterator<Item = Condition> {
+        let takes_separations = theory_of(&curve.model).takes_separations();
+        let conditions = self.plan.needs.conditions();
+        conditions.filter(move |condition| takes_separations || condition.pressure_pa().is_some())
     }
 
     /// Computes a curve, and passes its parts on; a step of `progress` is a statistical state. Equal loads within a part are
@@ -84,57 +77,23 @@ impl Stream<'_> {
         progress: &dyn Progress,
         mut each: impl FnMut(Part) -> Result<(), E>,
     ) -> Result<(), E> {
-        let run = Run::of(self.plan, progress);
-        match &curve.model {
-            CurveModel::Stacked(model) => {
-                let scales = &self.ground.scales;
-                let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
-                in_parts(pressures, scales.len(), |pressures_pa| {
-                    let (blocks, _) = stack::blocks(model, &pressures_pa, scales, curve.cutoffs, run)?;
-                    each(Part { pressures_pa, rows: CurveResult::Stacked(blocks) })
-                })
+        let (plan, ground, cutoffs) = (self.plan, &self.ground, curve.cutoffs);
+        let job = Job { plan, ground, cutoffs, run: Run::of(plan, progress) };
+        let theory = theory_of(&curve.model);
+        let rows = theory.rows_per_block(ground, cutoffs);
+        // Where a block has more rows than a part, and a part hence one condition, it comes in pieces if it can.
+        let piece = if theory.splits_blocks() { PART } else { rows.max(1) };
+        in_parts(self.conditions(curve), rows, |conditions| {
+            let distinct = Distinct::of(conditions.iter().copied());
+            let pressures_pa: Vec<f64> = conditions.iter().filter_map(|at| at.pressure_pa()).collect();
+            for first in (0..rows.max(1)).step_by(piece) {
+                let places = first..(first + piece).min(rows);
+                let (blocks, _) = theory.blocks(&job, &distinct.items, places)?;
+                let rows = blocks.repeated(&distinct.index_of, Cutoffs::Every);
+                each(Part { pressures_pa: pressures_pa.clone(), rows })?;
             }
-            CurveModel::Persson { pair, law } => {
-                let pressures = self.plan.needs.pressures().map(NominalPressure::pa);
-                in_parts(pressures, self.ground.psd.len(), |pressures_pa| {
-                    let (plan, ground) = (self.plan, &self.ground);
-                    let blocks =
-                        persson_cuts::blocks(plan, pair, law, &pressures_pa, ground, curve.cutoffs, run)?;
-                    each(Part { pressures_pa, rows: CurveResult::Persson(blocks) })
-                })
-            }
-            &CurveModel::Statistical { pair, law } => {
-                let model = Statistical { pair, law, run };
-                let cutoffs = self.ground.cutoff_count(curve.cutoffs);
-                in_parts(self.plan.needs.conditions(), cutoffs, |conditions| {
-                    self.statistical_part(&model, curve.cutoffs, &conditions, &mut each)
-                })
-            }
-        }
-    }
-
-    /// The rows under some conditions; where there are more cutoffs than a part has rows, and hence one condition, in pieces.
-    fn statistical_part<E: From<PlanError>>(
-        &self,
-        model: &Statistical<'_>,
-        wanted: Cutoffs,
-        conditions: &[Condition],
-        each: &mut impl FnMut(Part) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let distinct = Distinct::of(conditions.iter().copied());
-        let pressure = |condition: &Condition| match condition {
-            Condition::Pressure(pressure_pa) => Some(pressure_pa.0),
-            Condition::Separation(_) => None,
-        };
-        let pressures_pa: Vec<f64> = conditions.iter().filter_map(pressure).collect();
-        let all = self.ground.cutoff_count(wanted);
-        for first in (0..all).step_by(PART) {
-            let cutoffs = self.ground.cutoffs(wanted, first..(first + PART).min(all));
-            let (blocks, _) = model.over_cutoffs(&cutoffs, &distinct.items)?;
-            let rows = CurveResult::Statistical(repeated(blocks, &distinct.index_of, Cutoffs::Every));
-            each(Part { pressures_pa: pressures_pa.clone(), rows })?;
-        }
-        Ok(())
+            Ok(())
+        })
     }
 }
 

@@ -11,12 +11,12 @@ use super::condition::{Asperities, Condition};
 use super::distinct::Distinct;
 use super::ground::{Cutoff, Ground, Roughness};
 use super::run::Run;
-use super::states::Statistical;
+use super::states::States;
 use super::work::counted;
-use super::{CurveModel, CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
+use super::{CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
 
 /// The states of one model and population, by their pressures \[Pa\].
-type States = HashMap<OrderedFloat<f64>, ContactState>;
+type KnownStates = HashMap<OrderedFloat<f64>, ContactState>;
 
 /// What sweeps have in common that share their states: the model, by index, and the asperities that their cutoff leaves.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -46,14 +46,13 @@ pub(super) fn results(
             of_all.filter(|(_, index)| **index == place).map(|(sweep, _)| sweep)
         };
         let roughness = sweeps().find_map(|(_, cutoff)| cutoff.roughness);
-        let (&CurveModel::Statistical { pair, law }, Some(roughness)) =
-            (&asked.models.items[subject.model], roughness)
+        let (Some(model), Some(roughness)) = (asked.models.items[subject.model].statistical(), roughness)
         else {
-            return Ok((States::new(), Work::default()));
+            return Ok((KnownStates::new(), Work::default()));
         };
         let wanted: Vec<f64> = sweeps().flat_map(|(sweep, _)| sweep.pressures_pa.iter().copied()).collect();
         let known = states_of_curve(&roughness, asked, &rows_of_models[subject.model]);
-        completed(known, &wanted, &roughness, &Statistical { pair, law, run })
+        completed(known, &wanted, &roughness, &States { model, run })
     })?;
     let (states, work) = counted(computed);
     let result = |((sweep, cutoff), &subject): ((&LoadSweep, &Cutoff), &usize)| {
@@ -69,11 +68,11 @@ pub(super) fn results(
 
 /// The known states, and those at the wanted pressures \[Pa\] that are missing among them.
 fn completed(
-    mut states: States,
+    mut states: KnownStates,
     wanted_pa: &[f64],
     roughness: &Roughness,
-    model: &Statistical<'_>,
-) -> Result<(States, Work), PlanError> {
+    model: &States<'_>,
+) -> Result<(KnownStates, Work), PlanError> {
     let distinct = Distinct::of(wanted_pa.iter().copied().map(OrderedFloat));
     let missing: Vec<OrderedFloat<f64>> =
         distinct.items.into_iter().filter(|pressure_pa| !states.contains_key(pressure_pa)).collect();
@@ -85,8 +84,8 @@ fn completed(
 }
 
 /// The states that a curve against cutoff has of the asperities of a roughness.
-fn states_of_curve(roughness: &Roughness, asked: &Asked, curve: &CurveResult) -> States {
-    let CurveResult::Statistical(blocks) = curve else { return States::new() };
+fn states_of_curve(roughness: &Roughness, asked: &Asked, curve: &CurveResult) -> KnownStates {
+    let Some(blocks) = curve.statistical() else { return KnownStates::new() };
     let asperities = Asperities::of(&roughness.asperities);
     let known = |(condition, block): (&Condition, &Vec<super::CutoffState>)| {
         let Condition::Pressure(pressure_pa) = *condition else { return None };
