@@ -69,7 +69,7 @@ impl Statistical {
                 Ok(Pressable::Contact(StatisticalContact::new(&self.pair, &population, law)))
             }
             StatisticalLaw::Summits => match NayakSummits::new(first, second, third) {
-                Ok(summits) => Ok(Pressable::Contact(StatisticalContact::of_summits(&self.pair, &summits))),
+                Ok(summits) => Ok(Pressable::Contact(StatisticalContact::from_summits(&self.pair, &summits))),
                 Err(error) if error.bound == NayakSummits::ALPHA => {
                     Ok(Pressable::TooNarrow { alpha: error.value })
                 }
