@@ -12,7 +12,7 @@ use study::NoFiles;
 use study::models::{Choice, Framework, MODELS, ModelOptions};
 use study::result_tables;
 use study::surface::Surface;
-use units::Pressure;
+use units::{Length, Pressure};
 
 const SPECTRUM: &str = "builtin:uncd-measured";
 
@@ -60,7 +60,7 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     let (mut of_curve, mut of_options) = (String::new(), String::new());
     if entry.has(Choice::StrainGradient) && dice.below(2) == 0 {
         options.strain_gradient = true;
-        material.strain_gradient_length_m = Some(5.0 * 1e-6);
+        material.strain_gradient_length_m = Some(metres("5 um"));
         of_material += "strain_gradient_length = \"5 um\"\n";
         of_curve += "strain_gradient = true\n";
     }
@@ -98,11 +98,8 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
         _ => None,
     };
     of_options += &normalisation.map_or(String::new(), |norm| format!("normalisation = \"{norm}\"\n"));
-    if framework != Framework::Persson {
-        sampling.cutoff_m = dice.perhaps(&[300.0 * 1e-9]);
-        let shortest = |_| "[cutoffs]\nshortest_wavelength = \"300 nm\"\n";
-        sections += sampling.cutoff_m.map_or("", shortest);
-    }
+    sampling.cutoff_m = dice.perhaps(&[metres("300 nm")]);
+    sections += sampling.cutoff_m.map_or("", |_| "[cutoffs]\nshortest_wavelength = \"300 nm\"\n");
     let question = CurveQuestion {
         model: Some(entry),
         options,
@@ -120,6 +117,10 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     (question, scene)
 }
 
+fn metres(text: &str) -> f64 {
+    text.parse::<Length>().unwrap().m
+}
+
 fn count(count: u32) -> std::num::NonZeroU32 {
     std::num::NonZeroU32::new(count).unwrap()
 }
@@ -131,8 +132,8 @@ fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_
     let (mut answered, mut doubted) = (0, 0);
     for at in 0..200 {
         let (question, text) = random(&mut dice);
-        let json = serde_json::to_string(&question).unwrap();
-        let question: CurveQuestion = serde_json::from_str(&json).unwrap();
+        let written = serde_json::to_value(&question).unwrap();
+        let question: CurveQuestion = serde_json::from_value(written).unwrap();
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default())
             .unwrap_or_else(|error| panic!("{at}: {error:?}\n{text}"));
         let of_scene = PreparedCurve::of_scene(&scene, 0).answer(&Unobserved);
