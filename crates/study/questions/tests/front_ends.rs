@@ -1,6 +1,8 @@
 //! A question asked through the struct and the same one asked as a scene's curve.
 
 use parallel::Unobserved;
+use persson::corrections::Correction;
+use persson::variance::Band;
 use questions::{
     BodyInput, CurveQuestion, LoadInput, MaterialInput, Note, PreparedCurve, QuestionError, SamplingInput,
 };
@@ -9,6 +11,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use scene::{Overrides, Scene};
 use spectrum::{Normalisation, ReadOptions};
 use study::NoFiles;
+use study::hardness_growth::GrowthLaw;
 use study::models::{Choice, Framework, MODELS, ModelOptions};
 use study::result_tables;
 use study::surface::Surface;
@@ -73,6 +76,22 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
         options.interference_law = dice.perhaps(stat_contact::InterferenceLaw::ALL);
         of_curve +=
             &options.interference_law.map_or(String::new(), |law| format!("interference_law = \"{law}\"\n"));
+    }
+    if entry.has(Choice::Correction) {
+        options.correction = dice.perhaps(Correction::ALL);
+        of_curve += &options
+            .correction
+            .map_or(String::new(), |correction| format!("correction = \"{correction}\"\n"));
+    }
+    if framework == Framework::Persson {
+        options.band = dice.perhaps(Band::ALL);
+        options.gamma = dice.perhaps(&[0.4, 1.0]);
+        of_curve += &options.band.map_or(String::new(), |band| format!("band = \"{band}\"\n"));
+        of_curve += &options.gamma.map_or(String::new(), |gamma| format!("gamma = {gamma:?}\n"));
+    }
+    if entry.has(Choice::HardnessLaw) && !options.strain_gradient && dice.below(2) == 0 {
+        options.hardness_law = Some(GrowthLaw::Power(0.2));
+        of_curve += "hardness_law = \"power:0.2\"\n";
     }
     let counterface = dice.perhaps(&[(210.0, 0.3), (3.0, 0.4)]);
     let mut sections = String::new();
@@ -163,16 +182,10 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
             interference_law: Some(stat_contact::InterferenceLaw::Bem),
             ..ModelOptions::default()
         },
-        ModelOptions {
-            correction: persson::corrections::Correction::ALL.first().copied(),
-            ..ModelOptions::default()
-        },
-        ModelOptions { band: Some(persson::variance::Band::Profile), ..ModelOptions::default() },
+        ModelOptions { correction: Correction::ALL.first().copied(), ..ModelOptions::default() },
+        ModelOptions { band: Some(Band::Profile), ..ModelOptions::default() },
         ModelOptions { gamma: Some(0.4), ..ModelOptions::default() },
-        ModelOptions {
-            hardness_law: Some(study::hardness_growth::GrowthLaw::Power(0.2)),
-            ..ModelOptions::default()
-        },
+        ModelOptions { hardness_law: Some(GrowthLaw::Power(0.2)), ..ModelOptions::default() },
     ];
     let material = MaterialInput {
         youngs_modulus_pa: Some(463e9),
