@@ -1,6 +1,8 @@
 //! A question asked through the struct and the same one asked as a scene's curve.
 
 use parallel::Unobserved;
+use persson::corrections::Correction;
+use persson::variance::Band;
 use questions::{
     BodyInput, CurveQuestion, LoadInput, MaterialInput, Note, PreparedCurve, QuestionError, SamplingInput,
 };
@@ -9,10 +11,11 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use scene::{Overrides, Scene};
 use spectrum::{Normalisation, ReadOptions};
 use study::NoFiles;
+use study::hardness_growth::GrowthLaw;
 use study::models::{Choice, Framework, MODELS, ModelOptions};
 use study::result_tables;
 use study::surface::Surface;
-use units::Pressure;
+use units::{Length, Pressure};
 
 const SPECTRUM: &str = "builtin:uncd-measured";
 
@@ -60,7 +63,7 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     let (mut of_curve, mut of_options) = (String::new(), String::new());
     if entry.has(Choice::StrainGradient) && dice.below(2) == 0 {
         options.strain_gradient = true;
-        material.strain_gradient_length_m = Some(5.0 * 1e-6);
+        material.strain_gradient_length_m = Some(metres("5 um"));
         of_material += "strain_gradient_length = \"5 um\"\n";
         of_curve += "strain_gradient = true\n";
     }
@@ -73,6 +76,22 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
         options.interference_law = dice.perhaps(stat_contact::InterferenceLaw::ALL);
         of_curve +=
             &options.interference_law.map_or(String::new(), |law| format!("interference_law = \"{law}\"\n"));
+    }
+    if entry.has(Choice::Correction) {
+        options.correction = dice.perhaps(Correction::ALL);
+        of_curve += &options
+            .correction
+            .map_or(String::new(), |correction| format!("correction = \"{correction}\"\n"));
+    }
+    if framework == Framework::Persson {
+        options.band = dice.perhaps(Band::ALL);
+        options.gamma = dice.perhaps(&[0.4, 1.0]);
+        of_curve += &options.band.map_or(String::new(), |band| format!("band = \"{band}\"\n"));
+        of_curve += &options.gamma.map_or(String::new(), |gamma| format!("gamma = {gamma:?}\n"));
+    }
+    if entry.has(Choice::HardnessLaw) && !options.strain_gradient && dice.below(2) == 0 {
+        options.hardness_law = Some(GrowthLaw::Power(0.2));
+        of_curve += "hardness_law = \"power:0.2\"\n";
     }
     let counterface = dice.perhaps(&[(210.0, 0.3), (3.0, 0.4)]);
     let mut sections = String::new();
@@ -98,11 +117,8 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
         _ => None,
     };
     of_options += &normalisation.map_or(String::new(), |norm| format!("normalisation = \"{norm}\"\n"));
-    if framework != Framework::Persson {
-        sampling.cutoff_m = dice.perhaps(&[300.0 * 1e-9]);
-        let shortest = |_| "[cutoffs]\nshortest_wavelength = \"300 nm\"\n";
-        sections += sampling.cutoff_m.map_or("", shortest);
-    }
+    sampling.cutoff_m = dice.perhaps(&[metres("300 nm")]);
+    sections += sampling.cutoff_m.map_or("", |_| "[cutoffs]\nshortest_wavelength = \"300 nm\"\n");
     let question = CurveQuestion {
         model: Some(entry),
         options,
@@ -120,6 +136,10 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     (question, scene)
 }
 
+fn metres(text: &str) -> f64 {
+    text.parse::<Length>().unwrap().m
+}
+
 fn count(count: u32) -> std::num::NonZeroU32 {
     std::num::NonZeroU32::new(count).unwrap()
 }
@@ -131,8 +151,8 @@ fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_
     let (mut answered, mut doubted) = (0, 0);
     for at in 0..200 {
         let (question, text) = random(&mut dice);
-        let json = serde_json::to_string(&question).unwrap();
-        let question: CurveQuestion = serde_json::from_str(&json).unwrap();
+        let written = serde_json::to_value(&question).unwrap();
+        let question: CurveQuestion = serde_json::from_value(written).unwrap();
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default())
             .unwrap_or_else(|error| panic!("{at}: {error:?}\n{text}"));
         let of_scene = PreparedCurve::of_scene(&scene, 0).answer(&Unobserved);
@@ -162,16 +182,10 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
             interference_law: Some(stat_contact::InterferenceLaw::Bem),
             ..ModelOptions::default()
         },
-        ModelOptions {
-            correction: persson::corrections::Correction::ALL.first().copied(),
-            ..ModelOptions::default()
-        },
-        ModelOptions { band: Some(persson::variance::Band::Profile), ..ModelOptions::default() },
+        ModelOptions { correction: Correction::ALL.first().copied(), ..ModelOptions::default() },
+        ModelOptions { band: Some(Band::Profile), ..ModelOptions::default() },
         ModelOptions { gamma: Some(0.4), ..ModelOptions::default() },
-        ModelOptions {
-            hardness_law: Some(study::hardness_growth::GrowthLaw::Power(0.2)),
-            ..ModelOptions::default()
-        },
+        ModelOptions { hardness_law: Some(GrowthLaw::Power(0.2)), ..ModelOptions::default() },
     ];
     let material = MaterialInput {
         youngs_modulus_pa: Some(463e9),
