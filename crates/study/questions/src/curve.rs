@@ -13,8 +13,8 @@ use study::material::Material;
 use study::models::{Framework, ModelEntry, ModelOptions};
 use study::persson_law::roughness;
 use study::plan::{
-    Curve, CurveModel, CurveResult, Cutoffs, Ground, Load, LoadRange, Needs, NominalPressure, Part, Plan,
-    PlanError, Sampling, Stream, Tolerance,
+    Curve, CurveResult, Cutoffs, Ground, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
+    Sampling, Stream, Tolerance,
 };
 use study::result_tables;
 use study::surface::Surface;
@@ -210,7 +210,7 @@ impl<'s> PreparedCurve<'s> {
         let material = scene.material.as_ref();
         let curve = scene.needs.curves[curve].clone();
         let tolerance = scene.needs.tolerance;
-        let is_statistical = matches!(curve.model, CurveModel::Statistical { .. });
+        let is_statistical = curve.model.statistical().is_some();
         let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| is_statistical).into_iter().collect();
         notes.extend(material.and_then(|material| Note::of_strength(material, curve.model.entry())));
         notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
@@ -246,12 +246,13 @@ impl<'s> PreparedCurve<'s> {
     }
 
     fn theory(&self, ground: &Ground) -> Result<Option<Theory>, QuestionError> {
-        let CurveModel::Persson { pair, law } = &self.curve().model else { return Ok(None) };
+        let model = &self.curve().model;
+        let Some(law) = model.persson() else { return Ok(None) };
         let moments = ground.moments().iter().map(|(moments, _)| moments);
         let beyond = self.plan.beyond(ground.psd(), law.band);
         let (psd, scales) = (ground.psd(), ground.scales());
         let roughness = roughness(psd, moments, self.normalisation(), scales, &beyond, law.band);
-        let model = law.model(pair)?;
+        let model = law.model(&model.pair())?;
         let separation = model.separation(&roughness, law.energy_factor);
         Ok(Some(Theory { model, roughness, separation, correction: law.correction().flatten() }))
     }
@@ -296,10 +297,11 @@ impl CurveStream<'_> {
     pub fn notes(&self) -> Vec<Note> {
         let PreparedCurve { plan, hardness_pa, notes, .. } = self.prepared;
         let mut notes = notes.clone();
-        match self.prepared.curve().model {
-            CurveModel::Stacked(_) => notes.push(Note::Sampling(SampledScales::of(self.stream.psd()))),
-            CurveModel::Statistical { .. } => notes.push(Note::FirstRowIsEmpty),
-            CurveModel::Persson { .. } => {}
+        let model = &self.prepared.curve().model;
+        if model.stacked().is_some() {
+            notes.push(Note::Sampling(SampledScales::of(self.stream.psd())));
+        } else if model.statistical().is_some() {
+            notes.push(Note::FirstRowIsEmpty);
         }
         if let Some(Theory { roughness, separation, correction, .. }) = &self.theory {
             notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));

@@ -126,7 +126,7 @@ impl GapModel {
     /// The law with the whole spectrum.
     fn law(
         &self,
-        entry: &ModelEntry,
+        entry: &'static ModelEntry,
         material: &Material,
         surface: &Surface,
         progress: &dyn Progress,

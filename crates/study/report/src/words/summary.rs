@@ -21,7 +21,7 @@ pub use questions::CurveCounts;
 use questions::SampledScales;
 use scene::Scene;
 use study::material::Material;
-use study::plan::{Curve, CurveResult, Results};
+use study::plan::{Curve, Results};
 use uncertainty::Uncertainty;
 use units::display::{length, pressure, three_digits};
 
