@@ -16,7 +16,7 @@ use spectrum::{AsperityParameters, Moments, Normalisation};
 
 use scene::Scene;
 use study::gap_law;
-use study::interface::{Adhesion, Asked, Quantity, Slot};
+use study::interface::{Adhesion, InterfaceRequest, Quantity, Slot};
 use study::plan::{NominalPressure, Plan, Results};
 
 /// A value beyond what a quantity takes.
@@ -40,7 +40,7 @@ pub struct Pressed<'r> {
 /// What is asked for of an interface, computed where it is looked at.
 #[derive(Debug)]
 pub struct InterfaceStates<'a> {
-    asked: &'a Asked,
+    asked: &'a InterfaceRequest,
     pressed: Pressed<'a>,
     /// Of the whole spectrum, by Parseval's theorem.
     moments: Moments,
@@ -58,7 +58,7 @@ const CORRECTION_OF_SEALS: Correction = Correction::AlgebraicNayak;
 impl<'a> InterfaceStates<'a> {
     /// What is asked for of what is pressed, the results of this plan; `None` where its spectrum has no moments.
     #[must_use]
-    pub fn of(asked: &'a Asked, plan: &Plan<'_>, pressed: Pressed<'a>) -> Option<Self> {
+    pub fn of(asked: &'a InterfaceRequest, plan: &Plan<'_>, pressed: Pressed<'a>) -> Option<Self> {
         let results = pressed.results;
         let (last, _) = results.moments.last()?;
         let whole = by_parseval(last, pressed.normalisation);
@@ -188,7 +188,7 @@ impl<'a> InterfaceStates<'a> {
 
     /// What is asked for.
     #[must_use]
-    pub fn asked(&self) -> &Asked {
+    pub fn asked(&self) -> &InterfaceRequest {
         self.asked
     }
 
