@@ -376,7 +376,7 @@ fn refuse_idle(overrides: &Overrides, scene: &Scene, name: &str) -> PyResult<()>
             cutoff.m, scene.surface.name
         )));
     }
-    match overrides.without_bearing(scene) {
+    match overrides.first_unused(scene) {
         None => Ok(()),
         Some(argument) => Err(input(format!(
             "{argument} has no bearing on {name}: none of its curves and figures depends on it; leave it out"

@@ -13,8 +13,8 @@ use study::material::Material;
 use study::models::{Framework, ModelEntry, ModelOptions};
 use study::persson_law::roughness;
 use study::plan::{
-    Curve, CurveResult, Cutoffs, Ground, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
-    Sampling, Stream, Tolerance,
+    Curve, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
+    PreparedSpectrum, Sampling, Stream, Tolerance,
 };
 use study::result_tables;
 use study::surface::Surface;
@@ -238,14 +238,14 @@ impl<'s> PreparedCurve<'s> {
     /// [`QuestionError::Plan`].
     pub fn stream(&self) -> Result<CurveStream<'_>, QuestionError> {
         let stream = self.plan.stream()?;
-        let theory = self.theory(stream.ground())?;
+        let theory = self.theory(stream.prepared())?;
         if let Some(theory) = &theory {
             theory.check(&self.plan.needs)?;
         }
         Ok(CurveStream { prepared: self, stream, theory })
     }
 
-    fn theory(&self, ground: &Ground) -> Result<Option<Theory>, QuestionError> {
+    fn theory(&self, ground: &PreparedSpectrum) -> Result<Option<Theory>, QuestionError> {
         let model = &self.curve().model;
         let Some(law) = model.persson() else { return Ok(None) };
         let moments = ground.moments().iter().map(|(moments, _)| moments);
@@ -306,7 +306,7 @@ impl CurveStream<'_> {
         if let Some(Theory { roughness, separation, correction, .. }) = &self.theory {
             notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
-            let moments = self.stream.ground().moments().last();
+            let moments = self.stream.prepared().moments().last();
             let parseval = Normalisation::Parseval.factor() / self.prepared.normalisation().factor();
             let rms_height_m = moments.map_or(0.0, |(moments, _)| parseval.sqrt() * moments.rms_height_m());
             let light = separation.light_loads();

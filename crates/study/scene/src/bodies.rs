@@ -4,9 +4,9 @@ use asperity::ElasticBody;
 use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
-use super::known::{Known, optional_property, poisson_ratio, property};
 use super::named_material::BodyKeys;
 use super::raw::{RawCounterface, RawMaterial, RawProperty};
+use super::uncertain::{Uncertain, optional_property, poisson_ratio, property};
 use super::values::optional;
 use study::bodies::{Bodies, Body, FromTable, Softer, Transport};
 use study::hardness_and_strength::HardnessAndStrength;
@@ -33,7 +33,7 @@ struct KnownStrength {
 
 /// What presses on the rough body.
 #[derive(Default)]
-pub(super) struct KnownCounterface {
+pub(super) struct UncertainCounterface {
     /// Rigid where absent.
     elastic: Option<KnownBody>,
     strength: KnownStrength,
@@ -41,18 +41,18 @@ pub(super) struct KnownCounterface {
     from_table: Option<FromTable>,
 }
 
-impl KnownCounterface {
+impl UncertainCounterface {
     /// A body of which nothing but its elastic constants is known.
     pub fn exactly(body: ElasticBody) -> Self {
         let elastic = Some(KnownBody { body, youngs_modulus: None, poisson_ratio: None });
-        KnownCounterface { elastic, ..Self::default() }
+        UncertainCounterface { elastic, ..Self::default() }
     }
 }
 
 /// The material against its counterface, how well both are known, and what else there is to know of them.
 pub(super) fn resolve_material(
     raw: &Spanned<RawMaterial>,
-    counterface: KnownCounterface,
+    counterface: UncertainCounterface,
     strength_cap: Option<Pressure>,
 ) -> Result<(Material, MaterialSpreads, Bodies), SceneError> {
     let keys = BodyKeys::of_material(raw)?;
@@ -108,7 +108,7 @@ pub(super) fn resolve_material(
 fn softer(
     rough: &HardnessAndStrength,
     rough_body: ElasticBody,
-    counterface: &KnownCounterface,
+    counterface: &UncertainCounterface,
 ) -> Option<Softer> {
     let counterface_pa = counterface.strength.hardness_and_strength.yield_strength_pa()?;
     let counterface_body = counterface.elastic.as_ref()?.body;
@@ -142,7 +142,7 @@ fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) ->
 }
 
 /// What presses on the rough body; rigid where nothing elastic is given of it.
-pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<KnownCounterface, SceneError> {
+pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<UncertainCounterface, SceneError> {
     let keys = BodyKeys::of_counterface(raw)?;
     let strength = strength(&keys)?;
     let transport = transport(&keys)?;
@@ -166,7 +166,7 @@ pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<Known
             return Err(SceneError::at(raw.span(), message));
         }
     };
-    Ok(KnownCounterface { elastic, strength, transport, from_table: keys.from_table })
+    Ok(UncertainCounterface { elastic, strength, transport, from_table: keys.from_table })
 }
 
 /// The hardness, the strength and its length, as far as they are given.
@@ -202,7 +202,7 @@ fn transport(keys: &BodyKeys) -> Result<Transport, SceneError> {
     })
 }
 
-fn apart<T>(known: Option<Known<T>>) -> (Option<T>, Option<Spread>) {
+fn apart<T>(known: Option<Uncertain<T>>) -> (Option<T>, Option<Spread>) {
     known.map_or((None, None), |known| (Some(known.value), known.spread))
 }
 
@@ -219,7 +219,7 @@ fn elastic_body(
     youngs_modulus: &Spanned<RawProperty>,
     ratio: &Spanned<RawProperty>,
 ) -> Result<KnownBody, SceneError> {
-    let modulus: Known<Modulus> = property(&keys.key("youngs_modulus"), youngs_modulus)?;
+    let modulus: Uncertain<Modulus> = property(&keys.key("youngs_modulus"), youngs_modulus)?;
     let key = keys.key("poisson_ratio");
     let known_ratio = poisson_ratio(&key, ratio)?;
     let body = ElasticBody::new(modulus.value.pa, known_ratio.value)

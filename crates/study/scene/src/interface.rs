@@ -11,7 +11,7 @@ use super::loads::nominal_pressure;
 use super::raw::{RawInterface, RawScene, RawSeal};
 use super::values::{optional, parsed, value_error};
 use study::bodies::{Bodies, Transport};
-use study::interface::{Adhesion, Asked, Seal};
+use study::interface::{Adhesion, InterfaceRequest, Seal};
 use study::material::Material;
 use study::persson_law::PerssonLaw;
 use study::plan::NominalPressure;
@@ -26,7 +26,7 @@ pub(super) fn resolve_interface(
     material: Option<&Material>,
     bodies: &Bodies,
     nominal_area_m2: Option<f64>,
-) -> Result<Option<Asked>, SceneError> {
+) -> Result<Option<InterfaceRequest>, SceneError> {
     let conductivities = of_both(bodies, |transport| transport.thermal_conductivity_w_per_m_k);
     let conductivities = conductivities.map(|[own, other]| Conductivities::new(own, other));
     let resistivities = of_both(bodies, |transport| transport.resistivity_ohm_m);
@@ -48,7 +48,7 @@ pub(super) fn resolve_interface(
         .as_ref()
         .map(|typed| nominal_pressure("interface.shear_strength", typed, material))
         .transpose()?;
-    Ok(Some(Asked {
+    Ok(Some(InterfaceRequest {
         energy_factor: gamma.transpose()?.unwrap_or(PerssonLaw::ENERGY_FACTOR),
         band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
         conductivities,

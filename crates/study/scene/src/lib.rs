@@ -9,7 +9,6 @@ pub mod file_names;
 mod from_toml;
 mod interface;
 mod judge;
-mod known;
 mod loads;
 mod named_material;
 mod notes;
@@ -20,16 +19,17 @@ mod roughness;
 mod spelling;
 mod surfaces;
 mod template;
+mod uncertain;
 mod uncertainty;
 mod values;
 
 pub use error::{SceneError, SceneProblem};
 pub use judge::JudgeChoices;
-pub use known::UncertainProperty;
-pub use notes::{Idle, SceneNote};
+pub use notes::{SceneNote, Unused};
 pub use replace::{ReplaceError, with_keys};
 pub use resolve::Overrides;
 pub use template::Template;
+pub use uncertain::UncertainProperty;
 pub use uncertainty::UncertaintyChoices;
 
 use measurements::{Files, NoFiles};
@@ -37,7 +37,7 @@ use persson::variance::Band;
 use study::bodies::Bodies;
 use study::choices_in_words;
 use study::figure::Figure;
-use study::interface::Asked;
+use study::interface::InterfaceRequest;
 use study::material::Material;
 use study::material_spreads::MaterialSpreads;
 use study::plan::{Needs, Plan, Sampling};
@@ -70,7 +70,7 @@ pub struct Scene {
     /// How sure its areas are to be told; absent where the scene has no section on it.
     pub uncertainty: Option<UncertaintyChoices>,
     /// What is asked of the interface besides its area; absent where nothing is.
-    pub interface: Option<Asked>,
+    pub interface: Option<InterfaceRequest>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
 }

@@ -19,14 +19,14 @@ pub struct SceneNote {
     /// The bytes of the scene that it stands in.
     pub span: Range<usize>,
     /// Why it has no effect.
-    pub reason: Idle,
+    pub reason: Unused,
 }
 
 /// Why a key of a scene has no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
-pub enum Idle {
+pub enum Unused {
     /// The curve's model does not yield, so that it has no strength.
     ModelDoesNotYield,
     /// The curve's model has no choice of an interference law.
@@ -87,11 +87,11 @@ fn curves(keys: &mut Keys<'_>, ignored: &[Vec<IgnoredOption>]) {
     for (table, ignored) in keys.tables("curve").into_iter().zip(ignored) {
         for option in ignored {
             let reason = match (option.reason, option.choice) {
-                (IgnoredReason::NeverYields, _) => Idle::ModelDoesNotYield,
-                (IgnoredReason::CorrectionsAreElastic, _) => Idle::CorrectionsAreElastic,
-                (IgnoredReason::OtherHardnessLaw, _) => Idle::OtherHardnessLaw,
-                (_, Choice::Interference) => Idle::ModelHasNoInterferenceLaw,
-                _ => Idle::ModelHasNoSuchOption,
+                (IgnoredReason::NeverYields, _) => Unused::ModelDoesNotYield,
+                (IgnoredReason::CorrectionsAreElastic, _) => Unused::CorrectionsAreElastic,
+                (IgnoredReason::OtherHardnessLaw, _) => Unused::OtherHardnessLaw,
+                (_, Choice::Interference) => Unused::ModelHasNoInterferenceLaw,
+                _ => Unused::ModelHasNoSuchOption,
             };
             keys.note("curve", table, option.choice.key(), reason);
         }
@@ -102,7 +102,7 @@ fn loads(keys: &mut Keys<'_>, scene: &Scene) {
     let Some(table) = keys.section("loads") else { return };
     if scene.needs.curves.is_empty() && scene.interface.is_none() {
         for key in ["pressures", "force", "nominal_area"] {
-            keys.note("loads", table, key, Idle::NoCurveUsesIt);
+            keys.note("loads", table, key, Unused::NoCurveUsesIt);
         }
     }
 }
@@ -117,7 +117,7 @@ fn figures(keys: &mut Keys<'_>, scene: &Scene) {
             }
         };
         for key in idle {
-            keys.note("figure", table, key, Idle::FigureShowsSomethingElse);
+            keys.note("figure", table, key, Unused::FigureShowsSomethingElse);
         }
     }
 }
@@ -126,7 +126,7 @@ fn cutoffs(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
     let shortest_m = scene.surface.psd.shortest_wavelength_m();
     let below = scene.sampling.cutoff_m.is_some_and(|cutoff_m| cutoff_m < shortest_m);
     if let Some(table) = keys.section("cutoffs").filter(|_| below && overrides.cutoff.is_none()) {
-        keys.note("cutoffs", table, "shortest_wavelength", Idle::CutoffBelowData { shortest_m });
+        keys.note("cutoffs", table, "shortest_wavelength", Unused::CutoffBelowData { shortest_m });
     }
 }
 
@@ -135,31 +135,31 @@ fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
     let needs = &scene.needs;
     let any_model = |is: fn(&ModelEntry) -> bool| needs.curves.iter().any(|curve| is(curve.model.entry()));
     if needs.moments.is_none() && overrides.normalisation.is_none() {
-        keys.note("options", table, "normalisation", Idle::NothingNeedsIt);
+        keys.note("options", table, "normalisation", Unused::NothingNeedsIt);
     }
     if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
-        keys.note("options", table, "amplitude", Idle::NothingNeedsIt);
+        keys.note("options", table, "amplitude", Unused::NothingNeedsIt);
     }
     if overrides.hardness.is_none() && !any_model(|model| model.has(Choice::Hardness)) {
-        keys.note("options", table, "hardness", Idle::NoCurveUsesIt);
+        keys.note("options", table, "hardness", Unused::NoCurveUsesIt);
     }
     if overrides.strength_cap.is_none() && !needs.curves.iter().any(|curve| curve.model.strength_grows()) {
-        keys.note("options", table, "strength_cap", Idle::NoCurveUsesIt);
+        keys.note("options", table, "strength_cap", Unused::NoCurveUsesIt);
     }
     interference_law(keys, table, scene);
     if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {
-        keys.note("options", table, "tolerance", Idle::NoCurveUsesIt);
+        keys.note("options", table, "tolerance", Unused::NoCurveUsesIt);
     } else if needs.tolerance.asked_finer().is_some() {
         let used = needs.tolerance.value();
-        keys.note("options", table, "tolerance", Idle::ToleranceHeld { used });
+        keys.note("options", table, "tolerance", Unused::ToleranceHeld { used });
     }
 }
 
 fn judge(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
     let Some(table) = keys.section("judge").filter(|_| !overrides.no_judge) else { return };
     let off = scene.judge.is_some_and(|judge| judge.off);
-    let idle = off.then_some(Idle::JudgeIsOff);
-    if let Some(reason) = idle.or(scene.needs.curves.is_empty().then_some(Idle::NoCurveUsesIt)) {
+    let idle = off.then_some(Unused::JudgeIsOff);
+    if let Some(reason) = idle.or(scene.needs.curves.is_empty().then_some(Unused::NoCurveUsesIt)) {
         for key in ["grid", "realisations", "seed", "budget"] {
             keys.note("judge", table, key, reason);
         }
@@ -170,9 +170,9 @@ fn uncertainty(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
     let Some(table) = keys.section("uncertainty").filter(|_| !overrides.no_uncertainty) else { return };
     let off = scene.uncertainty.is_some_and(|uncertainty| uncertainty.off);
     let idle = [
-        (off, Idle::UncertaintyIsOff),
-        (scene.needs.curves.is_empty(), Idle::NoCurveUsesIt),
-        (!scene.scatters(), Idle::NothingScatters),
+        (off, Unused::UncertaintyIsOff),
+        (scene.needs.curves.is_empty(), Unused::NoCurveUsesIt),
+        (!scene.scatters(), Unused::NothingScatters),
     ];
     let Some((_, reason)) = idle.into_iter().find(|(holds, _)| *holds) else { return };
     for key in ["level", "draws", "seed", "shares_draws"] {
@@ -188,9 +188,9 @@ fn interference_law<'d>(keys: &mut Keys<'d>, options: &'d DeTable<'d>, scene: &S
         .filter(|(_, curve)| curve.model.entry().has(Choice::Interference))
         .collect();
     if of_sinusoids.is_empty() {
-        keys.note("options", options, "interference_law", Idle::NoCurveUsesIt);
+        keys.note("options", options, "interference_law", Unused::NoCurveUsesIt);
     } else if of_sinusoids.iter().all(|(table, _)| value(table, "interference_law").is_some()) {
-        keys.note("options", options, "interference_law", Idle::EveryCurveHasItsOwn);
+        keys.note("options", options, "interference_law", Unused::EveryCurveHasItsOwn);
     }
 }
 
@@ -220,7 +220,7 @@ impl<'d> Keys<'d> {
     }
 
     /// Notes a key where it stands in its table.
-    fn note(&mut self, section: &str, table: &DeTable<'_>, key: &str, reason: Idle) {
+    fn note(&mut self, section: &str, table: &DeTable<'_>, key: &str, reason: Unused) {
         let found = table.iter().find(|(name, _)| name.get_ref() == key);
         let Some((name, value)) = found else { return };
         let span = name.span().start..value.span().end;

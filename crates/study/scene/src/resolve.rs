@@ -6,7 +6,7 @@ use asperity::{ElasticBody, Hardness};
 use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
-use super::bodies::{KnownCounterface, resolve_counterface, resolve_material};
+use super::bodies::{UncertainCounterface, resolve_counterface, resolve_material};
 use super::curves::resolve_curves;
 use super::error::SceneError;
 use super::figures::resolve_figures;
@@ -52,7 +52,7 @@ pub struct Overrides {
 impl Overrides {
     /// The name of the first that nothing in a scene depends on, where there is one; of cutoff and counterface nothing is told.
     #[must_use]
-    pub fn without_bearing(&self, scene: &Scene) -> Option<&'static str> {
+    pub fn first_unused(&self, scene: &Scene) -> Option<&'static str> {
         let any_curve =
             |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
         let idle = [
@@ -86,9 +86,9 @@ pub(super) fn resolve(
         None => optional("options.strength_cap", options.strength_cap.as_ref())?,
     };
     let counterface = match (overrides.counterface, &raw.counterface) {
-        (Some(body), _) => KnownCounterface::exactly(body),
+        (Some(body), _) => UncertainCounterface::exactly(body),
         (None, Some(raw)) => resolve_counterface(raw)?,
-        (None, None) => KnownCounterface::default(),
+        (None, None) => UncertainCounterface::default(),
     };
     let (material, spreads, bodies) = match &raw.material {
         Some(material) => {

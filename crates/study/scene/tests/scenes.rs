@@ -1,6 +1,6 @@
 //! What is wrong in a scene, and what in it has no effect.
 
-use scene::{Idle, Overrides, Scene, SceneError, SceneProblem};
+use scene::{Overrides, Scene, SceneError, SceneProblem, Unused};
 use study::NoFiles;
 use study::plan::Sampling;
 
@@ -17,7 +17,7 @@ fn refused(sections: &str) -> SceneError {
     parsed(&format!("{STEEL}{sections}")).unwrap_err()
 }
 
-fn notes(sections: &str) -> Vec<(String, usize, Idle)> {
+fn notes(sections: &str) -> Vec<(String, usize, Unused)> {
     let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
     scene.notes.into_iter().map(|note| (note.key, note.line, note.reason)).collect()
 }
@@ -28,8 +28,8 @@ fn keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
     assert_eq!(
         notes(idle),
         [
-            ("curve.strain_gradient".to_owned(), 12, Idle::ModelDoesNotYield),
-            ("curve.interference_law".to_owned(), 13, Idle::ModelHasNoInterferenceLaw),
+            ("curve.strain_gradient".to_owned(), 12, Unused::ModelDoesNotYield),
+            ("curve.interference_law".to_owned(), 13, Unused::ModelHasNoInterferenceLaw),
         ]
     );
     let used = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n\
@@ -46,7 +46,7 @@ fn keys_of_figures_that_have_no_effect_are_noted() {
     let found = notes(&format!("{HERTZ}{figure}"));
     let keys: Vec<&str> = found.iter().map(|(key, ..)| key.as_str()).collect();
     assert_eq!(keys, ["figure.curves", "figure.loads", "figure.cutoff_multiples"]);
-    assert!(found.iter().all(|(.., reason)| *reason == Idle::FigureShowsSomethingElse));
+    assert!(found.iter().all(|(.., reason)| *reason == Unused::FigureShowsSomethingElse));
     let drawn = figure.replace("\"psd\"", "\"area-against-load\"");
     assert_eq!(notes(&format!("{HERTZ}{drawn}")), []);
 }
@@ -76,7 +76,10 @@ fn options_and_cutoffs_that_have_no_effect_are_noted() {
 #[test]
 fn a_tolerance_that_cannot_be_had_is_noted_and_the_used_one_reported() {
     let sections = format!("{HERTZ}[options]\ntolerance = 1e-300\n");
-    assert_eq!(notes(&sections), [("options.tolerance".to_owned(), 13, Idle::ToleranceHeld { used: 1e-13 })]);
+    assert_eq!(
+        notes(&sections),
+        [("options.tolerance".to_owned(), 13, Unused::ToleranceHeld { used: 1e-13 })]
+    );
     let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
     assert!(scene.model_choices().contains(&"tolerance of statistical states: 1e-13".to_owned()));
 }
@@ -206,10 +209,10 @@ fn options_that_a_model_of_perssons_theory_ignores_are_noted_and_wrong_ones_refu
     assert_eq!(
         notes(ignored),
         [
-            ("curve.hardness_law".to_owned(), 12, Idle::ModelDoesNotYield),
-            ("curve.strain_gradient".to_owned(), 15, Idle::OtherHardnessLaw),
-            ("curve.correction".to_owned(), 16, Idle::CorrectionsAreElastic),
-            ("curve.band".to_owned(), 20, Idle::ModelHasNoSuchOption),
+            ("curve.hardness_law".to_owned(), 12, Unused::ModelDoesNotYield),
+            ("curve.strain_gradient".to_owned(), 15, Unused::OtherHardnessLaw),
+            ("curve.correction".to_owned(), 16, Unused::CorrectionsAreElastic),
+            ("curve.band".to_owned(), 20, Unused::ModelHasNoSuchOption),
         ]
     );
     for (key, value) in [

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use scene::{Idle, Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices};
+use scene::{Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices, Unused};
 
 /// A spectrum whose standard errors scatter, and one without.
 const WITH_ERRORS: &str = "with-errors.csv";
@@ -104,7 +104,7 @@ fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
 fn keys_beside_draws_that_are_off_are_noted_and_an_option_puts_them_off() {
     let section = "[uncertainty]\ndraws = 64\noff = true\n";
     let scene = parsed(section).unwrap();
-    assert_eq!(scene.notes.iter().map(|note| note.reason).collect::<Vec<_>>(), [Idle::UncertaintyIsOff]);
+    assert_eq!(scene.notes.iter().map(|note| note.reason).collect::<Vec<_>>(), [Unused::UncertaintyIsOff]);
     assert_eq!(scene.notes[0].key, "uncertainty.draws");
     assert!(scene.uncertainty.unwrap().off);
     let overrides = Overrides { no_uncertainty: true, ..Overrides::default() };
@@ -120,7 +120,7 @@ fn a_section_on_what_does_not_scatter_is_noted() {
         let scene = parsed_with(psd, "[uncertainty]\nlevel = 0.9\n", &Overrides::default()).unwrap();
         scene.notes.into_iter().map(|note| (note.key, note.reason)).collect::<Vec<_>>()
     };
-    assert_eq!(notes(WITHOUT), [("uncertainty.level".to_owned(), Idle::NothingScatters)]);
+    assert_eq!(notes(WITHOUT), [("uncertainty.level".to_owned(), Unused::NothingScatters)]);
     assert_eq!(notes(WITH_ERRORS), []);
 }
 

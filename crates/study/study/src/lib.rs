@@ -10,6 +10,7 @@ pub mod hardness_and_strength;
 pub mod hardness_growth;
 pub mod interface;
 pub mod linear_laws;
+mod load;
 pub mod material;
 pub mod material_spreads;
 pub mod materials;

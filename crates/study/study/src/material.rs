@@ -4,7 +4,7 @@ use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
 
 use crate::bodies::Body;
 use crate::hardness_and_strength::{HardnessAndStrength, HardnessOffStrength};
-use crate::plan::NominalPressure;
+use crate::load::NominalPressure;
 use units::Pressure;
 use units::display::{length, pressure};
 use units::number;

@@ -4,7 +4,9 @@ use std::num::NonZeroU32;
 
 use scene::Scene;
 use study::Unobserved;
-use study::plan::{Curve, CurveResult, Cutoffs, Ground, Needs, Plan, Results, Sampling, Tolerance, Work};
+use study::plan::{
+    Curve, CurveResult, Cutoffs, Needs, Plan, PreparedSpectrum, Results, Sampling, Tolerance, Work,
+};
 
 use spectrum::ProfilePsd;
 
@@ -23,7 +25,7 @@ pub(crate) struct Areas {
     needs: Needs,
     sampling: Sampling,
     /// The prepared spectrum of the scene, for draws that keep it.
-    own_ground: Ground,
+    own_ground: PreparedSpectrum,
 }
 
 /// The areas of a draw.
@@ -46,7 +48,7 @@ impl Areas {
             tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
             ..Needs::default()
         };
-        Areas { needs, sampling: scene.sampling, own_ground: Ground::of(results) }
+        Areas { needs, sampling: scene.sampling, own_ground: PreparedSpectrum::of(results) }
     }
 
     /// The curves.

@@ -160,7 +160,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
 /// Refuses options that nothing in the scene has a use for.
 fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
     args.sampling.input().check(&scene.surface)?;
-    match overrides(args)?.without_bearing(scene) {
+    match overrides(args)?.first_unused(scene) {
         None => Ok(()),
         Some(option) => Err(Failure::Input(format!(
             "--{} has no bearing on {}: none of its curves and figures depends on it; leave it out",

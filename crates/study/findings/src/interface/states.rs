@@ -16,7 +16,7 @@ use spectrum::{AsperityParameters, Moments, Normalisation};
 
 use scene::Scene;
 use study::gap_law;
-use study::interface::{Adhesion, Asked, Quantity, Slot};
+use study::interface::{Adhesion, InterfaceRequest, Quantity, Slot};
 use study::plan::{NominalPressure, Plan, Results};
 
 /// A value out of bounds for a quantity.
@@ -40,7 +40,7 @@ pub struct InterfaceInputs<'r> {
 /// The requested quantities of an interface, computed when they are read.
 #[derive(Debug)]
 pub struct InterfaceStates<'a> {
-    request: &'a Asked,
+    request: &'a InterfaceRequest,
     inputs: InterfaceInputs<'a>,
     /// The moments of the whole spectrum, by Parseval's theorem.
     moments: Moments,
@@ -58,7 +58,7 @@ const CORRECTION_OF_SEALS: Correction = Correction::AlgebraicNayak;
 impl<'a> InterfaceStates<'a> {
     /// The requested quantities for inputs that are the results of `plan`; `None` if its spectrum has no moments.
     #[must_use]
-    pub fn new(request: &'a Asked, plan: &Plan<'_>, inputs: InterfaceInputs<'a>) -> Option<Self> {
+    pub fn new(request: &'a InterfaceRequest, plan: &Plan<'_>, inputs: InterfaceInputs<'a>) -> Option<Self> {
         let results = inputs.results;
         let (last, _) = results.moments.last()?;
         let whole = by_parseval(last, inputs.normalisation);
@@ -188,7 +188,7 @@ impl<'a> InterfaceStates<'a> {
 
     /// The requested quantities.
     #[must_use]
-    pub fn request(&self) -> &Asked {
+    pub fn request(&self) -> &InterfaceRequest {
         self.request
     }
 

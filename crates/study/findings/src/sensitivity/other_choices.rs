@@ -7,7 +7,9 @@ use serde::Serialize;
 use tables::Table;
 
 use scene::Scene;
-use study::plan::{Curve, CurveModel, CurveResult, Cutoffs, Ground, Needs, Plan, PlanError, Results, Work};
+use study::plan::{
+    Curve, CurveModel, CurveResult, Cutoffs, Needs, Plan, PlanError, PreparedSpectrum, Results, Work,
+};
 
 use super::variation::{Variation, variations};
 
@@ -112,7 +114,7 @@ fn areas_of_other_laws(
     if models.is_empty() {
         return Ok((FinalAreas { models, curves: Cow::Owned(Vec::new()) }, Work::default()));
     }
-    let found = plan(scene, None, &models).compute_on(Ground::of(results), progress)?;
+    let found = plan(scene, None, &models).compute_on(PreparedSpectrum::of(results), progress)?;
     Ok((FinalAreas { models, curves: Cow::Owned(found.curves) }, found.work))
 }
 

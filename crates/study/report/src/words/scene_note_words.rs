@@ -1,6 +1,6 @@
 //! Notes on keys of a scene without effect, a line each.
 
-use scene::{Idle, SceneNote};
+use scene::{SceneNote, Unused};
 use units::display::length;
 use units::number;
 
@@ -8,25 +8,27 @@ use units::number;
 #[must_use]
 pub fn line(note: &SceneNote) -> String {
     let why = match note.reason {
-        Idle::ModelDoesNotYield => "has no effect: the model does not yield".to_owned(),
-        Idle::ModelHasNoInterferenceLaw => "has no effect: only elastic-sine has a choice of it".to_owned(),
-        Idle::ModelHasNoSuchOption => "has no effect: the model has no such option".to_owned(),
-        Idle::CorrectionsAreElastic => "has no effect: the corrected forms are elastic ones".to_owned(),
-        Idle::OtherHardnessLaw => "has no effect: only hardness_law = \"nix-gao\" takes it".to_owned(),
-        Idle::FigureShowsSomethingElse => "has no effect on what this figure shows".to_owned(),
-        Idle::NoCurveUsesIt => "has no effect: no curve depends on it".to_owned(),
-        Idle::EveryCurveHasItsOwn => "has no effect: every curve that it applies to sets its own".to_owned(),
-        Idle::NothingNeedsIt => "has no effect: no curve and no figure needs it".to_owned(),
-        Idle::CutoffBelowData { shortest_m } => {
+        Unused::ModelDoesNotYield => "has no effect: the model does not yield".to_owned(),
+        Unused::ModelHasNoInterferenceLaw => "has no effect: only elastic-sine has a choice of it".to_owned(),
+        Unused::ModelHasNoSuchOption => "has no effect: the model has no such option".to_owned(),
+        Unused::CorrectionsAreElastic => "has no effect: the corrected forms are elastic ones".to_owned(),
+        Unused::OtherHardnessLaw => "has no effect: only hardness_law = \"nix-gao\" takes it".to_owned(),
+        Unused::FigureShowsSomethingElse => "has no effect on what this figure shows".to_owned(),
+        Unused::NoCurveUsesIt => "has no effect: no curve depends on it".to_owned(),
+        Unused::EveryCurveHasItsOwn => {
+            "has no effect: every curve that it applies to sets its own".to_owned()
+        }
+        Unused::NothingNeedsIt => "has no effect: no curve and no figure needs it".to_owned(),
+        Unused::CutoffBelowData { shortest_m } => {
             format!("has no effect: the spectrum ends above it, at {}", length(shortest_m))
         }
-        Idle::JudgeIsOff => "has no effect: the judge is off".to_owned(),
-        Idle::UncertaintyIsOff => "has no effect: the uncertainty analysis is off".to_owned(),
-        Idle::NothingScatters => {
+        Unused::JudgeIsOff => "has no effect: the judge is off".to_owned(),
+        Unused::UncertaintyIsOff => "has no effect: the uncertainty analysis is off".to_owned(),
+        Unused::NothingScatters => {
             "has no effect: nothing in this scene is uncertain (several scans, standard errors or +-)"
                 .to_owned()
         }
-        Idle::ToleranceHeld { used } => {
+        Unused::ToleranceHeld { used } => {
             format!("is finer than double precision reaches: {} is used", number(used))
         }
         // Reasons without words of their own show their names.

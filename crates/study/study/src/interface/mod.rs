@@ -1,7 +1,7 @@
 //! Quantities of an interface besides its area, and the request of them that a scene makes.
 
-mod asked;
 mod quantity;
+mod request;
 
-pub use asked::{Adhesion, Asked, Seal};
 pub use quantity::{Quantity, Slot};
+pub use request::{Adhesion, InterfaceRequest, Seal};

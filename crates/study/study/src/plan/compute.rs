@@ -2,8 +2,8 @@
 
 use parallel::{Progress, Unobserved};
 
-use super::asked::Asked;
-use super::ground::Ground;
+use super::distinct_inputs::DistinctInputs;
+use super::prepared_spectrum::PreparedSpectrum;
 use super::run::Run;
 use super::theory::{Job, theory_of};
 use super::work::counted;
@@ -25,28 +25,33 @@ impl Plan<'_> {
     /// Those of [`compute`](Self::compute), and [`PlanError::Cancelled`].
     pub fn compute_observed(&self, progress: &dyn Progress) -> Result<Results, PlanError> {
         self.check_size()?;
-        self.compute_on(self.ground()?, progress)
+        self.compute_on(self.prepare()?, progress)
     }
 
     /// The same, going on from what is known already of the spectrum that the plan is about.
     ///
     /// # Errors
     /// Those of [`compute_observed`](Self::compute_observed).
-    pub fn compute_on(&self, ground: Ground, progress: &dyn Progress) -> Result<Results, PlanError> {
+    pub fn compute_on(
+        &self,
+        prepared: PreparedSpectrum,
+        progress: &dyn Progress,
+    ) -> Result<Results, PlanError> {
         let run = Run::of(self, progress);
-        let asked = Asked::by(&self.needs);
+        let inputs = DistinctInputs::new(&self.needs);
         let models: Vec<(CurveModel, Cutoffs)> =
-            asked.models.items.iter().cloned().zip(asked.cutoffs.iter().copied()).collect();
+            inputs.models.items.iter().cloned().zip(inputs.cutoffs.iter().copied()).collect();
         let computed = parallel::try_map(&models, |(model, cutoffs)| {
-            self.rows_of_model(model, *cutoffs, &asked, &ground, run)
+            self.rows_of_model(model, *cutoffs, &inputs, &prepared, run)
         })?;
         let (rows_of_models, work_of_curves) = counted(computed);
-        let (sweeps, work_of_sweeps) = sweeps::results(&self.needs, &asked, &rows_of_models, &ground, run)?;
+        let (sweeps, work_of_sweeps) =
+            sweeps::results(&self.needs, &inputs, &rows_of_models, &prepared, run)?;
         let [computed_levels, computed_states] = levels_and_states(&rows_of_models);
-        let curves = asked.handed_out(rows_of_models, &self.needs.curves);
+        let curves = inputs.handed_out(rows_of_models, &self.needs.curves);
         let [wanted_levels, wanted_states] = levels_and_states(&curves);
 
-        let Ground { psd, moments, scales, fit, mut work, .. } = ground;
+        let PreparedSpectrum { psd, moments, scales, fit, mut work, .. } = prepared;
         work += work_of_curves;
         work += work_of_sweeps;
         work += Work {
@@ -62,13 +67,13 @@ impl Plan<'_> {
         &self,
         model: &CurveModel,
         cutoffs: Cutoffs,
-        asked: &Asked,
-        ground: &Ground,
+        inputs: &DistinctInputs,
+        prepared: &PreparedSpectrum,
         run: Run<'_>,
     ) -> Result<(CurveResult, Work), PlanError> {
         let theory = theory_of(model);
-        let places = 0..theory.rows_per_block(ground, cutoffs);
-        theory.blocks(&Job { plan: self, ground, cutoffs, run }, &asked.conditions_of(model), places)
+        let places = 0..theory.rows_per_block(prepared, cutoffs);
+        theory.blocks(&Job { plan: self, prepared, cutoffs, run }, &inputs.conditions_of(model), places)
     }
 }
 

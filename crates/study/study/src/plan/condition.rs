@@ -4,7 +4,7 @@ use asperity::AsperityError;
 use ordered_float::OrderedFloat;
 use spectrum::AsperityParameters;
 
-use super::ground::Roughness;
+use super::prepared_spectrum::Roughness;
 use super::{Needs, NominalPressure};
 use crate::models::{Pressable, Statistical, StatisticalLaw};
 

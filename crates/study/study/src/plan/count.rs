@@ -2,8 +2,8 @@
 
 use ordered_float::OrderedFloat;
 
-use super::asked::Asked;
 use super::distinct::Distinct;
+use super::distinct_inputs::DistinctInputs;
 use super::error::MOST_ROWS;
 use super::theory::theory_of;
 use super::{CurveModel, Cutoffs, Plan, PlanError};
@@ -12,14 +12,14 @@ impl Plan<'_> {
     /// How many statistical states the plan takes, at most.
     #[must_use]
     pub fn statistical_states(&self) -> usize {
-        let asked = Asked::by(&self.needs);
+        let inputs = DistinctInputs::new(&self.needs);
         let of_model = |(model, cutoffs): (&CurveModel, &Cutoffs)| {
             let cutoffs = if *cutoffs == Cutoffs::Every { self.most_scales() } else { 1 };
-            theory_of(model).most_states(cutoffs) * asked.conditions.items.len()
+            theory_of(model).most_states(cutoffs) * inputs.conditions.items.len()
         };
-        let over_cutoffs: usize = asked.models.items.iter().zip(&asked.cutoffs).map(of_model).sum();
+        let over_cutoffs: usize = inputs.models.items.iter().zip(&inputs.cutoffs).map(of_model).sum();
         let over_loads = Distinct::of(self.needs.sweeps.iter().flat_map(|sweep| {
-            let place = (asked.models.index_of[sweep.curve], OrderedFloat(sweep.cutoff_multiple));
+            let place = (inputs.models.index_of[sweep.curve], OrderedFloat(sweep.cutoff_multiple));
             sweep.pressures_pa.iter().map(move |&pressure_pa| (place, OrderedFloat(pressure_pa)))
         }));
         over_cutoffs + over_loads.items.len()
@@ -28,11 +28,11 @@ impl Plan<'_> {
     /// How many levels of stacks the plan takes, at most.
     #[must_use]
     pub fn stacked_levels(&self) -> usize {
-        let asked = Asked::by(&self.needs);
+        let inputs = DistinctInputs::new(&self.needs);
         let of_model = |model: &CurveModel| {
-            theory_of(model).most_levels(self.most_scales()) * asked.conditions_of(model).len()
+            theory_of(model).most_levels(self.most_scales()) * inputs.conditions_of(model).len()
         };
-        asked.models.items.iter().map(of_model).sum()
+        inputs.models.items.iter().map(of_model).sum()
     }
 
     /// Refuses more rows than can be held: scales, loads and curves multiply.

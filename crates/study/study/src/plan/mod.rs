@@ -1,18 +1,17 @@
 //! What is needed, computed once: every table, figure and reported number comes from one plan.
 //!
-//! `needs` is what can be asked for and `results` what comes out. `ground` makes of the spectrum what curves stand on,
-//! `asked` finds out which of the curves and loads are the same, `theory` computes the rows of a model, a module per theory, and
-//! `sweeps` those over loads, `compute` puts them together; `stream` hands curves on in parts that are not held.
+//! `needs` holds requests and `results` their answers. `prepared_spectrum` computes from the spectrum what curves stand on,
+//! `distinct_inputs` finds equal curves and loads, `theory` computes the rows of a model, a module per theory, and `sweeps`
+//! those over loads, `compute` puts them together; `stream` hands curves on in parts that are not held.
 
-mod asked;
 mod compute;
 mod condition;
 mod count;
 mod distinct;
+mod distinct_inputs;
 mod error;
-mod ground;
-mod load;
 mod needs;
+mod prepared_spectrum;
 mod results;
 mod run;
 mod states;
@@ -22,13 +21,13 @@ mod theory;
 mod tolerance;
 mod work;
 
+pub use crate::load::{Load, LoadRange, NominalPressure};
 pub use crate::models::CurveModel;
 pub(crate) use condition::contact_of;
 pub use error::PlanError;
-pub use ground::Ground;
-pub(crate) use ground::Roughness;
-pub use load::{Load, LoadRange, NominalPressure};
 pub use needs::{Curve, Cutoffs, LoadSweep, Needs, Sampling};
+pub use prepared_spectrum::PreparedSpectrum;
+pub(crate) use prepared_spectrum::Roughness;
 pub use results::{Results, SweepResult};
 pub use stream::{Part, Stream};
 pub use theory::{CurveResult, CutoffState, STATE_DETAILS};

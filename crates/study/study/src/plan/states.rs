@@ -4,7 +4,7 @@ use ordered_float::OrderedFloat;
 use stat_contact::{ContactState, StatisticalContact};
 
 use super::condition::{Asperities, Condition, contact_of};
-use super::ground::{Cutoff, Roughness};
+use super::prepared_spectrum::{Cutoff, Roughness};
 use super::run::Run;
 use super::work::counted;
 use super::{CutoffState, PlanError, Work};

@@ -7,7 +7,7 @@ use super::condition::Condition;
 use super::distinct::Distinct;
 use super::run::Run;
 use super::theory::{Job, theory_of};
-use super::{Curve, CurveResult, Cutoffs, Ground, Plan, PlanError};
+use super::{Curve, CurveResult, Cutoffs, Plan, PlanError, PreparedSpectrum};
 
 /// The rows of a part, about: enough to keep every core busy, and few beside what a spectrum holds.
 const PART: usize = 1 << 14;
@@ -15,7 +15,7 @@ const PART: usize = 1 << 14;
 /// The curves of a plan, to be computed part by part in the order of their rows.
 pub struct Stream<'p> {
     plan: &'p Plan<'p>,
-    ground: Ground,
+    prepared: PreparedSpectrum,
 }
 
 /// Some rows of a curve: whole blocks, or a piece of one.
@@ -32,11 +32,11 @@ impl Plan<'_> {
     /// # Errors
     /// Those of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
-        let ground = self.ground()?;
+        let prepared = self.prepare()?;
         for curve in &self.needs.curves {
-            theory_of(&curve.model).check(&ground, curve.cutoffs)?;
+            theory_of(&curve.model).check(&prepared, curve.cutoffs)?;
         }
-        Ok(Stream { plan: self, ground })
+        Ok(Stream { plan: self, prepared })
     }
 }
 
@@ -44,19 +44,19 @@ impl Stream<'_> {
     /// The spectrum as sampled.
     #[must_use]
     pub fn psd(&self) -> &ProfilePsd {
-        &self.ground.psd
+        &self.prepared.psd
     }
 
     /// What the curves stand on.
     #[must_use]
-    pub fn ground(&self) -> &Ground {
-        &self.ground
+    pub fn prepared(&self) -> &PreparedSpectrum {
+        &self.prepared
     }
 
     /// How many rows a curve has, at most.
     #[must_use]
     pub fn rows(&self, curve: &Curve) -> usize {
-        let rows = theory_of(&curve.model).rows_per_block(&self.ground, curve.cutoffs);
+        let rows = theory_of(&curve.model).rows_per_block(&self.prepared, curve.cutoffs);
         rows * self.conditions(curve).count()
     }
 
@@ -77,10 +77,10 @@ impl Stream<'_> {
         progress: &dyn Progress,
         mut each: impl FnMut(Part) -> Result<(), E>,
     ) -> Result<(), E> {
-        let (plan, ground, cutoffs) = (self.plan, &self.ground, curve.cutoffs);
-        let job = Job { plan, ground, cutoffs, run: Run::of(plan, progress) };
+        let (plan, prepared, cutoffs) = (self.plan, &self.prepared, curve.cutoffs);
+        let job = Job { plan, prepared, cutoffs, run: Run::of(plan, progress) };
         let theory = theory_of(&curve.model);
-        let rows = theory.rows_per_block(ground, cutoffs);
+        let rows = theory.rows_per_block(prepared, cutoffs);
         // Where a block has more rows than a part, and a part hence one condition, it comes in pieces if it can.
         let piece = if theory.splits_blocks() { PART } else { rows.max(1) };
         in_parts(self.conditions(curve), rows, |conditions| {

@@ -6,10 +6,10 @@ use std::collections::HashMap;
 use ordered_float::OrderedFloat;
 use stat_contact::ContactState;
 
-use super::asked::Asked;
 use super::condition::{Asperities, Condition};
 use super::distinct::Distinct;
-use super::ground::{Cutoff, Ground, Roughness};
+use super::distinct_inputs::DistinctInputs;
+use super::prepared_spectrum::{Cutoff, PreparedSpectrum, Roughness};
 use super::run::Run;
 use super::states::States;
 use super::work::counted;
@@ -28,30 +28,30 @@ struct Subject {
 /// The states of every sweep.
 pub(super) fn results(
     needs: &Needs,
-    asked: &Asked,
+    inputs: &DistinctInputs,
     rows_of_models: &[CurveResult],
-    ground: &Ground,
+    prepared: &PreparedSpectrum,
     run: Run<'_>,
 ) -> Result<(Vec<SweepResult>, Work), PlanError> {
     let of_sweep = |(sweep, cutoff): (&LoadSweep, &Cutoff)| Subject {
-        model: asked.models.index_of[sweep.curve],
+        model: inputs.models.index_of[sweep.curve],
         asperities: cutoff.roughness.map(|roughness| Asperities::of(&roughness.asperities)),
     };
-    let subjects = Distinct::of(needs.sweeps.iter().zip(&ground.sweep_cutoffs).map(of_sweep));
+    let subjects = Distinct::of(needs.sweeps.iter().zip(&prepared.sweep_cutoffs).map(of_sweep));
     let places: Vec<usize> = (0..subjects.items.len()).collect();
     let computed = parallel::try_map(&places, |&place| {
         let subject = subjects.items[place];
         let sweeps = || {
-            let of_all = needs.sweeps.iter().zip(&ground.sweep_cutoffs).zip(&subjects.index_of);
+            let of_all = needs.sweeps.iter().zip(&prepared.sweep_cutoffs).zip(&subjects.index_of);
             of_all.filter(|(_, index)| **index == place).map(|(sweep, _)| sweep)
         };
         let roughness = sweeps().find_map(|(_, cutoff)| cutoff.roughness);
-        let (Some(model), Some(roughness)) = (asked.models.items[subject.model].statistical(), roughness)
+        let (Some(model), Some(roughness)) = (inputs.models.items[subject.model].statistical(), roughness)
         else {
             return Ok((KnownStates::new(), Work::default()));
         };
         let wanted: Vec<f64> = sweeps().flat_map(|(sweep, _)| sweep.pressures_pa.iter().copied()).collect();
-        let known = states_of_curve(&roughness, asked, &rows_of_models[subject.model]);
+        let known = states_of_curve(&roughness, inputs, &rows_of_models[subject.model]);
         completed(known, &wanted, &roughness, &States { model, run })
     })?;
     let (states, work) = counted(computed);
@@ -62,7 +62,7 @@ pub(super) fn results(
             states: sweep.pressures_pa.iter().filter_map(state).collect(),
         }
     };
-    let sweeps = needs.sweeps.iter().zip(&ground.sweep_cutoffs).zip(&subjects.index_of);
+    let sweeps = needs.sweeps.iter().zip(&prepared.sweep_cutoffs).zip(&subjects.index_of);
     Ok((sweeps.map(result).collect(), work))
 }
 
@@ -84,7 +84,7 @@ fn completed(
 }
 
 /// The states that a curve against cutoff has of the asperities of a roughness.
-fn states_of_curve(roughness: &Roughness, asked: &Asked, curve: &CurveResult) -> KnownStates {
+fn states_of_curve(roughness: &Roughness, inputs: &DistinctInputs, curve: &CurveResult) -> KnownStates {
     let Some(blocks) = curve.statistical() else { return KnownStates::new() };
     let asperities = Asperities::of(&roughness.asperities);
     let known = |(condition, block): (&Condition, &Vec<super::CutoffState>)| {
@@ -97,5 +97,5 @@ fn states_of_curve(roughness: &Roughness, asked: &Asked, curve: &CurveResult) ->
             .next()?;
         Some((pressure_pa, state))
     };
-    asked.conditions.items.iter().zip(blocks).filter_map(known).collect()
+    inputs.conditions.items.iter().zip(blocks).filter_map(known).collect()
 }

@@ -14,7 +14,7 @@ pub use statistical::{CutoffState, STATE_DETAILS};
 
 use super::condition::Condition;
 use super::run::Run;
-use super::{Cutoffs, Ground, Plan, PlanError, Work};
+use super::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 use crate::models::{CurveModel, Theory};
 
 /// A curve against cutoff: for every load its rows, from long to short wavelengths.
@@ -156,7 +156,7 @@ fn repeated<T: Clone>(blocks: Vec<Vec<T>>, index_of: &[usize], cutoffs: Cutoffs)
 /// A curve to be computed: the cutoffs of its model on a prepared spectrum.
 pub(super) struct Job<'j> {
     pub plan: &'j Plan<'j>,
-    pub ground: &'j Ground,
+    pub prepared: &'j PreparedSpectrum,
     pub cutoffs: Cutoffs,
     pub run: Run<'j>,
 }
@@ -179,7 +179,7 @@ pub(super) trait CurveTheory {
     }
 
     /// Returns the most rows of a block.
-    fn rows_per_block(&self, ground: &Ground, cutoffs: Cutoffs) -> usize;
+    fn rows_per_block(&self, prepared: &PreparedSpectrum, cutoffs: Cutoffs) -> usize;
 
     /// Returns true if the rows of a block can be computed piece by piece.
     fn splits_blocks(&self) -> bool {
@@ -190,7 +190,7 @@ pub(super) trait CurveTheory {
     ///
     /// # Errors
     /// [`PlanError`] for a spectrum that the theory cannot take.
-    fn check(&self, _ground: &Ground, _cutoffs: Cutoffs) -> Result<(), PlanError> {
+    fn check(&self, _ground: &PreparedSpectrum, _cutoffs: Cutoffs) -> Result<(), PlanError> {
         Ok(())
     }
 

@@ -9,11 +9,11 @@ use super::{CurveResult, CurveTheory, Job, Rows, pressures_pa, with_loads};
 use crate::models::Persson;
 use crate::persson_law::roughness;
 use crate::plan::condition::Condition;
-use crate::plan::{Cutoffs, Ground, PlanError, Work};
+use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
 
 impl CurveTheory for Persson {
-    fn rows_per_block(&self, ground: &Ground, _: Cutoffs) -> usize {
-        ground.psd.len()
+    fn rows_per_block(&self, prepared: &PreparedSpectrum, _: Cutoffs) -> usize {
+        prepared.psd.len()
     }
 
     fn blocks(
@@ -23,11 +23,11 @@ impl CurveTheory for Persson {
         _: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
         let Persson { pair, law } = self;
-        let Job { plan, ground, cutoffs, run } = job;
-        let moments = ground.moments.iter().map(|(moments, _)| moments);
+        let Job { plan, prepared, cutoffs, run } = job;
+        let moments = prepared.moments.iter().map(|(moments, _)| moments);
         let normalisation = plan.needs.moments.unwrap_or_default();
-        let beyond = plan.beyond(&ground.psd, law.band);
-        let roughness = roughness(&ground.psd, moments, normalisation, &ground.scales, &beyond, law.band);
+        let beyond = plan.beyond(&prepared.psd, law.band);
+        let roughness = roughness(&prepared.psd, moments, normalisation, &prepared.scales, &beyond, law.band);
         let model = law.model(pair)?;
         let separation = model.separation(&roughness, law.energy_factor);
         let blocks = parallel::try_map(&pressures_pa(conditions), |&pressure_pa| {

@@ -7,7 +7,7 @@ use tables::Table;
 
 use super::{CurveResult, CurveTheory, Job, Rows, pressures_pa, with_loads};
 use crate::plan::condition::Condition;
-use crate::plan::{Cutoffs, Ground, PlanError, Work};
+use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
 
 /// Loads computed together share the load-independent work of each level. More than 8 gain nothing (measured).
 const LOADS_PER_BLOCK: usize = 8;
@@ -17,8 +17,8 @@ impl CurveTheory for StackedModel {
         scales
     }
 
-    fn rows_per_block(&self, ground: &Ground, _: Cutoffs) -> usize {
-        ground.scales.len()
+    fn rows_per_block(&self, prepared: &PreparedSpectrum, _: Cutoffs) -> usize {
+        prepared.scales.len()
     }
 
     fn blocks(
@@ -27,7 +27,7 @@ impl CurveTheory for StackedModel {
         conditions: &[Condition],
         _: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        let (pressures_pa, scales, run) = (pressures_pa(conditions), &job.ground.scales[..], job.run);
+        let (pressures_pa, scales, run) = (pressures_pa(conditions), &job.prepared.scales[..], job.run);
         let (blocks, stacked_levels) = match job.cutoffs {
             Cutoffs::Every => {
                 let together: Vec<&[f64]> = pressures_pa.chunks(LOADS_PER_BLOCK).collect();

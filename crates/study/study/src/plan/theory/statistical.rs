@@ -11,9 +11,9 @@ use tables::Table;
 use super::{CurveResult, CurveTheory, Job, Rows};
 use crate::models::Statistical;
 use crate::plan::condition::{Condition, contact_of};
-use crate::plan::ground::Cutoff;
+use crate::plan::prepared_spectrum::Cutoff;
 use crate::plan::states::States;
-use crate::plan::{Cutoffs, Ground, PlanError, Work};
+use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
 
 /// The contact of the asperities that a spectrum has up to a cutoff.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -48,16 +48,16 @@ impl CurveTheory for Statistical {
         cutoffs
     }
 
-    fn rows_per_block(&self, ground: &Ground, cutoffs: Cutoffs) -> usize {
-        ground.cutoff_count(cutoffs)
+    fn rows_per_block(&self, prepared: &PreparedSpectrum, cutoffs: Cutoffs) -> usize {
+        prepared.cutoff_count(cutoffs)
     }
 
     fn splits_blocks(&self) -> bool {
         true
     }
 
-    fn check(&self, ground: &Ground, cutoffs: Cutoffs) -> Result<(), PlanError> {
-        for cutoff in ground.cutoffs(cutoffs, 0..ground.cutoff_count(cutoffs)) {
+    fn check(&self, prepared: &PreparedSpectrum, cutoffs: Cutoffs) -> Result<(), PlanError> {
+        for cutoff in prepared.cutoffs(cutoffs, 0..prepared.cutoff_count(cutoffs)) {
             cutoff.roughness.map(|roughness| contact_of(self, &roughness)).transpose()?;
         }
         Ok(())
@@ -69,7 +69,7 @@ impl CurveTheory for Statistical {
         conditions: &[Condition],
         places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        let cutoffs = job.ground.cutoffs(job.cutoffs, places);
+        let cutoffs = job.prepared.cutoffs(job.cutoffs, places);
         let cutoffs = match job.plan.needs.states_per_decade {
             Some(per_decade) => thinned(cutoffs, per_decade),
             None => cutoffs,

@@ -15,7 +15,7 @@ use super::{Cutoffs, LoadSweep, Plan, PlanError, Results, Work};
 /// All that is needed of a spectrum but the curves. A plan of the same spectrum, sampling, normalisation and amplitude can
 /// go on from it.
 #[derive(Debug, Clone)]
-pub struct Ground {
+pub struct PreparedSpectrum {
     pub(super) psd: ProfilePsd,
     pub(super) moments: Vec<(Moments, Option<AsperityParameters>)>,
     pub(super) scales: Vec<Scale>,
@@ -45,10 +45,10 @@ impl Roughness {
     }
 }
 
-impl Ground {
+impl PreparedSpectrum {
     /// What a plan without sweeps and fit can go on from: it has been computed already.
     pub fn of(results: &Results) -> Self {
-        Ground {
+        PreparedSpectrum {
             psd: results.psd.clone(),
             moments: results.moments.clone(),
             scales: results.scales.clone(),
@@ -99,7 +99,7 @@ impl Ground {
 
 impl Plan<'_> {
     /// Computes what the curves stand on.
-    pub(super) fn ground(&self) -> Result<Ground, PlanError> {
+    pub(super) fn prepare(&self) -> Result<PreparedSpectrum, PlanError> {
         let sampled = self.sampled()?;
         let nothing_left =
             |cutoff_m| PlanError::NothingLeft { cutoff_m, longest_m: sampled.longest_wavelength_m() };
@@ -119,7 +119,7 @@ impl Plan<'_> {
             ..Work::default()
         };
         let sweep_cutoffs = self.sweep_cutoffs(&sampled, &moments, &mut work);
-        Ok(Ground { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_cutoffs, work })
+        Ok(PreparedSpectrum { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_cutoffs, work })
     }
 
     /// How many scales take part, at most.

@@ -9,7 +9,7 @@ use super::quantity::{Quantity, Slot};
 
 /// What is wanted of an interface besides its area: gap and stiffness always, and whatever has the inputs that it takes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Asked {
+pub struct InterfaceRequest {
     /// The elastic energy factor gamma of Persson's theory, above 0 and at most 1.
     pub energy_factor: f64,
     /// What a cutoff lets through in that theory: the waves of profiles, or those of the surface.
@@ -46,7 +46,7 @@ pub struct Adhesion {
     pub range_m: Option<f64>,
 }
 
-impl Asked {
+impl InterfaceRequest {
     /// Everything asked for, under every load and of every curve, whether or not it will have a value.
     #[must_use]
     pub fn slots(&self, loads: usize, curves: usize, has_hardness: bool) -> Vec<Slot> {

@@ -7,7 +7,7 @@ use super::{Curve, CurveModel, CurveResult, Cutoffs, Needs};
 
 /// The differing models of a plan and the differing conditions that they are asked at. Equal models under equal conditions
 /// are computed once; the curves and loads of the plan then find their rows by index.
-pub(super) struct Asked {
+pub(super) struct DistinctInputs {
     /// The models of the curves.
     pub models: Distinct<CurveModel>,
     /// At which cutoffs each of the differing models is wanted.
@@ -18,12 +18,17 @@ pub(super) struct Asked {
     loads: usize,
 }
 
-impl Asked {
-    pub fn by(needs: &Needs) -> Self {
+impl DistinctInputs {
+    pub fn new(needs: &Needs) -> Self {
         let models = Distinct::compared(needs.curves.iter().map(|curve| curve.model.clone()));
         let cutoffs =
             (0..models.items.len()).map(|model| cutoffs_of(model, &models, &needs.curves)).collect();
-        Asked { models, cutoffs, conditions: Distinct::of(needs.conditions()), loads: needs.load_count() }
+        DistinctInputs {
+            models,
+            cutoffs,
+            conditions: Distinct::of(needs.conditions()),
+            loads: needs.load_count(),
+        }
     }
 
     /// Returns the differing conditions that a model takes: loads, and separations where it knows them.

@@ -16,14 +16,14 @@ use study::material::MaterialError;
 use study::spread::{Spread, SpreadError};
 
 /// A value, which a plain run takes, and how well it is known.
-pub(super) struct Known<T> {
+pub(super) struct Uncertain<T> {
     pub value: T,
     pub spread: Option<Spread>,
 }
 
-impl<T> Known<T> {
+impl<T> Uncertain<T> {
     fn exactly(value: T) -> Self {
-        Known { value, spread: None }
+        Uncertain { value, spread: None }
     }
 }
 
@@ -120,15 +120,19 @@ impl UncertainProperty {
 }
 
 /// A property with a unit, under its key.
-pub(super) fn property<T: Property>(key: &str, raw: &Spanned<RawProperty>) -> Result<Known<T>, SceneError> {
+pub(super) fn property<T: Property>(
+    key: &str,
+    raw: &Spanned<RawProperty>,
+) -> Result<Uncertain<T>, SceneError> {
     match raw.get_ref() {
         RawProperty::Value(value) => {
             let text = text_of(value);
             let blame = |problem: String| value_error(key, &text, raw.span(), problem);
             match TypedSpread::parse(&text) {
-                None => {
-                    text.parse().map(Known::exactly).map_err(|error: QuantityError| blame(error.to_string()))
-                }
+                None => text
+                    .parse()
+                    .map(Uncertain::exactly)
+                    .map_err(|error: QuantityError| blame(error.to_string())),
                 Some(spread) => with_unit::<T>(spread).map_err(blame),
             }
         }
@@ -151,15 +155,15 @@ pub(super) fn property<T: Property>(key: &str, raw: &Spanned<RawProperty>) -> Re
 pub(super) fn optional_property<T: Property>(
     key: &str,
     raw: Option<&Spanned<RawProperty>>,
-) -> Result<Option<Known<T>>, SceneError> {
+) -> Result<Option<Uncertain<T>>, SceneError> {
     raw.map(|raw| property(key, raw)).transpose()
 }
 
 /// A Poisson's ratio under its key.
-pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Known<f64>, SceneError> {
+pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Uncertain<f64>, SceneError> {
     match raw.get_ref() {
-        RawProperty::Value(toml::Value::Float(ratio)) => Ok(Known::exactly(*ratio)),
-        RawProperty::Value(toml::Value::Integer(ratio)) => Ok(Known::exactly(*ratio as f64)),
+        RawProperty::Value(toml::Value::Float(ratio)) => Ok(Uncertain::exactly(*ratio)),
+        RawProperty::Value(toml::Value::Integer(ratio)) => Ok(Uncertain::exactly(*ratio as f64)),
         RawProperty::Value(value) => {
             let text = text_of(value);
             let Some(spread) = TypedSpread::parse(&text) else {
@@ -187,7 +191,7 @@ pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Kno
     }
 }
 
-fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Known<T>, String> {
+fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Uncertain<T>, String> {
     let si = |text: &str| text.parse::<T>().map_err(|error| error.to_string())?.si();
     let told = |error: SpreadError| error.to_string();
     match typed {
@@ -202,16 +206,16 @@ fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Known<T>, String> {
                     .map_err(|error| error.to_string())?
                     .map_or(Ok(0.0), |uncertainty| uncertainty.si())?,
             };
-            Ok(Known { value, spread: Spread::log_normal(median, uncertainty).map_err(told)? })
+            Ok(Uncertain { value, spread: Spread::log_normal(median, uncertainty).map_err(told)? })
         }
         TypedSpread::Interval { from, to } => {
             let (centre, spread) = Spread::log_normal_within(si(from)?, si(to)?).map_err(told)?;
-            Ok(Known { value: T::of_si(centre), spread })
+            Ok(Uncertain { value: T::of_si(centre), spread })
         }
     }
 }
 
-fn without_unit(typed: TypedSpread<'_>) -> Result<Known<f64>, String> {
+fn without_unit(typed: TypedSpread<'_>) -> Result<Uncertain<f64>, String> {
     let told = |error: SpreadError| error.to_string();
     match typed {
         TypedSpread::PlusMinus { value, uncertainty } => {
@@ -221,11 +225,11 @@ fn without_unit(typed: TypedSpread<'_>) -> Result<Known<f64>, String> {
                 None => ratio(uncertainty)?,
             };
             let spread = Spread::poisson_ratio(median, uncertainty).map_err(told)?;
-            Ok(Known { value: median, spread })
+            Ok(Uncertain { value: median, spread })
         }
         TypedSpread::Interval { from, to } => {
             let (value, spread) = Spread::poisson_ratio_within(ratio(from)?, ratio(to)?).map_err(told)?;
-            Ok(Known { value, spread })
+            Ok(Uncertain { value, spread })
         }
     }
 }
@@ -248,7 +252,7 @@ struct Reading<T> {
     /// A value in SI units.
     value: fn(&str) -> Result<f64, String>,
     /// A median with its standard uncertainty.
-    plus_minus: fn(&str, &str) -> Result<Known<T>, String>,
+    plus_minus: fn(&str, &str) -> Result<Uncertain<T>, String>,
     of_si: fn(f64) -> T,
     /// The distribution of a median with its standard uncertainty.
     about_the_median: Distribution,
@@ -262,7 +266,7 @@ fn of_table<T>(
     table: &RawDistribution,
     span: &Range<usize>,
     reading: &Reading<T>,
-) -> Result<Known<T>, SceneError> {
+) -> Result<Uncertain<T>, SceneError> {
     let RawDistribution { distribution, median, standard_uncertainty, from, to, values } = table;
     let given = [
         ("median", median.is_some()),
@@ -312,7 +316,7 @@ fn of_table<T>(
             Spread::values(values.collect::<Result<_, _>>()?).map_err(blame)?
         }
     };
-    Ok(Known { value: (reading.of_si)(centre), spread })
+    Ok(Uncertain { value: (reading.of_si)(centre), spread })
 }
 
 #[cfg(test)]
