@@ -5,8 +5,6 @@ use std::str::FromStr;
 use std::sync::{Mutex, PoisonError};
 
 use findings::doubts::Doubt;
-use rough_bem::{Boundary, ElementsError, Field, PressedLoad, Pressing, RandomChoices, RandomSurfaces};
-use rough_bem::{Relief, Surfaces};
 use gaussian_surfaces::{AreaSpectrum, Phases};
 use half_space::HalfSpaceError;
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadwriteArrayDyn};
@@ -14,6 +12,8 @@ use parallel::Progress;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyCFunction, PyDict, PyString, PyTuple};
 use report::{doubt_words, elements_words};
+use rough_bem::{Boundary, ElementsError, Field, PressedLoad, Pressing, RandomChoices, RandomSurfaces};
+use rough_bem::{Relief, Surfaces};
 use scans::HeightMap;
 use study::material::Material;
 use topography::{Detrend, Recipe, detrended_m};

@@ -4,7 +4,9 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods}
 use pyo3::prelude::*;
 use report::row_notes;
 use report::summary::notes_of_states;
-use state_tables::{StateRequest, StateCondition, ContactStates, Roughness, RowsNote, StateColumns, StatesError, StatesFound};
+use state_tables::{
+    ContactStates, Roughness, RowsNote, StateColumns, StateCondition, StateRequest, StatesError, StatesFound,
+};
 use study::material::Material;
 use study::models::{self, Framework};
 use study::plan::Tolerance;

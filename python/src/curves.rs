@@ -1,7 +1,7 @@
 //! Contact against cutoff, of a spectrum: the stacked and the statistical models.
 
-use findings::doubts::{Doubt, RealPressures};
 use asperity::Hardness;
+use findings::doubts::{Doubt, RealPressures};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use report::summary::{CurveCounts, sampling_of};

@@ -6,7 +6,7 @@ use std::num::NonZeroU32;
 use std::sync::{Mutex, PoisonError};
 
 use measurements::{
-    ScanInput, Channels, CompositeOfFiles, Files, Instrument, Loaded, ScanProblem, ScanRequest,
+    Channels, CompositeOfFiles, Files, Instrument, Loaded, ScanInput, ScanProblem, ScanRequest,
     SlopeUncertainty, TipRadius, TopographyError, ZCalibration, read_channels,
 };
 use numpy::ndarray::ArrayD;
@@ -377,7 +377,8 @@ fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResu
                 request.z_calibration = Some(share);
             }
             "slope_uncertainty" => {
-                let SlopeUncertainty { standard_uncertainty } = typed(&argument, &number_or_text(&argument, &value)?)?;
+                let SlopeUncertainty { standard_uncertainty } =
+                    typed(&argument, &number_or_text(&argument, &value)?)?;
                 request.slope_uncertainty = Some(standard_uncertainty);
             }
             other => return Err(input(format!("there is no option {other} of a scan"))),

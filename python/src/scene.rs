@@ -6,23 +6,23 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use findings::answer::Answer;
 use asperity::ElasticBody;
+use findings::answer::Answer;
 use parallel::Progress;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
 use report::explain::explain;
-use report::run_stamp::RunStamp;
 use report::products::{Product, each_product};
 use report::run::{Asked, Phase, RunError, Watch, carry_out as carry_out_scene};
+use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
+use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
+use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use staging::StagedFiles;
 use study::Files;
-use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
-use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use tables::{Format, Table};
 use toml::Value;
 

@@ -1,11 +1,11 @@
 //! How sure areas are: draws of scans, instruments and material through a scene's plan.
 
 use report::{advice_words, uncertainty_words};
+use scene::{Scene, UncertainProperty, UncertaintyChoices};
 use study::bodies::Bodies;
 use study::material_spreads::MaterialSpreads;
 use study::models::{self, Choice, ModelEntry};
 use study::plan::{Curve, Cutoffs, Needs, PlanError, Results, Tolerance};
-use scene::{Scene, UncertainProperty, UncertaintyChoices};
 use study::spread::Spread;
 
 use numpy::ndarray::Array2;
@@ -137,7 +137,7 @@ fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices<'_>) -
     {
         return Err(input(format!("model[{at}] is {}, which stands twice; keep one", entry.name)));
     }
-    let curve = |entry: &&ModelEntry| {
+    let curve = |entry: &&'static ModelEntry| {
         // What only some of the models have is theirs; what none has is refused by the first.
         let theirs = |choice| entry.has(choice) || !entries.iter().any(|entry| entry.has(choice));
         let options = model_options(
