@@ -187,7 +187,7 @@ fn bad_input_is_refused_by_its_name() {
         ),
         (psd, &["--shortest", "1nm"], &["1 mm to 1 µm"]),
         (psd, &["--box=1mm", "--shortest=1um"], &["500 µm to 1 µm", "512 points"]),
-        (psd, &["--saturation", "1MPa"], &["of 1 MPa", "--saturation"]),
+        (psd, &["--saturation", "1MPa"], &["1 MPa is more", "--saturation"]),
         (psd, &["--saturation", "1H"], &["--saturation", "hardness"]),
         (psd, &["--tolerance", "0"], &["is 0;", "0.1"]),
         (psd, &["--boundary", "free"], &["--boundary", "spectrum"]),

@@ -48,7 +48,7 @@ impl Areas {
             tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
             ..Needs::default()
         };
-        Areas { needs, sampling: scene.sampling, own_ground: PreparedSpectrum::of(results) }
+        Areas { needs, sampling: scene.sampling, own_ground: PreparedSpectrum::from_results(results) }
     }
 
     /// The curves.

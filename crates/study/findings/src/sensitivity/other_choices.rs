@@ -114,7 +114,7 @@ fn areas_of_other_laws(
     if models.is_empty() {
         return Ok((FinalAreas { models, curves: Cow::Owned(Vec::new()) }, Work::default()));
     }
-    let found = plan(scene, None, &models).compute_on(PreparedSpectrum::of(results), progress)?;
+    let found = plan(scene, None, &models).compute_on(PreparedSpectrum::from_results(results), progress)?;
     Ok((FinalAreas { models, curves: Cow::Owned(found.curves) }, found.work))
 }
 

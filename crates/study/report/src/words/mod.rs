@@ -22,6 +22,7 @@ pub mod scans_table;
 pub mod scene_errors;
 pub mod scene_note_words;
 pub mod spectrum_words;
+pub(crate) mod state_words;
 pub mod summary;
 pub mod uncertainty_words;
 pub(crate) mod verdict_words;

@@ -14,7 +14,7 @@ use topography::Severity;
 use units::display::{counted, length, pressure, three_digits};
 use units::number;
 
-use super::curve_counts::{narrow_spectra, notes_of_states};
+use super::state_words::{narrow_spectra, notes_of_states};
 use crate::{doubt_words, elements_words, row_notes, scan_words};
 
 /// A sentence about an answer.

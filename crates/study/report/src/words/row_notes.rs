@@ -4,7 +4,7 @@ use state_tables::RowsNote;
 use units::display::counted;
 use units::number;
 
-use super::curve_counts::{narrow_spectra, state_notes};
+use super::state_words::{narrow_spectra, state_notes};
 
 /// A note in words; empty if there is nothing to say.
 pub fn lines(note: &RowsNote) -> Vec<String> {

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
-pub use super::curve_counts::notes_of_states;
 use super::curve_counts::{beyond_fitted_range, statistical_notes};
+pub use super::state_words::notes_of_states;
 use crate::assessment::Assessment;
 use crate::curve_names::in_full;
 use crate::question_words::sampled_scales;

@@ -14,7 +14,6 @@ mod needs;
 mod prepared_spectrum;
 mod results;
 mod run;
-mod states;
 mod stream;
 mod sweeps;
 mod theory;

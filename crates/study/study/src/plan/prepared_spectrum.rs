@@ -10,7 +10,7 @@ use spectrum::{
 use stacked_contact::Scale;
 
 use super::error::MOST_SCALES;
-use super::{Cutoffs, LoadSweep, Plan, PlanError, Results, Work};
+use super::{Cutoffs, LoadSweep, Plan, PlanError, Work};
 
 /// All that is needed of a spectrum but the curves. A plan of the same spectrum, sampling, normalisation and amplitude can
 /// go on from it.
@@ -46,18 +46,6 @@ impl Roughness {
 }
 
 impl PreparedSpectrum {
-    /// What a plan without sweeps and fit can go on from: it has been computed already.
-    pub fn of(results: &Results) -> Self {
-        PreparedSpectrum {
-            psd: results.psd.clone(),
-            moments: results.moments.clone(),
-            scales: results.scales.clone(),
-            fit: None,
-            sweep_cutoffs: Vec::new(),
-            work: Work::default(),
-        }
-    }
-
     /// The spectrum as sampled.
     #[must_use]
     pub fn psd(&self) -> &ProfilePsd {

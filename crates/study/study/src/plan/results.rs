@@ -5,7 +5,7 @@ use spectrum::{AsperityParameters, Moments, ProfilePsd, SelfAffineFit};
 use stacked_contact::Scale;
 use stat_contact::ContactState;
 
-use super::{CurveResult, Work};
+use super::{CurveResult, PreparedSpectrum, Work};
 
 /// What a plan yields; what was not needed is empty.
 #[derive(Debug, Clone, Serialize)]
@@ -33,4 +33,19 @@ pub struct SweepResult {
     pub cutoff_m: f64,
     /// A state per pressure; none where the cutoff leaves no asperities.
     pub states: Vec<ContactState>,
+}
+
+impl PreparedSpectrum {
+    /// Returns the spectrum that a plan has prepared, for plans of it without sweeps and fits.
+    #[must_use]
+    pub fn from_results(results: &Results) -> Self {
+        PreparedSpectrum {
+            psd: results.psd.clone(),
+            moments: results.moments.clone(),
+            scales: results.scales.clone(),
+            fit: None,
+            sweep_cutoffs: Vec::new(),
+            work: Work::default(),
+        }
+    }
 }

@@ -11,7 +11,7 @@ use super::distinct::Distinct;
 use super::distinct_inputs::DistinctInputs;
 use super::prepared_spectrum::{Cutoff, PreparedSpectrum, Roughness};
 use super::run::Run;
-use super::states::States;
+use super::theory::statistical::states::States;
 use super::work::counted;
 use super::{CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
 

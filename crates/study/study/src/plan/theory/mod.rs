@@ -2,7 +2,7 @@
 
 mod persson;
 mod stacked;
-mod statistical;
+pub(super) mod statistical;
 
 use std::ops::Range;
 

@@ -1,5 +1,7 @@
 //! Populations of asperities that cutoffs leave, under loads and at separations.
 
+pub(in crate::plan) mod states;
+
 use std::num::NonZeroU32;
 use std::ops::Range;
 
@@ -8,11 +10,11 @@ use spectrum::AsperityParameters;
 use stat_contact::ContactState;
 use tables::Table;
 
+use self::states::States;
 use super::{CurveResult, CurveTheory, Job, Rows};
 use crate::models::Statistical;
 use crate::plan::condition::{Condition, contact_of};
 use crate::plan::prepared_spectrum::Cutoff;
-use crate::plan::states::States;
 use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
 
 /// The contact of the asperities that a spectrum has up to a cutoff.

@@ -3,19 +3,20 @@
 use ordered_float::OrderedFloat;
 use stat_contact::{ContactState, StatisticalContact};
 
-use super::condition::{Asperities, Condition, contact_of};
-use super::prepared_spectrum::{Cutoff, Roughness};
-use super::run::Run;
-use super::work::counted;
-use super::{CutoffState, PlanError, Work};
+use super::CutoffState;
 use crate::models::{Pressable, Statistical};
+use crate::plan::condition::{Asperities, Condition, contact_of};
+use crate::plan::prepared_spectrum::{Cutoff, Roughness};
+use crate::plan::run::Run;
+use crate::plan::work::counted;
+use crate::plan::{PlanError, Work};
 
 /// The most states that follow one another. Each begins where its neighbour ended; the first of them begins with nothing
 /// known, which costs some evaluations and no digit.
 const STATES_PER_BLOCK: usize = 256;
 
 /// The states of a model.
-pub(super) struct States<'r> {
+pub(in crate::plan) struct States<'r> {
     pub model: &'r Statistical,
     pub run: Run<'r>,
 }
