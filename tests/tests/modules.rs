@@ -126,7 +126,8 @@ impl Source {
                 parents
             }
             _ => {
-                let is_child = self.modules.contains_key(&[&base[..], &[first.clone()]].concat().join("::"));
+                let is_child =
+                    self.modules.contains_key(&[&base[..], std::slice::from_ref(first)].concat().join("::"));
                 let is_used = self.used.get(module).is_some_and(|used| used.contains_key(first));
                 (is_child || is_used).then_some(0)?
             }

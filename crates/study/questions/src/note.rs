@@ -9,7 +9,7 @@ use rough_bem::{PressedLoad, RandomSurfaces};
 use spectrum::ProfilePsd;
 use state_tables::RowsNote;
 use study::material::Material;
-use study::models::{Choice, ModelEntry};
+use study::models::{Choice, Framework, ModelEntry};
 use study::plan::scales_per_decade;
 
 use crate::CurveCounts;
@@ -174,10 +174,11 @@ impl Note {
         matches!(self, Note::Doubt(_))
     }
 
-    /// H/3 is taken if the model needs a strength and none is given.
+    /// Returns a note if asperities yield at H/3 because no strength is given. Persson's theory takes H itself.
     #[must_use]
     pub fn of_strength(material: &Material, model: &ModelEntry) -> Option<Note> {
-        let strength_pa = material.assumed_yield_strength_pa().filter(|_| model.has(Choice::Strength))?;
+        let takes_strength = model.has(Choice::Strength) && model.framework != Framework::Persson;
+        let strength_pa = material.assumed_yield_strength_pa().filter(|_| takes_strength)?;
         Some(Note::AssumedStrength { yield_strength_pa: strength_pa })
     }
 
