@@ -76,7 +76,7 @@ impl CurveQuestion {
     /// Prepares the curve of a surface.
     ///
     /// # Errors
-    /// Those of [`check`](Self::check), and of a cutoff that leaves nothing out.
+    /// Returns the errors of [`check`](Self::check), and an error for a cutoff that leaves nothing out.
     pub fn on<'s>(&self, surface: &'s Surface) -> Result<PreparedCurve<'s>, QuestionError> {
         let Resolved { material, entry, tolerance, needs } = self.resolve()?;
         self.sampling.check(surface)?;
@@ -292,7 +292,7 @@ impl CurveStream<'_> {
         self.stream.rows(self.prepared.curve())
     }
 
-    /// What is known before there are rows.
+    /// Notes known before any row is computed.
     #[must_use]
     pub fn notes(&self) -> Vec<Note> {
         let PreparedCurve { plan, hardness_pa, notes, .. } = self.prepared;
@@ -324,7 +324,7 @@ impl CurveStream<'_> {
     /// Computes the table part by part; returns what is known of all of it.
     ///
     /// # Errors
-    /// Those of `each`, and [`PlanError`].
+    /// Returns the errors of `each`, and [`PlanError`].
     pub fn parts<E: From<PlanError>>(
         &self,
         progress: &dyn Progress,

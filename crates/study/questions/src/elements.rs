@@ -23,7 +23,7 @@ use crate::{MaterialInput, Note, OptionName, QuestionError};
 pub struct RandomInput {
     /// Points along each side.
     pub grid: Option<usize>,
-    /// How many surfaces.
+    /// Number of surfaces.
     pub realisations: Option<usize>,
     /// Seed of their phases.
     pub seed: Option<u64>,
@@ -33,7 +33,7 @@ pub struct RandomInput {
     pub shortest_m: Option<f64>,
     /// Length of a side \[m\].
     pub side_m: Option<f64>,
-    /// What is random.
+    /// The random part of the surfaces: phases alone, or phases and moduli.
     pub phases: Option<Phases>,
 }
 
@@ -73,7 +73,7 @@ impl Default for ElementsQuestion {
 pub struct PreparedElements {
     /// The surfaces.
     pub surfaces: Surfaces,
-    /// What is known of them and of the material.
+    /// Notes on the surfaces and on the material.
     pub notes: Vec<Note>,
     pressing: Pressing,
 }
@@ -167,7 +167,7 @@ impl PreparedElements {
     /// Presses the surfaces; `see` is shown each one under each load as it is solved.
     ///
     /// # Errors
-    /// Those of `see`, and [`ElementsError`].
+    /// Returns the errors of `see`, and [`ElementsError`].
     pub fn answer<E: From<ElementsError> + Send>(
         &self,
         see: impl Fn(&Field<'_>) -> Result<(), E> + Sync + Send,

@@ -86,7 +86,7 @@ pub struct FoundLaw {
     pub law: GapLaw,
     /// The least and the largest nominal pressure \[Pa\].
     pub range_pa: [f64; 2],
-    /// What a reader has to know about it.
+    /// Notes for the reader of the law.
     pub notes: Vec<Note>,
 }
 
@@ -153,7 +153,7 @@ impl GapModel {
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)
     }
 
-    /// What is known before anything is computed.
+    /// Notes known before anything is computed.
     fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
         let doubt = Doubt::of_material(material).map(Note::Doubt);
         let surface_notes = surface.notes.iter().cloned().map(Note::Surface);

@@ -29,12 +29,12 @@ pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
 use study::figure::FigureData;
 use tables::Table;
 
-/// What a question yields.
+/// The answer to a question: a table, notes and perhaps a figure.
 #[derive(Debug)]
 pub struct Answer {
     /// The table, as every front end writes it.
     pub table: Table,
-    /// What a reader has to know about it.
+    /// Notes for the reader of the table.
     pub notes: Vec<Note>,
     /// The figure, if the question asks for one.
     pub figure: Option<FigureData>,

@@ -29,7 +29,7 @@ pub struct RangeInput {
     /// The last.
     #[serde(with = "pressure")]
     pub to: Pressure,
-    /// How many, at least two.
+    /// Number of pressures, at least two.
     pub points: u32,
 }
 

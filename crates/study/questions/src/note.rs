@@ -69,7 +69,7 @@ pub enum Note {
     Gaps(GapCounts),
     /// Moments of no Gaussian isotropic surface.
     NotGaussian {
-        /// How many cutoffs have them.
+        /// Number of cutoffs with such moments.
         cutoffs: usize,
         /// Longest and shortest of these cutoffs \[m\].
         range_m: [f64; 2],
@@ -96,22 +96,22 @@ pub enum Note {
 /// Number and range of the scales that take part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SampledScales {
-    /// How many.
+    /// Number of scales.
     pub scales: usize,
     /// The longest \[m\].
     pub longest_m: f64,
     /// The shortest \[m\].
     pub shortest_m: f64,
-    /// How many per decade, on average; absent for a single scale.
+    /// Number of scales per decade, on average; absent for a single scale.
     pub per_decade: Option<f64>,
 }
 
 /// Cutoffs outside the range of a fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutsideFit {
-    /// How many.
+    /// Number of cutoffs outside the fit.
     pub cutoffs: usize,
-    /// Of how many.
+    /// Number of all cutoffs.
     pub all: usize,
     /// The first and the last of them \[m\].
     pub wavelengths_m: [f64; 2],

@@ -108,7 +108,7 @@ pub enum Reason {
     OnlyOn {
         /// The model asked for.
         model: &'static str,
-        /// Those that have it.
+        /// The models that have the option.
         models: Vec<&'static str>,
     },
     /// The model does not yield.

@@ -1,5 +1,5 @@
-//! What a scene says of its two bodies besides their elastic constants: what they conduct, where their values come from, and which
-//! of them flows.
+//! Properties of the two bodies of a scene besides their elastic constants: conductivities and resistivities, sources
+//! of values in the table of materials, and the body that flows.
 
 use asperity::{ElasticBody, MaterialPair};
 use units::display::pressure;
@@ -11,7 +11,7 @@ use crate::material_spreads::MaterialSpreads;
 pub enum Body {
     /// The rough body, \[material\] of a scene.
     Rough,
-    /// What presses on it, \[counterface\] of a scene.
+    /// The body that presses on the rough one, \[counterface\] of a scene.
     Counterface,
 }
 
@@ -36,7 +36,7 @@ impl Body {
     }
 }
 
-/// How well a body conducts; no law of contact needs it.
+/// Thermal and electrical transport properties of a body; no law of contact needs them.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Transport {
     /// Its thermal conductivity \[W/(m K)\], where it is given.
@@ -52,7 +52,7 @@ pub struct FromTable {
     pub name: String,
     /// The keys that were left out and filled, in their order in a scene.
     pub keys: Vec<&'static str>,
-    /// Where the values of the table come from.
+    /// Sources of the values in the table.
     pub sources: String,
 }
 
@@ -64,22 +64,22 @@ pub struct Softer {
     pub flows: Body,
     /// Its yield strength \[Pa\], a third of its hardness where that was given.
     pub yield_strength_pa: f64,
-    /// That of the other; absent where the other was given none and is taken not to yield.
+    /// Yield strength of the other body \[Pa\]; absent if none was given, and the body is then taken not to yield.
     pub other_pa: Option<f64>,
 }
 
-/// What is known of both bodies.
+/// Properties of both bodies besides their elastic constants.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bodies {
-    /// How well the rough body conducts.
+    /// Transport properties of the rough body.
     pub transport: Transport,
-    /// How well the counterface does.
+    /// Transport properties of the counterface.
     pub counterface_transport: Transport,
-    /// What the table of materials filled of the rough body.
+    /// Values of the rough body filled from the table of materials.
     pub from_table: Option<FromTable>,
-    /// What it filled of the counterface.
+    /// Values of the counterface filled from the table of materials.
     pub counterface_from_table: Option<FromTable>,
-    /// Which of them flows; absent where the counterface has no strength, as then the rough body alone yields.
+    /// The body that flows; absent if the counterface has no strength, as then the rough body alone yields.
     pub softer: Option<Softer>,
 }
 
@@ -98,7 +98,7 @@ impl Bodies {
 }
 
 impl FromTable {
-    /// What was filled; nothing to say where all was given.
+    /// Describes the values that were filled; `None` if all were given.
     fn line(&self, body: Body) -> Option<String> {
         let (name, sources) = (&self.name, &self.sources);
         let filled = (!self.keys.is_empty()).then(|| self.keys.join(", "))?;

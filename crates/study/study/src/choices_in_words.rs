@@ -8,7 +8,7 @@ use stat_contact::InterferenceLaw;
 
 use crate::growth_law::GrowthLaw;
 
-/// What the moments are multiplied by.
+/// Describes the factor of the moments.
 #[must_use]
 pub fn normalisation(choice: Normalisation) -> &'static str {
     match choice {
@@ -17,7 +17,7 @@ pub fn normalisation(choice: Normalisation) -> &'static str {
     }
 }
 
-/// What the amplitude of a scale is.
+/// Describes the definition of the amplitude of a scale.
 #[must_use]
 pub fn amplitude(choice: AmplitudeDefinition) -> &'static str {
     match choice {
@@ -26,7 +26,7 @@ pub fn amplitude(choice: AmplitudeDefinition) -> &'static str {
     }
 }
 
-/// How the hardness of a sphere falls as its contact grows.
+/// Names the law by which the hardness of a sphere falls as its contact grows.
 #[must_use]
 pub fn hardness(choice: Hardness) -> &'static str {
     match choice {
@@ -36,7 +36,7 @@ pub fn hardness(choice: Hardness) -> &'static str {
     }
 }
 
-/// What ties the pressure on an elastic sinusoid to its interference.
+/// Names the law between the pressure on an elastic sinusoid and its interference.
 #[must_use]
 pub fn interference(choice: InterferenceLaw) -> &'static str {
     match choice {

@@ -30,12 +30,12 @@ pub struct GapState {
     pub stiffness_pa_per_m: Option<f64>,
 }
 
-/// What there is to choose beside the model.
+/// Choices beside the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapChoices {
     /// Elastic energy factor of Persson's theory, in (0, 1].
     pub energy_factor: f64,
-    /// What a cutoff lets through in Persson's theory.
+    /// The band that a cutoff lets through in Persson's theory.
     pub band: Band,
     /// Relative tolerance of statistical states.
     pub tolerance: Tolerance,
@@ -74,7 +74,7 @@ pub enum GapError {
 pub struct GapLaw {
     pressed: PressedBy,
     rms_height_m: f64,
-    /// Of Persson's theory.
+    /// The band that a cutoff lets through in Persson's theory.
     band: Band,
 }
 
@@ -150,7 +150,7 @@ impl GapLaw {
         }
     }
 
-    /// What a cutoff lets through, where the model is Persson's theory.
+    /// Returns the band that a cutoff lets through; `None` if the model is not Persson's theory.
     #[must_use]
     pub fn band(&self) -> Option<Band> {
         self.roughness().map(|_| self.band)
@@ -215,7 +215,7 @@ impl GapLaw {
     }
 }
 
-/// What a plan has made of a spectrum, as Persson's theory takes it: with what a cutoff has left out of it.
+/// Builds the roughness that Persson's theory takes from a computed plan, including the part that the cutoff left out.
 #[must_use]
 pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
     persson_law::roughness(
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn the_stiffness_of_every_model_is_what_pressures_of_neighbouring_gaps_differ_by() {
         let psd = spectrum();
-        // Of this hardness more than a few per cent flow, and there is no gap then.
+        // At this hardness more than a few per cent of the contact flow, and there is no gap then.
         let has_gaps = |name: &str| name != "persson-plastic";
         let entries = MODELS.iter().filter(|entry| entry.framework != Framework::Stacked);
         for entry in entries.filter(|entry| has_gaps(entry.name)) {

@@ -11,13 +11,13 @@ pub const ASSUMED_HURST: f64 = 0.8;
 pub struct GivenRoughness {
     /// The spectrum.
     pub profile: SelfAffineProfile,
-    /// Where its roll-off wavelength comes from.
+    /// Origin of the roll-off wavelength.
     pub rolloff_from: RollOffFrom,
-    /// Whether nobody gave its Hurst exponent.
+    /// True if the Hurst exponent was assumed, not given.
     pub hurst_is_assumed: bool,
 }
 
-/// Where a roll-off wavelength comes from.
+/// Origin of a roll-off wavelength.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RollOffFrom {
     /// It was given.

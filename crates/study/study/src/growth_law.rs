@@ -50,10 +50,10 @@ impl From<GrowthLaw> for NameOrRows {
 }
 
 impl GrowthLaw {
-    /// The law that a text names, `nix-gao` or `power:N`; `None` where it names neither.
+    /// Parses `nix-gao` or `power:N`; returns `None` if the text names neither law.
     ///
     /// # Errors
-    /// What is wrong with the exponent.
+    /// A message that says what is wrong with the exponent.
     pub fn named(text: &str) -> Result<Option<Self>, String> {
         let exponent = match text.split_once(':') {
             None if text == "nix-gao" => return Ok(Some(GrowthLaw::NixGao)),

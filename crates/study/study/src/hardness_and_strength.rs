@@ -25,12 +25,12 @@ pub struct HardnessOffStrength {
     pub yield_strength_pa: f64,
 }
 
-/// As many as tell a ratio from 3 by 1 %.
+/// Formats a ratio with five digits, enough to tell it from 3 by 1 %.
 fn five_digits(ratio: f64) -> String {
     format!("{ratio:.4e}").parse().map_or_else(|_| number(ratio), number)
 }
 
-/// What is given of the hardness and the strength; where both are, they are 3 : 1 within 1 %.
+/// The hardness and the strength as given; if both are given, their ratio is 3 : 1 within 1 %.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct HardnessAndStrength {
     hardness_pa: Option<f64>,
@@ -87,7 +87,7 @@ impl HardnessAndStrength {
         Some(hardness_pa / HARDNESS_OVER_STRENGTH)
     }
 
-    /// Whether a strength was given in units of the hardness, which it would have to tell first.
+    /// Returns true if the strength was given in units of the hardness, and so cannot yield the hardness.
     #[must_use]
     pub fn strength_is_in_hardnesses(&self) -> bool {
         matches!(self.yield_strength, Some(Pressure::Hardnesses(_)))

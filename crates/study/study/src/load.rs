@@ -10,7 +10,7 @@ use units::{Bound, OutOfBounds};
 pub struct NominalPressure(f64);
 
 impl NominalPressure {
-    /// What every nominal pressure satisfies, in Pa.
+    /// The bound of every nominal pressure, in Pa.
     pub const BOUND: Bound = Bound::Magnitude;
 
     /// A nominal pressure \[Pa\].
@@ -60,13 +60,13 @@ pub struct LoadRange {
 }
 
 impl LoadRange {
-    /// So many pressures from one to another, both included; two at least are made.
+    /// Creates a range of pressures from one to another, both included; at least two pressures.
     #[must_use]
     pub fn new(from: NominalPressure, to: NominalPressure, points: u32) -> Self {
         LoadRange { from, to, points: points.max(2) }
     }
 
-    /// How many there are.
+    /// Number of pressures in the range.
     #[must_use]
     pub fn points(self) -> usize {
         self.points as usize

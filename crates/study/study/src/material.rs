@@ -26,12 +26,12 @@ pub struct Material {
     strain_gradient_length_m: Option<f64>,
 }
 
-/// What a material is made from, as given.
+/// The properties that a material is made from, as given.
 #[derive(Debug, Clone, Copy)]
 pub struct GivenMaterial {
     /// The rough body.
     pub body: ElasticBody,
-    /// What presses on it; rigid where absent.
+    /// The body that presses on the rough one; rigid if absent.
     pub counterface: Option<ElasticBody>,
     /// The body that flows; the properties below are its own. A rigid counterface never does.
     pub flows: Body,
@@ -54,7 +54,7 @@ pub enum MaterialProperty {
     StrainGradientLength,
 }
 
-/// What a property of the material is needed for.
+/// The purpose that a property of the material is needed for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NeededFor {
@@ -189,7 +189,7 @@ impl Material {
         text
     }
 
-    /// What is known of it, each with its name, for people.
+    /// Returns the known properties of the material with their names, for people.
     pub fn properties(&self) -> Vec<(&'static str, String)> {
         let body = self.pair.body();
         let mut properties = vec![

@@ -1,10 +1,10 @@
-//! How well the properties of a material are known.
+//! Uncertainties of the properties of a material.
 
 use units::display::{length, pressure, three_digits};
 
 use crate::spread::Spread;
 
-/// How well the properties of a material and its counterface are known; what is absent is taken for exact.
+/// Uncertainties of the properties of a material and its counterface; absent ones are taken for exact.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MaterialSpreads {
     /// Young's modulus of the rough body \[Pa\].
@@ -22,13 +22,13 @@ pub struct MaterialSpreads {
 }
 
 impl MaterialSpreads {
-    /// Whether all properties are taken for exact.
+    /// Returns true if all properties are taken for exact.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.elastic_are_exact() && self.strength.is_none() && self.strain_gradient_length.is_none()
     }
 
-    /// Whether the elastic constants of both bodies are taken for exact.
+    /// Returns true if the elastic constants of both bodies are taken for exact.
     #[must_use]
     pub fn elastic_are_exact(&self) -> bool {
         let elastic = [

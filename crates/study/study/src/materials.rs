@@ -43,7 +43,7 @@ pub fn materials() -> Vec<TabledMaterial> {
 }
 
 impl TabledMaterial {
-    /// Whether it answers to this name; case does not count.
+    /// Returns true if the material has this name or alias; case does not count.
     #[must_use]
     pub fn answers_to(&self, name: &str) -> bool {
         let wanted = name.trim().to_lowercase();
@@ -86,7 +86,8 @@ mod tests {
         }
     }
 
-    /// Of pure metals the Lorenz number ties both conductivities: a slip of a digit or a unit shows.
+    /// Checks the table by the Lorenz number, which ties both conductivities of pure metals: a slip of a digit
+    /// or a unit shows.
     #[test]
     fn the_conductivities_of_metals_obey_wiedemann_and_franz() {
         const LORENZ_W_OHM_PER_K2: f64 = 2.44e-8;

@@ -1,4 +1,4 @@
-//! What a file says of a surface: heights as measured, or a spectrum.
+//! Surfaces read from files: heights as measured, or a spectrum.
 
 use std::io;
 
@@ -10,7 +10,7 @@ use crate::surface::{Surface, SurfaceError};
 use measurements::Files;
 use measurements::{MapOfFile, ScanProblem, ScanRequest, TopographyError, holds_a_spectrum};
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Heights.
@@ -30,14 +30,14 @@ pub enum Measured {
     Spectrum(Box<Surface>),
 }
 
-/// How a file is read.
+/// Options for reading a file.
 #[derive(Debug, Clone, Default)]
 pub struct MeasuredOptions {
-    /// What it holds; by its content, where absent.
+    /// The content of the file; found from the file itself if absent.
     pub kind: Option<Kind>,
-    /// How a spectrum is read.
+    /// Options for reading a spectrum.
     pub spectrum: ReadOptions,
-    /// What is subtracted from heights.
+    /// The recipe that says what is subtracted from heights.
     pub recipe: Recipe,
 }
 

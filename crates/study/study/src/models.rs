@@ -88,7 +88,7 @@ pub struct Persson {
     pub law: PerssonLaw,
 }
 
-/// What a statistical model makes of the moments of a cutoff.
+/// The law by which a statistical model turns the moments of a cutoff into contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StatisticalLaw {
     /// Asperities of one curvature, McCool's, under a law.
@@ -97,7 +97,7 @@ pub enum StatisticalLaw {
     Summits,
 }
 
-/// How a model gets from the roughness to the contact.
+/// The theory by which a model gets from the roughness to the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Framework {
     /// Scale upon scale.
@@ -157,14 +157,14 @@ impl ModelOptions {
     }
 }
 
-/// What there is to know of a model before it is built.
+/// The description of a model before it is built.
 #[derive(Debug)]
 pub struct ModelEntry {
     /// The name that people type, which is also that of its curves.
     pub name: &'static str,
-    /// What it is called, with those who made it.
+    /// The full name, with the authors of the model.
     pub full_name: &'static str,
-    /// Where it was published.
+    /// The publication.
     pub citation: &'static str,
     /// Its framework.
     pub framework: Framework,
@@ -347,7 +347,7 @@ impl ModelEntry {
         self.framework == Framework::Statistical && !self.takes_moments
     }
 
-    /// Whether a choice is one of this model's.
+    /// Returns true if the model has this choice.
     #[must_use]
     pub fn has(&self, choice: Choice) -> bool {
         self.choices.contains(&choice)

@@ -1,14 +1,14 @@
-//! What is worth knowing about a spectrum, as data; `report` has the words.
+//! Notes on a spectrum, as data; `report` has the words.
 
 use spectrum::Hole;
 use topography::{Remark, Severity};
 
 use crate::given_roughness::GivenRoughness;
 
-/// Something to know about the spectrum of a surface. Whoever has words has some for all of these: a match on them is whole.
+/// A note on the spectrum of a surface. Deliberately not `#[non_exhaustive]`: every front end must word every variant.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
-    /// What reading its file took for granted, in the reader's words.
+    /// An assumption that was made in reading the file, in the reader's words.
     Reading(String),
     /// The built-in spectrum is a reconstruction, not the published one.
     Reconstruction,
@@ -16,7 +16,7 @@ pub enum Note {
     Holes(Vec<Hole>),
     /// It was not measured but made from roughness parameters.
     OfParameters(GivenRoughness),
-    /// Of the scans that it is made from.
+    /// A remark on the scans that the spectrum is made from.
     Scans(Remark),
     /// It is the sum of the spectra of two surfaces.
     Superposition {
@@ -27,13 +27,13 @@ pub enum Note {
     OfSurface {
         /// Its name.
         name: String,
-        /// What.
+        /// The note itself.
         note: Box<Note>,
     },
 }
 
 impl Note {
-    /// How much it matters.
+    /// Returns the severity of the note.
     #[must_use]
     pub fn severity(&self) -> Severity {
         match self {

@@ -13,7 +13,7 @@ use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 use crate::material::{Material, MaterialError, NeededFor};
 use crate::model_options::ModelOptions;
 
-/// Whether the surface flows, as it is asked for.
+/// The deformation of the surface, as requested: elastic, or elastic-plastic at a hardness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Deformation {
     /// It does not.

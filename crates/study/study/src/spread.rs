@@ -1,4 +1,4 @@
-//! How well a quantity is known: distributions about a centre, in SI units. A plain run takes the centre.
+//! Uncertainties of quantities: distributions about a centre, in SI units. A plain run takes the centre.
 
 use std::f64::consts::LN_2;
 
@@ -7,7 +7,7 @@ use statrs::function::beta::beta_reg;
 use units::display::three_digits;
 use units::{Bound, OutOfBounds, number};
 
-/// How well a quantity is known.
+/// The uncertainty of a quantity, as a distribution.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Spread {
     /// Its logarithm is normal: never negative.
@@ -73,13 +73,13 @@ pub enum SpreadError {
     NoValues,
 }
 
-/// Where Poisson's ratio ends: an incompressible body.
+/// The upper limit of Poisson's ratio: an incompressible body.
 pub const LARGEST_POISSON_RATIO: f64 = 0.5;
 
 /// The standard normal quantile of 97.5 %: the central 95 % reach so many standard deviations either way.
 const CENTRAL_95: f64 = 1.959_963_984_540_054;
 
-/// What a spread may lie about, in SI units: no draw from it leaves the range of magnitudes that laws take.
+/// The range of centres, in SI units: no draw from a spread leaves the range of magnitudes that laws take.
 const CENTRE: Bound = Bound::Within { at_least: 1e-20, at_most: 1e20 };
 
 /// A standard uncertainty over its value: beyond, nothing but the order of magnitude would be known.
@@ -140,11 +140,11 @@ impl Spread {
         Ok(Some(Spread::Beta { median, alpha, beta }))
     }
 
-    /// A Poisson's ratio of which an interval holds the central 95 %, up to 97 % where it is wide: its middle, and how it
-    /// scatters, 1.96 standard deviations either way.
+    /// Returns the middle and the spread of a Poisson's ratio given by an interval of 1.96 standard deviations either
+    /// way. The interval holds the central 95 %, up to 97 % if it is wide.
     ///
     /// # Errors
-    /// Those of [`poisson_ratio`](Self::poisson_ratio), and an interval that does not rise.
+    /// Returns the errors of [`poisson_ratio`](Self::poisson_ratio), and an error for an interval that does not rise.
     pub fn poisson_ratio_within(from: f64, to: f64) -> Result<(f64, Option<Self>), SpreadError> {
         let (from, to) = rising(from, to)?;
         let middle = 0.5 * (from + to);
@@ -175,7 +175,7 @@ impl Spread {
         Ok((median_of_sorted(&values), Some(Spread::Values(values))))
     }
 
-    /// What a plain run takes: the median.
+    /// Returns the value that a plain run takes: the median.
     #[must_use]
     pub fn centre(&self) -> f64 {
         match self {
@@ -203,7 +203,8 @@ impl Spread {
         }
     }
 
-    /// The same of the quantity over its centre; a Poisson's ratio is none of which that would be asked, and stays.
+    /// Returns the distribution of the quantity over its centre. That of a Poisson's ratio is returned unchanged: no
+    /// caller needs it.
     #[must_use]
     pub fn over_its_centre(self) -> Self {
         let centre = self.centre();
@@ -266,7 +267,7 @@ fn shapes_of(median: f64, deviation: f64) -> Result<(f64, f64), f64> {
     Ok(shapes_of_median(median, zero_in_bracket(least, largest, too_wide).exp()))
 }
 
-/// Of shapes that add up to more the standard deviation is below rounding at every median.
+/// The largest sum of the shapes; beyond it the standard deviation is below rounding at every median.
 const LARGEST_SUM: f64 = 1e40;
 
 fn standard_deviation(alpha: f64, beta: f64) -> f64 {
@@ -276,8 +277,9 @@ fn standard_deviation(alpha: f64, beta: f64) -> f64 {
 
 /// The shapes of this sum whose median, at most 0.5, is the one given.
 ///
-/// Where both are large the median is (alpha - 1/3)/(alpha + beta - 2/3) (Kerman 2011, arXiv:1111.0433), from 1000 on within
-/// 1e-6 of the standard deviation; there the incomplete beta function loses its digits, below it has at least eight.
+/// For large shapes the median is (alpha - 1/3)/(alpha + beta - 2/3) (Kerman 2011, arXiv:1111.0433), from 1000 on
+/// within 1e-6 of the standard deviation. There the incomplete beta function loses its digits; below 1000 it has at
+/// least eight.
 fn shapes_of_median(median: f64, sum: f64) -> (f64, f64) {
     const LARGE: f64 = 1000.0;
     let alpha = median * (sum - 2.0 / 3.0) + 1.0 / 3.0;

@@ -72,7 +72,7 @@ pub enum SurfaceError {
 }
 
 impl SurfaceError {
-    /// Whether a file is not there.
+    /// Returns true if the cause is a missing file.
     #[must_use]
     pub fn is_missing_file(&self) -> bool {
         let error = match self {
@@ -100,11 +100,11 @@ pub struct Surface {
     pub name: String,
     /// The spectrum in the working convention.
     pub psd: ProfilePsd,
-    /// The same as it was given, where that is the spectrum of an area.
+    /// The spectrum as given, if it is that of an area.
     pub of_area: Option<Psd>,
     /// The comment lines of the file: origin, licence, what it is.
     pub remarks: Vec<String>,
-    /// What reading took for granted, and what is doubtful.
+    /// Assumptions made in reading, and doubts.
     pub notes: Vec<Note>,
     /// The scans it is the composite of, where it is not given as a spectrum.
     pub made_from: Option<CompositeOfFiles>,

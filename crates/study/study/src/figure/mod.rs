@@ -9,7 +9,7 @@ use spectrum::Hole;
 
 pub use of_scans::{composite_figure, over_scans};
 
-/// What a figure shows.
+/// The subject of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shows {
@@ -32,13 +32,13 @@ pub enum Shows {
 pub struct Figure {
     /// The name of its files.
     pub name: String,
-    /// What it shows.
+    /// The subject.
     pub shows: Shows,
     /// Its title; what it shows, where absent.
     pub title: Option<String>,
-    /// Which curves it draws, by index.
+    /// Indices of the curves that it draws.
     pub curves: Vec<usize>,
-    /// Which sweeps over loads it draws, by index.
+    /// Indices of the sweeps over loads that it draws.
     pub sweeps: Vec<usize>,
 }
 
@@ -51,7 +51,7 @@ pub struct Series {
     pub curve: String,
     /// The load or cutoff it is drawn for, as typed, which its colour stands for; empty where it is alone.
     pub condition: String,
-    /// The same for the legend: a load also in units of the hardness.
+    /// The load or cutoff in the words of the legend: a load also in units of the hardness.
     pub condition_in_full: String,
     /// The load it is drawn for, by index; `None` for a line against the load, or without one.
     pub load: Option<usize>,
@@ -82,9 +82,9 @@ impl Series {
 /// An area between two lines, to hold lines against; it is not part of tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Band {
-    /// What it shows, for the legend.
+    /// The label in the legend.
     pub label: String,
-    /// What it is to the lines of its colour.
+    /// The role of the band beside the lines of its colour.
     pub kind: BandKind,
     /// The load of these lines, by index, if they are drawn for one.
     pub load: Option<usize>,
@@ -96,13 +96,13 @@ pub struct Band {
     pub points: Vec<(f64, [f64; 2])>,
 }
 
-/// What a band is to lines.
+/// The role of a band beside lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BandKind {
     /// Something else to hold them against.
     Yardstick,
-    /// Where they lie, as far as is known.
+    /// The interval in which the lines lie, as far as is known.
     Interval,
 }
 
@@ -111,7 +111,7 @@ pub enum BandKind {
 pub struct FigureData {
     /// The name of its files.
     pub name: String,
-    /// What it shows.
+    /// The subject.
     pub shows: Shows,
     /// Its title.
     pub title: String,
@@ -123,7 +123,7 @@ pub struct FigureData {
     pub y_label: &'static str,
     /// The lines.
     pub series: Vec<Series>,
-    /// What lines are held against.
+    /// The bands that the lines are compared with.
     pub bands: Vec<Band>,
     /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
     pub gaps: Vec<(f64, f64)>,
@@ -134,11 +134,11 @@ pub struct FigureData {
 /// A value with its error, drawn beside the lines.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mark {
-    /// What it is, for the legend.
+    /// The label in the legend.
     pub label: String,
-    /// Whether it is drawn as a ring, to tell it from others drawn as discs.
+    /// True if it is drawn as a ring, to tell it from others drawn as discs.
     pub is_ring: bool,
-    /// Which lines it shares its colour with.
+    /// The colour group of the lines that it belongs with.
     pub colour: usize,
     /// The abscissa.
     pub x: f64,
@@ -219,7 +219,7 @@ impl FigureData {
         pieces
     }
 
-    /// Whether its lines belong to several curves.
+    /// Returns true if the lines belong to several curves.
     pub fn compares_curves(&self) -> bool {
         self.series.iter().any(|series| series.dash > 0)
     }

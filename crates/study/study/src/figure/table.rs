@@ -1,11 +1,11 @@
-//! What a figure draws, as a table.
+//! The data of a figure as a table.
 
 use tables::Table;
 
 use super::FigureData;
 
 impl FigureData {
-    /// What is drawn, as a table: every abscissa of any line, and a column per line.
+    /// Returns the lines as a table: every abscissa of any line, and a column per line.
     pub fn table(&self) -> Table {
         let abscissas = self.abscissas();
         let table = Table::default().with_numbers(self.x.column, abscissas.iter().copied());

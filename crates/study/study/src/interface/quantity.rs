@@ -1,4 +1,4 @@
-//! Which quantities of an interface there are.
+//! The quantities of an interface.
 
 use serde::Serialize;
 
@@ -12,9 +12,9 @@ pub enum Quantity {
     Stiffness,
     /// Thermal conductance per nominal area by Barber's analogy \[W/(m^2 K)\].
     ThermalConductance,
-    /// The same by Yovanovich's correlation for peaks that have flowed \[W/(m^2 K)\].
+    /// Thermal conductance per nominal area by Yovanovich's correlation for peaks that have flowed \[W/(m^2 K)\].
     YovanovichConductance,
-    /// The same by that of Cooper, Mikic & Yovanovich \[W/(m^2 K)\].
+    /// Thermal conductance per nominal area by the correlation of Cooper, Mikic & Yovanovich \[W/(m^2 K)\].
     CooperMikicYovanovichConductance,
     /// Thermal resistance of the nominal area \[K/W\].
     ThermalResistance,
@@ -26,7 +26,7 @@ pub enum Quantity {
     ChannelWavelength,
     /// The height of that place \[m\].
     ChannelHeight,
-    /// What leaks, to an order of magnitude \[m^3/s\].
+    /// Leak rate, to an order of magnitude \[m^3/s\].
     LeakRate,
     /// The nominal pressure that closes the last channel \[Pa\].
     TightPressure,

@@ -1,4 +1,4 @@
-//! What a scene wants to know of its interface.
+//! Requests of a scene for the quantities of its interface.
 
 use interface::conductance::{Conductivities, Resistivities};
 use interface::leak::SealedJoint;
@@ -7,12 +7,13 @@ use persson::variance::Band;
 
 use super::quantity::{Quantity, Slot};
 
-/// What is wanted of an interface besides its area: gap and stiffness always, and whatever has the inputs that it takes.
+/// A request for quantities of an interface besides its area: gap and stiffness always, others if their inputs are
+/// given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterfaceRequest {
     /// The elastic energy factor gamma of Persson's theory, above 0 and at most 1.
     pub energy_factor: f64,
-    /// What a cutoff lets through in that theory: the waves of profiles, or those of the surface.
+    /// The band that a cutoff lets through in Persson's theory: the waves of profiles, or those of the surface.
     pub band: Band,
     /// Thermal conductivities of both bodies.
     pub conductivities: Option<Conductivities>,
@@ -20,11 +21,11 @@ pub struct InterfaceRequest {
     pub resistivities: Option<Resistivities>,
     /// The nominal area \[m^2\] that a force was given with.
     pub nominal_area_m2: Option<f64>,
-    /// What is to be sealed.
+    /// The seal that the contact makes.
     pub seal: Option<Seal>,
     /// The shear strength of what touches \[Pa\].
     pub shear_strength_pa: Option<f64>,
-    /// What acts across the gap.
+    /// The adhesion across the gap.
     pub adhesion: Option<Adhesion>,
 }
 
@@ -37,7 +38,7 @@ pub struct Seal {
     pub joint: Option<SealedJoint>,
 }
 
-/// What acts across a gap.
+/// Attraction across a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Adhesion {
     /// The work of adhesion w \[J/m^2\].

@@ -19,19 +19,19 @@ impl Plan<'_> {
         self.compute_observed(&Unobserved)
     }
 
-    /// The same, watched: a step is a statistical state.
+    /// Computes the plan and reports to `progress`, one step per statistical state.
     ///
     /// # Errors
-    /// Those of [`compute`](Self::compute), and [`PlanError::Cancelled`].
+    /// Returns the errors of [`compute`](Self::compute), and [`PlanError::Cancelled`].
     pub fn compute_observed(&self, progress: &dyn Progress) -> Result<Results, PlanError> {
         self.check_size()?;
         self.compute_on(self.prepare()?, progress)
     }
 
-    /// The same, going on from what is known already of the spectrum that the plan is about.
+    /// Computes the plan from a spectrum that is already prepared, and reports to `progress`.
     ///
     /// # Errors
-    /// Those of [`compute_observed`](Self::compute_observed).
+    /// Returns the errors of [`compute_observed`](Self::compute_observed).
     pub fn compute_on(
         &self,
         prepared: PreparedSpectrum,
@@ -77,7 +77,7 @@ impl Plan<'_> {
     }
 }
 
-/// How many levels of stacks and how many statistical states there are.
+/// Counts the levels of stacks and the statistical states.
 fn levels_and_states(curves: &[CurveResult]) -> [usize; 2] {
     [curves.iter().map(CurveResult::levels).sum(), curves.iter().map(CurveResult::states).sum()]
 }

@@ -1,4 +1,4 @@
-//! What statistical states are asked at, and of which asperities.
+//! Conditions of statistical states, and the asperities that they belong to.
 
 use asperity::AsperityError;
 use ordered_float::OrderedFloat;
@@ -8,7 +8,7 @@ use super::prepared_spectrum::Roughness;
 use super::{Needs, NominalPressure};
 use crate::models::{Pressable, Statistical, StatisticalLaw};
 
-/// What a state is asked at.
+/// The condition of a state: a nominal pressure or a separation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Condition {
     /// A nominal pressure \[Pa\].
@@ -24,7 +24,7 @@ impl Needs {
         self.pressures().map(Condition::from).chain(self.separations_m.iter().map(separation))
     }
 
-    /// How many conditions there are.
+    /// Returns the number of conditions.
     pub(super) fn condition_count(&self) -> usize {
         self.load_count() + self.separations_m.len()
     }
@@ -46,7 +46,7 @@ impl From<NominalPressure> for Condition {
     }
 }
 
-/// What a state depends on of the asperities: where these are the same, so are the moments, the summits and the states.
+/// The asperity parameters that a state depends on: if these are equal, so are the moments, the summits and the states.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Asperities {
     radius_m: OrderedFloat<f64>,

@@ -1,4 +1,4 @@
-//! How much a plan takes, told before it is carried out.
+//! The cost of a plan, known before it is computed.
 
 use ordered_float::OrderedFloat;
 
@@ -9,7 +9,7 @@ use super::theory::theory_of;
 use super::{CurveModel, Cutoffs, Plan, PlanError};
 
 impl Plan<'_> {
-    /// How many statistical states the plan takes, at most.
+    /// Returns an upper bound of the number of statistical states that the plan takes.
     #[must_use]
     pub fn statistical_states(&self) -> usize {
         let inputs = DistinctInputs::new(&self.needs);
@@ -25,7 +25,7 @@ impl Plan<'_> {
         over_cutoffs + over_loads.items.len()
     }
 
-    /// How many levels of stacks the plan takes, at most.
+    /// Returns an upper bound of the number of levels of stacks that the plan takes.
     #[must_use]
     pub fn stacked_levels(&self) -> usize {
         let inputs = DistinctInputs::new(&self.needs);

@@ -1,4 +1,4 @@
-//! Which of some things are the same.
+//! Removal of repetitions.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -12,7 +12,7 @@ pub(super) struct Distinct<T> {
 }
 
 impl<T> Distinct<T> {
-    /// In one pass, for things that can be hashed.
+    /// Removes repetitions in one pass, for things that can be hashed.
     pub fn of(things: impl IntoIterator<Item = T>) -> Self
     where
         T: Copy + Hash + Eq,

@@ -1,4 +1,4 @@
-//! What a plan asks for, each thing once.
+//! The inputs of a plan, each one once.
 
 use super::condition::Condition;
 use super::distinct::Distinct;
@@ -10,11 +10,11 @@ use super::{Curve, CurveModel, CurveResult, Cutoffs, Needs};
 pub(super) struct DistinctInputs {
     /// The models of the curves.
     pub models: Distinct<CurveModel>,
-    /// At which cutoffs each of the differing models is wanted.
+    /// The cutoffs at which each of the differing models is wanted.
     pub cutoffs: Vec<Cutoffs>,
     /// The loads, and behind them the separations.
     pub conditions: Distinct<Condition>,
-    /// How many of the plan's conditions are loads.
+    /// Number of the plan's conditions that are loads.
     loads: usize,
 }
 

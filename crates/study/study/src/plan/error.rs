@@ -45,11 +45,11 @@ pub enum PlanError {
          loads, curves or scales per decade, or cutoffs = \"shortest\""
     )]
     TooManyRows {
-        /// How many curves there are.
+        /// Number of curves.
         curves: usize,
-        /// Under how many loads and separations each.
+        /// Number of loads and separations per curve.
         loads: usize,
-        /// Over how many scales, at most.
+        /// Largest number of scales per curve.
         scales: usize,
         /// The rows that they and the sweeps over loads make, at most.
         rows: usize,

@@ -1,4 +1,4 @@
-//! What is needed, computed once: every table, figure and reported number comes from one plan.
+//! Plans: everything that is needed, computed once. Every table, figure and reported number comes from one plan.
 //!
 //! `needs` holds requests and `results` their answers. `prepared_spectrum` computes from the spectrum what curves stand on,
 //! `distinct_inputs` finds equal curves and loads, `theory` computes the rows of a model, a module per theory, and `sweeps`
@@ -39,9 +39,9 @@ use spectrum::ProfilePsd;
 pub struct Plan<'p> {
     /// The spectrum as read.
     pub psd: &'p ProfilePsd,
-    /// Which of its scales take part.
+    /// The selection of its scales.
     pub sampling: Sampling,
-    /// What is to be computed.
+    /// The results to be computed.
     pub needs: Needs,
 }
 

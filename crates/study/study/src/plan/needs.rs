@@ -1,4 +1,4 @@
-//! What can be asked for of a spectrum.
+//! Requests for results from a spectrum.
 
 use std::num::NonZeroU32;
 
@@ -8,7 +8,7 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 use super::{Load, LoadRange, NominalPressure, Tolerance};
 use crate::models::CurveModel;
 
-/// Which scales of the spectrum take part.
+/// The selection of scales of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sampling {
     /// Resample to this many scales per decade; as sampled where absent.
@@ -24,11 +24,11 @@ pub struct Curve {
     pub name: String,
     /// The model.
     pub model: CurveModel,
-    /// Where its area is wanted.
+    /// The cutoffs at which its area is wanted.
     pub cutoffs: Cutoffs,
 }
 
-/// At which cutoffs a curve is wanted.
+/// The cutoffs at which a curve is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cutoffs {
@@ -42,7 +42,7 @@ pub enum Cutoffs {
 /// A statistical curve against load, at some cutoff.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadSweep {
-    /// Which of the curves, by index.
+    /// Index of the curve.
     pub curve: usize,
     /// The cutoff, in multiples (at least 1) of the shortest wavelength that takes part.
     pub cutoff_multiple: f64,
@@ -50,7 +50,7 @@ pub struct LoadSweep {
     pub pressures_pa: Vec<f64>,
 }
 
-/// What is to be computed of a spectrum. Nothing is by default.
+/// The results to be computed from a spectrum; none by default.
 #[derive(Debug, Clone, Default)]
 pub struct Needs {
     /// Spectral moments for every cutoff; statistical curves always need them.
@@ -73,7 +73,7 @@ pub struct Needs {
     pub sweeps: Vec<LoadSweep>,
     /// Relative tolerance of statistical states.
     pub tolerance: Tolerance,
-    /// Of the cutoffs at which a statistical curve is wanted, at most so many per decade; all where absent.
+    /// The largest number of cutoffs per decade at which a statistical curve is computed; every cutoff if absent.
     pub states_per_decade: Option<NonZeroU32>,
 }
 
@@ -84,7 +84,7 @@ impl Needs {
         named.chain(self.load_ranges.iter().flat_map(|range| range.pressures()))
     }
 
-    /// How many loads there are.
+    /// Returns the number of loads.
     #[must_use]
     pub fn load_count(&self) -> usize {
         self.loads.len() + self.load_ranges.iter().map(|range| range.points()).sum::<usize>()

@@ -1,4 +1,4 @@
-//! What curves stand on: the scales of the spectrum that take part, their moments and asperities, their amplitudes.
+//! The basis of curves: the scales of the spectrum that take part, their moments and asperities, their amplitudes.
 
 use std::ops::Range;
 
@@ -64,7 +64,7 @@ impl PreparedSpectrum {
         &self.scales
     }
 
-    /// How many cutoffs there are at which a statistical curve is wanted.
+    /// Returns the number of cutoffs at which a statistical curve is wanted.
     pub(super) fn cutoff_count(&self, wanted: Cutoffs) -> usize {
         match wanted {
             Cutoffs::Every => self.moments.len() + 1,
@@ -110,7 +110,7 @@ impl Plan<'_> {
         Ok(PreparedSpectrum { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_cutoffs, work })
     }
 
-    /// How many scales take part, at most.
+    /// Returns an upper bound of the number of scales that take part.
     pub(super) fn most_scales(&self) -> usize {
         let (longest_m, shortest_m) = (self.psd.longest_wavelength_m(), self.psd.shortest_wavelength_m());
         let cutoff_m = self.sampling.cutoff_m.unwrap_or(0.0);
@@ -167,7 +167,7 @@ impl Plan<'_> {
         rows.map(|(at, moments)| (*moments, asperities(at, moments).flatten())).collect()
     }
 
-    /// At which cutoffs asperities are needed, if at any.
+    /// Returns the cutoffs at which asperities are needed, if any.
     pub fn asperity_cutoffs_wanted(&self) -> Option<Cutoffs> {
         let statistical = self.needs.curves.iter().filter(|curve| curve.model.statistical().is_some());
         let mut wanted = statistical.map(|curve| curve.cutoffs).peekable();

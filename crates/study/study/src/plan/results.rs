@@ -1,4 +1,4 @@
-//! What a plan yields.
+//! Results of a plan.
 
 use serde::Serialize;
 use spectrum::{AsperityParameters, Moments, ProfilePsd, SelfAffineFit};
@@ -7,7 +7,7 @@ use stat_contact::ContactState;
 
 use super::{CurveResult, PreparedSpectrum, Work};
 
-/// What a plan yields; what was not needed is empty.
+/// Results of a plan; those that were not needed are empty.
 #[derive(Debug, Clone, Serialize)]
 pub struct Results {
     /// The spectrum as sampled for the plan.
@@ -22,7 +22,7 @@ pub struct Results {
     pub curves: Vec<CurveResult>,
     /// For every sweep, its cutoff and states.
     pub sweeps: Vec<SweepResult>,
-    /// How much was computed.
+    /// Counters of the work done.
     pub work: Work,
 }
 

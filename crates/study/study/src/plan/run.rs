@@ -1,10 +1,10 @@
-//! How a plan is carried out, passed on as one value.
+//! The settings of a run of a plan, passed on as one value.
 
 use parallel::Progress;
 
 use super::{Plan, PlanError, Tolerance};
 
-/// Who watches the work and may end it, and how exact its states are.
+/// The observer of the work, which may end it, and the tolerance of statistical states.
 #[derive(Clone, Copy)]
 pub(super) struct Run<'r> {
     progress: &'r dyn Progress,

@@ -27,10 +27,10 @@ pub struct Part {
 }
 
 impl Plan<'_> {
-    /// Prepares the curves. What can be wrong with a plan is found out here, before there are rows.
+    /// Prepares the curves. Errors of the plan are found here, before there are rows.
     ///
     /// # Errors
-    /// Those of [`compute`](Plan::compute).
+    /// Returns the errors of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
         let prepared = self.prepare()?;
         for curve in &self.needs.curves {
@@ -47,13 +47,13 @@ impl Stream<'_> {
         &self.prepared.psd
     }
 
-    /// What the curves stand on.
+    /// Returns the prepared spectrum that the curves use.
     #[must_use]
     pub fn prepared(&self) -> &PreparedSpectrum {
         &self.prepared
     }
 
-    /// How many rows a curve has, at most.
+    /// Returns an upper bound of the number of rows of a curve.
     #[must_use]
     pub fn rows(&self, curve: &Curve) -> usize {
         let rows = theory_of(&curve.model).rows_per_block(&self.prepared, curve.cutoffs);
@@ -70,7 +70,7 @@ impl Stream<'_> {
     /// computed once.
     ///
     /// # Errors
-    /// Those of `each`, and [`PlanError`].
+    /// Returns the errors of `each`, and [`PlanError`].
     pub fn parts<E: From<PlanError>>(
         &self,
         curve: &Curve,

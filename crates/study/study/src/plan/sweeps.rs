@@ -18,7 +18,7 @@ use super::{CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
 /// The states of one model and population, by their pressures \[Pa\].
 type KnownStates = HashMap<OrderedFloat<f64>, ContactState>;
 
-/// What sweeps have in common that share their states: the model, by index, and the asperities that their cutoff leaves.
+/// The key of sweeps that share their states: the index of the model, and the asperities that the cutoff leaves.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Subject {
     model: usize,

@@ -1,4 +1,4 @@
-//! How exact statistical states have to be.
+//! Tolerance of statistical states.
 
 use asperity::{AsperityError, Bound};
 
@@ -24,13 +24,13 @@ impl Tolerance {
         Ok(Tolerance { used: asked.max(Self::FINEST), asked })
     }
 
-    /// What is used, from 1e-13 to 0.01.
+    /// Returns the tolerance in use, from 1e-13 to 0.01.
     #[must_use]
     pub fn value(self) -> f64 {
         self.used
     }
 
-    /// What was asked for, where it is finer than what can be had.
+    /// Returns the requested tolerance if it is finer than the finest that can be reached.
     #[must_use]
     pub fn asked_finer(self) -> Option<f64> {
         (self.asked < self.used).then_some(self.asked)

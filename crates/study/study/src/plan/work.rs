@@ -4,7 +4,7 @@ use std::ops::AddAssign;
 
 use serde::Serialize;
 
-/// How much was computed: the proof that nothing else was. What is the same as something computed is not computed.
+/// Counters of the work done, to show that nothing else was computed. Repetitions are not computed again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Work {
     /// Cutoffs for which moments were computed.
