@@ -59,7 +59,7 @@ pub struct Scene {
     pub spreads: MaterialSpreads,
     /// Further properties of the two bodies.
     pub bodies: Bodies,
-    /// Cutoffs and resampling of the spectrum.
+    /// Cutoff and resampling of the spectrum.
     pub sampling: Sampling,
     /// Quantities to compute for the curves and figures.
     pub needs: Needs,

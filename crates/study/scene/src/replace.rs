@@ -121,7 +121,7 @@ impl std::error::Error for ReplaceError {}
 /// units.
 ///
 /// # Errors
-/// [`ReplaceError`] that names what is known. Whether the values are right is told when the scene is read.
+/// [`ReplaceError`] that names what is known. Values are checked when the scene is read.
 pub fn with_keys<'k>(
     text: &str,
     changes: impl IntoIterator<Item = (&'k str, Value)>,

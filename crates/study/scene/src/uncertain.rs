@@ -1,4 +1,4 @@
-//! Properties of a material as typed: a value, and how well it is known where that is told.
+//! Properties of a material as typed: a value, and its uncertainty if given.
 
 use std::ops::Range;
 use std::str::FromStr;
