@@ -13,7 +13,7 @@ use crate::mean_gap::{GapExponent, power_at};
 struct StateAtInterference {
     /// Smaller of the elastic and the plastic pressure \[Pa\].
     pressure_pa: f64,
-    /// That pressure over p*_ep, and the logarithm of the ratio.
+    /// Ratio of `pressure_pa` to p*_ep; `log_x` is its logarithm.
     x: f64,
     log_x: f64,
 }

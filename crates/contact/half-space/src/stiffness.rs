@@ -53,7 +53,7 @@ pub(crate) fn approach_per_pressure(
         if steep <= ACCURACY * energy {
             break;
         }
-        // Nothing is kept at first: the direction is 0.
+        // The first step keeps no old direction: it is 0.
         let keep = steep / steepness;
         steepness = steep;
         let mean_z = sum / touching.len() as f64;

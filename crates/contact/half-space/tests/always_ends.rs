@@ -6,7 +6,7 @@ use common::{elastic, flowing, heights, press, rough};
 use half_space::{Contact, Elements, Ending, Grid, HalfSpaceError, Loading, PROGRESS_STEPS};
 use parallel::{Progress, Unobserved};
 
-/// Whether the pressures carry the load within their bounds and the gaps agree with them.
+/// Asserts that the pressures carry the load within their bounds and that the gaps agree with them.
 fn assert_balanced(contact: &Contact, loading: &Loading, rms_m: f64) {
     let Loading { nominal_pressure_pa, saturation_pa, tolerance, .. } = *loading;
     assert_eq!(contact.ending, Ending::Converged, "{loading:?}: residual {}", contact.residual);

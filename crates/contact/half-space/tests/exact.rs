@@ -210,7 +210,7 @@ fn the_stiffness_is_the_slope_of_pressure_over_separation() {
 
 #[test]
 fn half_a_wave_flows_as_a_line_of_constant_pressure() {
-    // Where all of the contact flows, the area is p/H.
+    // If all of the contact flows, the area is p/H.
     let heights_m = heights(1, 2048, |x, _| (TAU * x).cos());
     let grid = Grid::new(1, 2048, 1.0, 1.0).unwrap();
     let mut elements = Elements::periodic(grid, &heights_m).unwrap();

@@ -28,7 +28,7 @@ fn shifts_mirrors_and_turns() {
         (0..POINTS * POINTS).map(|point| heights_m[at(point / POINTS, point % POINTS)]).collect()
     };
     type Place = fn(usize, usize) -> usize;
-    // Where a point of the moved map comes from, and where a point of the map has gone.
+    // Index in the map that a point of the moved map comes from, and the index that a point of the map moves to.
     let moves: [(Place, Place); 3] = [
         (
             |row, column| ((row + 31) % POINTS) * POINTS + (column + 17) % POINTS,

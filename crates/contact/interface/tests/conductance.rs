@@ -33,7 +33,7 @@ fn one_hertz_contact_conducts_as_a_circular_spot() {
         // Heat: half of each resistance on either side, 1/(4 k1 a) + 1/(4 k2 a).
         let k_per_w = (1.0 / 400.0 + 1.0 / 16.0) / (4.0 * contact_radius_m);
         assert!(off(spot.thermal_resistance_k_per_w(&conductivities), k_per_w) < 1e-10);
-        // The same by way of a nominal area.
+        // The values per nominal area agree with those of the spot.
         let area_m2 = 3e-4;
         let relative = RelativeStiffness::new(stiffness_n_per_m / area_m2, MODULUS_PA).unwrap();
         let s_per_m2 = relative.electrical_conductance_s_per_m2(&resistivities);

@@ -127,7 +127,7 @@ impl SeparationLaw {
         };
         let steps = (0..).map(|step| (FROM * light.reference_pressure_pa).ln() + f64::from(step) * STEP.ln());
         let mut within = None;
-        // Where the gap has vanished the limit is off by any share.
+        // Once the gap has vanished, the limit may be off by any share.
         for log_pa in steps.take_while(|log_pa| *log_pa < (1e3 * light.reference_pressure_pa).ln()) {
             if excess(log_pa) > 0.0 {
                 let bracket = |within| zero_in_bracket(within, log_pa, excess);
@@ -230,7 +230,7 @@ impl SeparationLaw {
             let start =
                 |slower_rad_per_m| first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
             let mut start_pa = start(slower_rad_per_m);
-            // Where a spectrum falls by powers of ten within a stretch, v stays constant to rounding over much of it.
+            // If a spectrum falls by powers of ten within a stretch, v stays constant to rounding over much of it.
             while start_pa >= end_pa && slower_rad_per_m > stretch.start_rad_per_m {
                 slower_rad_per_m /= MOST_GROWTH;
                 start_pa = start(slower_rad_per_m);

@@ -65,7 +65,7 @@ impl Stretch {
     pub(crate) fn wavevector_rad_per_m(&self, v_pa: f64) -> f64 {
         let grown = self.growth_per_pa2 * (0.5 * v_pa * v_pa - self.start_pa2);
         let wavevector_rad_per_m = self.start_rad_per_m * (libm::log1p(grown) / self.exponent).exp();
-        // Where v hardly grows any more, rounding may lead beyond the end, and to NaN.
+        // If v hardly grows any more, rounding may lead beyond the end, and to NaN.
         wavevector_rad_per_m.min(self.end_rad_per_m)
     }
 

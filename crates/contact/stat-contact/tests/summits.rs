@@ -89,7 +89,7 @@ fn states_agree_with_the_given_table() {
     let rows = rows("bgt.csv");
     assert_eq!(rows.len(), 36);
     for row in rows {
-        // Of eleven printed digits.
+        // The table prints eleven digits.
         let off = deviation(&contact(row.alpha).at_separation(row.u, TOLERANCE).unwrap(), &row);
         assert!(off < 6e-11, "alpha = {}, u = {}: {off:e}", row.alpha, row.u);
     }

@@ -102,7 +102,7 @@ fn states_at_pressures_have_the_digits_of_single_ones() {
 
 #[test]
 fn a_state_where_all_is_known_costs_nothing() {
-    // Of the last one the searches all begin anew: several separations may carry the load.
+    // The last contact is left out: its searches all begin anew, as several separations may carry the load.
     for (i, contact) in contacts()[..7].iter().enumerate() {
         let mut sweep = contact.sweep(1e-10);
         let [first, _, again] = [1e7, 1.1e7, 1e7].map(|pressure_pa| sweep.at_pressure(pressure_pa).unwrap());

@@ -257,7 +257,7 @@ pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
 /// Passes the name and content of every file of a scene to `file`, and returns the names.
 ///
 /// # Errors
-/// Those of `file`.
+/// Any error that `file` returns.
 pub fn each_file<E>(
     scene: &Scene,
     results: &Results,
@@ -306,7 +306,7 @@ impl Product<'_> {
     /// Writes the content of its file.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Any error that `out` returns.
     pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Product::Table { table, origin } => table.write(format, origin, out),
@@ -319,7 +319,7 @@ impl Product<'_> {
 /// and of draws need the assessment. A table is made when its turn comes, so that only one is held.
 ///
 /// # Errors
-/// Those of `take`.
+/// Any error that `take` returns.
 pub fn each_product<E>(
     scene: &Scene,
     results: &Results,

@@ -1,4 +1,4 @@
-//! A scene from its plan to everything that is told of it, in one order for whoever runs it.
+//! Runs a scene from its plan to all of its results, in the same order for every front end.
 
 use judge::{JudgeError, JudgePlan, Judgement};
 use scene::Scene;
@@ -9,27 +9,28 @@ use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 use crate::assessment::Assessment;
 use crate::products::{Findings, Parts};
 
-/// What of a scene is carried out besides its curves and figures.
+/// Results requested of a scene besides its curves and figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Asked {
-    /// A report, for which choices are made another way.
+    /// True to write a report, which also compares other choices.
     pub report: bool,
-    /// Whether boundary elements judge the curves; where that is left open, the scene and its report tell.
+    /// True if boundary elements judge the curves; if absent, the scene and `report` decide.
     pub judge: Option<bool>,
-    /// Whether draws tell how sure the areas are; where that is left open, the scene and its report tell.
+    /// True if the uncertainty analysis runs; if absent, the scene and `report` decide.
     pub uncertainty: Option<bool>,
 }
 
 impl Asked {
-    /// Whether boundary elements are asked: a report has their verdict, and so has a scene that has a section for it.
+    /// Returns true if boundary elements judge the curves. By default they do for a report and for a scene with a
+    /// `judge` section, unless that section turns them off.
     #[must_use]
     pub fn is_judged(&self, scene: &Scene) -> bool {
         let off = scene.judge.as_ref().is_some_and(|choices| choices.off);
         self.judge.unwrap_or(!off && (self.report || scene.judge.is_some()))
     }
 
-    /// Whether draws are made: a report has intervals where something of the scene scatters, and so has a scene that has a
-    /// section for them. Where nothing scatters there is nothing to draw.
+    /// Returns true if the uncertainty analysis runs. By default it does for a report and for a scene with an
+    /// `uncertainty` section, unless that section turns it off. It never runs if nothing in the scene scatters.
     #[must_use]
     pub fn is_drawn(&self, scene: &Scene) -> bool {
         let off = scene.uncertainty.as_ref().is_some_and(|choices| choices.off);
@@ -37,28 +38,28 @@ impl Asked {
         is_wanted && !scattering_groups(scene).is_empty()
     }
 
-    /// What will be made of the scene.
+    /// Returns the parts of the output to make.
     #[must_use]
     pub fn parts(&self, scene: &Scene) -> Parts {
         Parts { report: self.report, judgement: self.is_judged(scene), uncertainty: self.is_drawn(scene) }
     }
 }
 
-/// A part of the work; its steps are what it is measured in.
+/// Phase of a run. Its progress is counted in steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// The scene's plan, in statistical states.
     Computing,
-    /// Choices made another way, in states whose number is not known beforehand.
+    /// Comparison with other choices, in states whose number is not known beforehand.
     Comparing,
     /// Boundary elements, in surfaces pressed.
     Judging,
-    /// Draws of what scatters.
+    /// Draws of the uncertain inputs.
     Drawing,
 }
 
 impl Phase {
-    /// What its steps are called.
+    /// Returns the name of the steps of the phase.
     #[must_use]
     pub fn steps(self) -> &'static str {
         match self {
@@ -69,41 +70,41 @@ impl Phase {
     }
 }
 
-/// Whoever watches a run.
+/// Observer of a run.
 pub trait Watch {
-    /// A phase of so many steps begins; what is yielded is told of them, and may end it. Draws that are ended tell what they
-    /// know by then.
+    /// Begins a phase of `steps` steps. The returned [`Progress`] advances once per step and may cancel the phase.
+    /// Cancelled draws still give a result from the draws made by then.
     fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_>;
 
-    /// A phase is over. Phases that are not asked for are over at once, but for draws.
+    /// Ends a phase. Phases that are not requested end at once, except draws, which do not end.
     fn end(&self, _phase: Phase) {}
 }
 
-/// Everything that is told of a scene.
+/// All results of a scene.
 pub struct Carried {
-    /// Its curves and figures.
+    /// Curves and figures of the scene.
     pub results: Results,
-    /// What a report says besides, where one was asked for.
+    /// Further findings of the report; absent if none was requested.
     pub findings: Option<Findings>,
-    /// What boundary elements say, where they were asked.
+    /// Judgement by boundary elements; absent if it was not requested.
     pub judgement: Option<Judgement>,
-    /// What draws say, where some were made.
+    /// Result of the uncertainty analysis; absent if no draws were made.
     pub uncertainty: Option<Uncertainty>,
 }
 
 impl Carried {
-    /// How far the results can be trusted.
+    /// Returns the assessment of how far the results can be trusted.
     #[must_use]
     pub fn assessment(&self) -> Assessment<'_> {
         Assessment { judgement: self.judgement.as_ref(), uncertainty: self.uncertainty.as_ref() }
     }
 }
 
-/// Why a scene is not carried out.
+/// Error of a run.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RunError {
-    /// Somebody ended the work.
+    /// The run was cancelled.
     #[error("ended before the result was there")]
     Cancelled,
     /// The plan cannot be carried out.
@@ -167,7 +168,7 @@ fn judgement(
     let plan = JudgePlan::new(scene, results, &settings);
     let progress = watch.begin(Phase::Judging, plan.solutions());
     let judgement = plan.run(&*progress)?;
-    // What was not pressed by the end is not judged, and half a judgement would pass for a whole one.
+    // A cancelled judgement lacks surfaces, and would pass for a complete one.
     if progress.is_cancelled() { Err(RunError::Cancelled) } else { Ok(Some(judgement)) }
 }
 

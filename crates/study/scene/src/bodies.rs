@@ -22,7 +22,7 @@ pub(super) struct KnownBody {
     poisson_ratio: Option<Spread>,
 }
 
-/// What makes a body flow, and how well that is known.
+/// Hardness and strength of a body, with their uncertainties.
 #[derive(Default)]
 struct KnownStrength {
     hardness_and_strength: HardnessAndStrength,
@@ -31,7 +31,7 @@ struct KnownStrength {
     of_length: Option<Spread>,
 }
 
-/// What presses on the rough body.
+/// Body that presses on the rough body.
 #[derive(Default)]
 pub(super) struct UncertainCounterface {
     /// Rigid where absent.
@@ -141,7 +141,7 @@ fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) ->
     }
 }
 
-/// What presses on the rough body; rigid where nothing elastic is given of it.
+/// Resolves the body that presses on the rough body. It is rigid if no elastic constants are given.
 pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<UncertainCounterface, SceneError> {
     let keys = BodyKeys::of_counterface(raw)?;
     let strength = strength(&keys)?;

@@ -1,4 +1,4 @@
-//! What is wrong in a scene, and where it stands.
+//! Errors in a scene, with their places in its text.
 
 use std::fmt;
 use std::ops::Range;
@@ -6,16 +6,16 @@ use std::ops::Range;
 use study::material::{MaterialError, MaterialProperty};
 use study::surface::SurfaceError;
 
-/// Something wrong in a scene, and where.
+/// Error in a scene, with its place in the text.
 #[derive(Debug)]
 pub struct SceneError {
-    /// What is wrong.
+    /// The error itself.
     pub problem: SceneProblem,
     /// The bytes of the scene to point at; the whole of it where absent.
     pub span: Option<Range<usize>>,
 }
 
-/// What is wrong in a scene.
+/// Kind of error in a scene.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum SceneProblem {
@@ -41,9 +41,9 @@ pub enum SceneProblem {
     },
     /// A value of another kind than its key takes.
     WrongType {
-        /// What stands there, e.g. `string "a"`.
+        /// Kind of value found, e.g. `string "a"`.
         found: String,
-        /// What would be right there, e.g. `a number`.
+        /// Kind of value expected, e.g. `a number`.
         wanted: String,
     },
     /// A section lacks a key that it must have.
@@ -57,7 +57,7 @@ pub enum SceneProblem {
         key: String,
         /// The value as it stands there.
         value: String,
-        /// What is wrong with it.
+        /// Description of the error.
         problem: String,
     },
     /// The files of a curve or figure would replace others.
@@ -151,7 +151,7 @@ impl fmt::Display for SceneProblem {
     }
 }
 
-/// What was meant, or where nothing was, what parts the clauses.
+/// Suggests a similar name, or returns the semicolon that separates the clauses if there is none.
 fn hint(meant: &Option<String>) -> String {
     meant.as_ref().map_or_else(|| ";".to_owned(), |meant| format!(", did you mean `{meant}`?"))
 }

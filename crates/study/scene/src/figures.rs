@@ -71,7 +71,7 @@ pub(super) fn resolve_figures(
     Ok((figures, sweeps))
 }
 
-/// What is asked for twice is drawn once.
+/// Removes repeated items, so that each is drawn once.
 fn keep_first_of_each<T: PartialEq + Copy>(items: &mut Vec<T>) {
     let mut kept: Vec<T> = Vec::with_capacity(items.len());
     items.retain(|item| {

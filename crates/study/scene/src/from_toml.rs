@@ -1,4 +1,4 @@
-//! What the reader of TOML found wrong, in the words of a scene.
+//! Conversion of errors of the TOML reader to errors of a scene.
 
 use toml::de::Error;
 

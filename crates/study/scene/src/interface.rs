@@ -1,4 +1,4 @@
-//! What a scene wants to know of its interface: what was typed, within bounds.
+//! The interface results that a scene requests: typed values, checked against their bounds.
 
 use ::interface::conductance::{Conductivities, Resistivities};
 use ::interface::leak::SealedJoint;
@@ -19,8 +19,8 @@ use study::plan::NominalPressure;
 /// The elastic energy factor of Persson's theory.
 pub(super) const GAMMA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
 
-/// What is asked of the interface, with what both bodies conduct; none where no section and no pair of conductivities or
-/// resistivities asks.
+/// Resolves the results requested of the interface, with the conductivities and resistivities of both bodies. Returns
+/// `None` if the scene has no section on the interface or seal and no pair of conductivities or resistivities.
 pub(super) fn resolve_interface(
     raw: &RawScene,
     material: Option<&Material>,
@@ -60,7 +60,7 @@ pub(super) fn resolve_interface(
     }))
 }
 
-/// What both bodies are given.
+/// Returns a transport property of both bodies, if both have it.
 fn of_both(bodies: &Bodies, of: fn(&Transport) -> Option<f64>) -> Option<[f64; 2]> {
     Some([of(&bodies.transport)?, of(&bodies.counterface_transport)?])
 }

@@ -1,4 +1,4 @@
-//! How the models of a scene are to be judged by boundary elements: what was typed, within bounds.
+//! Settings of the judgement by boundary elements: typed values, checked against their bounds.
 
 use serde_spanned::Spanned;
 use units::Bound;
@@ -15,18 +15,18 @@ const GRID: Bound = Bound::Within { at_least: 32.0, at_most: 8192.0 };
 /// leaves.
 const REALISATIONS: Bound = Bound::Within { at_least: 2.0, at_most: 10_000.0 };
 
-/// What a scene says of its judge; what is left out is for the judge to choose.
+/// Settings of the judge in a scene. The judge chooses those that are absent.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JudgeChoices {
     /// Points per side of a surface, from 32 to 8192.
     pub grid: Option<usize>,
     /// Surfaces of a spectrum, from 2 to 10,000.
     pub realisations: Option<usize>,
-    /// What the phases of the surfaces are drawn from.
+    /// Seed of the random phases of the surfaces.
     pub seed: Option<u64>,
-    /// Operators of the solver times points of a surface, all in all, > 0.
+    /// Total cost: operator applications of the solver times grid points of a surface, > 0.
     pub budget: Option<f64>,
-    /// Nothing is to be judged.
+    /// True if the scene turns the judgement off.
     pub off: bool,
 }
 

@@ -49,27 +49,27 @@ use units::number;
 pub struct Scene {
     /// The scene as typed.
     pub text: String,
-    /// What it is about.
+    /// Title of the scene.
     pub title: String,
     /// The surface and its spectrum.
     pub surface: Surface,
     /// The material; absent where no curve needs one.
     pub material: Option<Material>,
-    /// How well the material is known.
+    /// Uncertainties of the material.
     pub spreads: MaterialSpreads,
-    /// What else is known of the two bodies.
+    /// Further properties of the two bodies.
     pub bodies: Bodies,
-    /// Which scales take part.
+    /// Cutoff and resampling of the spectrum.
     pub sampling: Sampling,
-    /// What has to be computed for its curves and figures.
+    /// Quantities to compute for the curves and figures.
     pub needs: Needs,
     /// The figures to draw.
     pub figures: Vec<Figure>,
-    /// How its models are to be judged; absent where the scene has no section on it.
+    /// Settings of the judge; absent if the scene has no `judge` section.
     pub judge: Option<JudgeChoices>,
-    /// How sure its areas are to be told; absent where the scene has no section on it.
+    /// Settings of the uncertainty analysis; absent if the scene has no `uncertainty` section.
     pub uncertainty: Option<UncertaintyChoices>,
-    /// What is asked of the interface besides its area; absent where nothing is.
+    /// Results requested of the interface besides its area; absent if none are.
     pub interface: Option<InterfaceRequest>,
     /// Keys that have no effect.
     pub notes: Vec<SceneNote>,
@@ -86,7 +86,7 @@ impl Scene {
         Ok(Scene { notes: notes::notes(text, &scene, &ignored, overrides), ..scene })
     }
 
-    /// A scene that comes with the program.
+    /// Returns a scene that comes with the program.
     ///
     /// # Errors
     /// None, unless the program was built with a broken scene.
@@ -94,7 +94,7 @@ impl Scene {
         Self::parse(template.text(), &NoFiles, &Overrides::default())
     }
 
-    /// The choices that its numbers depend on, besides the spectrum.
+    /// Describes the choices that the numbers of the scene depend on, besides the spectrum.
     pub fn choices(&self) -> Vec<String> {
         let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
         choices.extend(self.bodies.describe(&self.spreads));
@@ -103,7 +103,7 @@ impl Scene {
         choices
     }
 
-    /// Those of them that the models leave open.
+    /// The choices that the models leave open.
     pub fn model_choices(&self) -> Vec<String> {
         let mut choices = Vec::new();
         let named = |choice: &str, key: &str, words: &str| format!("{choice}: {key} ({words})");
@@ -154,8 +154,8 @@ impl Scene {
         self.material?.hardness_pa()
     }
 
-    /// Whether anything in it is known to scatter: scans between places, a spectrum by its standard errors, the material. Of a
-    /// single scan something is known, too, which counts where the scene has a section on its uncertainty.
+    /// Returns true if anything in the scene scatters: scans between places, a spectrum with standard errors, or the
+    /// material. A single scan counts only if the scene has an `uncertainty` section.
     pub fn scatters(&self) -> bool {
         let parts = self.surface.each();
         let places = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.place_count()));
@@ -167,7 +167,7 @@ impl Scene {
         places.sum::<usize>() >= least_places || parts.iter().any(has_errors) || !self.spreads.is_empty()
     }
 
-    /// What carries the scene out.
+    /// Returns the plan that computes the scene.
     pub fn plan(&self) -> Plan<'_> {
         Plan { psd: &self.surface.psd, sampling: self.sampling, needs: self.needs.clone() }
     }

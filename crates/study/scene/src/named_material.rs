@@ -12,9 +12,9 @@ use study::materials::{TabledMaterial, materials};
 
 /// The keys of a body, as given or from the table.
 pub(super) struct BodyKeys {
-    /// The section that they stand in.
+    /// Section of the keys.
     pub section: &'static str,
-    /// Where that is.
+    /// Bytes of the scene that the section spans.
     pub span: Range<usize>,
     pub youngs_modulus: Option<Spanned<RawProperty>>,
     pub poisson_ratio: Option<Spanned<RawProperty>>,
@@ -23,12 +23,12 @@ pub(super) struct BodyKeys {
     pub strain_gradient_length: Option<Spanned<RawProperty>>,
     pub thermal_conductivity: Option<RawQuantity>,
     pub resistivity: Option<RawQuantity>,
-    /// What the table filled.
+    /// Properties that were filled from the table of materials.
     pub from_table: Option<FromTable>,
 }
 
 impl BodyKeys {
-    /// Those of the rough body.
+    /// Returns the keys of the rough body.
     pub fn of_material(raw: &Spanned<RawMaterial>) -> Result<Self, SceneError> {
         let keys = raw.get_ref().clone();
         BodyKeys {
@@ -46,7 +46,7 @@ impl BodyKeys {
         .filled(keys.name.as_ref())
     }
 
-    /// Those of what presses on it.
+    /// Returns the keys of the counterface.
     pub fn of_counterface(raw: &Spanned<RawCounterface>) -> Result<Self, SceneError> {
         let keys = raw.get_ref();
         BodyKeys {

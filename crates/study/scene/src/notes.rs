@@ -1,4 +1,4 @@
-//! What a scene holds that has no effect on what is computed: told, and not refused.
+//! Notes on keys of a scene that have no effect on its results. Such keys are reported, not refused.
 
 use std::ops::Range;
 
@@ -18,11 +18,11 @@ pub struct SceneNote {
     pub line: usize,
     /// The bytes of the scene that it stands in.
     pub span: Range<usize>,
-    /// Why it has no effect.
+    /// Reason for the missing effect.
     pub reason: Unused,
 }
 
-/// Why a key of a scene has no effect.
+/// Reason why a key of a scene has no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -52,25 +52,25 @@ pub enum Unused {
     },
     /// The judge is off.
     JudgeIsOff,
-    /// Nothing is drawn.
+    /// The uncertainty analysis is off.
     UncertaintyIsOff,
     /// Nothing in the scene scatters.
     NothingScatters,
     /// The tolerance is finer than double precision reaches.
     ToleranceHeld {
-        /// What is used instead.
+        /// Tolerance used instead.
         used: f64,
     },
 }
 
-/// The notes on a scene, in the order of its sections; what is overridden from outside says nothing about the scene.
+/// Returns the notes on a scene in the order of its sections. Keys that are overridden from outside get no note.
 pub(super) fn notes(
     text: &str,
     scene: &Scene,
     ignored: &[Vec<IgnoredOption>],
     overrides: &Overrides,
 ) -> Vec<SceneNote> {
-    // What cannot be read again was refused before.
+    // A text that does not parse was refused before.
     let Ok(document) = DeTable::parse(text) else { return Vec::new() };
     let mut keys = Keys { text, document: document.get_ref(), notes: Vec::new() };
     curves(&mut keys, ignored);

@@ -69,14 +69,14 @@ pub enum ReplaceError {
     Ambiguous {
         /// The name.
         name: String,
-        /// Where it may stand.
+        /// Places that the name may mean.
         places: Vec<String>,
     },
     /// There are not so many sections of a kind.
     TooFew {
         /// The name.
         name: String,
-        /// How many there are.
+        /// Number of sections there are.
         count: usize,
     },
     /// The key is a section of its own, or stands in one that is none.
@@ -84,7 +84,7 @@ pub enum ReplaceError {
         /// The name.
         name: String,
     },
-    /// The scene is no scene.
+    /// The text is not a valid scene after the replacement.
     Scene(SceneError),
 }
 
@@ -121,7 +121,7 @@ impl std::error::Error for ReplaceError {}
 /// units.
 ///
 /// # Errors
-/// [`ReplaceError`] that names what is known. Whether the values are right is told when the scene is read.
+/// [`ReplaceError`] that names what is known. Values are checked when the scene is read.
 pub fn with_keys<'k>(
     text: &str,
     changes: impl IntoIterator<Item = (&'k str, Value)>,
@@ -139,13 +139,13 @@ pub fn with_keys<'k>(
     Ok(text)
 }
 
-/// What takes the place of a part of the text.
+/// Replacement of a part of the text.
 struct Edit {
     at: Range<usize>,
     with: String,
 }
 
-/// Where a name stands, part by part.
+/// Returns the place of a name, part by part.
 fn place(document: &DeTable<'_>, name: &str) -> Result<Vec<String>, ReplaceError> {
     if let Some((_, place)) = OTHER_NAMES.iter().find(|(other, _)| *other == name) {
         return Ok(place.map(str::to_owned).to_vec());
@@ -250,7 +250,7 @@ fn with_unit(value: Value, unit: &str) -> Value {
     }
 }
 
-/// What of the text becomes what; none where something else than a section stands on the way.
+/// Returns the edit that sets the value at a place, or `None` if a part of the path is not a section.
 fn edit(text: &str, document: &DeTable<'_>, place: &[String], value: &Value) -> Option<Edit> {
     let (key, sections) = place.split_last()?;
     let mut table = document;
@@ -317,7 +317,7 @@ impl Edit {
 
 type Keys = fn() -> &'static [&'static str];
 
-/// The sections that stand once, and their keys.
+/// The sections that occur at most once, and their keys.
 const SECTIONS: [(&str, Keys); 10] = [
     ("surface", keys::<RawSurface>),
     ("material", keys::<RawMaterial>),
@@ -331,7 +331,7 @@ const SECTIONS: [(&str, Keys); 10] = [
     ("seal", keys::<RawSeal>),
 ];
 
-/// Those that may stand several times.
+/// The sections that may occur several times, and their keys.
 const REPEATED: [(&str, Keys); 2] = [("curve", keys::<RawCurve>), ("figure", keys::<RawFigure>)];
 
 fn keys_of(sections: &[(&str, Keys)], section: &str) -> Option<&'static [&'static str]> {

@@ -1,4 +1,4 @@
-//! From what was typed in a scene to what it means.
+//! Conversion of the typed text of a scene to its resolved values.
 
 use std::num::NonZeroU32;
 
@@ -43,14 +43,14 @@ pub struct Overrides {
     pub cutoff: Option<Length>,
     /// Counterface.
     pub counterface: Option<ElasticBody>,
-    /// Whether nothing is to be judged.
+    /// True to skip the judgement by boundary elements.
     pub no_judge: bool,
-    /// Whether nothing is to be drawn to tell how sure areas are.
+    /// True to skip the uncertainty analysis.
     pub no_uncertainty: bool,
 }
 
 impl Overrides {
-    /// The name of the first that nothing in a scene depends on, where there is one; of cutoff and counterface nothing is told.
+    /// Returns the name of the first override that a scene ignores, if any. Cutoff and counterface are not checked.
     #[must_use]
     pub fn first_unused(&self, scene: &Scene) -> Option<&'static str> {
         let any_curve =

@@ -1,9 +1,9 @@
-//! What was meant by a name that is none of those there are.
+//! Suggestions for unknown names.
 
-/// Names less alike than this, from 0 to 1, are not taken for one another.
+/// Least similarity of a suggested name, from 0 to 1.
 const ALIKE: f64 = 0.75;
 
-/// The name that looks most like the one given, where one does.
+/// Returns the known name most similar to the given one, if any is similar enough.
 pub(super) fn meant<'n>(given: &str, known: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
     let given = given.to_lowercase();
     let likeness = |name: &'n str| (strsim::jaro_winkler(&given, &name.to_lowercase()), name);

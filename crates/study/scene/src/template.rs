@@ -36,7 +36,7 @@ impl Template {
         Template::BoltedJoint,
     ];
 
-    /// Those of the paper: every figure of it.
+    /// The scenes of the paper, which draw all of its figures.
     pub const OF_THE_PAPER: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
 
     /// The scene file.

@@ -1,4 +1,4 @@
-//! Properties of a material as typed: a value, and how well it is known where that is told.
+//! Properties of a material as typed: a value, and its uncertainty if given.
 
 use std::ops::Range;
 use std::str::FromStr;
@@ -29,7 +29,7 @@ impl<T> Uncertain<T> {
 
 /// A property > 0 with a unit.
 pub(super) trait Property: FromStr<Err = QuantityError> {
-    /// In SI units, where it can be told in them.
+    /// Returns the property in SI units, or a message if it cannot be converted.
     fn si(&self) -> Result<f64, String>;
 
     /// The property of a value in SI units.
@@ -102,11 +102,11 @@ pub enum UncertainProperty {
 }
 
 impl UncertainProperty {
-    /// How it scatters about a value with a standard uncertainty, both as typed on either side of `+-` in a scene; none where that
-    /// is nothing.
+    /// Returns the spread of a value with a standard uncertainty, typed as in a scene on either side of `+-`. Returns
+    /// `None` if the uncertainty is zero.
     ///
     /// # Errors
-    /// What is wrong with either.
+    /// A message if the value or the uncertainty is invalid.
     pub fn spread(self, value: &str, uncertainty: &str) -> Result<Option<Spread>, String> {
         let typed = TypedSpread::PlusMinus { value: value.trim(), uncertainty: uncertainty.trim() };
         match self {
@@ -151,7 +151,7 @@ pub(super) fn property<T: Property>(
     }
 }
 
-/// The same where it may be left out.
+/// Returns an optional property with a unit, under its key.
 pub(super) fn optional_property<T: Property>(
     key: &str,
     raw: Option<&Spanned<RawProperty>>,
@@ -247,7 +247,7 @@ fn share(text: &str) -> Result<Option<f64>, String> {
     text.parse().map(|share: Share| Some(share.fraction)).map_err(|error| error.to_string())
 }
 
-/// How the values of a distribution's table are read.
+/// Functions and bounds that read the values of a distribution's table.
 struct Reading<T> {
     /// A value in SI units.
     value: fn(&str) -> Result<f64, String>,
@@ -256,7 +256,7 @@ struct Reading<T> {
     of_si: fn(f64) -> T,
     /// The distribution of a median with its standard uncertainty.
     about_the_median: Distribution,
-    /// What bounds ends and values.
+    /// Bound of ends and values.
     bound: Bound,
 }
 

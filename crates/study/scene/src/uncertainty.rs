@@ -1,4 +1,4 @@
-//! How sure the areas of a scene are to be told: what was typed, within bounds.
+//! Settings of the uncertainty analysis: typed values, checked against their bounds.
 
 use serde_spanned::Spanned;
 use units::Bound;
@@ -7,18 +7,18 @@ use super::error::SceneError;
 use super::raw::RawUncertainty;
 use super::values::{value_error, whole_number};
 
-/// What a scene says of its draws; what is left out is for whoever draws to choose.
+/// Settings of the uncertainty analysis in a scene. The analysis chooses those that are absent.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct UncertaintyChoices {
     /// The probability that an interval covers, above 0 and below 1.
     pub level: Option<f64>,
-    /// How many draws are made, from 20 to 1,000,000.
+    /// Number of draws, from 20 to 1,000,000.
     pub draws: Option<usize>,
-    /// What the draws are made from.
+    /// Seed of the draws.
     pub seed: Option<u64>,
     /// Draws of the full design that shares of variance are taken from, from 64 to 1,000,000.
     pub shares_draws: Option<usize>,
-    /// Nothing is to be drawn.
+    /// True if the scene turns the uncertainty analysis off.
     pub off: bool,
 }
 

@@ -41,7 +41,7 @@ pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(
     text.get_ref().parse().map_err(|error| value_error(key, text.get_ref(), text.span(), error))
 }
 
-/// What is wrong with the value of a key, which stands there.
+/// Returns an error about the value of a key at `span`.
 pub(super) fn value_error(
     key: &str,
     value: &str,

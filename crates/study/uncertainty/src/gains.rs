@@ -57,7 +57,7 @@ impl Gains {
             let seen = observation.coefficients(size);
             let with_seen: Vec<f64> = covariance.iter().map(|row| dot(row, &seen)).collect();
             let variance = dot(&with_seen, &seen) + observation.variance;
-            // Where neither instrument is uncertain nothing can be learnt of them.
+            // If neither instrument is uncertain, the observation teaches nothing about them.
             if dot(&with_seen, &seen) == 0.0 {
                 continue;
             }

@@ -149,7 +149,7 @@ impl<'p> UncertaintyPlan<'p> {
     /// Computes the intervals only, without indices, bands and advice. `progress` advances once per draw.
     ///
     /// # Errors
-    /// Those of [`run`](Self::run).
+    /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
     pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
         Ok(self.intervals_of(&self.drawn(progress)?, &[]).0)
     }

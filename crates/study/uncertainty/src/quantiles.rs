@@ -90,7 +90,7 @@ pub fn interval_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> 
     let mut sorted = draws.to_vec();
     sorted.sort_by(f64::total_cmp);
     let at = |deviate: f64| quantile(&sorted, normal.cdf(2.0 * off + deviate));
-    // What the share is not known to moves both ends together.
+    // The standard error of the share moves both ends together.
     let is_told = off.abs() < FARTHEST;
     let off_error = if is_told { (share * (1.0 - share) / count).sqrt() / normal.pdf(off) } else { 0.0 };
     let moved = |end: Quantile| {
@@ -133,7 +133,7 @@ mod tests {
 
     use super::{interval, interval_about};
 
-    /// Of the normal distribution at 97.5 %.
+    /// Quantile of the normal distribution at 97.5 %.
     const HIGH: f64 = 1.959_963_984_540_054;
 
     fn normal(draws: usize, seed: u64) -> Vec<f64> {
@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn ranks_are_those_of_the_eighth_definition() {
-        // Of 1 to 20 the value is the rank: (20 + 1/3) p + 1/3.
+        // For the values 1 to 20 a quantile equals its rank: (20 + 1/3) p + 1/3.
         let found = interval(&(1..=20).map(f64::from).rev().collect::<Vec<_>>(), 0.8).unwrap();
         for (quantile, probability) in [(found.low, 0.1), (found.median, 0.5), (found.high, 0.9)] {
             let expected = (20.0 + 1.0 / 3.0) * probability + 1.0 / 3.0;

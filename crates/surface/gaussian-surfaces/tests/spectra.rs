@@ -82,7 +82,7 @@ fn profiles_of_a_cut_surface_have_its_moments_and_lead_back_to_it() {
         assert_relative_eq!(found.m2, expected.m2, max_relative = 2e-3);
         assert_relative_eq!(found.m4_per_m2, expected.m4_per_m2, max_relative = 5e-3);
         let back = AreaSpectrum::from_profile(&profile).unwrap();
-        // Where the surface has no waves, the samples of C1D leave a little of either sign.
+        // At wavelengths without waves, the samples of C1D leave small values of either sign.
         assert!(back.conversion().negative_share < 5e-3, "{:?}", back.conversion());
         assert_relative_eq!(back.mean_square_gradient(), expected.m2 * 2.0, max_relative = 2e-3);
         for share in [0.1, 0.5, 0.9] {

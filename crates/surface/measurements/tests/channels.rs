@@ -1,4 +1,4 @@
-//! What is told of the channels of a file.
+//! Descriptions of the channels of a file.
 
 #[path = "../../scans/tests/support/nanoscope.rs"]
 #[allow(dead_code, reason = "written for the tests of the reader")]

@@ -5,7 +5,7 @@ use scans::{ScanOptions, Statistics, visit_channels};
 fn main() {
     for path in std::env::args().skip(1) {
         let bytes = std::fs::read(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
-        // What a text leaves open is taken to be in nm here.
+        // Text files without a unit are read in nm here.
         let options = ScanOptions {
             fallback_unit: "nm".parse().ok(),
             fallback_size: Some(scans::ScanSize { x_m: 1e-6, y_m: None }),

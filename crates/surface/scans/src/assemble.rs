@@ -39,7 +39,7 @@ pub(crate) fn chosen<'b>(
         (found.or((all.len() == 1).then_some(0)), format!("image number {source}, counted from 0"))
     } else {
         let heights = || channels.iter().enumerate().filter(|(_, channel)| channel.is_heights());
-        // Where none can be read, the first will say why.
+        // If no channel can be read, the error of the first says why.
         let found = heights().find(|(_, channel)| channel.is_readable()).or_else(|| heights().next());
         (found.map(|(at, _)| at), "channel of heights".to_owned())
     };
@@ -145,7 +145,7 @@ fn scan(
         let what = if rows > 1 { "how large the map is" } else { "how long the line of heights is" };
         ScanReadError::NoSize { format, what }
     })?;
-    // What the file gives as a spacing is not multiplied and divided again.
+    // A spacing given by the file is kept: multiplying and dividing it again would round it.
     let spacing = match lateral {
         Lateral::Spacing { x_m, y_m } if Some(size) == stated => Some((x_m, y_m)),
         _ => None,

@@ -88,7 +88,7 @@ pub enum ScanReadError {
         format: ScanFormat,
         /// Name asked for.
         wanted: String,
-        /// Those that there are.
+        /// Names of the channels of the file.
         channels: Vec<String>,
     },
     /// A channel asked for whose values are no lengths.

@@ -236,7 +236,7 @@ fn netcdf_missing_points_scales_and_records() {
         "the list of dimensions of 'mask' is y: 4, x: 6, it must be that of 'heights', x: 6, y: 4; write both over the same"
     ));
 
-    // What the library writes where nobody has is no height, unless an attribute says that another value is none.
+    // The fill value of the library marks a missing point, unless an attribute names another fill value.
     for kind in [Kind::F32, Kind::F64] {
         let mut unwritten = NetCdf::map(2, kind, 6, &map);
         unwritten.variables[0].values[5] = 9.969_209_968_386_869e36;

@@ -69,7 +69,7 @@ fn worst_inside(original: &Psd, back: &Psd) -> f64 {
 #[test]
 fn there_and_back_again_agrees_inside_the_band_as_samples_grow_dense() {
     let self_affine = |power: f64| move |q: f64| (1.0 + (q / 10.0).powi(2)).powf(power);
-    // What remains is the chord of the second spectrum between its samples, whose slope is off by the curvature.
+    // The remaining error: between samples the second spectrum is a chord, whose slope is off by the curvature.
     for (per_decade, bound) in [(40, 4e-3), (80, 1.5e-3), (160, 6e-4)] {
         let area = sampled(per_decade, 4, Convention::Ciso, self_affine(-1.8));
         let back = area.to(Convention::C1D).unwrap().to(Convention::Ciso).unwrap();

@@ -1,10 +1,10 @@
-//! What a caller can do about an error with an option, as data.
+//! Options that a caller can set to mend an error, as data.
 
 use spectrum::{ReadMend, ReadOption, ReadOptions, Wanted, read_psd};
 
 fn mend(text: &str, options: &ReadOptions) -> Option<ReadMend> {
     let error = read_psd(text.as_bytes(), options).unwrap_err();
-    // Whoever has asked for the options knows what they are called; the reader does not.
+    // The front end knows the names of its options; the reader does not.
     assert!(!error.to_string().contains("--"), "{error}");
     error.mend()
 }

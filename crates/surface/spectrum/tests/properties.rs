@@ -1,4 +1,4 @@
-//! What holds for every spectrum.
+//! Properties that hold for every spectrum.
 
 use std::num::NonZeroU32;
 

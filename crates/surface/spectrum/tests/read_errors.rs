@@ -1,4 +1,4 @@
-//! What is refused, and in which words.
+//! Refused inputs, and the wording of their errors.
 
 use spectrum::{Abscissa, Convention, ReadError, ReadOptions, read_psd};
 

@@ -109,7 +109,7 @@ fn the_mean_width_of_elements_is_about_the_roll_off_wavelength() {
     assert!((width_m(0.0) / rice_m - 1.0).abs() < 0.15, "{}", width_m(0.0) / rice_m);
 }
 
-/// How often heights rise from below the mean line to above it by more than so much either way.
+/// Counts how often heights rise from more than `least_m` below the mean line to more than `least_m` above it.
 fn rises(heights_m: &[f64], least_m: f64) -> usize {
     let beyond: Vec<bool> = heights_m
         .iter()

@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn equal_waves_are_counted() {
-        // Of powers that do not scatter the formula yields twice their number less one.
+        // For powers that do not scatter, the formula yields twice their number less one.
         assert!((independent_lines(&rows(&[3], 64), 1)[0] - 1.0).abs() < 1e-12);
         assert!((independent_lines(&rows(&[1, 5, 9, 20], 64), 1)[0] - 7.0).abs() < 1e-12);
         assert!(independent_lines(&[], 8).is_empty());

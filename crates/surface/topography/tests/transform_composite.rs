@@ -98,7 +98,7 @@ fn the_same_data_twice_scatter_like_one_measurement() {
     };
     assert_eq!(error(&[one.clone(), one.clone()]), (2, None));
     let (count, of_three) = error(&[one.clone(), other.clone(), one.clone()]);
-    // Of 1 and 4: the logarithms scatter by ln 2, about the mean of all three.
+    // The repeated measurement counts once: the logarithms of 1 and 4 scatter by ln 2 about their mean.
     assert_eq!(count, 3);
     let (_, of_two) = error(&[one, other]);
     assert_relative_eq!(of_two.unwrap(), 2.0 * 2f64.ln(), max_relative = 1e-14);

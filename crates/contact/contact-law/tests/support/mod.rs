@@ -20,7 +20,7 @@ pub fn separation() -> SeparationLaw {
     SeparationLaw::new(&knots, modulus_pa, 0.45)
 }
 
-/// That law from one pressure \[Pa\] to another.
+/// Samples the law of [`separation`] over a range of pressures \[Pa\].
 pub fn sampled(range_pa: [f64; 2], tolerance: f64) -> ContactLaw {
     let separation = separation();
     let at = |pressure_pa: f64| {

@@ -26,7 +26,7 @@ pub(crate) fn gap_against_load(
     let least_pa = pressures.clone().fold(f64::INFINITY, f64::min) / BESIDE;
     let most_pa = pressures.fold(0.0, f64::max) * BESIDE;
     let along: Vec<f64> = log_spaced(least_pa, most_pa, POINTS).collect();
-    // Where next to nothing is left of the gap, a logarithmic axis would show nothing else.
+    // Nearly closed gaps would take up most of a logarithmic axis.
     let least_m = 1e-3 * states.rms_height_m();
     let line = |column: &str, dash: usize, gap_m: &dyn Fn(f64) -> f64| {
         let points: Vec<(f64, f64)> = along

@@ -39,7 +39,7 @@ pub(crate) fn sentences(answer: &Answer, scene: &Scene, results: &Results) -> Ve
 
 /// A limit of what the spectrum determines.
 pub(crate) struct Shortcoming {
-    /// What is left of the answer: `Upper bound` or `No answer`.
+    /// Remaining answer: `Upper bound` or `No answer`.
     pub heading: &'static str,
     /// The reason.
     pub reason: String,

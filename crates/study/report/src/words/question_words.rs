@@ -20,7 +20,7 @@ use crate::{doubt_words, elements_words, row_notes, scan_words};
 /// A sentence about an answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
-    /// How much it matters.
+    /// Severity of the sentence.
     pub severity: Severity,
     /// The sentence, without a full stop.
     pub text: String,

@@ -14,7 +14,7 @@ use crate::readers::Reader;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::MetroPro;
-/// Those of headers of format 1, 2 and 3.
+/// Magic numbers of headers of format 1, 2 and 3.
 const MAGICS: [&[u8]; 3] = [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b\x03\x71"];
 /// The fields read lie within so many bytes, the length of the shortest header.
 const SHORTEST_HEADER: usize = 834;

@@ -72,7 +72,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
                     Raster::within(number, columns, rows, bytes, header.data_offset.saturating_add(before));
                 Samples::Raster(Raster { order: Order::RowsFromBottom, scale: range / full, ..raster })
             }),
-            // What is written as text begins with the uppermost row.
+            // Samples in text begin with the uppermost row.
             None => text_numbers(words.by_ref(), points, index)
                 .and_then(|numbers| range(entries).map(|range| (numbers, range / FULL_16)))
                 .map(|(numbers, scale)| {

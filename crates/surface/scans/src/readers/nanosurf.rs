@@ -30,7 +30,7 @@ fn recognises(bytes: &[u8]) -> bool {
 /// The channels in the order of their groups, which are the directions of the scan.
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let header = Sections::read(FORMAT, bytes, '=', b"#!")?;
-    // Where the next channel begins, as long as the sizes of all before it are known.
+    // Offset of the next channel; known only if the sizes of all channels before it are.
     let mut next = Some(header.end);
     let free_text = free_text(&header);
     Ok(names(&header)?

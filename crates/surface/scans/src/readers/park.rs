@@ -43,7 +43,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         });
     };
     let (own, offset) = page.bytes(HEADER_TAG)?;
-    // The header has the order of Intel, and its places are told as those in the file.
+    // The header is little-endian (Intel); places in errors are those in the file.
     let file = bytes.get(..offset.saturating_add(own.len())).unwrap_or_default();
     let is_typed = page.number(VERSION_TAG).is_some_and(|version| version >= TYPED_VERSION);
     let header = Header::read(Cursor::new(FORMAT, file, ByteOrder::Little).at(offset), is_typed)?;

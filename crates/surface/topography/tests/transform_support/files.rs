@@ -26,7 +26,7 @@ pub fn map_with_gaps(
     is_gap: impl Fn(usize, usize) -> bool,
 ) -> Measured {
     let places = || (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-    // What stands in gaps must not matter.
+    // The heights at missing points must not matter.
     let heights_m =
         places().map(|(row, column)| if is_gap(row, column) { 777.0 } else { height_m(row, column) });
     let map =

@@ -61,7 +61,7 @@ pub fn surface(points: usize, hurst_exponent: f64, seed: u64) -> Vec<f64> {
     heights_m.chunks_exact(whole).take(points).flat_map(|row| row[..points].iter().copied()).collect()
 }
 
-/// Which points have no height, this share of them, and the typical size of a hole in points.
+/// Returns a mask that is true at missing points, which make up this share, and the typical size of a hole in points.
 pub fn holes(kind: HoleKind, share: f64, heights_m: &[f64], points: usize, seed: u64) -> (Vec<bool>, f64) {
     let mut random = Random(seed);
     let mut gaps = vec![false; points * points];

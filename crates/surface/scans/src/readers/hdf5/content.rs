@@ -31,7 +31,7 @@ pub(super) struct Entry {
 
 impl Content {
     pub(super) fn read(bytes: &[u8], options: &ScanOptions) -> Result<Self, ScanReadError> {
-        // Datasets that nobody wrote to have any size and no bytes.
+        // Datasets that were never written have any size and no bytes.
         let packed = LARGEST_RATIO.saturating_mul(bytes.len() as u64).max(SMALL);
         let bound = options.unpacked_bound().min(packed);
         let most = usize::try_from(bound).unwrap_or(usize::MAX);

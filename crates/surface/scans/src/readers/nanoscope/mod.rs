@@ -38,7 +38,7 @@ fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {
         (false, Ok(_)) => Quantity::OtherLength(LengthUnit::METRE),
         (false, Err(_)) => Quantity::Other(image.unit()),
     };
-    // What is no length is told in counts of the full scale.
+    // Values that are not lengths are scaled by counts of the full scale.
     let scale = match &quantity {
         Quantity::Other(_) => Ok(image.scale_per_count().unwrap_or(1.0)),
         _ => image.scale_m_per_count(),

@@ -99,7 +99,7 @@ impl Description {
             }
             let mut values = point.iter().flatten();
             let mut next = |field: Coordinate| values.next().map(|&value| field.length_m(value));
-            // What does not count has no position either: the line leaves it out.
+            // An invalid point has no position either: the line leaves it out.
             data.x_m.extend(fields[0].map(|field| next(field).unwrap_or_default()));
             data.y_m.extend(fields[1].map(|field| next(field).unwrap_or_default()));
             data.z_m.push(next(self.z));
