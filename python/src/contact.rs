@@ -20,7 +20,7 @@ use crate::work::{carry_out, light};
 /// As many rows are done before another thread has begun.
 const LIGHT_ROWS: usize = 64;
 
-/// What the columns are called, in the order of [`StateColumns`].
+/// Names of the columns, in the order of [`StateColumns`].
 const COLUMNS: [&str; 8] = [
     "separation_m",
     "pressure_pa",

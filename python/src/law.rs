@@ -18,7 +18,7 @@ use crate::work::{carry_out, light};
 #[pyclass(frozen, name = "ContactLaw", module = "truearea._native")]
 pub struct PyContactLaw {
     law: ContactLaw,
-    /// That of light loads, which Persson's theory has.
+    /// The exponential law of light loads, which Persson's theory has.
     exponential: Option<ExponentialLaw>,
     model: &'static str,
     provenance: Vec<String>,
@@ -92,7 +92,7 @@ impl PyContactLaw {
         self.law.interpolation_error()
     }
 
-    /// What there is to say.
+    /// Notes on the law.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.notes.clone()

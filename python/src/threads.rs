@@ -1,4 +1,4 @@
-//! How many threads the work takes.
+//! Number of threads that the work takes.
 
 use std::num::NonZeroUsize;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -64,7 +64,7 @@ pub fn set_threads(count: i64) -> PyResult<()> {
     Ok(())
 }
 
-/// How many threads work takes.
+/// Number of threads that the work takes.
 #[pyfunction]
 pub fn threads() -> usize {
     THREADS.lock().unwrap_or_else(PoisonError::into_inner).count()

@@ -1,4 +1,4 @@
-//! How a command fails: what it says, and its exit status.
+//! Failures of a command: the message, and the exit status.
 
 use std::process::ExitCode;
 

@@ -5,19 +5,20 @@ use std::time::Duration;
 
 use crate::failure::INTERRUPTED;
 
-/// How long the work has to end by itself. What cannot be asked, such as a wait for standard input, is ended then.
+/// Time that the work has to end by itself. Work that cannot be asked, such as a wait for standard input, is ended
+/// then.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A signal reaches no value of the program, hence a static.
 static ASKED_FOR: AtomicBool = AtomicBool::new(false);
 
-/// Whether work is done that can be ended early with a result.
+/// True while work is done that can be ended early with a result.
 static CAN_END_EARLY: AtomicBool = AtomicBool::new(false);
 
-/// Whether it has been asked to.
+/// True once the work has been asked to end early.
 static END_EARLY: AtomicBool = AtomicBool::new(false);
 
-/// Whether the program has been asked to end.
+/// Returns true if the program has been asked to end.
 pub fn is_asked_for() -> bool {
     ASKED_FOR.load(Ordering::Relaxed)
 }
@@ -25,8 +26,8 @@ pub fn is_asked_for() -> bool {
 /// Has the first signal ask the work to end, and the second one end it at once. While there is an [`EarlyEnd`], the first one
 /// ends no more than what it was made for.
 pub fn listen() {
-    // Where a signal is handled otherwise, as hang-ups are under nohup, it stays so: the program ends or goes on as it would
-    // without this.
+    // If a signal is already handled otherwise, as hang-ups are under nohup, it stays so: the program ends or goes on
+    // as it would without this.
     let _ = ctrlc::try_set_handler(|| {
         let is_second = END_EARLY.load(Ordering::Relaxed);
         if CAN_END_EARLY.load(Ordering::Relaxed) && !is_second {
@@ -55,7 +56,7 @@ impl EarlyEnd {
         EarlyEnd(())
     }
 
-    /// Whether the work at hand has been asked to end early.
+    /// Returns true if the work at hand has been asked to end early.
     pub fn is_asked_for(&self) -> bool {
         END_EARLY.load(Ordering::Relaxed)
     }
