@@ -338,7 +338,7 @@ pub fn text(argument: &str, given: Option<&Given<'_>>) -> PyResult<Option<String
     given.map(one).transpose()
 }
 
-/// One of the choices that have names, of an argument that may be left out.
+/// Parses a named choice of an argument that may be left out.
 pub fn word<T: FromStr<Err = UnknownName>>(argument: &str, given: Option<&Given<'_>>) -> PyResult<Option<T>> {
     text(argument, given)?.map(|name| named(argument, &name)).transpose()
 }

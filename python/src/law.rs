@@ -65,7 +65,7 @@ impl PyContactLaw {
         Ok(PyContactLaw { law, exponential, model: chosen.entry.name, provenance: origin, notes })
     }
 
-    /// Its points, the first of which is where it is cut off.
+    /// Points of the law; the first is where the law is cut off.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let points = self.law.points();
         let columns = PyDict::new(py);

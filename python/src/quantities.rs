@@ -10,7 +10,7 @@ use crate::errors::{input, of_argument};
 
 /// A quantity that is typed with its unit, or is a number in SI units.
 pub trait Quantity: FromStr<Err = QuantityError> {
-    /// Its SI unit.
+    /// The SI unit.
     const UNIT: &'static str;
     /// An example of its text, for messages.
     const EXAMPLE: &'static str;

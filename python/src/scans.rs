@@ -443,7 +443,7 @@ fn number_or_text(argument: &str, value: &Given<'_>) -> PyResult<String> {
     }
 }
 
-/// Why scans yield nothing, with the argument that mends it; `argument` is the list that they stand in.
+/// Converts an error of scans, with the argument that mends it; `argument` is the list that holds the scans.
 fn refused(error: &TopographyError, argument: &str) -> PyErr {
     let place = match error.request {
         Some(at) if !argument.is_empty() => format!("{argument}[{at}]: "),

@@ -127,8 +127,9 @@ impl PyScene {
         light(py, || explain(&self.scene))
     }
 
-    /// Everything that is made of it: the answer in words, tables with the lines that tell where they come from, and the bytes of
-    /// files by name. `observer` is told what the steps at hand are, how many are done, and of how many where that is known.
+    /// Runs the scene and returns all its results: the answer in words, tables with the lines that tell where they come
+    /// from, and the bytes of files by name. `observer` is called with the name of the steps at hand, the number done,
+    /// and their total where it is known.
     fn run<'py>(
         &self,
         py: Python<'py>,

@@ -200,7 +200,7 @@ pub fn per_decade(count: i64) -> PyResult<NonZeroU32> {
     whole.ok_or_else(|| input(format!("scales_per_decade is {count}; it must be from 1 to {}", u32::MAX)))
 }
 
-/// One of the choices that have names.
+/// Parses a named choice.
 pub fn named<T: std::str::FromStr<Err = UnknownName>>(argument: &str, name: &str) -> PyResult<T> {
     name.parse().map_err(|error| of_argument(argument, error))
 }
@@ -235,7 +235,7 @@ pub fn reading(given: &Bound<'_, PyDict>) -> PyResult<ReadOptions> {
     })
 }
 
-/// Why there is no spectrum, with the argument that mends it.
+/// Converts an error of a spectrum, with the argument that mends it.
 pub fn refused(error: &SurfaceError) -> PyErr {
     match error {
         SurfaceError::Scan { .. } => input(format!("{error}; use read_scan and composite")),

@@ -12,7 +12,7 @@ use crate::errors::input;
 /// The threads, made when they are first needed.
 struct Threads {
     count: Option<NonZeroUsize>,
-    /// With the process that made it: threads do not follow where a process splits.
+    /// The process and the pool that it made: threads do not survive a fork.
     pool: Option<(u32, Arc<ThreadPool>)>,
 }
 

@@ -26,7 +26,7 @@ use crate::work::carry_out;
 /// A standard uncertainty: what its argument is called, what the property is given as, and the uncertainty.
 type GivenSpread<'py> = (String, Given<'py>, Given<'py>);
 
-/// Why nothing is drawn.
+/// Message if no input is uncertain, so that there is nothing to draw.
 const NOTHING_SCATTERS: &str = "nothing of the surface or the material is known to scatter; give scans (composite) or a spectrum \
                                 with standard errors (c1d_se), or say how well the material is known, such as \
                                 youngs_modulus=\"5 %\"";

@@ -35,9 +35,9 @@ use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
 
 /// Real contact area of two rough surfaces, and the scales of roughness that decide it.
 ///
-/// From the power spectral density (PSD) of a surface and a material to the real contact area, scale by scale: spectral
-/// moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities, after
-/// Jackson & Jacobs.
+/// Computes the real contact area, scale by scale, from the power spectral density (PSD) of a surface and a material:
+/// spectral moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities,
+/// after Jackson & Jacobs.
 #[derive(Debug, Parser)]
 #[command(
     name = "truearea",
@@ -388,7 +388,7 @@ pub(crate) struct StackedArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]
@@ -440,7 +440,7 @@ pub(crate) struct StatisticalArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(
         long = "pressures",
         value_name = "FROM:TO:COUNT",

@@ -23,8 +23,8 @@ pub fn is_asked_for() -> bool {
     ASKED_FOR.load(Ordering::Relaxed)
 }
 
-/// Has the first signal ask the work to end, and the second one end it at once. While there is an [`EarlyEnd`], the first one
-/// ends no more than what it was made for.
+/// Installs the signal handler: the first signal asks the work to end, the second ends it at once. While there is an
+/// [`EarlyEnd`], the first signal ends only the work that it was made for.
 pub fn listen() {
     // If a signal is already handled otherwise, as hang-ups are under nohup, it stays so: the program ends or goes on
     // as it would without this.
@@ -44,13 +44,13 @@ pub fn listen() {
     });
 }
 
-/// For as long as it lives, the first signal ends the work at hand early, and what comes after it is done; the second one ends
-/// the program, then or later, with no result.
+/// Permission to end early. While it lives, the first signal ends the work at hand early, and the steps after it are
+/// done; the second signal ends the program, then or later, with no result.
 #[derive(Debug)]
 pub struct EarlyEnd(());
 
 impl EarlyEnd {
-    /// From here on.
+    /// Allows an early end from here on.
     pub fn allow() -> Self {
         CAN_END_EARLY.store(true, Ordering::Relaxed);
         EarlyEnd(())

@@ -101,12 +101,12 @@ pub fn publish(files: StagedFiles) -> Result<(), Failure> {
     Ok(files.publish()?)
 }
 
-/// Why something was not written.
+/// Reason that something was not written.
 #[derive(Debug)]
 pub enum Stopped {
-    /// It could not be written.
+    /// The output could not be written.
     Writing(io::Error),
-    /// There was nothing to write.
+    /// The command failed, so that there was nothing to write.
     Failed(Failure),
 }
 

@@ -20,7 +20,7 @@ enum PictureFormat {
     Png,
 }
 
-/// Why there is no picture.
+/// Reason that there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum PictureError {
     /// A name that ends in none of the formats.

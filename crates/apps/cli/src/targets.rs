@@ -23,7 +23,7 @@ struct Target {
 }
 
 impl Targets {
-    /// With a place besides; standard output is none.
+    /// Adds a place; standard output is never a target.
     ///
     /// # Errors
     /// Errors of [`with_file`](Self::with_file).
@@ -34,7 +34,7 @@ impl Targets {
         }
     }
 
-    /// With a file besides.
+    /// Adds a file.
     ///
     /// # Errors
     /// [`Failure::Input`] where a folder stands there or another target is the same file; [`Failure::System`] where its
@@ -76,7 +76,7 @@ impl Targets {
     /// Refuses a file that is about to be read and that a target would replace.
     ///
     /// # Errors
-    /// With the option and its file.
+    /// An error that names the option and its file.
     pub fn spare(&self, input: &Path) -> io::Result<()> {
         self.spare_handle(file(input))
     }
@@ -84,7 +84,7 @@ impl Targets {
     /// Refuses standard input that is redirected from a file that a target would replace.
     ///
     /// # Errors
-    /// With the option and its file.
+    /// An error that names the option and its file.
     pub fn spare_standard_input(&self) -> io::Result<()> {
         let is_file = |handle: &Handle| handle.as_file().metadata().is_ok_and(|found| found.is_file());
         self.spare_handle(Handle::stdin().ok().filter(is_file))

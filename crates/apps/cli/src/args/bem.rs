@@ -30,7 +30,7 @@ pub(crate) struct BemArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given

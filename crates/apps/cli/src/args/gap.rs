@@ -97,7 +97,7 @@ pub(crate) struct GapArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]

@@ -55,7 +55,7 @@ struct Sorted {
 }
 
 impl Sorted {
-    /// None where something stands before the command that is not an option of some command.
+    /// Sorts a command line; none where something stands before the command that is not an option of some command.
     fn of(line: &[OsString], program: &Command) -> Option<Self> {
         let mut left = line.iter().cloned();
         let mut sorted = Sorted { words: vec![left.next()?], options: Vec::new(), rest: Vec::new() };

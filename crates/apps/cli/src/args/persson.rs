@@ -16,9 +16,9 @@ use crate::output::Place;
 /// Growth of a hardness towards short wavelengths.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum GrowthArg {
-    /// By a law.
+    /// Growth by a law.
     Law(GrowthLaw),
-    /// As a file says.
+    /// Growth tabulated in a file.
     Table(PathBuf),
 }
 
@@ -79,7 +79,7 @@ pub(crate) struct PerssonArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]
