@@ -26,7 +26,7 @@ use crate::surface::{PySurface, named, notes};
 use crate::tables::columns;
 use crate::work::carry_out;
 
-/// What there is to choose of random surfaces.
+/// Choices for random surfaces.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct GivenRandom<'py> {
@@ -39,7 +39,7 @@ pub struct GivenRandom<'py> {
     phases: Option<Bound<'py, PyAny>>,
 }
 
-/// What a call yields: a table, the fields where they are asked for, and what there is to say.
+/// Result of a call: a table, the fields where they are asked for, and the notes.
 type Found<'py> = (Bound<'py, PyDict>, Option<Fields<'py>>, Vec<String>);
 
 /// Pressures \[Pa\] and gaps \[m\] of surface after surface under load after load, and the heights \[m\] of the surfaces.
@@ -101,14 +101,14 @@ pub fn press_spectrum<'py>(
     press(py, &Surfaces::Random(random), &pressing, asked, said)
 }
 
-/// What is asked for, and who is told of the steps.
+/// Requested results, and the observer of the steps.
 struct Asked {
     table: Table,
     fields: bool,
     observer: Option<Py<PyAny>>,
 }
 
-/// What is told of surfaces under a load.
+/// Rows of the table under a load.
 #[derive(Clone, Copy)]
 enum Table {
     /// Their mean.
@@ -281,7 +281,7 @@ pub fn random_surfaces(
     Ok((random, said))
 }
 
-/// What is doubtful of a material.
+/// Words the doubts about a material.
 fn of_material(material: &Material) -> Vec<String> {
     Doubt::of_material(material)
         .iter()
@@ -338,7 +338,7 @@ pub fn text(argument: &str, given: Option<&Given<'_>>) -> PyResult<Option<String
     given.map(one).transpose()
 }
 
-/// One of the choices that have names, of an argument that may be left out.
+/// Parses a named choice of an argument that may be left out.
 pub fn word<T: FromStr<Err = UnknownName>>(argument: &str, given: Option<&Given<'_>>) -> PyResult<Option<T>> {
     text(argument, given)?.map(|name| named(argument, &name)).transpose()
 }

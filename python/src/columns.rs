@@ -5,7 +5,7 @@ use numpy::{Element, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 
 /// An array of the broadcast shape of a call, row by row in C order.
 pub enum Column<'a, T = f64> {
-    /// The same for every row.
+    /// One number for every row.
     Constant(T),
     /// A number after the other.
     Slice(&'a [T]),

@@ -17,10 +17,10 @@ use crate::errors::{input, of_argument};
 use crate::material::{PyMaterial, told, told_in_words};
 use crate::work::{carry_out, light};
 
-/// As many rows are done before another thread has begun.
+/// Number of rows that are done before another thread has begun.
 const LIGHT_ROWS: usize = 64;
 
-/// What the columns are called, in the order of [`StateColumns`].
+/// Names of the columns, in the order of [`StateColumns`].
 const COLUMNS: [&str; 8] = [
     "separation_m",
     "pressure_pa",

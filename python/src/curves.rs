@@ -21,7 +21,7 @@ use crate::surface::{PySurface, named, notes, sampling};
 use crate::tables::columns;
 use crate::work::carry_out;
 
-/// What a curve yields: its columns block after block, the pressures of the blocks \[Pa\], and what there is to say.
+/// Result of a curve: its columns block after block, the pressures of the blocks \[Pa\], and the notes.
 type Found<'py> = (Bound<'py, PyDict>, Vec<f64>, Vec<String>);
 
 /// A curve of a model of a framework over the cutoffs of a spectrum, under each of the pressures, and behind them at each of the
@@ -89,7 +89,7 @@ pub fn curve<'py>(
     Ok((columns(py, &table)?, pressures_pa, said))
 }
 
-/// What a curve leaves open or goes beyond.
+/// Words the open questions of a curve, and the limits that it exceeds.
 pub fn findings(curve: &Curve, rows: &CurveResult, plan: &Plan<'_>, material: &Material) -> Vec<String> {
     let hardness_pa = material.hardness_pa();
     let needs = &plan.needs;

@@ -1,4 +1,4 @@
-//! What is wrong with what was given, as Python's exceptions.
+//! Errors of the arguments, as Python's exceptions.
 
 use std::fmt::Display;
 
@@ -17,7 +17,7 @@ pub fn input(error: impl Display) -> PyErr {
     InputError::new_err(error.to_string())
 }
 
-/// The same of one argument.
+/// An error of one argument, headed by its name.
 pub fn of_argument(argument: &str, error: impl Display) -> PyErr {
     input(format!("{argument}: {error}"))
 }

@@ -24,13 +24,13 @@ use crate::surface::{PySurface, notes, sampling};
 use crate::tables::columns;
 use crate::work::carry_out;
 
-/// What makes a law take the waves of the surface.
+/// The argument that makes a law take the waves of the surface.
 pub const BY_SURFACE: &str = "band=\"2d\"";
 
 /// The name of boundary elements among models.
 const ELEMENTS: &str = "bem";
 
-/// What there is to choose of the models of gaps.
+/// Choices for the models of gaps.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct GivenChoices<'py> {
@@ -115,7 +115,7 @@ fn by_elements<'py>(
     Ok((columns(py, &result_tables::gaps(&states, None))?, said))
 }
 
-/// What there is to say of what is given: the spectrum, the material, and what a model takes for granted of it.
+/// Returns the notes on the inputs: the spectrum, the material, and the assumptions that a model makes of it.
 pub fn of_given(surface: &PySurface, material: &Material, entry: Option<&ModelEntry>) -> Vec<String> {
     let mut said = notes(&surface.surface);
     let doubt = Doubt::of_material(material);

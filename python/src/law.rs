@@ -18,7 +18,7 @@ use crate::work::{carry_out, light};
 #[pyclass(frozen, name = "ContactLaw", module = "truearea._native")]
 pub struct PyContactLaw {
     law: ContactLaw,
-    /// That of light loads, which Persson's theory has.
+    /// The exponential law of light loads, which Persson's theory has.
     exponential: Option<ExponentialLaw>,
     model: &'static str,
     provenance: Vec<String>,
@@ -65,7 +65,7 @@ impl PyContactLaw {
         Ok(PyContactLaw { law, exponential, model: chosen.entry.name, provenance: origin, notes })
     }
 
-    /// Its points, the first of which is where it is cut off.
+    /// Points of the law; the first is where the law is cut off.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let points = self.law.points();
         let columns = PyDict::new(py);
@@ -92,7 +92,7 @@ impl PyContactLaw {
         self.law.interpolation_error()
     }
 
-    /// What there is to say.
+    /// Notes on the law.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.notes.clone()

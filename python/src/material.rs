@@ -79,7 +79,7 @@ impl PyMaterial {
         self.material.describe()
     }
 
-    /// What is known of it, each with its name, for people.
+    /// The known properties, each with its name, for people.
     fn properties(&self) -> Vec<(&'static str, String)> {
         self.material.properties()
     }
@@ -98,12 +98,12 @@ pub fn elastic_body(
     ElasticBody::new(modulus_pa, ratio).map_err(input)
 }
 
-/// What is wrong with a material, with the argument that mends it.
+/// Converts an error of a material, with the argument that mends it.
 pub fn told(error: &MaterialError) -> PyErr {
     input(told_in_words(error))
 }
 
-/// The same in words.
+/// Words an error of a material, with the argument that mends it.
 pub fn told_in_words(error: &MaterialError) -> String {
     match error {
         MaterialError::Missing(needed_for) => {
@@ -148,7 +148,7 @@ pub fn loads(argument: &str, given: &Given<'_>, material: &Material) -> PyResult
     Ok(loads)
 }
 
-/// Whether an argument is a list, an array of one axis, or anything else that one can go through; text is one thing.
+/// Returns true for a list, an array of one axis, or anything else that one can go through; text is one thing.
 pub fn is_several(given: &Given<'_>) -> bool {
     !given.is_instance_of::<PyString>() && given.len().is_ok()
 }

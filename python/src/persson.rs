@@ -26,8 +26,8 @@ use crate::surface::{PySurface, named, notes, sampling};
 use crate::tables::columns;
 use crate::work::carry_out;
 
-/// What a curve yields: its columns block after block, the pressures of the blocks \[Pa\], u_0 \[m\] and p_00 \[Pa\] of light
-/// loads, and what there is to say.
+/// Result of a curve: its columns block after block, the pressures of the blocks \[Pa\], u_0 \[m\] and p_00 \[Pa\] of
+/// light loads, and the notes.
 type Found<'py> = (Bound<'py, PyDict>, Vec<f64>, Option<(f64, f64)>, Vec<String>);
 
 /// Sizes of contacts \[m\] and the hardnesses \[Pa\] that they have.
@@ -104,7 +104,7 @@ pub fn energy_factor(gamma: &Given<'_>) -> PyResult<f64> {
     checked("gamma", units::Bound::LeftOpen { above: 0.0, at_most: 1.0 }, number("gamma", gamma)?)
 }
 
-/// How the hardness grows, where it does.
+/// Returns the law by which the hardness grows, if it does.
 fn growth_law(
     name: Option<&str>,
     table: Option<GivenTable<'_>>,
@@ -157,7 +157,7 @@ fn no_hardness(error: &GrowthError) -> PyErr {
     }
 }
 
-/// What the curve leaves open or goes beyond.
+/// Words the open questions of the curve, and the limits that it exceeds.
 fn findings(
     deformation: Deformation,
     rows: &CurveResult,

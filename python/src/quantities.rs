@@ -10,14 +10,14 @@ use crate::errors::{input, of_argument};
 
 /// A quantity that is typed with its unit, or is a number in SI units.
 pub trait Quantity: FromStr<Err = QuantityError> {
-    /// Its SI unit.
+    /// The SI unit.
     const UNIT: &'static str;
-    /// What it reads like.
+    /// An example of its text, for messages.
     const EXAMPLE: &'static str;
-    /// What its number satisfies.
+    /// The bound on its number.
     const BOUND: Bound = Bound::Positive;
 
-    /// That of a number in SI units.
+    /// Makes the quantity of a number in SI units.
     fn of_si(number: f64) -> Self;
 }
 
@@ -82,7 +82,7 @@ pub fn quantity<Q: Quantity>(argument: &str, given: &Given<'_>) -> PyResult<Q> {
     checked(argument, Q::BOUND, number).map(Q::of_si)
 }
 
-/// The same of an argument that may be left out.
+/// Returns the quantity of an argument that may be left out.
 pub fn optional<Q: Quantity>(argument: &str, given: Option<&Given<'_>>) -> PyResult<Option<Q>> {
     given.map(|given| quantity(argument, given)).transpose()
 }
@@ -103,7 +103,7 @@ pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
     given.extract().map_err(|_| refused())
 }
 
-/// What something is, for messages.
+/// Describes the type of an argument, for messages.
 pub fn type_name(given: &Given<'_>) -> String {
     given.get_type().name().map_or_else(|_| "something else".to_owned(), |name| format!("of type {name}"))
 }

@@ -155,7 +155,7 @@ impl PyScan {
         Ok((heights_m.to_pyarray(py), mask.transpose()?.map(|mask| mask.to_pyarray(py))))
     }
 
-    /// What the program's command for scans tells of it, in one row.
+    /// The row of the program's command `scan` for this scan.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let table = light(py, || Channels::from_scan(&self.request, &self.scan).table());
         columns(py, &table)
@@ -347,7 +347,7 @@ pub fn channels_of<'py>(
     }
 }
 
-/// What is said of a scan: options by their names, each with what the argument is called.
+/// Builds the request for a scan from options by their names, each under the name of its argument.
 fn request(name: &str, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
     with_options(ScanRequest { path: name.to_owned(), ..ScanRequest::default() }, options)
 }
@@ -387,7 +387,7 @@ fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResu
     Ok(request)
 }
 
-/// How spectra are made of all scans.
+/// Builds the recipe for the spectra of all scans.
 fn recipe_of(options: &Bound<'_, PyDict>) -> PyResult<Recipe> {
     let mut recipe = Recipe::default();
     for (key, value) in options {
@@ -425,7 +425,7 @@ fn tip_radius(argument: &str, value: &Given<'_>) -> PyResult<TipRadius> {
     }
 }
 
-/// What is typed on the command line as well.
+/// Parses an argument by the rules of the command line.
 fn typed<T: std::str::FromStr<Err = String>>(argument: &str, text: &str) -> PyResult<T> {
     text.parse().map_err(|error| of_argument(argument, error))
 }
@@ -443,7 +443,7 @@ fn number_or_text(argument: &str, value: &Given<'_>) -> PyResult<String> {
     }
 }
 
-/// Why scans yield nothing, with the argument that mends it; `argument` is the list that they stand in.
+/// Converts an error of scans, with the argument that mends it; `argument` is the list that holds the scans.
 fn refused(error: &TopographyError, argument: &str) -> PyErr {
     let place = match error.request {
         Some(at) if !argument.is_empty() => format!("{argument}[{at}]: "),

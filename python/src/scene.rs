@@ -104,13 +104,13 @@ impl PyScene {
         Ok(PyScene { scene, name, files: files.read.into_inner().unwrap_or_else(PoisonError::into_inner) })
     }
 
-    /// What it is about.
+    /// Title of the scene.
     #[getter]
     fn title(&self) -> &str {
         &self.scene.title
     }
 
-    /// What there is to say of its surface, and the keys that have no effect.
+    /// Notes on the surface, and the keys that have no effect.
     #[getter]
     fn notes(&self) -> Vec<String> {
         said(&self.scene)
@@ -122,13 +122,14 @@ impl PyScene {
         self.files.clone()
     }
 
-    /// What it needs, shares and skips.
+    /// Explains which steps the scene needs, shares and skips.
     fn explain(&self, py: Python<'_>) -> String {
         light(py, || explain(&self.scene))
     }
 
-    /// Everything that is made of it: the answer in words, tables with the lines that tell where they come from, and the bytes of
-    /// files by name. `observer` is told what the steps at hand are, how many are done, and of how many where that is known.
+    /// Runs the scene and returns all its results: the answer in words, tables with the lines that tell where they come
+    /// from, and the bytes of files by name. `observer` is called with the name of the steps at hand, the number done,
+    /// and their total where it is known.
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -218,7 +219,7 @@ pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()>
     })
 }
 
-/// What was made of a scene.
+/// Results of a scene.
 struct Made {
     answer: String,
     tables: Vec<(String, Table, Vec<String>)>,
@@ -248,7 +249,7 @@ impl Made {
     }
 }
 
-/// What is being done.
+/// The phase at hand and its steps.
 #[derive(Debug, Clone, Copy, Default)]
 struct AtHand {
     phase: Option<Phase>,
@@ -279,7 +280,7 @@ struct Steps<'w> {
 impl Progress for Steps<'_> {
     fn advance(&self, steps: usize) {
         let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
-        // Whoever looks at it right now need not see this step.
+        // A reader that holds the lock right now need not see this step.
         if let Ok(mut state) = self.watching.state.try_lock() {
             state.done = state.done.max(done);
         }
@@ -305,14 +306,14 @@ fn told_of<'py>(
     PyCFunction::new_closure(py, None, None, tell)
 }
 
-/// What there is to say of a scene before anything of it is computed.
+/// Returns the notes on a scene before anything of it is computed.
 fn said(scene: &Scene) -> Vec<String> {
     let mut said = notes(&scene.surface);
     said.extend(scene.notes.iter().map(scene_note_words::line));
     said
 }
 
-/// What is wrong in a scene, drawn; a missing file is missing.
+/// Converts an error of a scene, drawn in its text; a missing file becomes `FileNotFoundError`.
 fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
     let drawn = report::scene_errors::drawn(error, text, name);
     match &error.problem {

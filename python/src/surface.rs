@@ -96,7 +96,7 @@ impl PySurface {
         Some(PyArray1::from_iter(py, errors_m3.iter().map(|error_m3| error_m3.unwrap_or(f64::NAN))))
     }
 
-    /// What reading took for granted, and what is doubtful.
+    /// Assumptions made in reading, and doubts.
     #[getter]
     fn notes(&self) -> Vec<String> {
         notes(&self.surface)
@@ -175,7 +175,7 @@ impl PySurface {
     }
 }
 
-/// Which scales take part.
+/// Returns the scales that take part.
 pub fn sampling(
     surface: &Surface,
     cutoff: Option<&Given<'_>>,
@@ -194,18 +194,18 @@ pub fn sampling(
     Ok(Sampling { scales_per_decade, cutoff_m: cutoff.map(|cutoff| cutoff.m) })
 }
 
-/// How many scales a decade.
+/// Checks a number of scales per decade.
 pub fn per_decade(count: i64) -> PyResult<NonZeroU32> {
     let whole = u32::try_from(count).ok().and_then(NonZeroU32::new);
     whole.ok_or_else(|| input(format!("scales_per_decade is {count}; it must be from 1 to {}", u32::MAX)))
 }
 
-/// One of the choices that have names.
+/// Parses a named choice.
 pub fn named<T: std::str::FromStr<Err = UnknownName>>(argument: &str, name: &str) -> PyResult<T> {
     name.parse().map_err(|error| of_argument(argument, error))
 }
 
-/// What there is to say of a surface: notes and warnings, of checks that were passed nothing.
+/// Returns the notes and warnings on a surface; checks that were passed are left out.
 pub fn notes(surface: &Surface) -> Vec<String> {
     let told = surface.notes.iter().filter_map(|note| match note.severity() {
         Severity::Passed => None,
@@ -219,7 +219,7 @@ fn to_vec(array: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
     array.as_array().to_vec()
 }
 
-/// How a file of a spectrum is read.
+/// Returns the options for reading a file of a spectrum.
 pub fn reading(given: &Bound<'_, PyDict>) -> PyResult<ReadOptions> {
     let text = |key: &str| -> PyResult<Option<String>> {
         given.get_item(key)?.filter(|value| !value.is_none()).map(|value| value.extract()).transpose()
@@ -235,7 +235,7 @@ pub fn reading(given: &Bound<'_, PyDict>) -> PyResult<ReadOptions> {
     })
 }
 
-/// Why there is no spectrum, with the argument that mends it.
+/// Converts an error of a spectrum, with the argument that mends it.
 pub fn refused(error: &SurfaceError) -> PyErr {
     match error {
         SurfaceError::Scan { .. } => input(format!("{error}; use read_scan and composite")),

@@ -1,4 +1,4 @@
-//! How many threads the work takes.
+//! Number of threads that the work takes.
 
 use std::num::NonZeroUsize;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -12,7 +12,7 @@ use crate::errors::input;
 /// The threads, made when they are first needed.
 struct Threads {
     count: Option<NonZeroUsize>,
-    /// With the process that made it: threads do not follow where a process splits.
+    /// The process and the pool that it made: threads do not survive a fork.
     pool: Option<(u32, Arc<ThreadPool>)>,
 }
 
@@ -64,7 +64,7 @@ pub fn set_threads(count: i64) -> PyResult<()> {
     Ok(())
 }
 
-/// How many threads work takes.
+/// Number of threads that the work takes.
 #[pyfunction]
 pub fn threads() -> usize {
     THREADS.lock().unwrap_or_else(PoisonError::into_inner).count()

@@ -1,4 +1,4 @@
-//! How sure areas are: draws of scans, instruments and material through a scene's plan.
+//! Uncertainty of areas: draws of scans, instruments and material through a scene's plan.
 
 use report::{advice_words, uncertainty_words};
 use scene::{Scene, UncertainProperty, UncertaintyChoices};
@@ -26,7 +26,7 @@ use crate::work::carry_out;
 /// A standard uncertainty: what its argument is called, what the property is given as, and the uncertainty.
 type GivenSpread<'py> = (String, Given<'py>, Given<'py>);
 
-/// Why nothing is drawn.
+/// Message if no input is uncertain, so that there is nothing to draw.
 const NOTHING_SCATTERS: &str = "nothing of the surface or the material is known to scatter; give scans (composite) or a spectrum \
                                 with standard errors (c1d_se), or say how well the material is known, such as \
                                 youngs_modulus=\"5 %\"";
@@ -138,7 +138,7 @@ fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices<'_>) -
         return Err(input(format!("model[{at}] is {}, which stands twice; keep one", entry.name)));
     }
     let curve = |entry: &&'static ModelEntry| {
-        // What only some of the models have is theirs; what none has is refused by the first.
+        // A choice that only some models have goes to those; one that none has is refused by the first.
         let theirs = |choice| entry.has(choice) || !entries.iter().any(|entry| entry.has(choice));
         let options = model_options(
             entry,
@@ -181,7 +181,7 @@ fn whole(argument: &str, given: &Given<'_>, bound: NumberBound) -> PyResult<u64>
     given.extract().map_err(|_| input(format!("{argument} is {value}; it must be a whole number")))
 }
 
-/// How well the material is known.
+/// Reads the uncertainties of the material.
 fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
     let mut spreads = MaterialSpreads::default();
     let mut of_strength: Option<&str> = None;
@@ -240,7 +240,7 @@ fn without_sign(text: &str) -> &str {
     signs.into_iter().find_map(|sign| text.strip_prefix(sign)).unwrap_or(text).trim_start()
 }
 
-/// What was found, as arrays of (loads, models) and tables.
+/// Converts the results to arrays of (loads, models) and tables.
 fn told_of<'py>(
     py: Python<'py>,
     scene: &Scene,

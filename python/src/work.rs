@@ -9,10 +9,10 @@ use pyo3::prelude::*;
 
 use crate::threads;
 
-/// How long Ctrl-C and progress wait for the interpreter, at most.
+/// Longest wait of Ctrl-C and progress for the interpreter.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// What is done of some work, and whether it should end.
+/// Steps done of some work, and the request to end it.
 #[derive(Debug, Default)]
 struct Watch {
     done: AtomicUsize,
@@ -29,7 +29,7 @@ impl Progress for Watch {
     }
 }
 
-/// Whether some work has come to its end.
+/// Signal that some work has come to its end.
 #[derive(Debug, Default)]
 struct Finish {
     is_reached: Mutex<bool>,
@@ -59,7 +59,7 @@ impl Drop for Reach<'_> {
     }
 }
 
-/// What `work` makes, on a thread beside this one, which keeps looking for Ctrl-C. `observer` is called with the steps done,
+/// Runs `work` on a thread beside this one, which keeps looking for Ctrl-C. `observer` is called with the steps done,
 /// now and then and at the end.
 ///
 /// # Errors
@@ -95,7 +95,7 @@ pub fn carry_out<T: Send>(
     })
 }
 
-/// What `work` makes, on this thread: for work that is done before another thread has begun.
+/// Runs `work` on this thread: for work that is done before another thread has begun.
 pub fn light<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
     py.detach(|| parallel::on_this_thread(work))
 }

@@ -1,4 +1,4 @@
-//! What may be typed on the command line.
+//! Arguments of the command line.
 
 mod bem;
 mod gap;
@@ -33,11 +33,11 @@ use study::plan::Tolerance;
 use units::PressureRange;
 use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
 
-/// How much of two rough surfaces really touches, and which scales of roughness decide it.
+/// Real contact area of two rough surfaces, and the scales of roughness that decide it.
 ///
-/// From the power spectral density (PSD) of a surface and a material to the real contact area, scale by scale: spectral
-/// moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities, after
-/// Jackson & Jacobs.
+/// Computes the real contact area, scale by scale, from the power spectral density (PSD) of a surface and a material:
+/// spectral moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities,
+/// after Jackson & Jacobs.
 #[derive(Debug, Parser)]
 #[command(
     name = "truearea",
@@ -206,7 +206,7 @@ Examples:
   truearea bem psd.csv --shortest 100nm --pressures 1MPa:1GPa:7 \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --figure area.svg")]
     Bem(Box<BemArgs>),
-    /// What is in the files of instruments: a row for each channel of heights
+    /// List the channels of heights in instrument files, one row each
     #[command(after_help = "\
 Columns: file, format, channel, points_x, points_y, size_x_m, size_y_m,
 rms_height_m (about the mean of the points that are there), peak_to_valley_m,
@@ -261,7 +261,7 @@ Example:
 Example:
   truearea scene new > my-scene.toml")]
     Scene {
-        /// Which one: an empty one to fill in, or UNCD
+        /// Template to print: an empty one to fill in, or UNCD
         #[arg(value_parser = one_of::<Template, _>(Template::ALL))]
         template: Template,
     },
@@ -272,7 +272,7 @@ Examples:
   truearea completions fish --output ~/.config/fish/completions/truearea.fish
   source <(truearea completions zsh)")]
     Completions {
-        /// Which shell
+        /// Shell to complete for
         shell: Shell,
     },
     /// Write manual pages: one for the program, one for each command
@@ -382,13 +382,13 @@ pub(crate) struct AmplitudeArgs {
 pub(crate) struct StackedArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
-    /// How scales deform
+    /// Deformation model of every scale
     #[arg(long, value_parser = model_of(Framework::Stacked))]
     pub model: &'static ModelEntry,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]
@@ -431,7 +431,7 @@ pub(crate) struct StatisticalArgs {
     /// A table of populations instead, CSV or JSON: a path, or - for standard input
     #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA)]
     pub input: Option<Place>,
-    /// Which column of the table is the input where both are filled; the other is recomputed
+    /// Column of the table to use as input where both are filled; the other is recomputed
     #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input")]
     pub given: Option<GivenColumn>,
     /// The law of one asperity
@@ -440,7 +440,7 @@ pub(crate) struct StatisticalArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(
         long = "pressures",
         value_name = "FROM:TO:COUNT",
@@ -456,8 +456,8 @@ pub(crate) struct StatisticalArgs {
     /// Relative tolerance of pressure and area, in (0, 0.01]; a looser one costs less
     #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
     pub tolerance: Tolerance,
-    /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
-    /// boundary-element solutions
+    /// Relation between the pressure on an elastic sinusoid (elastic-sine) and its interference: a fit, which is the
+    /// default, or boundary-element solutions
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
     #[command(flatten)]

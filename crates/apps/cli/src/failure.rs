@@ -1,4 +1,4 @@
-//! How a command fails: what it says, and its exit status.
+//! Failures of a command: the message, and the exit status.
 
 use std::process::ExitCode;
 
@@ -11,7 +11,7 @@ use crate::stderr::say;
 /// The exit status of a program that was asked to end: 128, and 2 for Ctrl-C.
 pub const INTERRUPTED: u8 = 130;
 
-/// Why a command ends without its result.
+/// Reason that a command ends without its result.
 #[derive(Debug)]
 pub enum Failure {
     /// Bad input; the message names where, what, and against which bound. Exit status 2.

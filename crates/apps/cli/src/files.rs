@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::output::Place;
 use crate::targets::Targets;
 
-/// What comes from a stream and is read more than once is held up to this many bytes, and beyond in a temporary file.
+/// Bytes of a stream read more than once that are held in memory; a longer stream goes to a temporary file.
 const MOST_BYTES_HELD: usize = 1 << 24;
 
 /// Files by their paths relative to a folder, none of which a result may replace; `-` is standard input.

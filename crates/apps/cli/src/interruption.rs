@@ -5,28 +5,29 @@ use std::time::Duration;
 
 use crate::failure::INTERRUPTED;
 
-/// How long the work has to end by itself. What cannot be asked, such as a wait for standard input, is ended then.
+/// Time that the work has to end by itself. Work that cannot be asked, such as a wait for standard input, is ended
+/// then.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A signal reaches no value of the program, hence a static.
 static ASKED_FOR: AtomicBool = AtomicBool::new(false);
 
-/// Whether work is done that can be ended early with a result.
+/// True while work is done that can be ended early with a result.
 static CAN_END_EARLY: AtomicBool = AtomicBool::new(false);
 
-/// Whether it has been asked to.
+/// True once the work has been asked to end early.
 static END_EARLY: AtomicBool = AtomicBool::new(false);
 
-/// Whether the program has been asked to end.
+/// Returns true if the program has been asked to end.
 pub fn is_asked_for() -> bool {
     ASKED_FOR.load(Ordering::Relaxed)
 }
 
-/// Has the first signal ask the work to end, and the second one end it at once. While there is an [`EarlyEnd`], the first one
-/// ends no more than what it was made for.
+/// Installs the signal handler: the first signal asks the work to end, the second ends it at once. While there is an
+/// [`EarlyEnd`], the first signal ends only the work that it was made for.
 pub fn listen() {
-    // Where a signal is handled otherwise, as hang-ups are under nohup, it stays so: the program ends or goes on as it would
-    // without this.
+    // If a signal is already handled otherwise, as hang-ups are under nohup, it stays so: the program ends or goes on
+    // as it would without this.
     let _ = ctrlc::try_set_handler(|| {
         let is_second = END_EARLY.load(Ordering::Relaxed);
         if CAN_END_EARLY.load(Ordering::Relaxed) && !is_second {
@@ -43,19 +44,19 @@ pub fn listen() {
     });
 }
 
-/// For as long as it lives, the first signal ends the work at hand early, and what comes after it is done; the second one ends
-/// the program, then or later, with no result.
+/// Permission to end early. While it lives, the first signal ends the work at hand early, and the steps after it are
+/// done; the second signal ends the program, then or later, with no result.
 #[derive(Debug)]
 pub struct EarlyEnd(());
 
 impl EarlyEnd {
-    /// From here on.
+    /// Allows an early end from here on.
     pub fn allow() -> Self {
         CAN_END_EARLY.store(true, Ordering::Relaxed);
         EarlyEnd(())
     }
 
-    /// Whether the work at hand has been asked to end early.
+    /// Returns true if the work at hand has been asked to end early.
     pub fn is_asked_for(&self) -> bool {
         END_EARLY.load(Ordering::Relaxed)
     }

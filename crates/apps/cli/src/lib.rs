@@ -31,7 +31,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     match args::Args::try_parse_from(&line) {
         Ok(parsed) => match commands::run(parsed, &typed.join(" ")) {
             Ok(()) => ExitCode::SUCCESS,
-            // Whoever ends a program often ends its input as well, which is no fault of the input.
+            // A program that is ended often loses its input as well, which is no fault of the input.
             Err(_) if interruption::is_asked_for() => failure::Failure::Interrupted.report(),
             Err(failure) => failure.report(),
         },

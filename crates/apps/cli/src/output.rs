@@ -1,4 +1,4 @@
-//! Where input comes from and results go: standard streams, or files that appear whole or not at all.
+//! Sources of input and destinations of results: standard streams, or files that appear whole or not at all.
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -60,7 +60,7 @@ impl Place {
     /// Writes there; a file is replaced only once `write` has succeeded.
     ///
     /// # Errors
-    /// Those of [`stage`](Self::stage) and [`publish`].
+    /// Errors of [`stage`](Self::stage) and [`publish`].
     pub fn write<E: Into<Stopped>>(
         &self,
         write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
@@ -101,12 +101,12 @@ pub fn publish(files: StagedFiles) -> Result<(), Failure> {
     Ok(files.publish()?)
 }
 
-/// Why something was not written.
+/// Reason that something was not written.
 #[derive(Debug)]
 pub enum Stopped {
-    /// It could not be written.
+    /// The output could not be written.
     Writing(io::Error),
-    /// There was nothing to write.
+    /// The command failed, so that there was nothing to write.
     Failed(Failure),
 }
 
@@ -162,7 +162,7 @@ fn written<E: Into<Stopped>>(
     out.flush().map_err(Into::into)
 }
 
-/// What was read from `source` as text, without a byte-order mark; `what` it is meant to be.
+/// Returns the bytes read from `source` as text, without a byte-order mark; `what` names the expected content.
 ///
 /// # Errors
 /// [`Failure::Input`] that names the first line that is not UTF-8.

@@ -20,7 +20,7 @@ enum PictureFormat {
     Png,
 }
 
-/// Why there is no picture.
+/// Reason that there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum PictureError {
     /// A name that ends in none of the formats.
@@ -44,7 +44,7 @@ pub(crate) enum PictureError {
     Drawing {
         /// The file.
         path: PathBuf,
-        /// What the drawing library says.
+        /// The message of the drawing library.
         why: String,
     },
 }
@@ -71,7 +71,7 @@ impl FromStr for Picture {
 }
 
 impl Picture {
-    /// The same format in another file.
+    /// Returns a picture of this format in another file.
     pub fn with_path(&self, path: PathBuf) -> Self {
         Picture { path, format: self.format }
     }
@@ -116,7 +116,7 @@ impl Picture {
 /// The PNG of a field; none where the program draws no PNG.
 ///
 /// # Errors
-/// What the drawing library says.
+/// [`PictureError::Drawing`] with the message of the drawing library.
 #[cfg(feature = "png")]
 pub(crate) fn png_of_field(picture: &FieldPicture) -> Result<Option<Vec<u8>>, PictureError> {
     png::of_field(picture).map(Some).map_err(|why| PictureError::Drawing { path: PathBuf::new(), why })

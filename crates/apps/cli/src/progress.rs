@@ -58,11 +58,11 @@ impl Drop for Progress {
     }
 }
 
-/// The same of work that may be ended early.
+/// Progress of work that may be ended early.
 pub struct UntilEnded {
-    /// What is shown.
+    /// The progress bar.
     pub progress: Progress,
-    /// What may end it.
+    /// The request that may end the work.
     pub early_end: EarlyEnd,
 }
 

@@ -1,4 +1,4 @@
-//! What is said beside the result, to a reader who may have left.
+//! Messages beside the result, to a reader who may have left.
 
 use std::io::Write;
 

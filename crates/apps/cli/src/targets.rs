@@ -1,4 +1,4 @@
-//! Where results will go, looked at before anything is read or computed: no result replaces what it is made from.
+//! Destinations of results, checked before anything is read or computed: no result replaces its own input.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,15 +18,15 @@ struct Target {
     /// The option that names it.
     option: &'static str,
     path: PathBuf,
-    /// What stands there now, where it is a file.
+    /// The file at the path now, if there is one.
     existing: Option<Handle>,
 }
 
 impl Targets {
-    /// With a place besides; standard output is none.
+    /// Adds a place; standard output is never a target.
     ///
     /// # Errors
-    /// Those of [`with_file`](Self::with_file).
+    /// Errors of [`with_file`](Self::with_file).
     pub fn with(self, option: &'static str, place: &Place) -> Result<Self, Failure> {
         match place {
             Place::Standard => Ok(self),
@@ -34,7 +34,7 @@ impl Targets {
         }
     }
 
-    /// With a file besides.
+    /// Adds a file.
     ///
     /// # Errors
     /// [`Failure::Input`] where a folder stands there or another target is the same file; [`Failure::System`] where its
@@ -76,15 +76,15 @@ impl Targets {
     /// Refuses a file that is about to be read and that a target would replace.
     ///
     /// # Errors
-    /// With the option and its file.
+    /// An error that names the option and its file.
     pub fn spare(&self, input: &Path) -> io::Result<()> {
         self.spare_handle(file(input))
     }
 
-    /// The same for what standard input is redirected from.
+    /// Refuses standard input that is redirected from a file that a target would replace.
     ///
     /// # Errors
-    /// With the option and its file.
+    /// An error that names the option and its file.
     pub fn spare_standard_input(&self) -> io::Result<()> {
         let is_file = |handle: &Handle| handle.as_file().metadata().is_ok_and(|found| found.is_file());
         self.spare_handle(Handle::stdin().ok().filter(is_file))
@@ -104,7 +104,7 @@ impl Targets {
 }
 
 impl Target {
-    /// Whether both are the same file, which need not be there yet.
+    /// Returns true if both are the same file, which need not be there yet.
     fn is(&self, other: &Target) -> bool {
         match (&self.existing, &other.existing) {
             (Some(one), Some(other)) => one == other,
@@ -122,7 +122,7 @@ impl Target {
     }
 }
 
-/// What is known of a file that is there; none for a device, a pipe, or nothing at all.
+/// Opens a handle of a file that is there; none for a device, a pipe, or nothing at all.
 fn file(path: &Path) -> Option<Handle> {
     if path.is_file() { Handle::from_path(path).ok() } else { None }
 }

@@ -1,4 +1,4 @@
-//! How long reading, computing and writing took, said on request.
+//! Times of reading, computing and writing, printed on request.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! What `bem` may be asked.
+//! Arguments of `bem`.
 
 use std::num::NonZeroU32;
 use std::ops::RangeInclusive;
@@ -24,13 +24,13 @@ pub(crate) struct BemArgs {
     /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file,
     /// - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
     pub surface: ScanRequest,
-    /// What the file holds, where its content does not tell
+    /// Kind of the file, where its content does not tell
     #[arg(long = "as", value_name = "KIND", value_parser = one_of::<Kind, _>(Kind::ALL))]
     pub kind: Option<Kind>,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given
@@ -94,11 +94,11 @@ impl PressedMaterialArgs {
 #[derive(Debug, ClapArgs)]
 #[command(next_help_heading = "Options for maps")]
 pub(crate) struct MapArgs {
-    /// What lies beyond the edges: the map again, or an unloaded half-space; by default what the file says, and free where it
-    /// says nothing
+    /// Surroundings of the map: the map again, or an unloaded half-space; by default as the file says, and free where
+    /// it says nothing
     #[arg(long, value_parser = one_of::<Boundary, _>(Boundary::ALL))]
     pub boundary: Option<Boundary>,
-    /// What is subtracted from the heights: by default a plane, from periodic data the mean
+    /// Trend subtracted from the heights: by default a plane, from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
     #[command(flatten)]
@@ -134,7 +134,7 @@ pub(crate) struct RandomArgs {
     /// Points along each side of a surface; 512 where not given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(points()))]
     pub grid: Option<u32>,
-    /// How many surfaces are made of the spectrum; 8 where not given
+    /// Number of surfaces made of the spectrum; 8 where not given
     #[arg(long, value_name = "R", value_parser = parse_count)]
     pub realisations: Option<NonZeroU32>,
     /// The seed of their phases; 1 where not given
@@ -150,7 +150,7 @@ pub(crate) struct RandomArgs {
     /// Length of a side; where not given, what is left of the grid is shared between points and lengths
     #[arg(long = "box", value_name = "L", allow_hyphen_values = true)]
     pub side: Option<Length>,
-    /// What is random: phases alone, or moduli as well
+    /// Random part of the spectrum: phases alone, or moduli as well
     #[arg(long, value_parser = one_of::<Phases, _>(Phases::ALL))]
     pub phases: Option<Phases>,
 }

@@ -15,7 +15,7 @@ use super::parsers::{one_of, parse_labelled_pressure, parse_tolerance};
 use super::persson::parse_gamma;
 use super::{HardnessArg, MaterialArgs, NormalisationArg, ReadingArgs, SamplingArgs};
 
-/// What makes the gap: a model of asperities, Persson's theory, or boundary elements if there is none.
+/// Model of the gap: a law of asperities, Persson's theory, or boundary elements if there is none.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapModelArg(pub Option<&'static ModelEntry>);
 
@@ -44,12 +44,12 @@ pub(crate) struct GapChoiceArgs {
     /// Elastic energy factor of Persson's theory, in (0, 1]; 0.45 where not given
     #[arg(long, value_name = "G", value_parser = parse_gamma, allow_hyphen_values = true)]
     pub gamma: Option<f64>,
-    /// What is cut off at a wavelength in Persson's theory: 1d, the spectrum of profiles, which is the default, or 2d, that of the
-    /// surface, which agrees with boundary elements where the spectrum rolls off
+    /// Spectrum cut off at a wavelength in Persson's theory: 1d, that of profiles, which is the default, or 2d, that of
+    /// the surface, which agrees with boundary elements where the spectrum rolls off
     #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]
     pub band: Option<Band>,
-    /// What ties the pressure on an elastic sinusoid (elastic-sine) to its interference: a fit, which is the default, or
-    /// boundary-element solutions
+    /// Relation between the pressure on an elastic sinusoid (elastic-sine) and its interference: a fit, which is the
+    /// default, or boundary-element solutions
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
     #[command(flatten)]
@@ -91,13 +91,13 @@ pub(crate) struct GapArgs {
     pub psd: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// What makes the gap: Persson's theory, a law of asperities, or boundary elements
+    /// Model of the gap: Persson's theory, a law of asperities, or boundary elements
     #[arg(long, value_parser = gap_model())]
     pub model: GapModelArg,
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]
@@ -109,7 +109,7 @@ pub(crate) struct GapArgs {
     pub random: RandomArgs,
 }
 
-/// How CalculiX is given a law.
+/// Form of a law in the input of CalculiX.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LawForm {
     Table,
@@ -124,10 +124,10 @@ pub(crate) struct LawArgs {
     pub psd: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// What makes the law: Persson's theory, or a law of asperities
+    /// Model behind the law: Persson's theory, or a law of asperities
     #[arg(long, value_parser = law_model())]
     pub model: &'static ModelEntry,
-    /// Who is to read it
+    /// Finite element program that reads the law
     #[arg(long, value_parser = one_of::<Dialect, _>(Dialect::ALL))]
     pub dialect: Dialect,
     /// The units of the finite element model
@@ -139,7 +139,7 @@ pub(crate) struct LawArgs {
     /// The largest relative error of the pressure on the straight lines between the rows
     #[arg(long, value_name = "E", default_value_t = ContactLaw::TOLERANCE)]
     pub error: f64,
-    /// How calculix is given the law: as a table, or as the exponential law of light loads that Persson's theory has
+    /// Form of the law for calculix: a table, or the exponential law of light loads that Persson's theory has
     #[arg(long, value_parser = one_of::<LawForm, _>(LawForm::ALL), default_value = "table")]
     pub form: LawForm,
     /// The name of the surface interaction

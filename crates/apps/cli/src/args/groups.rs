@@ -20,7 +20,7 @@ pub(crate) struct SharedArgs {
     /// Format of tables written
     #[arg(long, value_parser = one_of::<Format, _>(Format::ALL), default_value_t, global = true)]
     pub format: Format,
-    /// Where the table goes, or the text of `run` and `scene`: a path, or - for standard output
+    /// Destination of the table, or of the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
     pub output: Place,
     /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do
@@ -40,13 +40,13 @@ pub(crate) struct PsdArgs {
     pub reading: ReadingArgs,
 }
 
-/// What the header of a spectrum may leave open.
+/// Options for everything that the header of a spectrum may leave open.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct ReadingArgs {
     /// The column that holds the spectrum, where several could
     #[arg(long, value_name = "NAME")]
     pub column: Option<String>,
-    /// What the first column of a text without header is
+    /// Quantity in the first column of a text without header
     #[arg(long, value_parser = one_of::<Abscissa, _>(Abscissa::ALL))]
     pub x: Option<Abscissa>,
     /// The convention of the spectrum, where the header does not tell
@@ -66,7 +66,7 @@ pub(crate) struct ReadingArgs {
     pub psd_unit: Option<String>,
 }
 
-/// Which scales of a spectrum take part.
+/// Options that select the scales of a spectrum.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct SamplingArgs {
     /// Resample the spectrum to N scales per decade; the stacked area depends on it
@@ -87,7 +87,7 @@ impl SamplingArgs {
     }
 }
 
-/// How moments are normalised.
+/// Option for the normalisation of moments.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct NormalisationArg {
     /// Normalisation of the moments: parseval, 1/pi, which keeps the variance, or as-printed, the 1 of Jackson & Jacobs,
@@ -96,7 +96,7 @@ pub(crate) struct NormalisationArg {
     pub normalisation: Option<Normalisation>,
 }
 
-/// What the amplitude of a scale is.
+/// Option for the definition of the amplitude of a scale.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct AmplitudeArg {
     /// Amplitude of a scale: eq5, Eq. (5) of Jackson & Jacobs, or parseval, the band amplitude that keeps the variance
@@ -104,7 +104,7 @@ pub(crate) struct AmplitudeArg {
     pub amplitude: Option<AmplitudeDefinition>,
 }
 
-/// Which form the hardness of a sphere has.
+/// Option for the form of the hardness of a sphere.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct HardnessArg {
     /// Hardness of the sphere in the model ep-sphere: 2005, that of Jackson & Green 2005, or cosine, the cosine form
@@ -113,7 +113,7 @@ pub(crate) struct HardnessArg {
     pub hardness: Option<Hardness>,
 }
 
-/// Where a growing strength ends.
+/// Option for the upper limit of a growing strength.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct StrengthCapArg {
     /// Upper limit of the depth-dependent yield strength
@@ -121,7 +121,7 @@ pub(crate) struct StrengthCapArg {
     pub strength_cap: Option<Pressure>,
 }
 
-/// What presses on the rough body.
+/// Options for the body that presses on the rough one.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct CounterfaceArgs {
     /// Young's modulus of the counterface, rigid where not given

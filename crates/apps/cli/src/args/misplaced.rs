@@ -17,7 +17,7 @@ pub(crate) fn behind_the_command(line: Vec<OsString>) -> Vec<OsString> {
     }
 }
 
-/// What there is to say of an option that the command does not have and others do.
+/// Returns advice on an option that the command does not have and others do.
 pub(crate) fn foreign_option(error: &clap::Error, line: &[OsString]) -> Option<String> {
     let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
         (error.kind(), error.get(ContextKind::InvalidArg))
@@ -55,7 +55,7 @@ struct Sorted {
 }
 
 impl Sorted {
-    /// None where something stands before the command that is not an option of some command.
+    /// Sorts a command line; none where something stands before the command that is not an option of some command.
     fn of(line: &[OsString], program: &Command) -> Option<Self> {
         let mut left = line.iter().cloned();
         let mut sorted = Sorted { words: vec![left.next()?], options: Vec::new(), rest: Vec::new() };
@@ -82,7 +82,7 @@ impl Sorted {
     }
 }
 
-/// Whether the value of an option is the word after it; none where no command has the option.
+/// Returns true if the value of an option is the word after it; none where no command has the option.
 fn takes_next_word(program: &Command, word: &OsStr) -> Option<bool> {
     let option = word.to_str()?.strip_prefix("--")?;
     let (name, has_value) = match option.split_once('=') {

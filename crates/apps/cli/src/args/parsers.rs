@@ -1,4 +1,4 @@
-//! From a typed word to its value.
+//! Parsers from a typed word to its value.
 
 use std::num::NonZeroU32;
 

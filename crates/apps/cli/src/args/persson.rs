@@ -13,12 +13,12 @@ use super::parsers::{one_of, parse_labelled_pressure, parse_place};
 use super::{AmplitudeArg, FigureArg, MaterialArgs, ReadingArgs, SamplingArgs};
 use crate::output::Place;
 
-/// How a hardness grows towards short wavelengths.
+/// Growth of a hardness towards short wavelengths.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum GrowthArg {
-    /// By a law.
+    /// Growth by a law.
     Law(GrowthLaw),
-    /// As a file says.
+    /// Growth tabulated in a file.
     Table(PathBuf),
 }
 
@@ -60,16 +60,16 @@ pub(crate) struct PerssonArgs {
     /// A table of pressures instead, CSV or JSON: a path, or - for standard input
     #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = OF_MATERIALS)]
     pub input: Option<Place>,
-    /// How the surface deforms; of rows, those with a hardness yield where it is left out
+    /// Deformation of the surface; where left out, rows with a hardness yield and the others do not
     #[arg(long, value_parser = one_of::<Deformation, _>(Deformation::ALL))]
     pub model: Option<Deformation>,
     /// A corrected form of the elastic theory, fitted to simulations
     #[arg(long, value_parser = one_of::<Correction, _>(Correction::ALL))]
     pub correction: Option<Correction>,
-    /// What is cut off at a wavelength: 1d, the spectrum of profiles, which is the default, or 2d, that of the surface
+    /// Spectrum cut off at a wavelength: 1d, that of profiles, which is the default, or 2d, that of the surface
     #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]
     pub band: Option<Band>,
-    /// How the hardness grows towards short wavelengths: power:N, with the wavevector to that power; nix-gao, with the
+    /// Growth of the hardness towards short wavelengths: power:N, with the wavevector to that power; nix-gao, with the
     /// amplitudes of scales and --strain-gradient-length; table:FILE, with the columns contact_size_m and hardness_pa
     #[arg(long, value_name = "power:N|nix-gao|table:FILE", value_parser = parse_growth)]
     pub hardness_law: Option<GrowthArg>,
@@ -79,7 +79,7 @@ pub(crate) struct PerssonArgs {
     /// Nominal pressure; give it several times for several loads
     #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
     pub pressures: Vec<(Pressure, String)>,
-    /// As many nominal pressures, evenly spaced in their logarithms; behind those of --pressure
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
     #[command(flatten)]

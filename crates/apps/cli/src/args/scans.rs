@@ -1,4 +1,4 @@
-//! What `scan` and `psd` may be asked.
+//! Arguments of `scan` and `psd`.
 
 use std::num::NonZeroU32;
 
@@ -28,7 +28,7 @@ pub(crate) struct ScanArgs {
     pub figure: Option<Picture>,
 }
 
-/// What a file may leave open.
+/// Options for everything that a file may leave open.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct UntoldArgs {
     /// Unit of lengths and heights where neither the file nor metadata beside it tell
@@ -54,11 +54,11 @@ impl UntoldArgs {
     }
 }
 
-/// How maps are made whole, and which way they are looked at.
+/// Options for missing points of maps, and for the direction of their lines.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct MapTreatmentArgs {
-    /// What becomes of points without a height: harmonic, filled by the smoothest surface through the edges of each gap, up to
-    /// 20 % of a scan; lines, left out with their lines or the stretches of them that they interrupt; or refuse
+    /// Treatment of points without a height: harmonic, filled by the smoothest surface through the edges of each gap,
+    /// up to 20 % of a scan; lines, left out with their lines or the stretches of them that they interrupt; or refuse
     #[arg(long, value_parser = one_of::<GapTreatment, _>(GapTreatment::ALL))]
     pub gaps: Option<GapTreatment>,
     /// The lines of a map: x, its rows; y, its columns; or both
@@ -84,13 +84,13 @@ pub(crate) struct ScansArgs {
     /// optional; files are relative to it
     #[arg(long, value_name = "PATH", value_parser = parse_place)]
     pub list: Option<Place>,
-    /// What is subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
+    /// Trend subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
     /// The window: by default Hann, for periodic data none
     #[arg(long, value_parser = one_of::<Window, _>(Window::ALL))]
     pub window: Option<Window>,
-    /// How scans are averaged where they share a bin
+    /// Average over scans that share a bin
     #[arg(long, value_parser = one_of::<Average, _>(Average::ALL), default_value_t)]
     pub average: Average,
     /// Logarithmic bins per decade of wavevectors
@@ -104,7 +104,7 @@ pub(crate) struct ScansArgs {
     pub untold: UntoldArgs,
     #[command(flatten)]
     pub maps: MapTreatmentArgs,
-    /// Where the table goes; the same as --output
+    /// Destination of the table; the same as --output
     #[arg(long, value_name = "PATH", value_parser = parse_place)]
     pub out: Option<Place>,
     /// Write every scan's spectrum under its name in the column series, whole as NAME (incl. unreliable data), and the

@@ -246,7 +246,7 @@ impl Context<'_> {
     }
 }
 
-/// How a spectrum is read.
+/// Returns the options for reading a spectrum.
 fn reading_options(reading: &ReadingArgs) -> ReadOptions {
     ReadOptions {
         column: reading.column.clone(),

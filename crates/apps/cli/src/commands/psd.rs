@@ -107,7 +107,7 @@ pub(super) fn refused(error: TopographyError) -> Failure {
     Failure::Input(refusal(error))
 }
 
-/// What is wrong with scans, with the option that mends it where one does.
+/// Words an error of scans, with the option that mends it where one does.
 pub(super) fn refusal(error: TopographyError) -> String {
     let flag = |option| match option {
         ScanOption::Unit => Some("--unit"),

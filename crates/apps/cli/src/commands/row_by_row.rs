@@ -19,7 +19,7 @@ use units::Pressure;
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
 
-/// What options give to every row: the option, the column that it stands for, and its cell.
+/// Values that options give to every row: the option, the column that it stands for, and its cell.
 #[derive(Debug, Default)]
 pub(super) struct Constants(Vec<(&'static str, &'static str, String)>);
 
@@ -102,7 +102,7 @@ pub(super) fn run(
     refusal.into_result()?;
     let progress = Progress::towards(count, "rows");
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
-    // What somebody else has written above the table belongs to it.
+    // Comment lines that came with the table stay with it.
     comments.append(&mut source.comments);
     let say = |notes: Vec<RowsNote>| {
         let notes: Vec<Note> = notes.into_iter().map(Note::Rows).collect();

@@ -70,7 +70,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
 }
 
-/// What was not carried out is the scene's fault, or nobody's.
+/// Converts the error of a run: an interruption, or an error in the scene.
 fn failed(args: &RunArgs, error: RunError) -> Failure {
     match error {
         RunError::Cancelled => Failure::Interrupted,
@@ -78,7 +78,7 @@ fn failed(args: &RunArgs, error: RunError) -> Failure {
     }
 }
 
-/// What is to be made of the scene.
+/// Returns the options of the run.
 fn asked(args: &RunArgs) -> Asked {
     Asked { report: !args.no_report, judge: None, uncertainty: None }
 }

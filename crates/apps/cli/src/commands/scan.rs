@@ -45,7 +45,7 @@ pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure>
     }
     timings.lap("writing");
     timings.report(context.shared.timings);
-    // What can be read is told before the first file that cannot ends the command.
+    // Rows of readable files are written before the first unreadable file ends the command.
     let refusals: Vec<String> = found.unreadable.into_iter().map(psd::refusal).collect();
     if refusals.is_empty() { Ok(()) } else { Err(Failure::Input(refusals.join("\n"))) }
 }
@@ -64,7 +64,7 @@ fn numbered(path: &Path, number: usize) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// Whether there was anything to draw.
+/// Stages a picture of the heights. Returns false if there is nothing to draw.
 fn stage_heights(files: &mut StagedFiles, picture: &Picture, file: &ScanFile) -> Result<bool, Failure> {
     let bytes = match of_heights(file) {
         None => return Ok(false),
