@@ -17,7 +17,7 @@ pub(crate) const FEW_TOUCH: f64 = 3.0;
 /// The note on gap and stiffness from the waves of profiles; `mend` is the option for the waves of the surface.
 pub(crate) fn by_profiles(mend: &str) -> String {
     format!(
-        "gap and stiffness use the waves of profiles, which makes the stiffness of a surface with a roll-off 23 to 40 % lower than \
+        "gap and stiffness use the waves of profiles, which makes the stiffness of a surface with a roll-off 17 to 51 % lower than \
          boundary elements give; use {mend} for the waves of the surface"
     )
 }

@@ -87,7 +87,7 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             pressure(*pressure_pa)
         )],
         Note::WavesOfProfiles => vec![format!(
-            "gap and stiffness take the waves of profiles, which makes the stiffness of a surface with a roll-off 23 to 40 % \
+            "gap and stiffness take the waves of profiles, which makes the stiffness of a surface with a roll-off 17 to 51 % \
              lower than boundary elements have it; {} takes those of the surface",
             spelling.with_value(OptionName::Band, "2d")
         )],
