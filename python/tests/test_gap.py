@@ -79,7 +79,7 @@ def test_gaps_are_those_of_the_command_line_bit_for_bit(
 def test_notes_tell_where_gaps_mean_little_in_terms_of_arguments() -> None:
     uncd = ta.read_psd(UNCD)
     told = "\n".join(ta.gap(uncd, DIAMOND, pressure="1 kPa").notes)
-    assert 'band="2d" takes those of the surface' in told and "--" not in told
+    assert 'use band="2d"' in told and "--" not in told
     assert "the logarithmic law" in told and "exceeds 3 rms heights" in told
     assert "waves of profiles" not in "\n".join(ta.gap(uncd, DIAMOND, pressure="1 kPa", band="2d").notes)
     surfaces = ta.gap(uncd, DIAMOND, pressure="1 GPa", model="bem", grid=32, realisations=1, shortest="1 um")

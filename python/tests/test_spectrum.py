@@ -69,13 +69,13 @@ def test_resampling_and_cutoff_are_taken() -> None:
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"c1d": [1.0, 2.0]}, "number"),
+        ({"c1d": [1.0, 2.0]}, "3 2"),
         ({"wavevectors": [1.0, -2.0, 3.0]}, "wavevectors: -2.0"),
         ({"wavevectors": [1.0, np.nan, 3.0]}, "wavevectors: nan"),
         ({"c1d": [1.0, 0.0, 3.0]}, "row 2"),
         ({"c1d": [[1.0, 2.0, 3.0]]}, "c1d: 2"),
         ({"c1d": ["1", "2", "3"]}, "c1d: numbers"),
-        ({"c1d": []}, "number"),
+        ({"c1d": []}, "3 0"),
         ({"wavevectors": [1.0, 1.0, 3.0]}, "wavelength"),
         ({"c1d_se": [0.1, -0.1, 0.1]}, "error"),
         ({"convention": "c2d"}, "convention: 'c2d' c1d"),

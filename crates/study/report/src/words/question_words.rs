@@ -15,7 +15,7 @@ use units::display::{counted, length, pressure, three_digits};
 use units::number;
 
 use super::state_words::{narrow_spectra, notes_of_states};
-use crate::{doubt_words, elements_words, row_notes, scan_words};
+use crate::{doubt_words, elements_words, persson_words, row_notes, scan_words};
 
 /// A sentence about an answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -86,11 +86,9 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             "below {} the mean gap exceeds {FEW_TOUCH} rms heights: of a finite sample only a few asperities touch then",
             pressure(*pressure_pa)
         )],
-        Note::WavesOfProfiles => vec![format!(
-            "gap and stiffness take the waves of profiles, which makes the stiffness of a surface with a roll-off 17 to 51 % \
-             lower than boundary elements have it; {} takes those of the surface",
-            spelling.with_value(OptionName::Band, "2d")
-        )],
+        Note::WavesOfProfiles => {
+            vec![persson_words::by_profiles(&spelling.with_value(OptionName::Band, "2d"))]
+        }
         Note::LightLoads { up_to_pa, share } => vec![format!(
             "below {} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {} % of the pressure",
             pressure(*up_to_pa),
