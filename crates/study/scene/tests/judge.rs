@@ -1,4 +1,4 @@
-//! What a scene says of its judge.
+//! Choices of a scene for its judge.
 
 use scene::{JudgeChoices, Overrides, Scene, SceneError, SceneProblem, Template, Unused};
 use study::NoFiles;

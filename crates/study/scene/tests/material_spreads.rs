@@ -1,4 +1,4 @@
-//! How well a scene says that its material is known.
+//! Uncertainties of a material, as a scene states them.
 
 use scene::{Overrides, Scene, SceneError};
 use study::NoFiles;

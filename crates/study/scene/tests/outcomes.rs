@@ -1,4 +1,4 @@
-//! What plans yield: as figures, as data for others.
+//! Results of plans, as figures and as data for others.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -1,4 +1,4 @@
-//! What is wrong in a scene, and what in it has no effect.
+//! Errors of scenes, and keys without effect.
 
 use scene::{Overrides, Scene, SceneError, SceneProblem, Unused};
 use study::NoFiles;

@@ -1,4 +1,4 @@
-//! What a scene says of its draws.
+//! Choices of a scene for its draws.
 
 use std::collections::BTreeMap;
 
