@@ -82,11 +82,11 @@ fn growth_law(text: &Spanned<String>, files: &dyn Files) -> Result<GrowthLaw, Sc
 }
 
 fn table_of_hardnesses(name: &str, files: &dyn Files) -> Result<HardnessTable, String> {
-    let bytes = files.read(name).map_err(|error| error.to_string())?;
+    let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
     let table = TableSource::new(name, Cursor::new(bytes)).and_then(TableSource::whole);
     let columns = [("contact_size_m", Bound::Magnitude), ("hardness_pa", Bound::Magnitude)];
     let rows =
         table.map_err(|error| error.to_string())?.numbers(columns).map_err(|error| error.to_string())?;
     let rows = rows.into_iter().map(|[size_m, hardness_pa]| (size_m, hardness_pa));
-    HardnessTable::new(rows).map_err(|error| error.to_string())
+    HardnessTable::new(rows).map_err(|error| format!("{name}: {error}"))
 }

@@ -5,7 +5,8 @@ use rough_bem::PressedLoad;
 use study::gap_law::{GapLaw, GapState};
 use units::display::{pressure, three_digits};
 
-use crate::persson_words::{self, FEW_TOUCH};
+use crate::persson_words;
+use questions::FEW_TOUCH;
 
 /// The relative error of the pressure within which the law of light loads holds.
 pub const LIGHT_LOADS_SHARE: f64 = 0.01;

@@ -3,16 +3,8 @@
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
+use questions::{FEW_TOUCH, Note, OutsideFit};
 use units::display::{length, pressure, three_digits};
-
-/// The largest share of u0 in the first decade of wavevectors for a spectrum without a roll-off.
-const MAX_FIRST_DECADE: f64 = 0.3;
-
-/// Above this exponent e of dV/dq = q^(e-1), C1D falls more slowly than q^-0.5: a roll-off.
-const FLAT: f64 = 2.5;
-
-/// The mean gap in rms heights above which only the highest summits of a finite sample touch.
-pub(crate) const FEW_TOUCH: f64 = 3.0;
 
 /// The note on gap and stiffness from the waves of profiles; `mend` is the option for the waves of the surface.
 pub(crate) fn by_profiles(mend: &str) -> String {
@@ -25,24 +17,7 @@ pub(crate) fn by_profiles(mend: &str) -> String {
 /// The notes on a corrected form: it is a fit, and the cutoffs at which the roughness is outside its range.
 #[must_use]
 pub fn correction(correction: Correction, roughness: &Roughness) -> Vec<String> {
-    let [least, most] = Correction::FITTED_ALPHA;
-    let mut notes = vec![format!(
-        "{correction} is fitted to boundary elements for alpha = m0 m4/m2^2 from {least} to {most}"
-    )];
-    let outside: Vec<_> =
-        roughness.places().iter().skip(1).filter(|place| !(least..=most).contains(&place.alpha)).collect();
-    if let (Some(first), Some(last)) = (outside.first(), outside.last()) {
-        notes.push(format!(
-            "alpha is outside that range at {} of {} cutoffs between {} and {}: {} to {}",
-            outside.len(),
-            roughness.places().len() - 1,
-            length(first.wavelength_m),
-            length(last.wavelength_m),
-            three_digits(first.alpha),
-            three_digits(last.alpha)
-        ));
-    }
-    notes
+    words(&Note::of_correction(correction, roughness))
 }
 
 /// The notes on mean gap and stiffness that mean little: for a spectrum that begins inside the fractal range, and for loads
@@ -54,25 +29,42 @@ pub fn separation(
     rms_height_m: f64,
     least_pa: f64,
 ) -> Vec<String> {
-    let mut notes = Vec::new();
-    let places = roughness.places();
-    let decade = places.first().map_or(0.0, |place| 10.0 * place.wavevector_rad_per_m);
-    let mut in_decade = places.iter().take_while(|place| place.wavevector_rad_per_m < decade);
-    if light.share_of_first_decade > MAX_FIRST_DECADE
-        && !in_decade.any(|place| place.variance_exponent > FLAT)
-    {
-        notes.push(format!(
+    Note::of_separation(light, roughness, rms_height_m, least_pa).iter().flat_map(words).collect()
+}
+
+/// The words of a note on the limits of the theory; none for other notes.
+pub(crate) fn words(note: &Note) -> Vec<String> {
+    match note {
+        Note::Correction { correction, outside } => {
+            let [least, most] = Correction::FITTED_ALPHA;
+            let fit = format!(
+                "{correction} is fitted to boundary elements for alpha = m0 m4/m2^2 from {least} to {most}"
+            );
+            std::iter::once(fit).chain(outside.as_ref().map(outside_fit)).collect()
+        }
+        Note::NoRollOff { share_of_first_decade } => vec![format!(
             "the first decade of wavevectors makes {} % of the mean gap, and the spectrum has no roll-off there: gap and \
              stiffness depend on longer wavelengths, which are missing",
-            three_digits(100.0 * light.share_of_first_decade)
-        ));
-    }
-    let few_touch_pa = light.reference_pressure_pa * (-FEW_TOUCH * rms_height_m / light.decay_length_m).exp();
-    if least_pa < few_touch_pa {
-        notes.push(format!(
+            three_digits(100.0 * share_of_first_decade)
+        )],
+        Note::FewTouchBelow { pressure_pa } => vec![format!(
             "below {} the mean gap exceeds {FEW_TOUCH} rms heights: only a few asperities of a finite sample touch",
-            pressure(few_touch_pa)
-        ));
+            pressure(*pressure_pa)
+        )],
+        _ => Vec::new(),
     }
-    notes
+}
+
+fn outside_fit(outside: &OutsideFit) -> String {
+    let [first_m, last_m] = outside.wavelengths_m;
+    let [first, last] = outside.alphas;
+    format!(
+        "alpha is outside that range at {} of {} cutoffs between {} and {}: {} to {}",
+        outside.cutoffs,
+        outside.all,
+        length(first_m),
+        length(last_m),
+        three_digits(first),
+        three_digits(last)
+    )
 }

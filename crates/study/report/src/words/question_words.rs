@@ -2,7 +2,6 @@
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use half_space::HalfSpaceError;
-use persson::corrections::Correction;
 use questions::{
     CurveCounts, CutCounts, FEW_TOUCH, GapCounts, LevelCounts, Note, OptionName, QuestionError, Reason,
     SampledScales, Spelling, UnusedOption,
@@ -57,35 +56,9 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             vec!["the longest wavelength has no asperities yet: its row is empty".to_owned()]
         }
         Note::Counts(counts) => of_counts(counts),
-        Note::Correction { correction, outside } => {
-            let [least, most] = Correction::FITTED_ALPHA;
-            let fit = format!(
-                "{correction} is fitted to boundary elements, alpha = m0 m4/m2^2 from {least} to {most}"
-            );
-            let outside = outside.map(|outside| {
-                let [first_m, last_m] = outside.wavelengths_m;
-                let [first, last] = outside.alphas;
-                format!(
-                    "alpha lies outside that range at {} of {} cutoffs between {} and {}: {} to {}",
-                    outside.cutoffs,
-                    outside.all,
-                    length(first_m),
-                    length(last_m),
-                    three_digits(first),
-                    three_digits(last)
-                )
-            });
-            std::iter::once(fit).chain(outside).collect()
+        Note::Correction { .. } | Note::NoRollOff { .. } | Note::FewTouchBelow { .. } => {
+            persson_words::words(note)
         }
-        Note::NoRollOff { share_of_first_decade } => vec![format!(
-            "the first decade of wavevectors makes {} % of the mean gap, and the spectrum has no roll-off there: gap and \
-             stiffness hang on longer wavelengths, which it does not hold",
-            three_digits(100.0 * share_of_first_decade)
-        )],
-        Note::FewTouchBelow { pressure_pa } => vec![format!(
-            "below {} the mean gap exceeds {FEW_TOUCH} rms heights: of a finite sample only a few asperities touch then",
-            pressure(*pressure_pa)
-        )],
         Note::WavesOfProfiles => {
             vec![persson_words::by_profiles(&spelling.with_value(OptionName::Band, "2d"))]
         }
