@@ -101,7 +101,7 @@ fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>
 const ANSWER_NAME: &str = "_answer";
 const SPECTRUM_NAME: &str = "_spectrum";
 
-/// The most lines that a reader can tell apart.
+/// The largest number of lines that a reader can distinguish.
 const MAX_LINES: usize = 12;
 
 /// Reduces a figure with too many lines to the smallest and the largest load.
