@@ -26,6 +26,9 @@ pub(crate) struct SharedArgs {
     /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do
     #[arg(long, global = true)]
     pub provenance: bool,
+    /// Print every note and number that the summary of `run` and `report` leaves out
+    #[arg(short, long, global = true)]
+    pub verbose: bool,
     /// Say on standard error how long reading, computing and writing took
     #[arg(long, global = true)]
     pub timings: bool,

@@ -12,6 +12,28 @@ pub fn in_full(curve: &Curve) -> String {
     if curve.name == key { full } else { format!("{}, {full}", curve.name) }
 }
 
+/// The short name of a curve in print; its own name if the user gave one.
+#[must_use]
+pub fn short_name(curve: &Curve) -> String {
+    if curve.name == key(&curve.model) { model_in_short(&curve.model) } else { curve.name.clone() }
+}
+
+/// The short name of a model, with the choices that differ from the plain one.
+fn model_in_short(model: &CurveModel) -> String {
+    let mut name = model.entry().short_name.to_owned();
+    let options = model.options();
+    if options.strain_gradient {
+        name.push_str(", hardening");
+    }
+    if options.hardness_law.is_some() {
+        name.push_str(", growing hardness");
+    }
+    if let Some(correction) = options.correction {
+        name.push_str(&format!(", {}", correction.name()));
+    }
+    name
+}
+
 /// A figure of areas whose legend has the curves' names in full.
 #[must_use]
 pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
