@@ -7,11 +7,13 @@
 //! * [`StatisticalContact`]: population and law under a material; computes states at a separation or at a pressure.
 //! * [`LinearLaw`]: area in proportion to the load, as a yardstick for elastic areas.
 //! * [`Sweep`]: many states of one population and material, which share work.
+//! * [`Condition`]: a pressure or a separation, at which a state is wanted.
 //! * [`ContactState`]: a state with its error estimate and its cost; also in logarithms, because pressures span
 //!   hundreds of decades.
 #![deny(missing_docs)]
 
 mod asperities;
+mod condition;
 mod contact;
 mod far;
 mod gaussian;
@@ -24,6 +26,7 @@ mod state;
 mod summits;
 mod sweep;
 
+pub use condition::Condition;
 pub use contact::StatisticalContact;
 pub use law::{AsperityLaw, InterferenceLaw};
 pub use linear_law::LinearLaw;

@@ -1,6 +1,6 @@
 //! Options of a model that it ignores.
 
-use study::models::{self, Choice, Framework, IgnoredReason, ModelEntry, ModelOptions};
+use study::models::{self, Choice, IgnoredReason, ModelEntry, ModelOptions};
 
 use crate::option::{OptionName, Reason, UnusedOption};
 
@@ -46,14 +46,14 @@ fn reason(choice: Choice, why: IgnoredReason, entry: &'static ModelEntry) -> Rea
         IgnoredReason::NoSuchOption => Reason::OnlyOn { model, models },
         // Statistical and stacked models that yield are named.
         IgnoredReason::NeverYields
-            if choice == Choice::StrainGradient && entry.framework != Framework::Persson =>
+            if choice == Choice::StrainGradient && !entry.framework.facts().takes_hardness =>
         {
             Reason::OnlyOn { model, models }
         }
         IgnoredReason::NeverYields => Reason::DoesNotYield(model),
         IgnoredReason::CorrectionsAreElastic => Reason::CorrectionsAreElastic(model),
         IgnoredReason::OtherHardnessLaw => Reason::OtherHardnessLaw(model),
-        IgnoredReason::NothingGrows if entry.framework == Framework::Persson => {
+        IgnoredReason::NothingGrows if entry.framework.facts().takes_hardness => {
             Reason::HardnessDoesNotGrow(model)
         }
         IgnoredReason::NothingGrows => Reason::StrengthDoesNotGrow,

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
 use study::material::Material;
-use study::models::{Choice, Framework, ModelEntry, ModelOptions};
+use study::models::{Choice, ModelEntry, ModelOptions, MomentUse};
 use study::persson_law::PerssonLaw;
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
@@ -109,9 +109,9 @@ impl GapModel {
             ];
             return first_given(given, || Reason::BoundaryElements);
         };
-        let is_persson = entry.framework == Framework::Persson;
+        let takes_normalisation = entry.framework.facts().moments == MomentUse::Chosen;
         let without_law = [
-            (OptionName::Normalisation, self.normalisation.is_some() && is_persson),
+            (OptionName::Normalisation, self.normalisation.is_some() && !takes_normalisation),
             (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
             (
                 OptionName::InterferenceLaw,
@@ -133,12 +133,9 @@ impl GapModel {
     ) -> Result<GapLaw, QuestionError> {
         self.sampling.check(surface)?;
         let model = entry.build(material, &self.options)?;
-        let normalisation = match entry.framework {
-            Framework::Persson => Normalisation::Parseval,
-            _ => self.normalisation.unwrap_or_default(),
-        };
+        let moments = entry.framework.facts().moments.normalisation(self.normalisation);
         let needs = Needs {
-            moments: Some(normalisation),
+            moments: Some(moments.unwrap_or_default()),
             amplitudes: model.needs_amplitudes().then(Default::default),
             ..Needs::default()
         };

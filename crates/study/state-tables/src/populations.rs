@@ -2,11 +2,10 @@
 
 use asperity::{Bound, ElasticBody};
 use parallel::Progress;
-use stat_contact::{ContactState, Sweep};
+use stat_contact::{Condition, ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
-use super::contact_states::StateCondition;
 use super::row_contact::Roughness;
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
@@ -53,7 +52,7 @@ pub struct Populations {
 /// A row of the table: a population and the condition of its state.
 struct RowRequest {
     contact: Pressable,
-    at: StateCondition,
+    at: Condition,
     /// True if a third of the hardness is used as the yield strength.
     strength_is_assumed: bool,
 }
@@ -135,7 +134,7 @@ impl Populations {
         }))
     }
 
-    fn condition(&self, row: &Row<'_>) -> Result<StateCondition, String> {
+    fn condition(&self, row: &Row<'_>) -> Result<Condition, String> {
         let separation = || row.optional_number("separation_m", Sweep::SEPARATION_M);
         let pressure = || {
             // What is no pressure at all is told so, before what is too large a one.
@@ -143,15 +142,15 @@ impl Populations {
             row.optional_number("pressure_pa", NominalPressure::BOUND)
         };
         match self.given {
-            Some(GivenColumn::Separation) => separation()?.map(StateCondition::Separation).ok_or_else(|| {
+            Some(GivenColumn::Separation) => separation()?.map(Condition::Separation).ok_or_else(|| {
                 "column separation_m: the cell is empty, and the separation is to be given".to_owned()
             }),
-            Some(GivenColumn::Pressure) => pressure()?.map(StateCondition::Pressure).ok_or_else(|| {
+            Some(GivenColumn::Pressure) => pressure()?.map(Condition::Pressure).ok_or_else(|| {
                 "column pressure_pa: the cell is empty, and the pressure is to be given".to_owned()
             }),
             None => match (separation()?, pressure()?) {
-                (Some(separation_m), None) => Ok(StateCondition::Separation(separation_m)),
-                (None, Some(pressure_pa)) => Ok(StateCondition::Pressure(pressure_pa)),
+                (Some(separation_m), None) => Ok(Condition::Separation(separation_m)),
+                (None, Some(pressure_pa)) => Ok(Condition::Pressure(pressure_pa)),
                 (Some(_), Some(_)) => Err(format!(
                     "columns separation_m and pressure_pa are both filled; {}",
                     self.how_to_say_given
@@ -171,22 +170,17 @@ impl Populations {
         states: &[Option<ContactState>],
     ) {
         let computed = |value: Option<f64>| value.map_or_else(|| Cell::Field(String::new()), Cell::Computed);
-        let mut filled =
-            |name: &str, given: fn(&StateCondition) -> bool, of: fn(&ContactState) -> Option<f64>| {
-                let typed = input.table.column(name).cloned();
-                let cell = |row: usize| match (&typed, &asked[row]) {
-                    (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
-                    _ => computed(states[row].as_ref().and_then(of)),
-                };
-                let cells = (0..states.len()).map(cell).collect();
-                input.table.set(name, Cells::Typed(cells));
+        let mut filled = |name: &str, given: fn(&Condition) -> bool, of: fn(&ContactState) -> Option<f64>| {
+            let typed = input.table.column(name).cloned();
+            let cell = |row: usize| match (&typed, &asked[row]) {
+                (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
+                _ => computed(states[row].as_ref().and_then(of)),
             };
-        filled("separation_m", |at| matches!(at, StateCondition::Separation(_)), |state| state.separation_m);
-        filled(
-            "pressure_pa",
-            |at| matches!(at, StateCondition::Pressure(_)),
-            |state| Some(state.pressure_pa),
-        );
+            let cells = (0..states.len()).map(cell).collect();
+            input.table.set(name, Cells::Typed(cells));
+        };
+        filled("separation_m", |at| matches!(at, Condition::Separation(_)), |state| state.separation_m);
+        filled("pressure_pa", |at| matches!(at, Condition::Pressure(_)), |state| Some(state.pressure_pa));
         filled("area_fraction", |_| false, |state| Some(state.area_fraction));
         if self.details {
             for (name, of) in STATE_DETAILS {
@@ -222,10 +216,7 @@ impl RowByRow for Populations {
             let Some(RowRequest { contact: Pressable::Contact(contact), at, .. }) = asked else {
                 return Ok(None);
             };
-            let state = match at {
-                StateCondition::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
-                StateCondition::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
-            };
+            let state = contact.at(*at, tolerance, None);
             progress.advance(1);
             Ok(Some(state?))
         };

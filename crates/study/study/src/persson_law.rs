@@ -62,7 +62,7 @@ pub struct PlasticLaw {
 
 impl PerssonLaw {
     /// The elastic energy factor of separations (Almqvist et al. 2011).
-    pub const ENERGY_FACTOR: f64 = 0.45;
+    pub const ENERGY_FACTOR: f64 = ModelOptions::ENERGY_FACTOR;
 
     /// Returns the law of a deformation, with the other choices as given or by default.
     #[must_use]
@@ -208,7 +208,7 @@ impl PlasticLaw {
 /// A spectrum with the moments, of a normalisation, that it has from the second wavelength on, and the amplitudes of its
 /// scales; without amplitudes no hardness can follow them. `beyond` are the samples \[m\], \[m^3\] that a cutoff has left out.
 #[must_use]
-pub fn roughness<'m>(
+pub(crate) fn roughness<'m>(
     psd: &ProfilePsd,
     moments: impl Iterator<Item = &'m Moments>,
     normalisation: Normalisation,
