@@ -28,7 +28,7 @@ use crate::output::Place;
 use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
 use scene::Template;
 use state_tables::GivenColumn;
-use study::models::{Framework, ModelEntry};
+use study::models::{Framework, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::PressureRange;
 use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
@@ -471,6 +471,18 @@ pub(crate) struct StatisticalArgs {
     pub details: bool,
     #[command(flatten)]
     pub figure: FigureArg,
+}
+
+impl StatisticalArgs {
+    /// The options of the model; its strength grows as soon as a length is given.
+    pub fn options(&self) -> ModelOptions {
+        ModelOptions {
+            strain_gradient: self.material.strain_gradient_length.is_some(),
+            hardness: self.hardness.hardness,
+            interference_law: self.interference_law,
+            ..ModelOptions::default()
+        }
+    }
 }
 
 #[derive(Debug, ClapArgs)]

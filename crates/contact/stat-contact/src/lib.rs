@@ -17,7 +17,6 @@ mod condition;
 mod contact;
 mod far;
 mod gaussian;
-mod law;
 mod linear_law;
 mod population;
 mod quadrature;
@@ -26,9 +25,9 @@ mod state;
 mod summits;
 mod sweep;
 
+pub use asperities::{AsperityLaw, InterferenceLaw};
 pub use condition::Condition;
 pub use contact::StatisticalContact;
-pub use law::{AsperityLaw, InterferenceLaw};
 pub use linear_law::LinearLaw;
 pub use population::Population;
 pub use state::ContactState;

@@ -12,7 +12,7 @@ pub(crate) fn check(
 ) -> Result<(), UnusedOption> {
     if let Some(ignored) = options.ignored_by(entry).first() {
         return Err(UnusedOption {
-            option: name(ignored.choice),
+            option: OptionName::of_choice(ignored.choice),
             why: reason(ignored.choice, ignored.reason, entry),
         });
     }
@@ -21,19 +21,6 @@ pub(crate) fn check(
         Some(why) => {
             Err(UnusedOption { option: OptionName::StrengthCap, why: reason(Choice::Strength, why, entry) })
         }
-    }
-}
-
-fn name(choice: Choice) -> OptionName {
-    match choice {
-        Choice::StrainGradient => OptionName::StrainGradient,
-        Choice::Hardness => OptionName::Hardness,
-        Choice::Interference => OptionName::InterferenceLaw,
-        Choice::Correction => OptionName::Correction,
-        Choice::Band => OptionName::Band,
-        Choice::Gamma => OptionName::Gamma,
-        Choice::HardnessLaw => OptionName::HardnessLaw,
-        _ => OptionName::YieldStrength,
     }
 }
 

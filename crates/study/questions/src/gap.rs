@@ -96,30 +96,21 @@ impl GapModel {
         let options = &self.options;
         let Some(entry) = self.model else {
             let given = [
-                (OptionName::Gamma, options.gamma.is_some()),
                 (OptionName::Normalisation, self.normalisation.is_some()),
-                (OptionName::Hardness, options.hardness.is_some()),
-                (OptionName::InterferenceLaw, options.interference_law.is_some()),
-                (OptionName::Band, options.band.is_some()),
-                (OptionName::StrainGradient, options.strain_gradient),
                 (OptionName::StrainGradientLength, self.material.strain_gradient_length_m.is_some()),
                 (OptionName::StrengthCap, self.material.strength_cap.is_some()),
                 (OptionName::ScalesPerDecade, self.sampling.scales_per_decade.is_some()),
                 (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
             ];
-            return first_given(given, || Reason::BoundaryElements);
+            let of_models = options.given().map(|choice| (OptionName::of_choice(choice), true));
+            return first_given(of_models.chain(given), || Reason::BoundaryElements);
         };
         let takes_normalisation = entry.framework.facts().moments == MomentUse::Chosen;
-        let without_law = [
-            (OptionName::Normalisation, self.normalisation.is_some() && !takes_normalisation),
-            (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
-            (
-                OptionName::InterferenceLaw,
-                options.interference_law.is_some() && !entry.has(Choice::Interference),
-            ),
-            (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
-        ];
-        first_given(without_law, || Reason::Model(entry.name))?;
+        let normalisation = (OptionName::Normalisation, self.normalisation.is_some() && !takes_normalisation);
+        let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
+        let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
+        let missing = missing.map(|choice| (OptionName::of_choice(choice), true));
+        first_given(std::iter::once(normalisation).chain(missing), || Reason::Model(entry.name))?;
         choices::check(options, entry, self.material.strength_cap.is_some())
     }
 

@@ -10,7 +10,7 @@ use units::Bound;
 
 use super::error::SceneError;
 use super::interface::{GAMMA, checked};
-use super::raw::RawCurve;
+use super::raw::{RawCurve, RawCurveKeys};
 use super::values::{check_file_name, value_error};
 use study::hardness_growth::GrowthLaw;
 use study::material::Material;
@@ -28,11 +28,11 @@ pub(super) fn resolve_curves(
     let mut curves: Vec<Curve> = Vec::new();
     let mut ignored = Vec::new();
     for spanned in raw {
-        let curve = spanned.get_ref();
+        let RawCurve { keys: curve, options: own } = spanned.get_ref();
         let Some(material) = material else {
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
-        let own = own_options(curve, files)?;
+        let own = own_options(curve, &own.0, files)?;
         ignored.push(own.ignored_by(curve.model));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
@@ -54,18 +54,18 @@ pub(super) fn resolve_curves(
     Ok((curves, ignored))
 }
 
-/// Returns the options that a curve gives itself.
-fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, SceneError> {
+/// Returns the options that a curve gives itself; `plain` are those that need no more checks.
+fn own_options(
+    curve: &RawCurveKeys,
+    plain: &ModelOptions,
+    files: &dyn Files,
+) -> Result<ModelOptions, SceneError> {
     let gamma = curve.gamma.as_ref();
     let gamma = gamma.map(|gamma| checked("curve.gamma", "the elastic energy factor", gamma, GAMMA));
     Ok(ModelOptions {
-        strain_gradient: curve.strain_gradient,
-        hardness: None,
-        interference_law: curve.interference_law,
-        correction: curve.correction,
-        band: curve.band,
         gamma: gamma.transpose()?,
         hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,
+        ..plain.clone()
     })
 }
 

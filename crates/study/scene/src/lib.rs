@@ -18,6 +18,7 @@ mod resolve;
 mod roughness;
 mod spelling;
 mod surfaces;
+mod tabled_keys;
 mod template;
 mod uncertain;
 mod uncertainty;

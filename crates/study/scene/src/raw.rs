@@ -1,9 +1,8 @@
 //! A scene as it may be typed: every key there is.
 
 use std::fmt;
+use std::sync::LazyLock;
 
-use persson::corrections::Correction;
-use persson::variance::Band;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -14,8 +13,10 @@ use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 use super::error::SceneError;
 use super::from_toml::scene_error;
+use super::tabled_keys::{TabledKeys, read_section};
+use study::body_properties::BodyProperty;
 use study::figure::Shows;
-use study::models::ModelEntry;
+use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::Cutoffs;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
@@ -87,17 +88,76 @@ pub(super) struct RawScanKeys {
     pub slope_uncertainty: Option<RawQuantity>,
 }
 
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RawMaterial {
+/// The rough body.
+#[derive(Debug)]
+pub(super) struct RawMaterial(pub RawBody);
+
+/// The body that presses on the rough one.
+#[derive(Debug)]
+pub(super) struct RawCounterface(pub RawBody);
+
+#[derive(Debug)]
+pub(super) struct RawBody {
     pub name: Option<Spanned<String>>,
-    pub youngs_modulus: Option<Spanned<RawProperty>>,
-    pub poisson_ratio: Option<Spanned<RawProperty>>,
-    pub yield_strength: Option<Spanned<RawProperty>>,
-    pub indentation_hardness: Option<Spanned<RawProperty>>,
-    pub strain_gradient_length: Option<Spanned<RawProperty>>,
-    pub thermal_conductivity: Option<RawQuantity>,
-    pub resistivity: Option<RawQuantity>,
+    pub properties: RawProperties,
+    pub surface: Option<Spanned<RawSurface>>,
+}
+
+/// The properties of a body that are given.
+#[derive(Debug, Clone, Default)]
+pub(super) struct RawProperties(pub Vec<(BodyProperty, Spanned<RawProperty>)>);
+
+impl TabledKeys for RawProperties {
+    fn has(key: &str) -> bool {
+        BodyProperty::of_key(key).is_some()
+    }
+
+    fn read<'de, D: Deserializer<'de>>(&mut self, key: &str, value: D) -> Result<(), D::Error> {
+        let Some(property) = BodyProperty::of_key(key) else { return Ok(()) };
+        let given = match property.may_be_uncertain() {
+            true => Spanned::deserialize(value)?,
+            false => {
+                let quantity = RawQuantity::deserialize(value)?;
+                Spanned::new(quantity.span(), RawProperty::Value(quantity.into_inner()))
+            }
+        };
+        self.0.push((property, given));
+        Ok(())
+    }
+}
+
+impl<'de> Deserialize<'de> for RawMaterial {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| body_keys(&[]));
+        read_body(deserializer, "RawMaterial", &KEYS).map(RawMaterial)
+    }
+}
+
+impl<'de> Deserialize<'de> for RawCounterface {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| body_keys(&["surface"]));
+        read_body(deserializer, "RawCounterface", &KEYS).map(RawCounterface)
+    }
+}
+
+fn body_keys(others: &[&'static str]) -> Vec<&'static str> {
+    let properties = BodyProperty::ALL.map(BodyProperty::key);
+    ["name"].into_iter().chain(properties).chain(others.iter().copied()).collect()
+}
+
+fn read_body<'de, D: Deserializer<'de>>(
+    deserializer: D,
+    name: &'static str,
+    keys: &'static [&'static str],
+) -> Result<RawBody, D::Error> {
+    #[derive(Deserialize)]
+    struct OwnKeys {
+        name: Option<Spanned<String>>,
+        surface: Option<Spanned<RawSurface>>,
+    }
+
+    let (OwnKeys { name, surface }, properties) = read_section(deserializer, name, keys)?;
+    Ok(RawBody { name, properties, surface })
 }
 
 /// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
@@ -132,39 +192,58 @@ pub(super) enum Distribution {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct RawCounterface {
-    pub name: Option<Spanned<String>>,
-    pub youngs_modulus: Option<Spanned<RawProperty>>,
-    pub poisson_ratio: Option<Spanned<RawProperty>>,
-    pub yield_strength: Option<Spanned<RawProperty>>,
-    pub indentation_hardness: Option<Spanned<RawProperty>>,
-    pub strain_gradient_length: Option<Spanned<RawProperty>>,
-    pub thermal_conductivity: Option<RawQuantity>,
-    pub resistivity: Option<RawQuantity>,
-    pub surface: Option<Spanned<RawSurface>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub(super) struct RawLoads {
     pub pressures: Option<Vec<RawQuantity>>,
     pub force: Option<RawQuantity>,
     pub nominal_area: Option<RawQuantity>,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// A curve: its own keys, and the options of its model.
+#[derive(Debug)]
 pub(super) struct RawCurve {
+    pub keys: RawCurveKeys,
+    pub options: RawModelOptions,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct RawCurveKeys {
     pub model: &'static ModelEntry,
-    #[serde(default)]
-    pub strain_gradient: bool,
-    pub interference_law: Option<InterferenceLaw>,
-    pub correction: Option<Correction>,
-    pub band: Option<Band>,
     pub gamma: Option<Spanned<f64>>,
     pub hardness_law: Option<Spanned<String>>,
     pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
+}
+
+/// The options of a model that need no more checks once they are read.
+#[derive(Debug, Default)]
+pub(super) struct RawModelOptions(pub ModelOptions);
+
+impl RawModelOptions {
+    fn choice(key: &str) -> Option<Choice> {
+        let is_plain = |choice: &Choice| !matches!(choice, Choice::Gamma | Choice::HardnessLaw);
+        Choice::OF_CURVES.into_iter().filter(is_plain).find(|choice| choice.key() == key)
+    }
+}
+
+impl TabledKeys for RawModelOptions {
+    fn has(key: &str) -> bool {
+        Self::choice(key).is_some()
+    }
+
+    fn read<'de, D: Deserializer<'de>>(&mut self, key: &str, value: D) -> Result<(), D::Error> {
+        Self::choice(key).map_or(Ok(()), |choice| self.0.read(choice, value))
+    }
+}
+
+impl<'de> Deserialize<'de> for RawCurve {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+            let options = Choice::OF_CURVES.map(Choice::key);
+            ["model"].into_iter().chain(options).chain(["cutoffs", "name"]).collect()
+        });
+        let (keys, options) = read_section(deserializer, "RawCurve", &KEYS)?;
+        Ok(RawCurve { keys, options })
+    }
 }
 
 #[derive(Debug, Deserialize)]

@@ -5,7 +5,7 @@ use persson::hardness_laws::{Hardness, HardnessError};
 pub use crate::growth_law::GrowthLaw;
 use crate::material::{Material, MaterialError};
 use crate::model_options::ModelOptions;
-use crate::persson_law::PlasticLaw;
+use crate::models::persson::PlasticLaw;
 
 /// Why a material has no such hardness.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

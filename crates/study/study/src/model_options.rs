@@ -3,7 +3,7 @@
 use asperity::Hardness;
 use persson::corrections::Correction;
 use persson::variance::Band;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use stat_contact::InterferenceLaw;
 
 use crate::choices_in_words;
@@ -94,6 +94,16 @@ pub enum IgnoredReason {
 }
 
 impl Choice {
+    /// The choices that a curve of a scene may make, in the order of its keys.
+    pub const OF_CURVES: [Choice; 6] = [
+        Choice::StrainGradient,
+        Choice::Interference,
+        Choice::Correction,
+        Choice::Band,
+        Choice::Gamma,
+        Choice::HardnessLaw,
+    ];
+
     /// Returns the key of the choice in scenes and columns, e.g. `interference_law`.
     #[must_use]
     pub fn key(self) -> &'static str {
@@ -148,6 +158,24 @@ impl ModelOptions {
         ];
         let of_model = settings.into_iter().filter(|(choice, _)| has(*choice));
         of_model.filter_map(|(_, setting)| setting.map(|(name, words)| Setting { name, words })).collect()
+    }
+
+    /// Reads the value of an option; a strength is none.
+    ///
+    /// # Errors
+    /// The errors of the reader.
+    pub fn read<'de, D: Deserializer<'de>>(&mut self, choice: Choice, value: D) -> Result<(), D::Error> {
+        match choice {
+            Choice::Strength => {}
+            Choice::StrainGradient => self.strain_gradient = bool::deserialize(value)?,
+            Choice::Hardness => self.hardness = Option::deserialize(value)?,
+            Choice::Interference => self.interference_law = Option::deserialize(value)?,
+            Choice::Correction => self.correction = Option::deserialize(value)?,
+            Choice::Band => self.band = Option::deserialize(value)?,
+            Choice::Gamma => self.gamma = Option::deserialize(value)?,
+            Choice::HardnessLaw => self.hardness_law = Option::deserialize(value)?,
+        }
+        Ok(())
     }
 
     /// Returns the options that were given, in the order of the fields.

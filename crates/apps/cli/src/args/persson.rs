@@ -6,6 +6,7 @@ use clap::Args as ClapArgs;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use study::hardness_growth::GrowthLaw;
+use study::models::ModelOptions;
 use study::persson_law::{Deformation, PerssonLaw};
 use units::{Bound, Pressure, PressureRange};
 
@@ -90,6 +91,18 @@ pub(crate) struct PerssonArgs {
     pub amplitude: AmplitudeArg,
     #[command(flatten)]
     pub figure: FigureArg,
+}
+
+impl PerssonArgs {
+    /// The options that need no file.
+    pub fn options(&self) -> ModelOptions {
+        ModelOptions {
+            correction: self.correction,
+            band: self.band,
+            gamma: Some(self.gamma),
+            ..ModelOptions::default()
+        }
+    }
 }
 
 fn parse_growth(text: &str) -> Result<GrowthArg, String> {

@@ -48,11 +48,8 @@ fn over_cutoffs(
         name: Some("persson".to_owned()),
         options: ModelOptions {
             strain_gradient: material.strain_gradient_in(model),
-            correction: args.correction,
-            band: args.band,
-            gamma: Some(args.gamma),
             hardness_law: hardness_law.transpose()?,
-            ..ModelOptions::default()
+            ..args.options()
         },
         material,
         pressures: load_inputs(&args.pressures),

@@ -8,6 +8,7 @@ use questions::{
 };
 use rough_bem::ElementsError;
 use study::material::{MaterialError, MaterialProperty};
+use study::models::Choice;
 use study::validity::SMALL_SLOPE_GRADIENT;
 use topography::Severity;
 use units::display::{counted, length, pressure, three_digits};
@@ -60,7 +61,9 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             persson_words::words(note)
         }
         Note::WavesOfProfiles => {
-            vec![persson_words::by_profiles(&spelling.with_value(OptionName::Band, "2d"))]
+            vec![persson_words::by_profiles(
+                &spelling.with_value(OptionName::ModelOption(Choice::Band), "2d"),
+            )]
         }
         Note::LightLoads { up_to_pa, share } => vec![format!(
             "below {} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {} % of the pressure",
@@ -172,13 +175,14 @@ pub fn unused(UnusedOption { option, why }: &UnusedOption, spelling: &dyn Spelli
             model,
             &format!(
                 " without {} or {}: the hardness does not grow",
-                name(OptionName::HardnessLaw),
+                name(OptionName::ModelOption(Choice::HardnessLaw)),
                 name(OptionName::StrainGradientLength)
             ),
         ),
-        Reason::OtherHardnessLaw(model) => {
-            on(model, &format!(" with a {} other than nix-gao", name(OptionName::HardnessLaw)))
-        }
+        Reason::OtherHardnessLaw(model) => on(
+            model,
+            &format!(" with a {} other than nix-gao", name(OptionName::ModelOption(Choice::HardnessLaw))),
+        ),
         Reason::StrengthDoesNotGrow => format!(
             "{option} limits a strength that grows at small depths, and without {} none does; leave it out, or give that \
              length",

@@ -6,8 +6,8 @@ use asperity::{Hardness, MaterialPair, NixGao};
 use stacked_contact::StackedModel;
 use stat_contact::{AsperityLaw, InterferenceLaw};
 
+use super::persson::PerssonLaw;
 use super::{ModelEntry, ModelOptions, MomentUse, Statistical, Theory};
-use crate::persson_law::PerssonLaw;
 
 /// A model of a material: an entry of the table of models with its theory.
 #[derive(Debug, Clone, PartialEq)]

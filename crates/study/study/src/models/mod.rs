@@ -4,7 +4,7 @@
 //! own crate becomes a model of the program by one entry there.
 
 mod curve_model;
-mod persson;
+pub mod persson;
 mod stacked;
 mod statistical;
 

@@ -37,7 +37,7 @@ use persson::variance::Band;
 use spectrum::{AsperityParameters, Moments, ProfilePsd};
 use stacked_contact::Scale;
 
-use crate::persson_law;
+use crate::models::persson::roughness;
 
 /// A spectrum, and what is to be computed of it.
 pub struct Plan<'p> {
@@ -61,7 +61,7 @@ impl Plan<'_> {
     ) -> Roughness {
         let normalisation = self.needs.moments.unwrap_or_default();
         let moments = moments.iter().map(|(moments, _)| moments);
-        persson_law::roughness(psd, moments, normalisation, scales, &self.beyond(psd, band), band)
+        roughness(psd, moments, normalisation, scales, &self.beyond(psd, band), band)
     }
 }
 

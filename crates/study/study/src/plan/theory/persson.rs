@@ -9,8 +9,7 @@ use stat_contact::Condition;
 use tables::Table;
 
 use super::{CurveResult, CurveTheory, Job, Rows, pressures_pa, with_loads};
-use crate::models::Persson;
-use crate::persson_law::PerssonLaw;
+use crate::models::persson::{Persson, PerssonLaw};
 use crate::plan::gap::{GapChoices, GapError, GapState, LoadedSurface};
 use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Results, Work};
 
