@@ -11,8 +11,8 @@ mod scans;
 pub(crate) use bem::BemArgs;
 pub(crate) use gap::{GapArgs, LawArgs, LawForm};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
-    ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PressureArgs,
+    PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
@@ -385,12 +385,8 @@ pub(crate) struct StackedArgs {
     /// Deformation model of every scale
     #[arg(long, value_parser = model_of(Framework::Stacked))]
     pub model: &'static ModelEntry,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     #[command(flatten)]
     pub material: MaterialArgs,
     #[command(flatten)]

@@ -59,7 +59,7 @@ pub(super) fn resolve_material(
     counterface: UncertainCounterface,
     strength_cap: Option<Pressure>,
 ) -> Result<(Material, MaterialSpreads, Bodies), SceneError> {
-    let keys = BodyKeys::of_material(raw)?;
+    let keys = BodyKeys::new(raw)?;
     let of_rough = strength(&keys)?;
     let own = elastic_body(
         &keys,
@@ -147,7 +147,7 @@ fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) ->
 
 /// Resolves the body that presses on the rough body. It is rigid if no elastic constants are given.
 pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<UncertainCounterface, SceneError> {
-    let keys = BodyKeys::of_counterface(raw)?;
+    let keys = BodyKeys::new(raw)?;
     let strength = strength(&keys)?;
     let transport = transport(&keys)?;
     if strength.hardness_and_strength.strength_is_in_hardnesses() {
@@ -155,7 +155,7 @@ pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<Uncer
         return Err(SceneError::at(span, MaterialError::StrengthInHardnesses));
     }
     let has_strength = keys.has_strength();
-    let has_more = raw.get_ref().0.surface.is_some() || transport != Transport::default();
+    let has_more = raw.get_ref().surface.is_some() || transport != Transport::default();
     let elastic = match (keys.get(BodyProperty::YoungsModulus), keys.get(BodyProperty::PoissonRatio)) {
         (Some(modulus), Some(ratio)) => Some(elastic_body(&keys, modulus, ratio)?),
         (None, None) if has_more && !has_strength => None,

@@ -10,7 +10,7 @@ use units::Bound;
 
 use super::error::SceneError;
 use super::interface::{GAMMA, checked};
-use super::raw::{RawCurve, RawCurveKeys};
+use super::raw::RawCurve;
 use super::values::{check_file_name, value_error};
 use study::hardness_growth::GrowthLaw;
 use study::material::Material;
@@ -28,20 +28,20 @@ pub(super) fn resolve_curves(
     let mut curves: Vec<Curve> = Vec::new();
     let mut ignored = Vec::new();
     for spanned in raw {
-        let RawCurve { keys: curve, options: own } = spanned.get_ref();
-        let Some(material) = material else {
+        let curve = spanned.get_ref();
+        let Some((material, entry)) = material.zip(curve.model) else {
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
-        let own = own_options(curve, &own.0, files)?;
-        ignored.push(own.ignored_by(curve.model));
+        let own = own_options(curve, files)?;
+        ignored.push(own.ignored_by(entry));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
             interference_law: own.interference_law.or(options.interference_law),
             ..own.clone()
         };
-        let model = curve.model.build(material, &with_those_of_the_scene);
+        let model = entry.build(material, &with_those_of_the_scene);
         let model = model.map_err(|error| SceneError::at(spanned.span(), error))?;
-        let default_name = || curve.model.curve_name(&own);
+        let default_name = || entry.curve_name(&own);
         let name = curve.name.as_ref().map_or_else(default_name, |name| name.get_ref().clone());
         let name_span = curve.name.as_ref().map_or_else(|| spanned.span(), Spanned::span);
         check_file_name(&name, name_span.clone())?;
@@ -54,18 +54,14 @@ pub(super) fn resolve_curves(
     Ok((curves, ignored))
 }
 
-/// Returns the options that a curve gives itself; `plain` are those that need no more checks.
-fn own_options(
-    curve: &RawCurveKeys,
-    plain: &ModelOptions,
-    files: &dyn Files,
-) -> Result<ModelOptions, SceneError> {
+/// Returns the options that a curve gives itself.
+fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, SceneError> {
     let gamma = curve.gamma.as_ref();
     let gamma = gamma.map(|gamma| checked("curve.gamma", "the elastic energy factor", gamma, GAMMA));
     Ok(ModelOptions {
         gamma: gamma.transpose()?,
         hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,
-        ..plain.clone()
+        ..curve.options.clone()
     })
 }
 

@@ -22,10 +22,8 @@ pub const INTERFACE_TABLE: &str = "report-interface";
 /// Refuses curves and figures whose files would replace those of another or of the report. Disks differ in whether case
 /// counts, so here it does not.
 pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Result<(), SceneError> {
-    let curve_spans = raw
-        .curve
-        .iter()
-        .map(|curve| curve.get_ref().keys.name.as_ref().map_or(curve.span(), |name| name.span()));
+    let curve_spans =
+        raw.curve.iter().map(|curve| curve.get_ref().name.as_ref().map_or(curve.span(), |name| name.span()));
     let curves = curves.iter().map(|curve| curve.name.as_str()).zip(curve_spans);
     let figure_spans = raw.figure.iter().map(|figure| figure.get_ref().name.span());
     // A scene without figures gets one of all curves, which has no place in its text.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
-use super::raw::{RawBody, RawCounterface, RawMaterial, RawProperties, RawProperty};
+use super::raw::{RawBody, RawProperty};
 use super::spelling::meant;
 use study::bodies::FromTable;
 use study::body_properties::BodyProperty;
@@ -20,30 +20,25 @@ pub(super) struct BodyKeys {
     pub section: &'static str,
     /// Bytes of the scene that the section spans.
     pub span: Range<usize>,
-    properties: RawProperties,
+    properties: Vec<(BodyProperty, Spanned<RawProperty>)>,
     /// Properties that were filled from the table of materials.
     pub from_table: Option<FromTable>,
 }
 
 impl BodyKeys {
-    /// Returns the keys of the rough body.
-    pub fn of_material(raw: &Spanned<RawMaterial>) -> Result<Self, SceneError> {
-        Self::new("material", raw.span(), &raw.get_ref().0)
-    }
-
-    /// Returns the keys of the counterface.
-    pub fn of_counterface(raw: &Spanned<RawCounterface>) -> Result<Self, SceneError> {
-        Self::new("counterface", raw.span(), &raw.get_ref().0)
-    }
-
-    fn new(section: &'static str, span: Range<usize>, raw: &RawBody) -> Result<Self, SceneError> {
-        let properties = raw.properties.clone();
-        BodyKeys { section, span, properties, from_table: None }.filled(raw.name.as_ref())
+    /// Returns the keys of a section, and those that it leaves to the table.
+    pub fn new<const IS_COUNTERFACE: bool>(
+        raw: &Spanned<RawBody<IS_COUNTERFACE>>,
+    ) -> Result<Self, SceneError> {
+        let RawBody { name, properties, .. } = raw.get_ref();
+        let section = if IS_COUNTERFACE { "counterface" } else { "material" };
+        let keys = BodyKeys { section, span: raw.span(), properties: properties.clone(), from_table: None };
+        keys.filled(name.as_ref())
     }
 
     /// Returns a property as given or from the table.
     pub fn get(&self, property: BodyProperty) -> Option<&Spanned<RawProperty>> {
-        self.properties.0.iter().find(|(own, _)| *own == property).map(|(_, given)| given)
+        self.properties.iter().find(|(own, _)| *own == property).map(|(_, given)| given)
     }
 
     /// Returns true if hardness or strength is given; they give each other.
@@ -67,7 +62,7 @@ impl BodyKeys {
             let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);
             if let Some(value) = tabled.value(property).filter(|_| !is_given) {
                 keys.push(property.key());
-                self.properties.0.push((property, Spanned::new(name.span(), RawProperty::Value(value))));
+                self.properties.push((property, Spanned::new(name.span(), RawProperty::Value(value))));
             }
         }
         self.from_table = Some(FromTable { name: tabled.name, keys, sources: tabled.sources });

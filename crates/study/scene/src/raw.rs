@@ -13,7 +13,7 @@ use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 use super::error::SceneError;
 use super::from_toml::scene_error;
-use super::tabled_keys::{TabledKeys, read_section};
+use super::section::{Section, read_section};
 use study::body_properties::BodyProperty;
 use study::figure::Shows;
 use study::models::{Choice, ModelEntry, ModelOptions};
@@ -89,75 +89,51 @@ pub(super) struct RawScanKeys {
 }
 
 /// The rough body.
-#[derive(Debug)]
-pub(super) struct RawMaterial(pub RawBody);
+pub(super) type RawMaterial = RawBody<false>;
 
-/// The body that presses on the rough one.
-#[derive(Debug)]
-pub(super) struct RawCounterface(pub RawBody);
+/// The body that presses on the rough one, perhaps with a surface of its own.
+pub(super) type RawCounterface = RawBody<true>;
 
-#[derive(Debug)]
-pub(super) struct RawBody {
+#[derive(Debug, Default)]
+pub(super) struct RawBody<const IS_COUNTERFACE: bool> {
     pub name: Option<Spanned<String>>,
-    pub properties: RawProperties,
+    pub properties: Vec<(BodyProperty, Spanned<RawProperty>)>,
     pub surface: Option<Spanned<RawSurface>>,
 }
 
-/// The properties of a body that are given.
-#[derive(Debug, Clone, Default)]
-pub(super) struct RawProperties(pub Vec<(BodyProperty, Spanned<RawProperty>)>);
+static BODY_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let properties = BodyProperty::ALL.map(BodyProperty::key);
+    ["name"].into_iter().chain(properties).chain(["surface"]).collect()
+});
 
-impl TabledKeys for RawProperties {
-    fn has(key: &str) -> bool {
-        BodyProperty::of_key(key).is_some()
+impl<const IS_COUNTERFACE: bool> Section for RawBody<IS_COUNTERFACE> {
+    const NAME: &'static str = if IS_COUNTERFACE { "RawCounterface" } else { "RawMaterial" };
+
+    fn keys() -> &'static [&'static str] {
+        &BODY_KEYS[..BODY_KEYS.len() - usize::from(!IS_COUNTERFACE)]
     }
 
-    fn read<'de, D: Deserializer<'de>>(&mut self, key: &str, value: D) -> Result<(), D::Error> {
-        let Some(property) = BodyProperty::of_key(key) else { return Ok(()) };
-        let given = match property.may_be_uncertain() {
-            true => Spanned::deserialize(value)?,
-            false => {
-                let quantity = RawQuantity::deserialize(value)?;
-                Spanned::new(quantity.span(), RawProperty::Value(quantity.into_inner()))
+    fn read<'de, A: MapAccess<'de>>(&mut self, key: &str, values: &mut A) -> Result<(), A::Error> {
+        match BodyProperty::of_key(key) {
+            Some(property) if property.may_be_uncertain() => {
+                self.properties.push((property, values.next_value()?));
             }
-        };
-        self.0.push((property, given));
+            Some(property) => {
+                let quantity: RawQuantity = values.next_value()?;
+                let given = Spanned::new(quantity.span(), RawProperty::Value(quantity.into_inner()));
+                self.properties.push((property, given));
+            }
+            None if key == "name" => self.name = Some(values.next_value()?),
+            None => self.surface = Some(values.next_value()?),
+        }
         Ok(())
     }
 }
 
-impl<'de> Deserialize<'de> for RawMaterial {
+impl<'de, const IS_COUNTERFACE: bool> Deserialize<'de> for RawBody<IS_COUNTERFACE> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| body_keys(&[]));
-        read_body(deserializer, "RawMaterial", &KEYS).map(RawMaterial)
+        read_section(deserializer)
     }
-}
-
-impl<'de> Deserialize<'de> for RawCounterface {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| body_keys(&["surface"]));
-        read_body(deserializer, "RawCounterface", &KEYS).map(RawCounterface)
-    }
-}
-
-fn body_keys(others: &[&'static str]) -> Vec<&'static str> {
-    let properties = BodyProperty::ALL.map(BodyProperty::key);
-    ["name"].into_iter().chain(properties).chain(others.iter().copied()).collect()
-}
-
-fn read_body<'de, D: Deserializer<'de>>(
-    deserializer: D,
-    name: &'static str,
-    keys: &'static [&'static str],
-) -> Result<RawBody, D::Error> {
-    #[derive(Deserialize)]
-    struct OwnKeys {
-        name: Option<Spanned<String>>,
-        surface: Option<Spanned<RawSurface>>,
-    }
-
-    let (OwnKeys { name, surface }, properties) = read_section(deserializer, name, keys)?;
-    Ok(RawBody { name, properties, surface })
 }
 
 /// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
@@ -198,51 +174,52 @@ pub(super) struct RawLoads {
     pub nominal_area: Option<RawQuantity>,
 }
 
-/// A curve: its own keys, and the options of its model.
-#[derive(Debug)]
+/// A curve. Of the options of its model, those whose values need more checks stand beside the others.
+#[derive(Debug, Default)]
 pub(super) struct RawCurve {
-    pub keys: RawCurveKeys,
-    pub options: RawModelOptions,
-}
-
-#[derive(Debug, Deserialize)]
-pub(super) struct RawCurveKeys {
-    pub model: &'static ModelEntry,
+    pub model: Option<&'static ModelEntry>,
+    pub options: ModelOptions,
     pub gamma: Option<Spanned<f64>>,
     pub hardness_law: Option<Spanned<String>>,
     pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
 }
 
-/// The options of a model that need no more checks once they are read.
-#[derive(Debug, Default)]
-pub(super) struct RawModelOptions(pub ModelOptions);
+static CURVE_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let options = Choice::OF_CURVES.map(Choice::key);
+    ["model"].into_iter().chain(options).chain(["cutoffs", "name"]).collect()
+});
 
-impl RawModelOptions {
-    fn choice(key: &str) -> Option<Choice> {
-        let is_plain = |choice: &Choice| !matches!(choice, Choice::Gamma | Choice::HardnessLaw);
-        Choice::OF_CURVES.into_iter().filter(is_plain).find(|choice| choice.key() == key)
-    }
-}
+impl Section for RawCurve {
+    const NAME: &'static str = "RawCurve";
 
-impl TabledKeys for RawModelOptions {
-    fn has(key: &str) -> bool {
-        Self::choice(key).is_some()
+    fn keys() -> &'static [&'static str] {
+        &CURVE_KEYS
     }
 
-    fn read<'de, D: Deserializer<'de>>(&mut self, key: &str, value: D) -> Result<(), D::Error> {
-        Self::choice(key).map_or(Ok(()), |choice| self.0.read(choice, value))
+    fn read<'de, A: MapAccess<'de>>(&mut self, key: &str, values: &mut A) -> Result<(), A::Error> {
+        match key {
+            "model" => self.model = Some(values.next_value()?),
+            "gamma" => self.gamma = Some(values.next_value()?),
+            "hardness_law" => self.hardness_law = Some(values.next_value()?),
+            "cutoffs" => self.cutoffs = Some(values.next_value()?),
+            "name" => self.name = Some(values.next_value()?),
+            key => {
+                let choice = Choice::OF_CURVES.into_iter().find(|choice| choice.key() == key);
+                choice.map_or(Ok(()), |choice| self.options.read(choice, values))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn missing(&self) -> Option<&'static str> {
+        self.model.is_none().then_some("model")
     }
 }
 
 impl<'de> Deserialize<'de> for RawCurve {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        static KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
-            let options = Choice::OF_CURVES.map(Choice::key);
-            ["model"].into_iter().chain(options).chain(["cutoffs", "name"]).collect()
-        });
-        let (keys, options) = read_section(deserializer, "RawCurve", &KEYS)?;
-        Ok(RawCurve { keys, options })
+        read_section(deserializer)
     }
 }
 

@@ -136,7 +136,7 @@ pub(super) fn resolve(
         return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
     }
     let own = resolve_surface("surface", &raw.surface, files)?;
-    let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().0.surface.as_ref()) {
+    let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
         None => own,
     };

@@ -234,21 +234,13 @@ mod tests {
     use asperity::{ElasticBody, MaterialPair};
     use parallel::Unobserved;
     use stat_contact::{AsperityLaw, Population, StatisticalContact};
-    use study::hardness_and_strength::HardnessAndStrength;
     use study::material::GivenMaterial;
     use study::models::{Framework, named};
 
     use super::*;
 
     fn material(modulus_pa: f64) -> Material {
-        Material::new(GivenMaterial {
-            body: ElasticBody::new(modulus_pa, 0.3).unwrap(),
-            counterface: None,
-            flows: study::bodies::Body::Rough,
-            hardness_and_strength: HardnessAndStrength::default(),
-            strength_cap: None,
-            strain_gradient_length_m: None,
-        })
+        Material::new(GivenMaterial::new(ElasticBody::new(modulus_pa, 0.3).unwrap()))
     }
 
     fn states_of(model: &str) -> ContactStates {

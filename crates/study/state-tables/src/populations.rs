@@ -9,8 +9,9 @@ use units::Pressure;
 use super::row_contact::Roughness;
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
+use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
-use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
+use study::material::{GivenMaterial, Material, MaterialError};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions, Pressable, Statistical};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
@@ -120,10 +121,9 @@ impl Populations {
         let modulus_pa = row.number("youngs_modulus_pa", Bound::Magnitude)?;
         let poisson_ratio = row.number("poisson_ratio", ElasticBody::POISSON_RATIO)?;
         let optional = |column| if strong { row.optional_number(column, Bound::Magnitude) } else { Ok(None) };
+        let body = ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?;
         Ok(Material::new(GivenMaterial {
-            body: ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?,
             counterface: self.counterface,
-            flows: study::bodies::Body::Rough,
             hardness_and_strength: if strong {
                 hardness_and_strength(row, Bound::Magnitude)?
             } else {
@@ -131,6 +131,7 @@ impl Populations {
             },
             strength_cap: self.strength_cap,
             strain_gradient_length_m: optional("strain_gradient_length_m")?,
+            ..GivenMaterial::new(body)
         }))
     }
 
@@ -262,9 +263,9 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
 fn missing_cell(error: &MaterialError) -> String {
     let MaterialError::Missing(needed_for) = error else { return error.to_string() };
     let column = match needed_for.property() {
-        MaterialProperty::IndentationHardness => INDENTATION_HARDNESS,
-        MaterialProperty::YieldStrength => YIELD_STRENGTH,
-        MaterialProperty::StrainGradientLength => "strain_gradient_length_m",
+        BodyProperty::IndentationHardness => INDENTATION_HARDNESS,
+        BodyProperty::YieldStrength => YIELD_STRENGTH,
+        _ => "strain_gradient_length_m",
     };
     format!("column {column}: the cell is empty; {error}")
 }

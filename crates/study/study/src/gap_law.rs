@@ -134,12 +134,8 @@ mod tests {
 
     fn material() -> Material {
         Material::new(GivenMaterial {
-            body: ElasticBody::new(463e9, 0.2).unwrap(),
-            counterface: None,
-            flows: crate::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::new(None, Some("10 GPa".parse().unwrap())).unwrap(),
-            strength_cap: None,
-            strain_gradient_length_m: None,
+            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
         })
     }
 

@@ -53,9 +53,9 @@ impl TabledMaterial {
             BodyProperty::YoungsModulus => Some(&self.youngs_modulus),
             BodyProperty::YieldStrength => self.yield_strength.as_ref(),
             BodyProperty::IndentationHardness => self.indentation_hardness.as_ref(),
-            BodyProperty::StrainGradientLength => None,
             BodyProperty::ThermalConductivity => self.thermal_conductivity.as_ref(),
             BodyProperty::Resistivity => self.resistivity.as_ref(),
+            BodyProperty::StrainGradientLength => None,
         };
         text.cloned().map(toml::Value::String)
     }

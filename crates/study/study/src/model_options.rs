@@ -3,7 +3,8 @@
 use asperity::Hardness;
 use persson::corrections::Correction;
 use persson::variance::Band;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::de::MapAccess;
+use serde::{Deserialize, Serialize};
 use stat_contact::InterferenceLaw;
 
 use crate::choices_in_words;
@@ -160,20 +161,20 @@ impl ModelOptions {
         of_model.filter_map(|(_, setting)| setting.map(|(name, words)| Setting { name, words })).collect()
     }
 
-    /// Reads the value of an option; a strength is none.
+    /// Reads the value of an option, which comes next; a strength is none.
     ///
     /// # Errors
     /// The errors of the reader.
-    pub fn read<'de, D: Deserializer<'de>>(&mut self, choice: Choice, value: D) -> Result<(), D::Error> {
+    pub fn read<'de, A: MapAccess<'de>>(&mut self, choice: Choice, values: &mut A) -> Result<(), A::Error> {
         match choice {
             Choice::Strength => {}
-            Choice::StrainGradient => self.strain_gradient = bool::deserialize(value)?,
-            Choice::Hardness => self.hardness = Option::deserialize(value)?,
-            Choice::Interference => self.interference_law = Option::deserialize(value)?,
-            Choice::Correction => self.correction = Option::deserialize(value)?,
-            Choice::Band => self.band = Option::deserialize(value)?,
-            Choice::Gamma => self.gamma = Option::deserialize(value)?,
-            Choice::HardnessLaw => self.hardness_law = Option::deserialize(value)?,
+            Choice::StrainGradient => self.strain_gradient = values.next_value()?,
+            Choice::Hardness => self.hardness = values.next_value()?,
+            Choice::Interference => self.interference_law = values.next_value()?,
+            Choice::Correction => self.correction = values.next_value()?,
+            Choice::Band => self.band = values.next_value()?,
+            Choice::Gamma => self.gamma = values.next_value()?,
+            Choice::HardnessLaw => self.hardness_law = values.next_value()?,
         }
         Ok(())
     }

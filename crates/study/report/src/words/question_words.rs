@@ -7,7 +7,8 @@ use questions::{
     SampledScales, Spelling, UnusedOption,
 };
 use rough_bem::ElementsError;
-use study::material::{MaterialError, MaterialProperty};
+use study::body_properties::BodyProperty;
+use study::material::MaterialError;
 use study::models::Choice;
 use study::validity::SMALL_SLOPE_GRADIENT;
 use topography::Severity;
@@ -255,9 +256,9 @@ pub fn of_material(error: &MaterialError, spelling: &dyn Spelling) -> String {
     match error {
         MaterialError::Missing(needed_for) => {
             let options = match needed_for.property() {
-                MaterialProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
-                MaterialProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
-                MaterialProperty::StrainGradientLength => name(OptionName::StrainGradientLength),
+                BodyProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
+                BodyProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
+                _ => name(OptionName::StrainGradientLength),
             };
             format!("{error}: give {}{options}", spelling.of_material())
         }

@@ -341,12 +341,9 @@ mod tests {
 
     fn material(yield_strength: Option<Pressure>) -> Material {
         Material::new(GivenMaterial {
-            body: ElasticBody::new(463e9, 0.2).unwrap(),
-            counterface: None,
-            flows: crate::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::new(None, yield_strength).unwrap(),
-            strength_cap: None,
             strain_gradient_length_m: Some(5e-6),
+            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
         })
     }
 
