@@ -11,8 +11,8 @@ mod scans;
 pub(crate) use bem::BemArgs;
 pub(crate) use gap::{GapArgs, LawArgs, LawForm};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
-    ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PressureArgs,
+    PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
@@ -28,7 +28,7 @@ use crate::output::Place;
 use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
 use scene::Template;
 use state_tables::GivenColumn;
-use study::models::{Framework, ModelEntry};
+use study::models::{Framework, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::PressureRange;
 use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
@@ -385,12 +385,8 @@ pub(crate) struct StackedArgs {
     /// Deformation model of every scale
     #[arg(long, value_parser = model_of(Framework::Stacked))]
     pub model: &'static ModelEntry,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     #[command(flatten)]
     pub material: MaterialArgs,
     #[command(flatten)]
@@ -471,6 +467,18 @@ pub(crate) struct StatisticalArgs {
     pub details: bool,
     #[command(flatten)]
     pub figure: FigureArg,
+}
+
+impl StatisticalArgs {
+    /// The options of the model; its strength grows as soon as a length is given.
+    pub fn options(&self) -> ModelOptions {
+        ModelOptions {
+            strain_gradient: self.material.strain_gradient_length.is_some(),
+            hardness: self.hardness.hardness,
+            interference_law: self.interference_law,
+            ..ModelOptions::default()
+        }
+    }
 }
 
 #[derive(Debug, ClapArgs)]

@@ -29,19 +29,19 @@ pub(super) fn resolve_curves(
     let mut ignored = Vec::new();
     for spanned in raw {
         let curve = spanned.get_ref();
-        let Some(material) = material else {
+        let Some((material, entry)) = material.zip(curve.model) else {
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
         let own = own_options(curve, files)?;
-        ignored.push(own.ignored_by(curve.model));
+        ignored.push(own.ignored_by(entry));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
             interference_law: own.interference_law.or(options.interference_law),
             ..own.clone()
         };
-        let model = curve.model.build(material, &with_those_of_the_scene);
+        let model = entry.build(material, &with_those_of_the_scene);
         let model = model.map_err(|error| SceneError::at(spanned.span(), error))?;
-        let default_name = || curve.model.curve_name(&own);
+        let default_name = || entry.curve_name(&own);
         let name = curve.name.as_ref().map_or_else(default_name, |name| name.get_ref().clone());
         let name_span = curve.name.as_ref().map_or_else(|| spanned.span(), Spanned::span);
         check_file_name(&name, name_span.clone())?;
@@ -59,13 +59,9 @@ fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, Scen
     let gamma = curve.gamma.as_ref();
     let gamma = gamma.map(|gamma| checked("curve.gamma", "the elastic energy factor", gamma, GAMMA));
     Ok(ModelOptions {
-        strain_gradient: curve.strain_gradient,
-        hardness: None,
-        interference_law: curve.interference_law,
-        correction: curve.correction,
-        band: curve.band,
         gamma: gamma.transpose()?,
         hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,
+        ..curve.options.clone()
     })
 }
 

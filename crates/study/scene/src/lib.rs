@@ -16,6 +16,7 @@ mod raw;
 mod replace;
 mod resolve;
 mod roughness;
+mod section;
 mod spelling;
 mod surfaces;
 mod template;

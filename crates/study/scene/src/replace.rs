@@ -16,28 +16,18 @@ use super::raw::{
     RawOptions, RawSeal, RawSurface, RawUncertainty,
 };
 use super::spelling::meant;
+use study::body_properties::BodyProperty;
 
 /// Names that stand for a key of another name, as functions and options have them.
 const OTHER_NAMES: [(&str, [&str; 2]); 2] =
     [("cutoff", ["cutoffs", "shortest_wavelength"]), ("pressure", ["loads", "pressures"])];
 
-/// The SI units of the keys that are typed with a unit, so that a plain number can be given for them.
-const SI_UNITS: [(&str, &str); 27] = [
+/// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
+/// their own table.
+const SI_UNITS: [(&str, &str); 15] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
-    ("material.youngs_modulus", "Pa"),
-    ("material.yield_strength", "Pa"),
-    ("material.indentation_hardness", "Pa"),
-    ("material.strain_gradient_length", "m"),
-    ("material.thermal_conductivity", "W/(m K)"),
-    ("material.resistivity", "ohm m"),
-    ("counterface.youngs_modulus", "Pa"),
-    ("counterface.yield_strength", "Pa"),
-    ("counterface.indentation_hardness", "Pa"),
-    ("counterface.strain_gradient_length", "m"),
-    ("counterface.thermal_conductivity", "W/(m K)"),
-    ("counterface.resistivity", "ohm m"),
     ("loads.pressures", "Pa"),
     ("loads.force", "N"),
     ("loads.nominal_area", "m^2"),
@@ -224,8 +214,14 @@ fn unknown(name: &str) -> ReplaceError {
 /// The value as its key takes it: numbers with the SI unit of the key, and one pressure as a list of one.
 fn fitted(place: &[String], value: Value) -> Value {
     let name = place.join(".");
-    let value = match SI_UNITS.iter().find(|(key, _)| *key == name) {
-        Some((_, unit)) => with_unit(value, unit),
+    let unit = match place {
+        [section, key] if section == "material" || section == "counterface" => {
+            BodyProperty::of_key(key).and_then(BodyProperty::unit)
+        }
+        _ => SI_UNITS.iter().find(|(key, _)| *key == name).map(|(_, unit)| *unit),
+    };
+    let value = match unit {
+        Some(unit) => with_unit(value, unit),
         None => value,
     };
     match value {

@@ -5,7 +5,7 @@ use persson::hardness_laws::{Hardness, HardnessError};
 pub use crate::growth_law::GrowthLaw;
 use crate::material::{Material, MaterialError};
 use crate::model_options::ModelOptions;
-use crate::persson_law::PlasticLaw;
+use crate::models::persson::PlasticLaw;
 
 /// Why a material has no such hardness.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -40,12 +40,10 @@ mod tests {
 
     fn material(strain_gradient_length_m: Option<f64>) -> Material {
         Material::new(GivenMaterial {
-            body: ElasticBody::new(463e9, 0.2).unwrap(),
-            counterface: None,
-            flows: crate::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::new(None, Some("1 GPa".parse().unwrap())).unwrap(),
             strength_cap: Some("2 GPa".parse().unwrap()),
             strain_gradient_length_m,
+            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
         })
     }
 

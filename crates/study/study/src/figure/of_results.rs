@@ -5,7 +5,7 @@ use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
 
 use super::{Axis, Band, BandKind, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
 use crate::linear_laws::{linear_areas, rms_gradients};
-use crate::plan::{CurveResult, Load, Needs, Results};
+use crate::plan::{Load, Needs, Results};
 
 const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
 const CUTOFF: Axis = Axis { column: "wavelength_m", label: "shortest wavelength included (m)" };
@@ -84,7 +84,7 @@ impl Figure {
                     ..line
                 });
             }
-            if let CurveResult::Statistical(_) = results.curves[curve] {
+            if needs.curves[curve].model.takes_separations() {
                 for (at, separation_m) in needs.separations_m.iter().enumerate() {
                     // The blocks of separations follow those of the loads.
                     let block = needs.loads.len() + at;

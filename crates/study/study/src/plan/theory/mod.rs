@@ -8,13 +8,15 @@ use std::ops::Range;
 
 use serde::Serialize;
 use stacked_contact::Level;
+use stat_contact::Condition;
 use tables::Table;
 
+pub use persson::PerssonSurface;
 pub use statistical::{CutoffState, STATE_DETAILS};
 
-use super::condition::Condition;
+use super::gap::{GapChoices, GapError, LoadedSurface};
 use super::run::Run;
-use super::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
+use super::{Cutoffs, Plan, PlanError, PreparedSpectrum, Results, Work};
 use crate::models::{CurveModel, Theory};
 
 /// A curve against cutoff: for every load its rows, from long to short wavelengths.
@@ -163,11 +165,6 @@ pub(super) struct Job<'j> {
 
 /// The computation of curves by one theory.
 pub(super) trait CurveTheory {
-    /// Returns true if separations are conditions of the theory besides loads.
-    fn takes_separations(&self) -> bool {
-        false
-    }
-
     /// Returns the most levels of a stack that a load takes over so many scales.
     fn most_levels(&self, _scales: usize) -> usize {
         0
@@ -205,6 +202,32 @@ pub(super) trait CurveTheory {
         conditions: &[Condition],
         places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError>;
+
+    /// Returns the surface with its whole spectrum from a computed plan, or nothing for a theory without distances.
+    ///
+    /// # Errors
+    /// [`GapError`] for a spectrum that has no gap.
+    fn surface(
+        &self,
+        _plan: &Plan<'_>,
+        _results: &Results,
+        _choices: &GapChoices,
+    ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
+        Ok(None)
+    }
+}
+
+impl Plan<'_> {
+    /// Returns the surface of a model with its whole spectrum from computed results, or nothing for a theory without
+    /// distances.
+    pub(crate) fn surface(
+        &self,
+        model: &CurveModel,
+        results: &Results,
+        choices: &GapChoices,
+    ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
+        theory_of(model).surface(self, results, choices)
+    }
 }
 
 /// Returns the theory behind a model.
