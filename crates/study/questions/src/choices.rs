@@ -27,7 +27,7 @@ pub(crate) fn check(
 fn name(choice: Choice) -> OptionName {
     match choice {
         Choice::StrainGradient => OptionName::StrainGradient,
-        Choice::Hardness => OptionName::Hardness,
+        Choice::Hardness => OptionName::HardnessFormula,
         Choice::Interference => OptionName::InterferenceLaw,
         Choice::Correction => OptionName::Correction,
         Choice::Band => OptionName::Band,

@@ -98,7 +98,7 @@ impl GapModel {
             let given = [
                 (OptionName::Gamma, options.gamma.is_some()),
                 (OptionName::Normalisation, self.normalisation.is_some()),
-                (OptionName::Hardness, options.hardness.is_some()),
+                (OptionName::HardnessFormula, options.hardness.is_some()),
                 (OptionName::InterferenceLaw, options.interference_law.is_some()),
                 (OptionName::Band, options.band.is_some()),
                 (OptionName::StrainGradient, options.strain_gradient),
@@ -112,7 +112,7 @@ impl GapModel {
         let is_persson = entry.framework == Framework::Persson;
         let without_law = [
             (OptionName::Normalisation, self.normalisation.is_some() && is_persson),
-            (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
+            (OptionName::HardnessFormula, options.hardness.is_some() && !entry.has(Choice::Hardness)),
             (
                 OptionName::InterferenceLaw,
                 options.interference_law.is_some() && !entry.has(Choice::Interference),

@@ -31,7 +31,7 @@ pub enum OptionName {
     /// Points along a side of a random surface.
     Grid,
     /// Form of the hardness of a sphere.
-    Hardness,
+    HardnessFormula,
     /// Growth of the hardness towards short wavelengths.
     HardnessLaw,
     /// Indentation hardness.

@@ -43,7 +43,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
 fn options(args: &StatisticalArgs) -> ModelOptions {
     ModelOptions {
         strain_gradient: args.material.strain_gradient_length.is_some(),
-        hardness: args.hardness.hardness,
+        hardness: args.hardness.hardness_formula,
         interference_law: args.interference_law,
         ..ModelOptions::default()
     }
