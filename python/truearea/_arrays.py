@@ -28,3 +28,10 @@ def doubles(argument: str, given: Any) -> FloatArray:
             return np.empty(array.shape)
         raise InputError(f"{argument}: numbers are needed, and these are {kind}")
     return array.astype(np.float64, copy=False)
+
+
+def formula_of(hardness_formula: str | None, hardness: str | None) -> str | None:
+    """The form of the hardness of spheres, by its name or by ``hardness``, the former one."""
+    if hardness_formula is not None and hardness is not None:
+        raise InputError("hardness_formula and hardness, its former name, are both given; give one")
+    return hardness_formula or hardness

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
+from truearea._arrays import formula_of
 from truearea._cores import material_of, surface_of
 from truearea._material import Material, Quantity
 from truearea._results import AnyArray, FloatArray, Result
@@ -157,6 +158,7 @@ def statistical(
     pressure: Pressures | None = None,
     separation: Pressures | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str = "parseval",
@@ -180,8 +182,8 @@ def statistical(
         Separations, in m or as text, besides pressures or in place of them.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}
@@ -221,7 +223,7 @@ def statistical(
         pressure,
         separation,
         strain_gradient,
-        hardness,
+        formula_of(hardness_formula, hardness),
         interference_law,
         normalisation,
         "eq5",

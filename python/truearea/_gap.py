@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from truearea import _native
+from truearea._arrays import formula_of
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
@@ -32,6 +33,7 @@ def gap(
     gamma: float | None = None,
     band: str | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
@@ -69,8 +71,8 @@ def gap(
         agrees with boundary elements where the spectrum rolls off.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}, optional
@@ -108,7 +110,7 @@ def gap(
     True
     """
     choices = _choices(
-        gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade
+        gamma, band, strain_gradient, formula_of(hardness_formula, hardness), interference_law, normalisation, cutoff, scales_per_decade
     )
     random = {
         "grid": grid,

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from truearea import _native
+from truearea._arrays import formula_of
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._gap import _choices
@@ -104,6 +105,7 @@ def law(
     gamma: float | None = None,
     band: str | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
@@ -129,7 +131,7 @@ def law(
         What makes the gap.
     tolerance : float, default 0.01
         The largest relative error of the pressure on the straight lines between the points, from 1e-5 to 0.5.
-    gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade : optional
+    gamma, band, strain_gradient, hardness_formula, interference_law, normalisation, cutoff, scales_per_decade : optional
         As :func:`gap` has them.
 
     Returns
@@ -154,7 +156,7 @@ def law(
         "pressure": _range(pressure, from_pressure, to_pressure),
         "model": model,
         "choices": _choices(
-            gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade
+            gamma, band, strain_gradient, formula_of(hardness_formula, hardness), interference_law, normalisation, cutoff, scales_per_decade
         ),
         "tolerance": tolerance,
     }

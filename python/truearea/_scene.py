@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from truearea import _native
+from truearea._arrays import formula_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._progress import Line, Progress, observer_of
@@ -61,6 +62,7 @@ class Scene:
         normalisation: str | None = None,
         amplitude: str | None = None,
         scales_per_decade: int | None = None,
+        hardness_formula: str | None = None,
         hardness: str | None = None,
         strength_cap: Quantity | None = None,
         cutoff: Quantity | None = None,
@@ -74,7 +76,7 @@ class Scene:
             The path of a scene, or its text: what has line breaks, or neither ends in ``.toml`` nor names a file.
         folder : str or path-like, optional
             Where the files are that it names. Left out, the folder of the scene; of a text, the working folder.
-        normalisation, amplitude, hardness : str, optional
+        normalisation, amplitude, hardness_formula : str, optional
             Choices of the models, in place of the scene's own, as in its section ``[options]``.
         scales_per_decade : int, optional
             Resample the spectrum to so many wavelengths a decade.
@@ -126,7 +128,7 @@ class Scene:
             "normalisation": normalisation,
             "amplitude": amplitude,
             "scales_per_decade": scales_per_decade,
-            "hardness": hardness,
+            "hardness": formula_of(hardness_formula, hardness),
             "strength_cap": strength_cap,
             "cutoff": cutoff,
             "counterface": counterface,

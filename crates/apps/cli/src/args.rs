@@ -11,7 +11,7 @@ mod scans;
 pub(crate) use bem::BemArgs;
 pub(crate) use gap::{GapArgs, LawArgs, LawForm};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PressureArgs,
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs,
     PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
@@ -461,7 +461,7 @@ pub(crate) struct StatisticalArgs {
     #[command(flatten)]
     pub normalisation: NormalisationArg,
     #[command(flatten)]
-    pub hardness: HardnessArg,
+    pub hardness: HardnessFormulaArg,
     /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
     #[arg(long)]
     pub details: bool,
@@ -526,7 +526,7 @@ pub(crate) struct RunArgs {
     #[command(flatten)]
     pub amplitude: AmplitudeArg,
     #[command(flatten)]
-    pub hardness: HardnessArg,
+    pub hardness: HardnessFormulaArg,
     #[command(flatten)]
     pub strength_cap: StrengthCapArg,
     #[command(flatten)]

@@ -18,6 +18,7 @@ impl Spelling for Flags {
             OptionName::MissingPoints => "gaps",
             OptionName::Reading => return "an option for reading spectra".to_owned(),
             OptionName::Side => "box",
+            OptionName::ModelOption(Choice::Hardness) => "hardness-formula",
             OptionName::ModelOption(Choice::StrainGradient) => "strain-gradient-length",
             option => return format!("--{}", option.snake_case().replace('_', "-")),
         };

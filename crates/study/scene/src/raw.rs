@@ -254,7 +254,8 @@ pub(super) struct RawOptions {
     pub normalisation: Option<Normalisation>,
     pub amplitude: Option<AmplitudeDefinition>,
     pub scales_per_decade: Option<Spanned<i64>>,
-    pub hardness: Option<asperity::Hardness>,
+    #[serde(alias = "hardness")]
+    pub hardness_formula: Option<asperity::Hardness>,
     pub strength_cap: Option<RawQuantity>,
     pub interference_law: Option<InterferenceLaw>,
     pub tolerance: Option<Spanned<f64>>,

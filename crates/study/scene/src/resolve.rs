@@ -58,7 +58,7 @@ impl Overrides {
         let idle = [
             ("normalisation", self.normalisation.is_some(), scene.needs.moments.is_some()),
             ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some()),
-            ("hardness", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
+            ("hardness_formula", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
             ("strength_cap", self.strength_cap.is_some(), any_curve(has_growing_strength)),
         ];
         idle.into_iter().find(|(_, given, used)| *given && !used).map(|(name, ..)| name)
@@ -102,7 +102,7 @@ pub(super) fn resolve(
     let per_decade =
         options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
     let law_options = ModelOptions {
-        hardness: overrides.hardness.or(options.hardness),
+        hardness: overrides.hardness.or(options.hardness_formula),
         interference_law: options.interference_law,
         ..ModelOptions::default()
     };

@@ -112,7 +112,7 @@ impl Choice {
         match self {
             Choice::Strength => "yield_strength",
             Choice::StrainGradient => "strain_gradient",
-            Choice::Hardness => "hardness",
+            Choice::Hardness => "hardness_formula",
             Choice::Interference => "interference_law",
             Choice::Correction => "correction",
             Choice::Band => "band",

@@ -13,7 +13,7 @@ use units::{Pressure, named};
 use super::bem::RandomArgs;
 use super::parsers::{one_of, parse_tolerance};
 use super::persson::parse_gamma;
-use super::{HardnessArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
+use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
 
 /// Model of the gap: a law of asperities, Persson's theory, or boundary elements if there is none.
 #[derive(Debug, Clone, Copy)]
@@ -53,7 +53,7 @@ pub(crate) struct GapChoiceArgs {
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
     #[command(flatten)]
-    pub hardness: HardnessArg,
+    pub hardness: HardnessFormulaArg,
     #[command(flatten)]
     pub normalisation: NormalisationArg,
     #[command(flatten)]
@@ -70,7 +70,7 @@ impl GapChoiceArgs {
             model,
             options: ModelOptions {
                 strain_gradient: model.is_some_and(|entry| material.strain_gradient_in(entry)),
-                hardness: self.hardness.hardness,
+                hardness: self.hardness.hardness_formula,
                 interference_law: self.interference_law,
                 band: self.band,
                 gamma: self.gamma,

@@ -122,11 +122,11 @@ pub(crate) struct AmplitudeArg {
 
 /// Option for the form of the hardness of a sphere.
 #[derive(Debug, Clone, ClapArgs)]
-pub(crate) struct HardnessArg {
+pub(crate) struct HardnessFormulaArg {
     /// Hardness of the sphere in the model ep-sphere: 2005, that of Jackson & Green 2005, or cosine, the cosine form
     /// 2.84 - 0.92 [1 - cos(pi a/R)]
-    #[arg(long, value_parser = hardness())]
-    pub hardness: Option<Hardness>,
+    #[arg(long, alias = "hardness", value_parser = hardness())]
+    pub hardness_formula: Option<Hardness>,
 }
 
 /// Option for the upper limit of a growing strength.

@@ -185,7 +185,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         normalisation: args.normalisation.normalisation,
         amplitude: args.amplitude.amplitude,
         scales_per_decade: args.sampling.scales_per_decade,
-        hardness: args.hardness.hardness,
+        hardness: args.hardness.hardness_formula,
         strength_cap: args.strength_cap.strength_cap,
         cutoff: args.sampling.cutoff,
         counterface: args
