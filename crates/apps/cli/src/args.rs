@@ -6,16 +6,18 @@ mod groups;
 mod misplaced;
 mod parsers;
 mod persson;
+mod report;
 mod scans;
 
 pub(crate) use bem::BemArgs;
 pub(crate) use gap::{GapArgs, LawArgs, LawForm};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs,
-    PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg,
+    PressureArgs, PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
+pub(crate) use report::ReportArgs;
 pub(crate) use scans::{ScanArgs, ScansArgs};
 
 use std::path::PathBuf;
@@ -246,6 +248,18 @@ the fit is a power law.
 Example:
   truearea fit psd.csv --from 100um --to 100nm")]
     Fit(FitArgs),
+    /// Answer the whole question: from scans or a spectrum to a report with a verdict
+    #[command(after_help = "\
+Runs every model that applies, presses the surface by boundary elements, and
+says how much touches, how sure that is, and what to measure next. The folder
+holds report.html, scene.toml (which repeats it), summary.txt, answer.json,
+figures and data.
+
+Examples:
+  truearea report trace1.txt trace2.txt:unit=um --material 100Cr6 \\
+      --on 100Cr6 --pressure 10MPa --seal
+  truearea report builtin:uncd-measured --material diamond --pressure 5.4MPa")]
+    Report(Box<ReportArgs>),
     /// Carry out a scene: tables, figures and a summary
     #[command(after_help = "\
 Writes one table per curve, one table and one SVG per figure, and prints a
@@ -474,7 +488,7 @@ impl StatisticalArgs {
     pub fn options(&self) -> ModelOptions {
         ModelOptions {
             strain_gradient: self.material.strain_gradient_length.is_some(),
-            hardness: self.hardness.hardness,
+            hardness: self.hardness.hardness_formula,
             interference_law: self.interference_law,
             ..ModelOptions::default()
         }

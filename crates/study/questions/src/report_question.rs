@@ -105,7 +105,8 @@ impl ReportQuestion {
                 let _ = writeln!(text, "psd = {}", quoted(name));
             }
             ReportSurface::Scans(scans) => {
-                let lines: Vec<String> = scans.iter().map(|scan| format!("    {},\n", scan_keys(scan))).collect();
+                let lines: Vec<String> =
+                    scans.iter().map(|scan| format!("    {},\n", scan_keys(scan))).collect();
                 let _ = writeln!(text, "scans = [\n{}]", lines.concat());
             }
         }
@@ -193,9 +194,16 @@ mod tests {
     #[test]
     fn hostile_names_stay_text() {
         let name = "a \"b\"\\c\n[loads]\u{1b}.txt";
-        let scan = ScanRequest { path: name.to_owned(), tip_radius: Some(TipRadius::Known(2e-6)), ..ScanRequest::default() };
-        let question =
-            ReportQuestion { title: Some(name.to_owned()), surface: ReportSurface::Scans(vec![scan]), ..question() };
+        let scan = ScanRequest {
+            path: name.to_owned(),
+            tip_radius: Some(TipRadius::Known(2e-6)),
+            ..ScanRequest::default()
+        };
+        let question = ReportQuestion {
+            title: Some(name.to_owned()),
+            surface: ReportSurface::Scans(vec![scan]),
+            ..question()
+        };
         let parsed: toml::Table = question.scene_text().parse().unwrap();
         assert_eq!(parsed["title"].as_str(), Some(name));
         let scan = &parsed["surface"]["scans"][0];
@@ -208,7 +216,8 @@ mod tests {
     fn options_of_scans_reach_the_scene() {
         let heights: String = (0..200).map(|at| format!("{} {}\n", at, (at * at) % 7)).collect();
         let files = BTreeMap::from([("line.txt".to_owned(), heights.into_bytes())]);
-        let request: ScanRequest = "line.txt:unit=um,shortest=4um,instrument=stylus,z-calibration=2%".parse().unwrap();
+        let request: ScanRequest =
+            "line.txt:unit=um,shortest=4um,instrument=stylus,z-calibration=2%".parse().unwrap();
         let question = ReportQuestion { surface: ReportSurface::Scans(vec![request]), ..question() };
         let scene = Scene::parse(&question.scene_text(), &files, &Overrides::default()).unwrap();
         assert!(scene.surface.psd.shortest_wavelength_m() >= 3.9e-6);

@@ -3,6 +3,7 @@
 use std::io::Cursor;
 
 use measurements::Files;
+use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use serde_spanned::Spanned;
 use tables::TableSource;
@@ -14,8 +15,8 @@ use super::raw::RawCurve;
 use super::values::{check_file_name, value_error};
 use study::hardness_growth::GrowthLaw;
 use study::material::Material;
-use study::models::{IgnoredOption, ModelOptions};
-use study::plan::Curve;
+use study::models::{Choice, Framework, IgnoredOption, MODELS, ModelOptions};
+use study::plan::{Curve, Cutoffs};
 
 /// Returns the curves, and for each of them the options that its model ignores. `options` are those of the whole scene,
 /// which curves may override.
@@ -52,6 +53,30 @@ pub(super) fn resolve_curves(
         curves.push(Curve { name, model, cutoffs: curve.cutoffs.unwrap_or_default() });
     }
     Ok((curves, ignored))
+}
+
+/// Returns a curve for every model that applies to a material: models that need a property which the material lacks are
+/// left out. Models with a strength that may grow, and with a correction that is nearer to boundary elements, come in both
+/// forms.
+pub(super) fn curves_that_apply(material: &Material, options: &ModelOptions) -> Vec<Curve> {
+    let plain = ModelOptions { hardness: options.hardness, ..ModelOptions::default() };
+    let mut curves: Vec<Curve> = Vec::new();
+    for entry in MODELS {
+        let mut forms = vec![ModelOptions { interference_law: options.interference_law, ..plain.clone() }];
+        // Persson's theory with a hardness that grows takes longer than all other models together.
+        if entry.has(Choice::StrainGradient) && entry.framework != Framework::Persson {
+            forms.push(ModelOptions { strain_gradient: true, ..forms[0].clone() });
+        }
+        if entry.has(Choice::Correction) {
+            forms.push(ModelOptions { correction: Some(Correction::AlgebraicNayak), ..plain.clone() });
+        }
+        for own in forms {
+            let Ok(model) = entry.build(material, &own) else { continue };
+            let own = ModelOptions { hardness: None, interference_law: None, ..own };
+            curves.push(Curve { name: entry.curve_name(&own), model, cutoffs: Cutoffs::default() });
+        }
+    }
+    curves
 }
 
 /// Returns the options that a curve gives itself.

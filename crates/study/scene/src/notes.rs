@@ -161,11 +161,14 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     if overrides.strength_cap.is_none() && !grows {
         unused.push(("strength_cap", Unused::NoCurveUsesIt));
     }
-    let mut sinusoids =
-        raw.curve.iter().map(|curve| curve.get_ref()).filter(|curve| curve.model.has(Choice::Interference));
+    let mut sinusoids = raw
+        .curve
+        .iter()
+        .map(|curve| curve.get_ref())
+        .filter(|curve| curve.model.is_some_and(|model| model.has(Choice::Interference)));
     if !has(Choice::Interference) {
         unused.push(("interference_law", Unused::NoCurveUsesIt));
-    } else if sinusoids.all(|curve| curve.interference_law.is_some()) {
+    } else if sinusoids.all(|curve| curve.options.interference_law.is_some()) {
         unused.push(("interference_law", Unused::EveryCurveHasItsOwn));
     }
     if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {

@@ -269,6 +269,8 @@ pub(super) struct RawJudge {
     pub seed: Option<Spanned<i64>>,
     pub budget: Option<Spanned<f64>>,
     #[serde(default)]
+    pub all_models: bool,
+    #[serde(default)]
     pub off: bool,
 }
 

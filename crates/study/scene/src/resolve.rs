@@ -7,7 +7,7 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
 use super::bodies::{UncertainCounterface, resolve_counterface, resolve_material};
-use super::curves::resolve_curves;
+use super::curves::{curves_that_apply, resolve_curves};
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
@@ -23,7 +23,7 @@ use study::bodies::Bodies;
 use study::figure::Shows;
 use study::material_spreads::MaterialSpreads;
 use study::models::{Choice, CurveModel, IgnoredOption, ModelOptions};
-use study::plan::{Needs, Sampling};
+use study::plan::{Curve, Needs, Sampling};
 use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.
@@ -106,7 +106,15 @@ pub(super) fn resolve(
         interference_law: options.interference_law,
         ..ModelOptions::default()
     };
-    let (curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
+    let (mut curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
+    let judges_all = raw.judge.as_ref().is_some_and(|judge| judge.all_models);
+    let runs_all = judges_all || (raw.curve.is_empty() && raw.figure.is_empty() && raw.loads.is_some());
+    if let Some(material) = material.as_ref().filter(|_| runs_all) {
+        let others = curves_that_apply(material, &law_options);
+        let is_listed = |curve: &Curve| curves.iter().any(|listed| listed.name == curve.name);
+        let others: Vec<Curve> = others.into_iter().filter(|curve| !is_listed(curve)).collect();
+        curves.extend(others);
+    }
     let loads = match &raw.loads {
         Some(loads) => resolve_loads(loads, material.as_ref())?,
         None if curves.is_empty() => Vec::new(),

@@ -41,7 +41,8 @@ impl Axis {
 
     /// The powers of ten on the axis, thinned to a few.
     fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
-        let (first, last) = ((self.least.log10() - 1e-9).ceil() as i32, (self.most.log10() + 1e-9).floor() as i32);
+        let (first, last) =
+            ((self.least.log10() - 1e-9).ceil() as i32, (self.most.log10() + 1e-9).floor() as i32);
         let step = ((last - first) / MAX_TICKS + 1) as usize;
         (first..=last).rev().step_by(step).map(|power| 10f64.powi(power))
     }
@@ -56,15 +57,26 @@ pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle
         .collect();
     let psd = &report.results.psd;
     let marks = marks(report, load);
-    let areas = || curves.iter().flat_map(|(_, points)| points.iter().map(|(_, area)| *area)).chain(marks.iter().map(|mark| mark.low));
+    let areas = || {
+        curves
+            .iter()
+            .flat_map(|(_, points)| points.iter().map(|(_, area)| *area))
+            .chain(marks.iter().map(|mark| mark.low))
+    };
     let least = areas().filter(|area| *area > 0.0).fold(1.0, f64::min);
     if curves.is_empty() || least >= 1.0 {
         return None;
     }
-    let x = Axis { least: psd.shortest_wavelength_m(), most: psd.longest_wavelength_m(), start: LEFT, end: WIDTH - RIGHT };
+    let x = Axis {
+        least: psd.shortest_wavelength_m(),
+        most: psd.longest_wavelength_m(),
+        start: LEFT,
+        end: WIDTH - RIGHT,
+    };
     let floor = 10f64.powf((0.6 * least).log10().mul_add(2.0, 0.0).floor() / 2.0);
     let y = Axis { least: floor, most: 1.0, start: HEIGHT - BOTTOM, end: TOP };
-    let label = format!("Contact area at {} as finer roughness is included", report.scene.needs.loads[load].label);
+    let label =
+        format!("Contact area at {} as finer roughness is included", report.scene.needs.loads[load].label);
     Some(html! {
         svg.area viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(label) xmlns="http://www.w3.org/2000/svg" {
             (PreEscaped(background(report, x, y)))
@@ -140,9 +152,11 @@ fn marks(report: &SceneReport<'_>, load: usize) -> Vec<ElementMark> {
     let Some(judgement) = report.evidence.judgement else { return Vec::new() };
     let nominal_pa = report.scene.needs.loads[load].nominal_pressure_pa();
     let shortest_m = report.results.psd.shortest_wavelength_m();
-    let whole = judgement.references.iter().filter(|area| area.load == load).filter_map(|area| {
-        Some((area.reference, shortest_m, area.elements?))
-    });
+    let whole = judgement
+        .references
+        .iter()
+        .filter(|area| area.load == load)
+        .filter_map(|area| Some((area.reference, shortest_m, area.elements?)));
     let on_windows = judgement.windows.iter().filter(|on| on.load == load && !on.is_whole_band);
     let on_windows = on_windows.filter_map(|on| {
         let reference = judgement.curves.iter().find(|curve| curve.curve == on.curve)?.reference;
@@ -156,7 +170,13 @@ fn marks(report: &SceneReport<'_>, load: usize) -> Vec<ElementMark> {
         // Curves of one body share their elements, and the last window ends where the spectrum does.
         if !marks.iter().any(is_drawn) {
             let (low, high) = (elements.low(), elements.high());
-            marks.push(ElementMark { wavelength_m, area_fraction: elements.area_fraction, low, high, reference });
+            marks.push(ElementMark {
+                wavelength_m,
+                area_fraction: elements.area_fraction,
+                low,
+                high,
+                reference,
+            });
         }
     }
     marks
@@ -197,7 +217,7 @@ fn labels(
         let name = html! { (report.short_curve(*curve)) }.into_string();
         let _ = write!(
             text,
-            "<text class=\"m{curve} name\" x=\"{:.1}\" y=\"{:.1}\" fill=\"{}\">{name}</text>",
+            "<text class=\"m{curve} name\" x=\"{:.1}\" y=\"{:.1}\" style=\"fill:{}\">{name}</text>",
             x.place(*wavelength_m) + 6.0,
             (y.place(*area) + 14.0).min(HEIGHT - BOTTOM - 3.0),
             styles[*curve].colour

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use conclusions::{Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
+use conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
 use findings::interface::InterfaceStates;
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
@@ -36,13 +36,13 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
                 @else if let Some(load) = conclusions.loads.first() { p.bodies { "at " (typeset(&load.label)) } }
             }
             @if conclusions.loads.is_empty() {
-                div.cards { section.card { h3 { "No area" } p { "The scene has no curve with an area." } } (before_quoting(conclusions)) }
+                div.cards { section.card { h3 { "No area" } p { "The scene has no curve with an area." } } (before_quoting(conclusions, false)) }
             }
             @for load in &conclusions.loads {
-                div.cards class=(load_class(load)) {
+                div class={ "cards " (load_class(load)) } {
                     (best_estimate(report, load))
                     (hangs_on(report, load))
-                    (before_quoting(conclusions))
+                    (before_quoting(conclusions, load.otherwise.is_some()))
                 }
             }
             (interface_strip(report))
@@ -170,14 +170,17 @@ fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
     }
 }
 
-fn before_quoting(conclusions: &Conclusions) -> Markup {
+/// The cautions; that on the hardness is left out if it has a card of its own.
+fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
+    let is_shown =
+        |caution: &&Caution| !(says_hardness && matches!(caution, Caution::HardnessDecides { .. }));
     html! {
         section.card.before {
             h3 { "Before you quote it – trust: " (conclusions.trust.name()) }
             @if conclusions.cautions.is_empty() { p { "No cautions." } }
             @else {
                 ol {
-                    @for caution in conclusions.cautions.iter().take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
+                    @for caution in conclusions.cautions.iter().filter(is_shown).take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
                 }
             }
             @if let Some(step) = conclusions.next.first() { p.next { strong { "Next: " } (typeset(&next_words(step))) "." } }
@@ -289,7 +292,7 @@ fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, c
     };
     let reason = reason(report, found, load.load);
     html! {
-        td.cell class=(class) style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" title=(reason) {
+        td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" title=(reason) {
             (glyph) @if let Some(ratio) = found.ratio { " ×" (three_digits(ratio)) }
             span.reason { (reason) }
         }

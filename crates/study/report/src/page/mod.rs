@@ -3,8 +3,8 @@
 //! It describes one scene, or several that differ in their spectra, side by side. A section has a file, and each makes
 //! its part from a [`SceneReport`] alone.
 
-mod area_curve;
 mod answer;
+mod area_curve;
 mod choices;
 mod decades;
 mod disagreements;

@@ -14,7 +14,10 @@ pub(super) struct ModelStyle {
 impl ModelStyle {
     /// Returns the look of the model at an index.
     pub fn new(index: usize) -> Self {
-        ModelStyle { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index / COLOURS.len() % DASHES.len()] }
+        ModelStyle {
+            colour: COLOURS[index % COLOURS.len()],
+            dash: DASHES[index / COLOURS.len() % DASHES.len()],
+        }
     }
 }
 

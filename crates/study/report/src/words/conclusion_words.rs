@@ -193,7 +193,10 @@ pub(crate) fn seal_words(seal: &SealConclusion, scene: &Scene) -> String {
 }
 
 /// The quantities of the interface under the middle load.
-pub(crate) fn quantity_rows(conclusions: &Conclusions, states: &InterfaceStates<'_>) -> Vec<(&'static str, String)> {
+pub(crate) fn quantity_rows(
+    conclusions: &Conclusions,
+    states: &InterfaceStates<'_>,
+) -> Vec<(&'static str, String)> {
     let Some(load) = middle(conclusions) else { return Vec::new() };
     let is_guess =
         conclusions.cautions.iter().any(|caution| matches!(caution, Caution::GapOfYieldingContact { .. }));

@@ -200,6 +200,8 @@ impl ModelOptions {
 pub struct ModelEntry {
     /// The name that people type, which is also that of its curves.
     pub name: &'static str,
+    /// The short name in print.
+    pub short_name: &'static str,
     /// The full name, with the authors of the model.
     pub full_name: &'static str,
     /// The publication.

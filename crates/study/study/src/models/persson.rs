@@ -29,6 +29,7 @@ pub(super) static FACTS: FrameworkFacts = FrameworkFacts {
 pub(super) const MODELS: &[ModelEntry] = &[
     ModelEntry {
         name: "persson",
+        short_name: "Persson, elastic",
         full_name: "Persson's theory, elastic",
         citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
         framework: Framework::Persson,
@@ -41,6 +42,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "persson-plastic",
+        short_name: "Persson, elastic-plastic",
         full_name: "Persson's theory, elastic-plastic",
         citation: "Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006), Surf. Sci. Rep. 61:201",
         framework: Framework::Persson,

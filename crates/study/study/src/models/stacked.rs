@@ -20,6 +20,7 @@ pub(super) static FACTS: FrameworkFacts = FrameworkFacts {
 pub(super) const MODELS: &[ModelEntry] = &[
     ModelEntry {
         name: "elastic",
+        short_name: "Stack, elastic",
         full_name: "Archard stack, elastic (Jackson-Streator)",
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Jackson & Streator (2006), Wear 261:1337",
         framework: Framework::Stacked,
@@ -29,6 +30,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "elastic-plastic",
+        short_name: "Stack, elastic-plastic",
         full_name: "Archard stack, elastic-plastic (Jackson-Streator)",
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Krithivasan & Jackson (2007), Tribol. Lett. 27:31",
         framework: Framework::Stacked,

@@ -21,6 +21,7 @@ pub(super) static FACTS: FrameworkFacts = FrameworkFacts {
 pub(super) const MODELS: &[ModelEntry] = &[
     ModelEntry {
         name: "hertz",
+        short_name: "Spheres, elastic",
         full_name: "Greenwood-Williamson (Hertz)",
         citation: "Greenwood & Williamson (1966), Proc. R. Soc. A 295:300",
         framework: Framework::Statistical,
@@ -30,6 +31,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "ep-sphere",
+        short_name: "Spheres, elastic-plastic",
         full_name: "GW, elastic-plastic spheres (Jackson-Green)",
         citation: "Jackson & Green (2005), J. Tribol. 127:343",
         framework: Framework::Statistical,
@@ -45,6 +47,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "elastic-sine",
+        short_name: "Sinusoids, elastic",
         full_name: "GW, elastic sinusoids (Rostami-Jackson)",
         citation: "Johnson, Greenwood & Higginson (1985), Int. J. Mech. Sci. 27:383; Jackson & Streator (2006), Wear 261:1337",
         framework: Framework::Statistical,
@@ -57,6 +60,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "ep-sine",
+        short_name: "Sinusoids, elastic-plastic",
         full_name: "GW, elastic-plastic sinusoids (Krithivasan-Jackson)",
         citation: "Krithivasan & Jackson (2007), Tribol. Lett. 27:31; Rostami & Jackson (2013), Proc. IMechE J 227:1376",
         framework: Framework::Statistical,
@@ -69,6 +73,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "bgt",
+        short_name: "Summits, elastic",
         full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
         citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
         framework: Framework::Statistical,

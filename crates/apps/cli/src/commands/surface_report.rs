@@ -4,7 +4,8 @@ use std::io::{self, BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use measurements::{ScanProblem, ScanRequest, TopographyError};
-use questions::{BodyText, ReportQuestion, ReportSurface, RunOptions};
+use questions::{ReportQuestion, ReportSurface, RunOptions};
+use report::products::REPORT;
 use scans::{Mend, ScanOption};
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use spectrum::ReadOptions;
@@ -35,22 +36,30 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     })?;
     timings.lap("reading");
     let options = RunOptions { report: true, judge: None, uncertainty: None };
-    SceneRun { scene: &scene, folder: &folder, layout: Layout::Folders, options }.run(timings, context)
+    SceneRun { scene: &scene, folder: &folder, layout: Layout::Folders, options }.run(timings, context)?;
+    if args.open {
+        let page = folder.join(REPORT);
+        opener::open(&page)
+            .map_err(|error| Failure::System(format!("opening {}: {error}", page.display())))?;
+    }
+    Ok(())
 }
 
 /// Fills the question from the options, and asks for what is missing if somebody can answer.
 fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, Failure> {
     let mut material = args.material();
     if material.is_empty() {
-        material.name = Some(needed("material of the rough body", "steel 100Cr6", "--material \"steel 100Cr6\"")?);
+        material.name =
+            Some(needed("material of the rough body", "steel 100Cr6", "--material \"steel 100Cr6\"")?);
     }
     let mut pressures = args.pressure.clone();
     if pressures.is_empty() {
         pressures.push(needed("nominal pressure", "10 MPa", "--pressure 10MPa")?);
     }
     let counterface = Some(args.counterface()).filter(|body| !body.is_empty());
+    let pressures = pressures.iter().map(|pressure| spaced(pressure)).collect();
     Ok(ReportQuestion {
-        title: args.title.clone(),
+        title: Some(args.title.clone().unwrap_or_else(|| default_title(&args.files))),
         surface: surface(args, context)?,
         material,
         counterface,
@@ -96,7 +105,8 @@ fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) ->
 
 /// The question with its paths relative to a folder.
 fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestion, Failure> {
-    let from = std::path::absolute(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
+    let from = std::path::absolute(folder)
+        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
     let relative = |path: &str| -> String {
         if path.starts_with("builtin:") || path == "-" {
             return path.to_owned();
@@ -116,7 +126,8 @@ fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestio
 
 /// The scan whose file lacks something, and the option that gives it.
 fn missing(error: &SceneError) -> Option<(usize, ScanOption)> {
-    let SceneProblem::Surface(SurfaceError::Scans(error)) = &error.problem else { return None };
+    let SceneProblem::Surface(surface) = &error.problem else { return None };
+    let SurfaceError::Scans(error) = &**surface else { return None };
     match error.mend()? {
         Mend::Give(option) => Some((error.request.unwrap_or(0), option)),
         Mend::LeaveOut(_) => None,
@@ -161,18 +172,46 @@ fn ask(subject: &str, example: &str) -> Option<String> {
 
 /// The error of the scene in one line: of scans with the option that mends it, of a value with its key.
 fn worded(error: SceneError, text: &str) -> String {
-    match error.problem {
-        SceneProblem::Surface(SurfaceError::Scans(TopographyError { problem: ScanProblem::Reading(error), file, .. })) => {
+    let SceneProblem::Surface(surface) = error.problem else {
+        return report::scene_errors::drawn(&error, text, "the options of `report`");
+    };
+    match *surface {
+        SurfaceError::Scans(TopographyError { problem: ScanProblem::Reading(error), file, .. }) => {
             format!("reading {}: {error}", file.unwrap_or_default())
         }
-        SceneProblem::Surface(SurfaceError::Scans(error)) => refusal(error),
-        problem => report::scene_errors::drawn(&SceneError { problem, ..error }, text, "the options of `report`"),
+        SurfaceError::Scans(error) => refusal(error),
+        other => other.to_string(),
+    }
+}
+
+/// A quantity with a space before its unit: `10 MPa` of `10MPa`.
+fn spaced(text: &str) -> String {
+    let unit = text.trim_end_matches(|c: char| !c.is_ascii_digit());
+    let (number, unit) = text.split_at(unit.len());
+    if number.is_empty() || unit.is_empty() || unit.starts_with(' ') {
+        return text.to_owned();
+    }
+    format!("{number} {unit}")
+}
+
+/// `flange and 2 more scans`, after the first file.
+fn default_title(files: &[ScanRequest]) -> String {
+    match files.len() {
+        0 | 1 => stem(files),
+        2 => format!("{} and 1 more scan", stem(files)),
+        count => format!("{} and {} more scans", stem(files), count - 1),
     }
 }
 
 fn default_folder(files: &[ScanRequest]) -> PathBuf {
+    PathBuf::from(format!("{}-report", stem(files)))
+}
+
+/// The name of the first file without folder and extension.
+fn stem(files: &[ScanRequest]) -> String {
     let name = files.first().map_or("", |file| file.path.as_str());
     let name = name.strip_prefix("builtin:").unwrap_or(name);
-    let stem = Path::new(name).file_stem().map_or_else(|| "surface".into(), |stem| stem.to_string_lossy());
-    PathBuf::from(format!("{stem}-report"))
+    Path::new(name)
+        .file_stem()
+        .map_or_else(|| "surface".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
