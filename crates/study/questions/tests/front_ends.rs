@@ -1,4 +1,4 @@
-//! A question asked through the struct and the same one asked as a scene's curve.
+//! One question, answered through the struct and as a scene's curve.
 
 use parallel::Unobserved;
 use persson::corrections::Correction;

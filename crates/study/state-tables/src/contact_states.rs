@@ -37,7 +37,7 @@ pub struct StateRequest<'m> {
 }
 
 /// The result columns, all of one length. NaN marks a missing value: a separation beyond complete contact, or a state
-/// of a spectrum narrower than that of any surface.
+/// of a spectrum too narrow for any surface.
 #[derive(Debug)]
 pub struct StateColumns<'c> {
     /// Separations \[m\].
