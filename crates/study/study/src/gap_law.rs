@@ -12,7 +12,7 @@ use spectrum::Normalisation;
 use crate::models::CurveModel;
 use crate::plan::gap::LoadedSurface;
 pub use crate::plan::gap::{GapChoices, GapError, GapState};
-use crate::plan::{Plan, Results};
+use crate::plan::{Plan, PreparedSpectrum, Results};
 
 /// A surface under any load.
 #[derive(Debug)]
@@ -39,7 +39,8 @@ impl GapLaw {
         let (moments, _) = results.moments.last().ok_or(GapError::NoRoughness)?;
         let parseval = Normalisation::Parseval.factor() / normalisation.factor();
         let rms_height_m = parseval.sqrt() * moments.rms_height_m();
-        let surface = plan.surface(model, results, choices)?;
+        let prepared = PreparedSpectrum::from_results(results);
+        let surface = plan.surface(model, &prepared, choices)?;
         let surface = surface.ok_or(GapError::NoDistances(model.entry().name))?;
         Ok(GapLaw { surface, rms_height_m, band: choices.band })
     }

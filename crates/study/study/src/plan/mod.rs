@@ -2,7 +2,8 @@
 //!
 //! `needs` holds requests and `results` their answers. `prepared_spectrum` computes everything that curves need from
 //! the spectrum. `distinct_inputs` finds equal curves and loads. `theory` computes the rows of a model, with a module
-//! per theory, and `sweeps` those over loads. `gap` presses a surface with its whole spectrum. `compute` assembles the results; `stream` passes curves on in parts that
+//! per theory, and `sweeps` those over loads. `gap` presses a surface with its whole
+//! spectrum. `compute` assembles the results; `stream` passes curves on in parts that
 //! are not kept.
 
 mod compute;

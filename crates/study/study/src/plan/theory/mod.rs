@@ -16,7 +16,7 @@ pub use statistical::{CutoffState, STATE_DETAILS};
 
 use super::gap::{GapChoices, GapError, LoadedSurface};
 use super::run::Run;
-use super::{Cutoffs, Plan, PlanError, PreparedSpectrum, Results, Work};
+use super::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 use crate::models::{CurveModel, Theory};
 
 /// A curve against cutoff: for every load its rows, from long to short wavelengths.
@@ -203,14 +203,14 @@ pub(super) trait CurveTheory {
         places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError>;
 
-    /// Returns the surface with its whole spectrum from a computed plan, or nothing for a theory without distances.
+    /// Returns the surface with its whole spectrum, which a plan has prepared, or nothing for a theory without distances.
     ///
     /// # Errors
     /// [`GapError`] for a spectrum that has no gap.
     fn surface(
         &self,
         _plan: &Plan<'_>,
-        _results: &Results,
+        _prepared: &PreparedSpectrum,
         _choices: &GapChoices,
     ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
         Ok(None)
@@ -218,15 +218,15 @@ pub(super) trait CurveTheory {
 }
 
 impl Plan<'_> {
-    /// Returns the surface of a model with its whole spectrum from computed results, or nothing for a theory without
+    /// Returns the surface of a model with its whole spectrum, or nothing for a theory without
     /// distances.
     pub(crate) fn surface(
         &self,
         model: &CurveModel,
-        results: &Results,
+        prepared: &PreparedSpectrum,
         choices: &GapChoices,
     ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
-        theory_of(model).surface(self, results, choices)
+        theory_of(model).surface(self, prepared, choices)
     }
 }
 

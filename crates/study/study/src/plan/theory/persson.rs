@@ -11,7 +11,7 @@ use tables::Table;
 use super::{CurveResult, CurveTheory, Job, Rows, pressures_pa, with_loads};
 use crate::models::persson::{Persson, PerssonLaw};
 use crate::plan::gap::{GapChoices, GapError, GapState, LoadedSurface};
-use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Results, Work};
+use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 
 impl CurveTheory for Persson {
     fn rows_per_block(&self, prepared: &PreparedSpectrum, _: Cutoffs) -> usize {
@@ -40,10 +40,10 @@ impl CurveTheory for Persson {
     fn surface(
         &self,
         plan: &Plan<'_>,
-        results: &Results,
+        prepared: &PreparedSpectrum,
         choices: &GapChoices,
     ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
-        let roughness = plan.roughness(&results.psd, &results.moments, &results.scales, choices.band);
+        let roughness = plan.roughness(&prepared.psd, &prepared.moments, &prepared.scales, choices.band);
         let surface = PerssonSurface::of_roughness(self, roughness, choices.energy_factor)?;
         Ok(Some(Box::new(surface)))
     }

@@ -16,7 +16,7 @@ use crate::models::{Pressable, Statistical, StatisticalLaw};
 use crate::plan::condition::contact_of;
 use crate::plan::gap::{GapChoices, GapError, GapState, LoadedSurface};
 use crate::plan::prepared_spectrum::{Cutoff, Roughness};
-use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Results, Work};
+use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 
 /// The contact of the asperities that a spectrum has up to a cutoff.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -81,10 +81,10 @@ impl CurveTheory for Statistical {
     fn surface(
         &self,
         _: &Plan<'_>,
-        results: &Results,
+        prepared: &PreparedSpectrum,
         choices: &GapChoices,
     ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
-        let (moments, _) = results.moments.last().ok_or(GapError::NoRoughness)?;
+        let (moments, _) = prepared.moments.last().ok_or(GapError::NoRoughness)?;
         let asperities = AsperityParameters::from_moments(moments).ok_or(GapError::NoRoughness)?;
         let contact = match contact_of(self, &Roughness { moments: *moments, asperities })? {
             Pressable::Contact(contact) => contact,
