@@ -141,7 +141,7 @@ impl Study {
     }
 
     fn area(&self, curve: usize, load: usize) -> AreaInterval {
-        let area_fraction = self.findings.answer.curves[curve][load].as_ref().unwrap().area_fraction;
+        let area_fraction = self.answer.curves[curve][load].as_ref().unwrap().area_fraction;
         let index = |value| Index { value, standard_error: 0.02 };
         let indices = |value| Indices { first_order: index(value), total: index(value) };
         AreaInterval {
