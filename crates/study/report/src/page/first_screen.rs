@@ -30,7 +30,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
         section.screen id=(format!("s{at}")) aria-label="The answer" {
             style { (PreEscaped(rules(report, at))) }
             div.top {
-                @if several { h2 { (report.label) } }
+                h2 class=[(!several).then_some("unseen")] { @if several { (report.label) } @else { "The answer" } }
                 @if let Some(bodies) = bodies(report) { p.bodies { (bodies) } }
                 @if conclusions.loads.len() > 1 { (chips(conclusions, at, middle)) }
                 @else if let Some(load) = conclusions.loads.first() { p.bodies { "at " (typeset(&load.label)) } }
@@ -106,11 +106,17 @@ fn chips(conclusions: &Conclusions, at: usize, middle: usize) -> Markup {
             legend { "pressure" }
             @for (place, load) in conclusions.loads.iter().enumerate() {
                 @let id = format!("s{at}-l{}", load.load);
-                input type="radio" name=(format!("s{at}-load")) id=(id) checked[place == middle] {}
+                (input("radio", &id, &format!("s{at}-load"), place == middle))
                 label for=(id) { (typeset(&load.label)) }
             }
         }
     }
+}
+
+/// A radio button or a box, closed so that the page reads as XML as well.
+fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
+    let checked = if is_checked { " checked=\"checked\"" } else { "" };
+    PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
 }
 
 fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
@@ -220,7 +226,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                                 @let id = format!("s{at}-m{curve}");
                                 tr {
                                     th scope="row" {
-                                        input type="checkbox" id=(id) checked[drawn.contains(&curve)] {}
+                                        (input("checkbox", &id, &id, drawn.contains(&curve)))
                                         label for=(id) { span.key style={ "--line:" (styles[curve].colour) } {} (report.short_curve(curve)) }
                                     }
                                     @for load in loads { (cell(report, load, reference, curve)) }

@@ -118,7 +118,7 @@ impl Report<'_> {
                         @if let Some(extra) = &self.extra { section id=(extra.id) { h2 { (extra.title) } (extra.body) } }
                         @for section in &sections {
                             details.folded id=(section.id) {
-                                summary { (section.title) }
+                                summary { h2 { (section.title) } }
                                 (section.body)
                             }
                         }
