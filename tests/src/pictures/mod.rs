@@ -69,7 +69,10 @@ pub fn stale() -> Vec<String> {
     let mut stale: Vec<String> =
         drawn.iter().filter(differs).map(|picture| picture.name.to_owned()).collect();
     let committed = std::fs::read_dir(committed_file("docs/pictures")).into_iter().flatten();
-    let names = committed.filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_str()?.to_owned()));
+    let svgs = committed.filter_map(Result::ok).map(|entry| entry.path());
+    // A photograph of the report in a browser is not drawn here.
+    let svgs = svgs.filter(|path| path.extension().is_some_and(|extension| extension == "svg"));
+    let names = svgs.filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()));
     stale.extend(names.filter(|name| !drawn.iter().any(|picture| picture.name == name)));
     stale.sort();
     stale

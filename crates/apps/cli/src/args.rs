@@ -262,9 +262,9 @@ Examples:
     Report(Box<ReportArgs>),
     /// Carry out a scene: tables, figures and a summary
     #[command(after_help = "\
-Writes one table per curve, one table and one SVG per figure, and prints a
-summary: area fraction, real pressure, and the wavelength at which the area
-has settled, per load. Options given here count more than the scene's own.
+Writes one table per curve, one table and one SVG per figure, a report and
+answer.json, and prints a summary of at most twelve lines; --verbose prints
+every note and number. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml

@@ -3,7 +3,7 @@
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
 use interface::conductance::MOST_PLASTIC_SHARE;
-use judge::Basis;
+use judge::{Basis, Reference};
 use serde::Serialize;
 use spectrum::Hole;
 use topography::InstrumentsDisagree;
@@ -123,11 +123,9 @@ pub(crate) fn cautions(
             name.map(|input| Caution::FewScans { instrument: input.name.text().to_owned(), scans: *scans }),
         );
     }
-    let yielded = states.into_iter().flat_map(|states| {
-        (0..scene.needs.loads.len())
-            .filter_map(|load| states.plastic_share(load))
-            .filter(|share| *share > MOST_PLASTIC_SHARE)
-    });
+    let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
+    let shares = may_yield.filter_map(|load| states?.plastic_share(load.load));
+    let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
     cautions.extend(yielded.reduce(f64::max).map(|share| Caution::GapOfYieldingContact { share }));
     let maps = judgement.into_iter().flat_map(|judgement| &judgement.maps);
     let not_gaussian =

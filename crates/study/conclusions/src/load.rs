@@ -97,7 +97,7 @@ pub struct ModelCell {
     pub verdict: Verdict,
 }
 
-/// The number of models by verdict.
+/// The number of models by verdict: of those compared with the elements of the estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Tally {
     /// Models that agree with the elements.
@@ -108,6 +108,8 @@ pub struct Tally {
     pub not_valid: usize,
     /// Models that were not compared.
     pub not_judged: usize,
+    /// Models that were compared with other elements.
+    pub of_other_elements: usize,
 }
 
 impl LoadConclusion {
@@ -131,7 +133,7 @@ impl LoadConclusion {
             otherwise: headline.and_then(|headline| OtherHardness::new(headline, &area)),
             area,
             best_model,
-            tally: Tally::count(cells()),
+            tally: Tally::count(&references),
             references,
         })
     }
@@ -231,9 +233,11 @@ impl OtherHardness {
 }
 
 impl Tally {
-    fn count<'c>(cells: impl Iterator<Item = &'c ModelCell>) -> Self {
+    fn count(references: &[ReferenceGroup]) -> Self {
         let mut tally = Tally::default();
-        for cell in cells {
+        let Some((own, others)) = references.split_first() else { return tally };
+        tally.of_other_elements = others.iter().map(|group| group.models.len()).sum();
+        for cell in &own.models {
             match cell.verdict {
                 Verdict::Agrees => tally.agree += 1,
                 Verdict::TooLarge | Verdict::TooSmall => tally.off += 1,

@@ -81,7 +81,9 @@ impl Headline {
                 };
                 Some(Headline { otherwise: otherwise.filter(moves), ..headline })
             }
-            (_, Some(flowing)) if yielding.above_constant.is_some() => Self::from_elements(flowing, curves),
+            (_, Some(flowing)) if yielding.above_constant.is_some() && !yielding.hardness_grows => {
+                Self::from_elements(flowing, curves)
+            }
             (Some(elastic), _) if yielding.above_constant.is_none() => Self::from_elements(elastic, curves),
             _ => Self::from_range(load, curves),
         }

@@ -141,7 +141,10 @@ pub(super) fn resolve(
         ));
     }
     if curves.is_empty() && figures.is_empty() && interface.is_none() {
-        return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
+        return Err(SceneError::anywhere(match raw.loads.is_some() && material.is_none() {
+            true => "the scene has loads and no material; add [material] with name = \"...\"",
+            false => "the scene asks for nothing; add [material] and [loads], or a [[figure]]",
+        }));
     }
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {

@@ -35,9 +35,8 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
     let scene = read(args, &folder, context)?;
     timings.lap("reading");
-    if context.shared.verbose || args.dry_run || args.explain {
-        say_surface(&scene.surface);
-        say_notes(scene.notes.iter().map(scene_note_words::line));
+    if args.dry_run || args.explain {
+        say_scene(&scene);
     }
     if args.dry_run {
         return print(&explain(&scene), context);
@@ -54,6 +53,12 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     })
 }
 
+/// Says the notes on a scene before anything of it is computed.
+fn say_scene(scene: &Scene) {
+    say_surface(&scene.surface);
+    say_notes(scene.notes.iter().map(scene_note_words::line));
+}
+
 /// A scene that is run into a folder.
 pub(super) struct SceneRun<'a> {
     pub scene: &'a Scene,
@@ -66,6 +71,9 @@ impl SceneRun<'_> {
     /// Runs the scene, writes its files, and prints the summary.
     pub fn run(&self, timings: Timings, context: &Context<'_>) -> Result<(), Failure> {
         let SceneRun { scene, folder, layout, options } = *self;
+        if context.shared.verbose {
+            say_scene(scene);
+        }
         let watching = Watching { timings: RefCell::new(timings) };
         let outcome = run_scene(scene, options, &watching).map_err(failed)?;
         let mut timings = watching.timings.into_inner();

@@ -217,10 +217,7 @@ fn middle(conclusions: &Conclusions) -> Option<&LoadConclusion> {
 
 /// The models that agree, by name, and the number of the others.
 fn models_words(load: &LoadConclusion, scene: &Scene) -> Option<String> {
-    let cells: Vec<&ModelCell> = load.references.iter().flat_map(|group| &group.models).collect();
-    if cells.is_empty() {
-        return None;
-    }
+    let cells: &[ModelCell] = &load.references.first()?.models;
     let agreeing: Vec<String> = cells
         .iter()
         .filter(|cell| cell.verdict == Verdict::Agrees)
@@ -238,9 +235,12 @@ fn models_words(load: &LoadConclusion, scene: &Scene) -> Option<String> {
         true => "none agrees".to_owned(),
         false => format!("agree: {}{more}", agreeing.join(", ")),
     });
-    for (count, words) in
-        [(load.tally.off, "off"), (load.tally.not_valid, "not valid"), (load.tally.not_judged, "not judged")]
-    {
+    for (count, words) in [
+        (load.tally.off, "off"),
+        (load.tally.not_valid, "not valid"),
+        (load.tally.not_judged, "not judged"),
+        (load.tally.of_other_elements, "of another hardness"),
+    ] {
         if count > 0 {
             parts.push(format!("{words}: {count}"));
         }
