@@ -127,7 +127,7 @@ fn picture(
 
 /// Line under a condition.
 fn line(condition: &str, condition_index: usize, points: Vec<(f64, f64)>) -> Series {
-    Series::under(condition, condition_index, points)
+    dashed("", 0, Series::under(condition, condition_index, points))
 }
 
 /// Line of a curve with a dash pattern: 0 is solid. The drawing dashes the first curve of several and leaves the second solid.

@@ -12,8 +12,8 @@ use crate::layout::{Cell, Extent, Layout, PlannedPress};
 use crate::model_areas;
 use crate::reason::Reason;
 use crate::solve::{Solutions, Solved};
-use crate::verdict::{ERRORS_GIVEN, Verdict};
-use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome, WorstWindow};
+use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
+use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 

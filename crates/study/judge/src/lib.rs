@@ -32,6 +32,6 @@ pub use layout::Extent;
 pub use maps::MapVerdict;
 pub use reason::Reason;
 pub use settings::{DEFAULT_BUDGET, DEFAULT_REALISATIONS, DEFAULT_SEED, Settings};
-pub use verdict::{AGREEMENT, ERRORS_GIVEN, Verdict};
-pub use verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome, WorstWindow};
+pub use verdict::{AGREEMENT, ERRORS_GIVEN, Verdict, WorstWindow};
+pub use verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 pub use yielding::Yielding;

@@ -6,7 +6,7 @@ use serde::Serialize;
 use units::display::{length, percent, pressure, three_digits};
 
 use crate::assumptions::BrokenAssumption;
-use crate::verdicts::WorstWindow;
+use crate::verdict::WorstWindow;
 
 /// The reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

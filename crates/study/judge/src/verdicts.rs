@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::assumptions::{BrokenAssumption, CurveAtLoad};
 use crate::body::Reference;
 use crate::reason::Reason;
-use crate::verdict::{ERRORS_GIVEN, Verdict};
+use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
 
 /// A curve under a load on a window, held against boundary elements.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -122,19 +122,6 @@ impl CurveVerdict {
     pub fn holds(&self) -> bool {
         self.verdict == Verdict::Agrees && 2 * self.agreeing > self.windows
     }
-}
-
-/// The window on which a curve is farthest from the elements.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct WorstWindow {
-    /// The longest wave of the window \[m\].
-    pub longest_m: f64,
-    /// The shortest wave of the window \[m\].
-    pub shortest_m: f64,
-    /// The curve's area over that of the elements.
-    pub ratio: f64,
-    /// The verdict on that ratio.
-    pub verdict: Verdict,
 }
 
 /// The area of boundary elements with the whole band under a load.

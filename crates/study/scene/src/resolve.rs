@@ -143,7 +143,7 @@ pub(super) fn resolve(
     if curves.is_empty() && figures.is_empty() && interface.is_none() {
         return Err(SceneError::anywhere(match raw.loads.is_some() && material.is_none() {
             true => "the scene has loads and no material; add [material] with name = \"...\"",
-            false => "the scene asks for nothing; add [material] and [loads], or a [[figure]]",
+            false => "the scene asks for nothing; add a [[curve]] or a [[figure]], or [material] and [loads]",
         }));
     }
     let own = resolve_surface("surface", &raw.surface, files)?;

@@ -2,17 +2,17 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, figures};
+use super::{SceneReport, Section};
 use crate::answer_words;
 use crate::scan_words;
 use crate::summary::sampling;
 use crate::verdict_words;
 use units::display::typeset;
 
-pub(super) fn section(scenes: &[SceneReport<'_>]) -> Section {
+pub(super) fn section(scenes: &[SceneReport<'_>], figures: &Markup) -> Section {
     let body = html! {
         div.answers { @for scene in scenes { div { (of(scene, scenes.len() > 1)) } } }
-        (figures::of_the_answer(scenes))
+        (figures)
     };
     Section { id: "answer", title: "The answer in words", body }
 }

@@ -82,7 +82,7 @@ impl Report<'_> {
     pub fn html(&self) -> String {
         let scenes = &self.scenes;
         let sections: Vec<Section> = [
-            Some(answer::section(scenes)),
+            Some(answer::section(scenes, &figures::of_the_answer(scenes))),
             verdict::section(scenes),
             how_sure::section(scenes),
             measure_next::section(scenes),
