@@ -157,7 +157,7 @@ class Scene:
     ) -> Scene:
         given = dict(overrides)
         if (other := given.get("counterface")) is not None:
-            given["counterface"] = (other.youngs_modulus, other.poisson_ratio)
+            given["counterface"] = other._native
         scene = cls.__new__(cls)
         scene._native = _native.Scene(text, name, folder, files, given)
         scene._recipe = (text, name, folder, scene._native.files, overrides)

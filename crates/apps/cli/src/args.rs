@@ -9,7 +9,7 @@ mod persson;
 mod scans;
 
 pub(crate) use bem::BemArgs;
-pub(crate) use gap::{GapArgs, LawArgs, LawForm};
+pub(crate) use gap::{GapArgs, LawArgs};
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
     ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,

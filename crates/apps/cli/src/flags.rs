@@ -18,7 +18,7 @@ impl Spelling for Flags {
             OptionName::Reading => return "an option for reading spectra".to_owned(),
             OptionName::Side => "box",
             OptionName::StrainGradient => "strain-gradient-length",
-            option => return format!("--{}", kebab_case(&format!("{option:?}"))),
+            option => return format!("--{}", option.snake_case().replace('_', "-")),
         };
         format!("--{name}")
     }
@@ -44,18 +44,6 @@ impl Spelling for PerssonFlags {
     fn model(&self, name: &str) -> String {
         Flags.model(if name == "persson" { "elastic" } else { "elastic-plastic" })
     }
-}
-
-/// `StrengthCap` as `strength-cap`.
-fn kebab_case(name: &str) -> String {
-    let mut text = String::new();
-    for letter in name.chars() {
-        if letter.is_uppercase() && !text.is_empty() {
-            text.push('-');
-        }
-        text.extend(letter.to_lowercase());
-    }
-    text
 }
 
 /// A question's error as the failure of a command.

@@ -1,5 +1,6 @@
 //! Mean gap and stiffness under loads, and laws made from them.
 
+use contact_law::{ContactLaw, ExponentialLaw};
 use findings::doubts::Doubt;
 use parallel::Progress;
 use persson::variance::Band;
@@ -15,12 +16,12 @@ use study::result_tables;
 use study::surface::Surface;
 use units::Pressure;
 
+use crate::FEW_TOUCH;
 use crate::choices;
 use crate::elements::{RandomInput, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::option::{Reason, first_given};
 use crate::{Answer, GapCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
-use crate::{FEW_TOUCH, UnusedOption};
 
 /// The light-load law is said to hold within this share of the pressure.
 pub const LIGHT_LOADS_SHARE: f64 = 0.01;
@@ -40,7 +41,7 @@ pub struct GapModel {
     pub sampling: SamplingInput,
     /// Normalisation of moments, for statistical models.
     pub normalisation: Option<Normalisation>,
-    /// Relative tolerance of statistical states, in (0, 0.01\].
+    /// Relative tolerance of statistical states, in (0, 0.01\], for statistical models.
     pub tolerance: Option<f64>,
 }
 
@@ -79,9 +80,22 @@ impl Default for LawQuestion {
     }
 }
 
+/// The form in which a law is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LawForm {
+    /// Rows of pressure and overclosure.
+    Table,
+    /// The exponential law of light loads, which Persson's theory has.
+    Exponential,
+}
+
+units::named!(LawForm, "form of the law", { Table => "table", Exponential => "exponential" });
+
 /// A law of gaps of a surface.
 #[derive(Debug)]
 pub struct FoundLaw {
+    /// The model.
+    pub model: &'static ModelEntry,
     /// The law under any load.
     pub law: GapLaw,
     /// The least and the largest nominal pressure \[Pa\].
@@ -90,14 +104,34 @@ pub struct FoundLaw {
     pub notes: Vec<Note>,
 }
 
+impl FoundLaw {
+    /// The law of light loads in the form that finite element codes take.
+    ///
+    /// # Errors
+    /// [`QuestionError::NoExponentialLaw`] if the model is not Persson's theory.
+    pub fn exponential(&self) -> Result<ExponentialLaw, QuestionError> {
+        self.law.exponential(LIGHT_LOADS_SHARE).ok_or(QuestionError::NoExponentialLaw(self.model))
+    }
+
+    /// Samples the law between its pressures, straight within a relative `tolerance` of the pressure. `progress` advances once
+    /// per state that is computed; how many are needed shows only in the end.
+    ///
+    /// # Errors
+    /// [`QuestionError::Sampling`] for pressures between which the gap does not close, and if `progress` is cancelled.
+    pub fn sampled(&self, tolerance: f64, progress: &dyn Progress) -> Result<ContactLaw, QuestionError> {
+        Ok(self.law.sampled(self.range_pa, tolerance, progress)?)
+    }
+}
+
 impl GapModel {
     /// Refuses options that the model ignores.
-    fn check(&self) -> Result<(), UnusedOption> {
+    fn check(&self) -> Result<(), QuestionError> {
         let options = &self.options;
         let Some(entry) = self.model else {
             let given = [
                 (OptionName::Gamma, options.gamma.is_some()),
                 (OptionName::Normalisation, self.normalisation.is_some()),
+                (OptionName::Tolerance, self.tolerance.is_some()),
                 (OptionName::Hardness, options.hardness.is_some()),
                 (OptionName::InterferenceLaw, options.interference_law.is_some()),
                 (OptionName::Band, options.band.is_some()),
@@ -107,11 +141,12 @@ impl GapModel {
                 (OptionName::ScalesPerDecade, self.sampling.scales_per_decade.is_some()),
                 (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
             ];
-            return first_given(given, || Reason::BoundaryElements);
+            return Ok(first_given(given, || Reason::BoundaryElements)?);
         };
         let is_persson = entry.framework == Framework::Persson;
         let without_law = [
             (OptionName::Normalisation, self.normalisation.is_some() && is_persson),
+            (OptionName::Tolerance, self.tolerance.is_some() && is_persson),
             (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
             (
                 OptionName::InterferenceLaw,
@@ -120,7 +155,13 @@ impl GapModel {
             (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
         ];
         first_given(without_law, || Reason::Model(entry.name))?;
-        choices::check(options, entry, self.material.strength_cap.is_some())
+        choices::check(options, entry, self.material.strength_cap.is_some())?;
+        self.checked_tolerance().map(drop)
+    }
+
+    fn checked_tolerance(&self) -> Result<Tolerance, QuestionError> {
+        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
+        Ok(tolerance.unwrap_or_default())
     }
 
     /// The law with the whole spectrum.
@@ -144,11 +185,10 @@ impl GapModel {
         };
         let plan = Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs };
         let results = plan.compute_observed(progress)?;
-        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let choices = GapChoices {
             energy_factor: self.options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR),
             band: self.options.band.unwrap_or_default(),
-            tolerance: tolerance.unwrap_or_default(),
+            tolerance: self.checked_tolerance()?,
         };
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)
     }
@@ -266,13 +306,13 @@ impl LawQuestion {
     /// [`QuestionError`].
     pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<FoundLaw, QuestionError> {
         self.by.check()?;
-        let entry = self.by.model.ok_or(QuestionError::Missing(OptionName::Model))?;
+        let entry = self.by.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
         let material = self.by.material.material()?;
         let range_pa = self.range_pa(&material)?;
         let mut notes = self.by.notes(&material, surface);
         let law = self.by.law(entry, &material, surface, progress)?;
         notes.extend(Note::of_gap_law(&law, range_pa[0]));
-        Ok(FoundLaw { law, range_pa, notes })
+        Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 
     fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {

@@ -12,19 +12,21 @@ mod note;
 mod option;
 mod sampling;
 mod spectrum;
+mod states;
 mod text;
 
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
 pub use elements::{ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
-pub use gap::{FoundLaw, GapModel, GapQuestion, LIGHT_LOADS_SHARE, LawQuestion, states_of_elements};
+pub use gap::{FoundLaw, GapModel, GapQuestion, LIGHT_LOADS_SHARE, LawForm, LawQuestion, states_of_elements};
 pub use loads::{LoadInput, RangeInput};
 pub use material::{BodyInput, MaterialInput};
 pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
 pub use option::{OptionName, Reason, Spelling, UnusedOption};
 pub use sampling::SamplingInput;
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
+pub use states::StatesQuestion;
 
 use study::figure::FigureData;
 use tables::Table;

@@ -26,6 +26,8 @@ pub enum OptionName {
     Direction,
     /// Figure of the table.
     Figure,
+    /// Form in which a law is written.
+    Form,
     /// Elastic energy factor.
     Gamma,
     /// Points along a side of a random surface.
@@ -88,6 +90,21 @@ pub enum OptionName {
     YieldStrength,
     /// Young's modulus.
     YoungsModulus,
+}
+
+impl OptionName {
+    /// The name in lower case, with underscores between its words: `interference_law`.
+    #[must_use]
+    pub fn snake_case(self) -> String {
+        let mut name = String::new();
+        for letter in format!("{self:?}").chars() {
+            if letter.is_uppercase() && !name.is_empty() {
+                name.push('_');
+            }
+            name.extend(letter.to_lowercase());
+        }
+        name
+    }
 }
 
 /// An option that is given and changes nothing.

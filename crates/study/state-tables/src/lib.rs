@@ -12,7 +12,7 @@ mod strength_columns;
 
 pub use asperities::Asperities;
 pub use contact_states::{
-    ContactStates, StateColumns, StateCondition, StateRequest, StatesError, StatesFound,
+    ContactStates, STATE_COLUMNS, StateCondition, StateRequest, StatesError, StatesFound,
 };
 pub use flattened::Flattened;
 pub use narrow_spectra::NarrowSpectra;

@@ -24,6 +24,17 @@ pub enum Deformation {
 
 units::named!(Deformation, "model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
 
+impl Deformation {
+    /// Returns the name of its model, as scenes have it.
+    #[must_use]
+    pub fn model_name(self) -> &'static str {
+        match self {
+            Deformation::Elastic => "persson",
+            Deformation::ElasticPlastic => "persson-plastic",
+        }
+    }
+}
+
 /// Persson's theory with its choices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PerssonLaw {

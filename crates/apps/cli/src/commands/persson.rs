@@ -32,11 +32,7 @@ fn over_cutoffs(
     args: &PerssonArgs,
     context: &Context<'_>,
 ) -> Result<(), Failure> {
-    let name = match deformation {
-        Deformation::Elastic => "persson",
-        Deformation::ElasticPlastic => "persson-plastic",
-    };
-    let model = models::named(Framework::Persson, name).map_err(Failure::input)?;
+    let model = models::named(Framework::Persson, deformation.model_name()).map_err(Failure::input)?;
     let material = args.material.input();
     let hardness_law = args.hardness_law.as_ref().map(|law| match law {
         GrowthArg::Law(law) => Ok(law.clone()),
